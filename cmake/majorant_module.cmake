@@ -1,0 +1,53 @@
+# majorant_module(NAME [PUBLIC target...] [PRIVATE target...])
+#
+# One layer of the tree = one static library `majorant_NAME` (alias majorant::NAME) made of every
+# NAME/*.cpp. Headers are included as "majorant/NAME/x.h", inside the tree as after install; a link
+# in the build tree makes that path, one include root per layer.
+function(majorant_module name)
+  cmake_parse_arguments(ARG "" "" "PUBLIC;PRIVATE" ${ARGN})
+  set(source_dir ${PROJECT_SOURCE_DIR}/${name})
+  file(GLOB sources CONFIGURE_DEPENDS ${source_dir}/*.cpp)
+  set(root ${PROJECT_BINARY_DIR}/include/${name})
+  file(MAKE_DIRECTORY ${root}/majorant)
+  if(NOT EXISTS ${root}/majorant/${name})
+    file(CREATE_LINK ${source_dir} ${root}/majorant/${name} SYMBOLIC)
+  endif()
+
+  add_library(majorant_${name} STATIC ${sources})
+  add_library(majorant::${name} ALIAS majorant_${name})
+  target_compile_features(majorant_${name} PUBLIC cxx_std_20)
+  target_compile_options(majorant_${name} PRIVATE -Wall -Wextra -Wpedantic -Wshadow)
+  set_target_properties(majorant_${name} PROPERTIES EXPORT_NAME ${name} CXX_EXTENSIONS OFF
+                                                    POSITION_INDEPENDENT_CODE ON)
+  # Eigen's heap alignment is part of the binary interface: fix it, so that a consumer compiled
+  # with wider vector instructions frees what we allocate.
+  target_compile_definitions(majorant_${name} PUBLIC EIGEN_MAX_ALIGN_BYTES=16)
+  target_include_directories(majorant_${name} PUBLIC $<BUILD_INTERFACE:${root}>
+                                                     $<INSTALL_INTERFACE:include>)
+  target_link_libraries(majorant_${name} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
+  install(TARGETS majorant_${name} EXPORT majorantTargets
+          ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(DIRECTORY ${source_dir}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/majorant/${name}
+          FILES_MATCHING PATTERN "*.h")
+endfunction()
+
+# The exported package: find_package(majorant) gives majorant::majorant (everything) and one target
+# per layer.
+function(majorant_install_package)
+  include(CMakePackageConfigHelpers)
+  add_library(majorant INTERFACE)
+  add_library(majorant::majorant ALIAS majorant)
+  target_link_libraries(majorant INTERFACE majorant_io)
+  install(TARGETS majorant EXPORT majorantTargets)
+  set(destination ${CMAKE_INSTALL_LIBDIR}/cmake/majorant)
+  install(EXPORT majorantTargets NAMESPACE majorant:: DESTINATION ${destination})
+  configure_package_config_file(cmake/majorantConfig.cmake.in
+                                ${PROJECT_BINARY_DIR}/majorantConfig.cmake
+                                INSTALL_DESTINATION ${destination})
+  write_basic_package_version_file(${PROJECT_BINARY_DIR}/majorantConfigVersion.cmake
+                                   COMPATIBILITY SameMinorVersion)
+  install(FILES ${PROJECT_BINARY_DIR}/majorantConfig.cmake
+                ${PROJECT_BINARY_DIR}/majorantConfigVersion.cmake
+                cmake/FindCHOLMOD.cmake cmake/FindOpenMeshCore.cmake
+          DESTINATION ${destination})
+endfunction()

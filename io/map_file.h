@@ -1,0 +1,27 @@
+// A finished map as files hold it: the currency of readers, writers and `check`.
+//
+// Cells are Bezier triangles of one degree n over shared points, local control points in VTK order
+// (corners, edges 01, 12, 20, interior recursively). It is deliberately weaker than BezierMap: a
+// file written by somebody else may be discontinuous, inverted or inconsistent, and `check` must be
+// able to hold it in order to say so.
+#pragma once
+
+#include <string>
+
+#include "majorant/framework/types.h"
+
+namespace majorant {
+
+struct MapFile {
+  int degree = 1;
+  Points3 points;                 // #N by 3, control points of the flat surface triangles
+  Points2 uv;                     // #N by 2, control points of the map
+  Cells cells;                    // #F by (n+1)(n+2)/2, point numbers in VTK order
+  Eigen::VectorXi input_vertex;   // #N, vertex of the input mesh, -1 where there is none
+  Eigen::VectorXi input_face;     // #F, face (polygon) of the input mesh, 0-based
+  Vec distortion;                 // #F, mean density; may be empty
+  Vec min_det;                    // #F, certified lower bound of det J; may be empty
+  std::string claims;             // JSON object, what the file promises; may be empty
+};
+
+}  // namespace majorant

@@ -1,0 +1,30 @@
+// What a mesh file says, before anything is believed: polygons over positions, with the lines they
+// came from. SurfaceMesh (surface_mesh.h) validates it; readers (io/) only guarantee that numbers
+// are finite, every index is in range and every polygon has at least three corners.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "majorant/framework/types.h"
+
+namespace majorant {
+
+struct PolygonMesh {
+  std::string file;                         // for messages; may be empty
+  std::vector<Vector3> positions;           // #V, model units
+  std::vector<std::vector<Index>> polygons; // #P lists of >= 3 vertex indices, 0-based
+  std::vector<long> polygon_lines;          // #P line (or record) numbers, 1-based; may be empty
+
+  std::vector<Vector2> texcoords;                      // #T; may be empty
+  std::vector<std::vector<Index>> polygon_texcoords;   // #P lists parallel to polygons, or empty;
+                                                       // a polygon without vt has an empty list
+
+  // OBJ only: what an OBJ writer gives back unchanged.
+  std::vector<Vector3> normals;
+  std::vector<std::vector<Index>> polygon_normals;          // like polygon_texcoords
+  std::vector<std::pair<Index, std::string>> directives;    // (polygon it precedes, line): o g s usemtl mtllib
+};
+
+}  // namespace majorant
