@@ -1,0 +1,90 @@
+// Bernstein-Bezier algebra on the triangle.
+//
+// A polynomial of degree n is sum_{i+j+k=n} c_ijk B_ijk(xi), B_ijk = n!/(i!j!k!) xi0^i xi1^j xi2^k.
+// Coefficients are stored in VTK order: corners (n,0,0) (0,n,0) (0,0,n), the inner points of edges
+// 01, 12, 20 in edge direction, then the inner points as a triangle of degree n-3, recursively.
+// Derivatives are by xi0 and xi1 with xi2 = 1 - xi0 - xi1. [MC20] Sec. 3.1, [Far02].
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "majorant/framework/types.h"
+
+namespace majorant {
+
+using Barycentric = Eigen::Vector3d;
+using MultiIndex = std::array<int, 3>;
+
+// Number of control points, (n+1)(n+2)/2.
+constexpr int control_point_count(int n) { return (n + 1) * (n + 2) / 2; }
+// Inverse of control_point_count; -1 when `count` is not triangular.
+int degree_from_control_points(int count);
+
+// The numbering of one degree; tables are built once per degree and shared.
+class TriangleIndices {
+ public:
+  static constexpr int kMaxDegree = 20;
+  static const TriangleIndices& of_degree(int n);  // 0..kMaxDegree, throws std::out_of_range
+
+  int degree() const { return degree_; }
+  int count() const { return static_cast<int>(multi_.size()); }
+  const MultiIndex& multi(int local) const { return multi_[static_cast<std::size_t>(local)]; }
+  int local(int i, int j, int k) const {  // i + j + k = degree
+    static_cast<void>(k);
+    return lookup_[static_cast<std::size_t>(i * (degree_ + 1) + j)];
+  }
+  // Local numbers along edge 0 (corner 0 -> 1), 1 (1 -> 2) or 2 (2 -> 0), ends included.
+  const std::vector<int>& edge(int e) const { return edges_[static_cast<std::size_t>(e)]; }
+  // n! / (i! j! k!).
+  double multinomial(int local) const { return multinomial_[static_cast<std::size_t>(local)]; }
+
+ private:
+  explicit TriangleIndices(int n);
+  int degree_;
+  std::vector<MultiIndex> multi_;
+  std::vector<int> lookup_;
+  std::array<std::vector<int>, 3> edges_;
+  std::vector<double> multinomial_;
+};
+
+// Values of all basis functions, size control_point_count(n).
+Vec bernstein_values(int n, const Barycentric& xi);
+// Derivatives by xi0 (column 0) and xi1 (column 1): control_point_count(n) by 2.
+Eigen::MatrixX2d bernstein_gradients(int n, const Barycentric& xi);
+
+// E with coefficients of degree n+1 = E * coefficients of degree n.
+Eigen::MatrixXd elevation_matrix(int n);
+
+// Coefficients of the product of two polynomials of degrees m and n, degree m + n.
+Vec multiply(int m, VecIn a, int n, VecIn b);
+
+// Newest-vertex bisection, [MC20] App. E corrected (method.md E8): splits the edge opposite corner
+// 0 at its midpoint M; `plus` is the polynomial on (M, P0, P1), `minus` on (M, P2, P0).
+// a, plus, minus: control_point_count(n) numbers each. T is any type with + and a half().
+template <class T>
+void bisect(int n, const T* a, T* plus, T* minus);
+
+inline double half(double x) { return 0.5 * x; }
+
+template <class T>
+void bisect(int n, const T* a, T* plus, T* minus) {
+  const TriangleIndices& ix = TriangleIndices::of_degree(n);
+  std::array<T, TriangleIndices::kMaxDegree + 1> row{};
+  for (int i = 0; i <= n; ++i) {
+    for (int j = 0; j <= n - i; ++j)
+      row[static_cast<std::size_t>(j)] = a[ix.local(i, j, n - i - j)];
+    plus[ix.local(0, i, n - i)] = row[static_cast<std::size_t>(n - i)];
+    minus[ix.local(0, n - i, i)] = row[0];
+    for (int l = 1; l <= n - i; ++l) {
+      for (int j = 0; j <= n - i - l; ++j) {
+        const auto k = static_cast<std::size_t>(j);
+        row[k] = half(row[k] + row[k + 1]);
+      }
+      plus[ix.local(l, i, n - l - i)] = row[static_cast<std::size_t>(n - i - l)];
+      minus[ix.local(l, n - i - l, i)] = row[0];
+    }
+  }
+}
+
+}  // namespace majorant

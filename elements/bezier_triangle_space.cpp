@@ -1,0 +1,139 @@
+#include "majorant/elements/bezier_triangle_space.h"
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+
+#include "majorant/elements/det_coefficients.h"
+
+namespace majorant {
+
+BezierTriangleSpace::BezierTriangleSpace(const Cells& faces, Index vertex_count, int degree)
+    : faces_(faces), vertex_count_(vertex_count), degree_(degree) {
+  if (degree < 1 || degree > kMaxDegree)
+    throw std::invalid_argument("BezierTriangleSpace: degree must be 1..8");
+  cells_.resize(faces.rows(), control_point_count(degree));
+  cells_.leftCols(3) = faces;
+  number_edges();
+  const int inner = control_point_count(degree) - 3 * degree;
+  for (Index f = 0; f < faces.rows(); ++f)
+    for (int k = 0; k < inner; ++k) cells_(f, 3 * degree + k) = node_count_++;
+}
+
+void BezierTriangleSpace::number_edges() {
+  struct Side {
+    Index low, high, face;
+    int edge;
+  };
+  std::vector<Side> sides;
+  for (Index f = 0; f < faces_.rows(); ++f)
+    for (int e = 0; e < 3; ++e) {
+      const Index a = faces_(f, e), b = faces_(f, (e + 1) % 3);
+      sides.push_back({std::min(a, b), std::max(a, b), f, e});
+    }
+  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+    return std::tie(a.low, a.high, a.face) < std::tie(b.low, b.high, b.face);
+  });
+  const TriangleIndices& ix = TriangleIndices::of_degree(degree_);
+  node_count_ = vertex_count_;
+  for (std::size_t k = 0; k < sides.size();) {
+    std::size_t end = k;
+    while (end < sides.size() && sides[end].low == sides[k].low && sides[end].high == sides[k].high)
+      ++end;
+    if (end - k > 2) throw std::invalid_argument("BezierTriangleSpace: edge with three faces");
+    for (std::size_t q = k; q < end; ++q) {
+      const bool forward = faces_(sides[q].face, sides[q].edge) == sides[k].low;
+      for (int s = 1; s < degree_; ++s)
+        cells_(sides[q].face, ix.edge(sides[q].edge)[static_cast<std::size_t>(s)]) =
+            node_count_ + (forward ? s - 1 : degree_ - 1 - s);
+    }
+    if (end - k == 1)
+      for (const int local : ix.edge(sides[k].edge))
+        boundary_nodes_.push_back(cells_(sides[k].face, local));
+    node_count_ += degree_ - 1;
+    k = end;
+  }
+  std::sort(boundary_nodes_.begin(), boundary_nodes_.end());
+  boundary_nodes_.erase(std::unique(boundary_nodes_.begin(), boundary_nodes_.end()),
+                        boundary_nodes_.end());
+}
+
+// d_a B^n_i = n B^{n-1}_{i - e_a} (formal barycentric derivatives), and the product of two such is
+// one Bernstein polynomial of degree 2n-2 up to a factor.
+ContractionTable BezierTriangleSpace::tabulate(const Quadrature& rule) const {
+  const int n = degree_;
+  const TriangleIndices& ix = TriangleIndices::of_degree(n);
+  const TriangleIndices& low = TriangleIndices::of_degree(n - 1);
+  const TriangleIndices& product = TriangleIndices::of_degree(2 * n - 2);
+  ContractionTable t;
+  t.nodes = ix.count();
+  t.directions.resize(3, 2);
+  t.directions << 1, 0, 0, 1, -1, -1;
+  t.weights = rule.weights;
+  t.first.resize(rule.size(), low.count());
+  t.moment.resize(rule.size(), product.count());
+  for (Index l = 0; l < rule.size(); ++l) {
+    const Barycentric xi = rule.points.row(l);
+    t.first.row(l) = bernstein_values(n - 1, xi);
+    t.moment.row(l) = bernstein_values(2 * n - 2, xi);
+  }
+  const auto lowered = [&](int node, int direction) {
+    MultiIndex m = ix.multi(node);
+    return --m[static_cast<std::size_t>(direction)] < 0 ? -1 : low.local(m[0], m[1], m[2]);
+  };
+  for (int i = 0; i < t.nodes; ++i)
+    for (int a = 0; a < 3; ++a)
+      if (lowered(i, a) >= 0) t.gradient.push_back({i, a, lowered(i, a), double(n)});
+  t.pair_starts.push_back(0);
+  for (int i = 0; i < t.nodes; ++i)
+    for (int j = 0; j <= i; ++j) {
+      for (int a = 0; a < 3; ++a)
+        for (int b = 0; b < 3; ++b) {
+          const int r = lowered(i, a), s = lowered(j, b);
+          if (r < 0 || s < 0) continue;
+          const MultiIndex &u = low.multi(r), &v = low.multi(s);
+          const int m = product.local(u[0] + v[0], u[1] + v[1], u[2] + v[2]);
+          t.hessian.push_back({a, b, m, n * n * low.multinomial(r) * low.multinomial(s) /
+                                            product.multinomial(m)});
+        }
+      t.pair_starts.push_back(static_cast<int>(t.hessian.size()));
+    }
+  return t;
+}
+
+DetNet BezierTriangleSpace::det_net_line(Index first, Index last, VecIn x, VecIn d) const {
+  const DetCoefficients& table = DetCoefficients::of_degree(degree_);
+  DetNet net;
+  net.degree = table.det_degree();
+  for (auto* c : {&net.c0, &net.c1, &net.c2}) c->setZero(last - first, table.count());
+  std::vector<double> cx(2 * static_cast<std::size_t>(nodes_per_element())), cd(cx.size());
+  for (Index e = first; e < last; ++e) {
+    for (int k = 0; k < nodes_per_element(); ++k)
+      for (int c = 0; c < 2; ++c) {
+        const auto q = static_cast<std::size_t>(2 * k + c);
+        cx[q] = x[2 * cells_(e, k) + c];
+        cd[q] = d[2 * cells_(e, k) + c];
+      }
+    const Index row = e - first;
+    table.along_line(cx.data(), cd.data(), net.c0.row(row).data(), net.c1.row(row).data(),
+                     net.c2.row(row).data());
+  }
+  return net;
+}
+
+Vec BezierTriangleSpace::elevate(VecIn x, const BezierTriangleSpace& higher) const {
+  const Eigen::MatrixXd e = elevation_matrix(degree_);
+  Vec out = Vec::Zero(2 * higher.node_count());
+  for (Index f = 0; f < cells_.rows(); ++f)
+    for (Index q = 0; q < e.rows(); ++q)
+      for (int c = 0; c < 2; ++c) {
+        double value = 0;
+        for (Index p = 0; p < e.cols(); ++p) value += e(q, p) * x[2 * cells_(f, p) + c];
+        out[2 * higher.cells()(f, q) + c] = value;
+      }
+  // Corner points stay the same doubles.
+  for (Index v = 0; v < 2 * vertex_count_; ++v) out[v] = x[v];
+  return out;
+}
+
+}  // namespace majorant

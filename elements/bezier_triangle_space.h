@@ -1,0 +1,48 @@
+// Continuous piecewise polynomial maps: a Bezier triangle of degree n on every face of a mesh.
+//
+// Control points are shared by the faces around a vertex or an edge, so every assignment of
+// positions is a C0 map; cuts are edges of the mesh that faces do not share. Nodes are numbered:
+// vertices, then edges (n-1 each, from the smaller to the larger vertex), then faces. [MC20] Sec. 4.
+#pragma once
+
+#include <span>
+
+#include "majorant/elements/element_space.h"
+
+namespace majorant {
+
+class BezierTriangleSpace final : public ElementSpace {
+ public:
+  static constexpr int kMaxDegree = 8;
+
+  // faces: #F by 3 vertex numbers, counterclockwise, consistently oriented and edge-manifold;
+  // vertices 0..vertex_count-1. Throws std::invalid_argument when degree is not 1..8 or an edge has
+  // more than two faces.
+  BezierTriangleSpace(const Cells& faces, Index vertex_count, int degree);
+
+  int degree() const { return degree_; }
+  int reference_dim() const override { return 2; }
+  const Cells& cells() const override { return cells_; }
+  Index node_count() const override { return node_count_; }
+  Index vertex_count() const { return vertex_count_; }
+  const Cells& faces() const { return faces_; }
+  // Nodes on edges that only one face has, ends included, sorted.
+  const std::vector<Index>& boundary_nodes() const { return boundary_nodes_; }
+
+  ContractionTable tabulate(const Quadrature& rule) const override;
+  DetNet det_net_line(Index first, Index last, VecIn x, VecIn d) const override;
+
+  // Control points of the same map in `higher`, a space of degree + 1 over the same faces.
+  // x: 2 numbers per node.
+  Vec elevate(VecIn x, const BezierTriangleSpace& higher) const;
+
+ private:
+  void number_edges();
+
+  Cells faces_, cells_;
+  Index vertex_count_, node_count_;
+  int degree_;
+  std::vector<Index> boundary_nodes_;
+};
+
+}  // namespace majorant

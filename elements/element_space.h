@@ -1,0 +1,78 @@
+// Elements turn geometry into tables.
+//
+// A space numbers the nodes of its cells, tabulates what the contraction of energies/ needs on a
+// quadrature rule, and knows the Bernstein coefficients of det J along a line of maps. Nothing above
+// this layer knows what a basis function is. To write a new element: docs/architecture.md.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "majorant/elements/quadrature.h"
+#include "majorant/framework/types.h"
+
+namespace majorant {
+
+// The contraction's view of an element type on one quadrature rule (method.md section 4).
+//
+// Derivatives are taken in D directions gamma_a of the reference element (for Bezier triangles the
+// three barycentric ones, which makes every recombination a single term). With basis functions B_i:
+//   d_a B_i       = sum_k  G[i,a,k]    first_k     (`gradient` list, `first` table)
+//   d_a B_i d_b B_j = sum_m H[i,a,j,b,m] moment_m  (`hessian` list, `moment` table)
+// so the sums over quadrature points are moments, and basis pairs appear only afterwards.
+struct ContractionTable {
+  struct GradientEntry {
+    int node, direction, first;
+    double coefficient;
+  };
+  struct HessianEntry {
+    int direction_i, direction_j, moment;
+    double coefficient;
+  };
+
+  int nodes = 0;                    // per element
+  Eigen::MatrixXd directions;       // D by reference dimension: gamma_a
+  Vec weights;                      // L
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> first;   // L by N1
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> moment;  // L by Nm
+  std::vector<GradientEntry> gradient;
+  // Entries of node pair (i, j), j <= i, are [pair_starts[p], pair_starts[p+1]), p = i(i+1)/2 + j.
+  std::vector<HessianEntry> hessian;
+  std::vector<int> pair_starts;
+};
+
+// Bernstein coefficients of det J of x + s d, as polynomials c0 + c1 s + c2 s^2 in s, by element:
+// c_p(e, :) has the coefficients of one element in the order of the space's det basis. J is the
+// derivative by reference coordinates, not yet divided by the rest shape's.
+struct DetNet {
+  int degree = 0;                          // of det J
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> c0, c1, c2;
+};
+
+class ElementSpace {
+ public:
+  virtual ~ElementSpace() = default;
+  virtual int reference_dim() const = 0;
+  // Global node numbers, #E by nodes per element; one 2D point each.
+  virtual const Cells& cells() const = 0;
+  virtual Index node_count() const = 0;
+  Index element_count() const { return static_cast<Index>(cells().rows()); }
+  int nodes_per_element() const { return static_cast<int>(cells().cols()); }
+
+  virtual ContractionTable tabulate(const Quadrature& rule) const = 0;
+  // Elements [first, last). x and d hold 2 numbers per node.
+  virtual DetNet det_net_line(Index first, Index last, VecIn x, VecIn d) const = 0;
+};
+
+// What a map is measured against: per element the inverse Jacobian M of the rest shape (reference
+// coordinates -> local orthonormal frame), J = (d uv / d reference) M, and its measure (area).
+struct RestShapes {
+  std::vector<Eigen::Matrix2d> inverse;  // #E
+  Vec measure;                           // #E, model units squared
+};
+
+// Rest shapes of flat triangles: positions #V by 3, faces #F by 3. Frame: e0 = p0 - p2 along x.
+// [MC20] Eq. 5 and 6.
+RestShapes flat_triangles(const Points3& positions, const Cells& faces);
+
+}  // namespace majorant

@@ -1,0 +1,97 @@
+#include "majorant/framework/chunk_plan.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+
+namespace majorant {
+namespace {
+
+struct NodeToElements {
+  std::vector<std::size_t> starts;
+  std::vector<Index> elements;
+
+  explicit NodeToElements(const Cells& nodes) {
+    const Index count = nodes.size() ? nodes.maxCoeff() + 1 : 0;
+    starts.assign(static_cast<std::size_t>(count) + 1, 0);
+    for (Index k = 0; k < nodes.size(); ++k) ++starts[static_cast<std::size_t>(nodes.data()[k]) + 1];
+    for (std::size_t k = 1; k < starts.size(); ++k) starts[k] += starts[k - 1];
+    elements.resize(static_cast<std::size_t>(nodes.size()));
+    std::vector<std::size_t> at(starts.begin(), starts.end() - (starts.empty() ? 0 : 1));
+    for (Index e = 0; e < nodes.rows(); ++e)
+      for (Index k = 0; k < nodes.cols(); ++k)
+        elements[at[static_cast<std::size_t>(nodes(e, k))]++] = e;
+  }
+};
+
+// Breadth-first order of the elements over shared nodes: neighbours come close together.
+std::vector<Index> local_order(const Cells& nodes) {
+  const NodeToElements around(nodes);
+  std::vector<Index> order;
+  order.reserve(static_cast<std::size_t>(nodes.rows()));
+  std::vector<char> seen(static_cast<std::size_t>(nodes.rows()), 0);
+  for (Index seed = 0; seed < nodes.rows(); ++seed) {
+    if (seen[static_cast<std::size_t>(seed)]) continue;
+    seen[static_cast<std::size_t>(seed)] = 1;
+    std::size_t head = order.size();
+    order.push_back(seed);
+    for (; head < order.size(); ++head) {
+      for (Index k = 0; k < nodes.cols(); ++k) {
+        const auto n = static_cast<std::size_t>(nodes(order[head], k));
+        for (std::size_t q = around.starts[n]; q < around.starts[n + 1]; ++q) {
+          const Index e = around.elements[q];
+          if (seen[static_cast<std::size_t>(e)]) continue;
+          seen[static_cast<std::size_t>(e)] = 1;
+          order.push_back(e);
+        }
+      }
+    }
+  }
+  return order;
+}
+
+}  // namespace
+
+ChunkPlan::ChunkPlan(const Stencils& stencils, const std::vector<RuleId>& element_rule) {
+  const auto rule = [&](Index e) {
+    return element_rule.empty() ? 0 : element_rule[static_cast<std::size_t>(e)];
+  };
+  elements_ = local_order(stencils.nodes);
+  std::stable_sort(elements_.begin(), elements_.end(),
+                   [&](Index a, Index b) { return rule(a) < rule(b); });
+  starts_.push_back(0);
+  for (std::size_t k = 0; k < elements_.size();) {
+    std::size_t end = k + 1;
+    while (end < elements_.size() && end - k < Chunk::kMaxSize &&
+           rule(elements_[end]) == rule(elements_[k]))
+      ++end;
+    rules_.push_back(rule(elements_[k]));
+    starts_.push_back(end);
+    k = end;
+  }
+  colour(stencils);
+}
+
+// Greedy: the lowest colour that no chunk sharing a node has. Colours are bits of a mask per node;
+// should 64 not suffice, the remaining chunks get a colour each.
+void ChunkPlan::colour(const Stencils& stencils) {
+  const Cells& nodes = stencils.nodes;
+  std::vector<std::uint64_t> used(nodes.size() ? static_cast<std::size_t>(nodes.maxCoeff()) + 1 : 0);
+  for (Index c = 0; c < chunk_count(); ++c) {
+    std::uint64_t taken = 0;
+    for (const Index e : chunk(c).elements)
+      for (Index k = 0; k < nodes.cols(); ++k) taken |= used[static_cast<std::size_t>(nodes(e, k))];
+    const auto lowest = static_cast<std::size_t>(std::countr_one(taken));
+    if (lowest >= 64) {
+      colours_.push_back({c});
+      continue;
+    }
+    if (colours_.size() <= lowest) colours_.resize(lowest + 1);
+    colours_[lowest].push_back(c);
+    for (const Index e : chunk(c).elements)
+      for (Index k = 0; k < nodes.cols(); ++k)
+        used[static_cast<std::size_t>(nodes(e, k))] |= std::uint64_t(1) << lowest;
+  }
+}
+
+}  // namespace majorant

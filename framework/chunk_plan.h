@@ -1,0 +1,33 @@
+// Groups a term's elements into chunks of one rule each and colours the chunks: chunks of one
+// colour share no node, so they can be assembled at the same time. The plan depends on the term's
+// stencils and rules alone, never on the number of threads.
+#pragma once
+
+#include <vector>
+
+#include "majorant/framework/energy_term.h"
+
+namespace majorant {
+
+class ChunkPlan {
+ public:
+  ChunkPlan(const Stencils& stencils, const std::vector<RuleId>& element_rule);
+
+  Index chunk_count() const { return static_cast<Index>(rules_.size()); }
+  Chunk chunk(Index c) const {
+    const auto k = static_cast<std::size_t>(c);
+    return {rules_[k], std::span<const Index>(elements_.data() + starts_[k],
+                                              elements_.data() + starts_[k + 1])};
+  }
+  // Chunk numbers by colour.
+  const std::vector<std::vector<Index>>& colours() const { return colours_; }
+
+ private:
+  void colour(const Stencils& stencils);
+  std::vector<Index> elements_;
+  std::vector<std::size_t> starts_;
+  std::vector<RuleId> rules_;
+  std::vector<std::vector<Index>> colours_;
+};
+
+}  // namespace majorant

@@ -1,0 +1,58 @@
+// Linear constraints A x = b that hold exactly: they are eliminated, never penalized.
+//
+// Coefficients are integers, so that rank and consistency are decided exactly; right-hand sides are
+// doubles. A constraint appends its rows; ProblemBuilder eliminates all rows together.
+//
+//   class PinnedPoint final : public Constraint {
+//     void append_rows(ConstraintRows& rows) const override {
+//       rows.begin_row("vertex 12, u"); rows.add(24, 1); rows.end_row(0.5);
+//     }
+//   };
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "majorant/framework/types.h"
+
+namespace majorant {
+
+class ConstraintRows {
+ public:
+  struct Entry {
+    Index unknown;
+    long coefficient;
+  };
+
+  // Starts a row; `label` names it in messages about contradictions.
+  void begin_row(std::string label) {
+    labels_.push_back(std::move(label));
+    starts_.push_back(entries_.size());
+  }
+  void add(Index unknown, long coefficient) { entries_.push_back({unknown, coefficient}); }
+  void end_row(double right_hand_side) { rhs_.push_back(right_hand_side); }
+
+  std::size_t size() const { return rhs_.size(); }
+  const std::string& label(std::size_t row) const { return labels_[row]; }
+  double rhs(std::size_t row) const { return rhs_[row]; }
+  const Entry* begin(std::size_t row) const { return entries_.data() + starts_[row]; }
+  const Entry* end(std::size_t row) const {
+    return row + 1 < starts_.size() ? entries_.data() + starts_[row + 1]
+                                    : entries_.data() + entries_.size();
+  }
+
+ private:
+  std::vector<std::string> labels_;
+  std::vector<std::size_t> starts_;
+  std::vector<Entry> entries_;
+  std::vector<double> rhs_;
+};
+
+class Constraint {
+ public:
+  virtual ~Constraint() = default;
+  virtual void append_rows(ConstraintRows& rows) const = 0;
+};
+
+}  // namespace majorant

@@ -1,0 +1,190 @@
+#include "majorant/framework/elimination.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "majorant/framework/error.h"
+
+namespace majorant {
+namespace {
+
+__extension__ typedef __int128 Wide;
+
+// An exact fraction in lowest terms, positive denominator.
+class Rational {
+ public:
+  Rational(long numerator = 0) : num_(numerator) {}
+  bool zero() const { return num_ == 0; }
+  bool unit() const { return den_ == 1 && (num_ == 1 || num_ == -1); }
+  double value() const { return static_cast<double>(num_) / static_cast<double>(den_); }
+  Rational negative_quotient(const Rational& d) const {
+    return make(-Wide(num_) * d.den_, Wide(den_) * d.num_);
+  }
+  Rational times(const Rational& o) const { return make(Wide(num_) * o.num_, Wide(den_) * o.den_); }
+  Rational plus(const Rational& o) const {
+    return make(Wide(num_) * o.den_ + Wide(o.num_) * den_, Wide(den_) * o.den_);
+  }
+
+ private:
+  static Rational make(Wide n, Wide d) {
+    Wide a = n < 0 ? -n : n, b = d < 0 ? -d : d;
+    while (b != 0) {
+      const Wide r = a % b;
+      a = b;
+      b = r;
+    }
+    if (d < 0) a = -a;
+    n /= a;
+    d /= a;
+    const Wide limit = std::numeric_limits<long>::max();
+    if (n > limit || n < -limit || d > limit)
+      throw Error(ErrorKind::Unsupported,
+                  "constraints: exact coefficients leave 64 bits; use smaller integers");
+    Rational r;
+    r.num_ = static_cast<long>(n);
+    r.den_ = static_cast<long>(d);
+    return r;
+  }
+  long num_ = 0, den_ = 1;
+};
+
+// An affine expression sum coefficient * x[unknown] + constant; std::map keeps runs deterministic.
+struct Expression {
+  std::map<Index, Rational> terms;
+  double constant = 0;
+
+  void add(const Expression& other, const Rational& factor) {
+    for (const auto& [unknown, c] : other.terms) {
+      auto [it, fresh] = terms.try_emplace(unknown, 0);
+      it->second = it->second.plus(c.times(factor));
+      if (it->second.zero()) terms.erase(it);
+    }
+    constant += factor.value() * other.constant;
+  }
+};
+
+// Gauss-Jordan: `solved` expresses eliminated unknowns by free ones only, after every row.
+class Eliminator {
+ public:
+  explicit Eliminator(const ConstraintRows& rows) : rows_(rows) {
+    for (std::size_t r = 0; r < rows.size(); ++r) scale_ = std::max(scale_, std::abs(rows.rhs(r)));
+    for (std::size_t r = 0; r < rows.size(); ++r) eliminate(r);
+  }
+  const std::unordered_map<Index, Expression>& solved() const { return solved_; }
+
+ private:
+  void eliminate(std::size_t r) {
+    Expression row;
+    row.constant = -rows_.rhs(r);
+    for (auto e = rows_.begin(r); e != rows_.end(r); ++e) {
+      Expression term;
+      if (auto known = solved_.find(e->unknown); known != solved_.end()) term = known->second;
+      else term.terms.emplace(e->unknown, Rational(1));
+      row.add(term, Rational(e->coefficient));
+    }
+    if (row.terms.empty()) return check_redundant(r, row.constant);
+    auto pivot = std::find_if(row.terms.begin(), row.terms.end(),
+                              [](const auto& t) { return t.second.unit(); });
+    if (pivot == row.terms.end()) pivot = row.terms.begin();
+    solve_for(pivot->first, pivot->second, std::move(row));
+  }
+
+  void solve_for(Index unknown, Rational pivot, Expression row) {
+    row.terms.erase(unknown);
+    Expression solution;
+    solution.add(row, Rational(1).negative_quotient(pivot));
+    for (const Index user : users_[unknown]) {
+      Expression& e = solved_.at(user);
+      const auto it = e.terms.find(unknown);
+      if (it == e.terms.end()) continue;
+      const Rational factor = it->second;
+      e.terms.erase(it);
+      e.add(solution, factor);
+      register_user(user, solution);
+    }
+    users_.erase(unknown);
+    register_user(unknown, solution);
+    solved_.emplace(unknown, std::move(solution));
+  }
+
+  void register_user(Index user, const Expression& e) {
+    for (const auto& term : e.terms) users_[term.first].insert(user);
+  }
+
+  void check_redundant(std::size_t r, double residual) const {
+    if (std::abs(residual) <= 1e-12 * scale_) return;
+    throw Error(ErrorKind::Unsupported,
+                fmt::format("constraints contradict each other: row '{}' is off by {:g}; remove it "
+                            "or change its target",
+                            rows_.label(r), residual));
+  }
+
+  const ConstraintRows& rows_;
+  double scale_ = 0;
+  std::unordered_map<Index, Expression> solved_;
+  std::unordered_map<Index, std::unordered_set<Index>> users_;  // free unknown -> solved that use it
+};
+
+}  // namespace
+
+Elimination::Elimination(Index full_size, const ConstraintRows& rows) {
+  const Eliminator eliminator(rows);
+  const auto& solved = eliminator.solved();
+  std::vector<Index> reduced(static_cast<std::size_t>(full_size), -1);
+  for (Index i = 0; i < full_size; ++i) {
+    if (solved.count(i)) continue;
+    reduced[static_cast<std::size_t>(i)] = static_cast<Index>(free_.size());
+    free_.push_back(i);
+  }
+  offset_ = Vec::Zero(full_size);
+  starts_.push_back(0);
+  for (Index i = 0; i < full_size; ++i) {
+    if (const auto it = solved.find(i); it != solved.end()) {
+      for (const auto& [unknown, c] : it->second.terms)
+        entries_.push_back({reduced[static_cast<std::size_t>(unknown)], c.value()});
+      offset_[i] = it->second.constant;
+    } else {
+      entries_.push_back({reduced[static_cast<std::size_t>(i)], 1.0});
+    }
+    starts_.push_back(entries_.size());
+  }
+}
+
+void Elimination::expand(VecIn y, Vec& x) const {
+  x = offset_;
+  for (Index i = 0; i < full_size(); ++i)
+    for (auto e = begin(i); e != end(i); ++e) x[i] += e->coefficient * y[e->reduced];
+}
+
+void Elimination::expand_direction(VecIn dy, Vec& dx) const {
+  dx.setZero(full_size());
+  for (Index i = 0; i < full_size(); ++i)
+    for (auto e = begin(i); e != end(i); ++e) dx[i] += e->coefficient * dy[e->reduced];
+}
+
+void Elimination::restrict_gradient(VecIn gx, Vec& gy) const {
+  gy.setZero(reduced_size());
+  for (Index i = 0; i < full_size(); ++i)
+    for (auto e = begin(i); e != end(i); ++e) gy[e->reduced] += e->coefficient * gx[i];
+}
+
+Vec Elimination::reduce(VecIn x, double* residual) const {
+  Vec y(reduced_size());
+  for (Index j = 0; j < reduced_size(); ++j) y[j] = x[full_index(j)];
+  if (residual) {
+    Vec back;
+    expand(y, back);
+    *residual = full_size() ? (back - x).cwiseAbs().maxCoeff() : 0.0;
+  }
+  return y;
+}
+
+}  // namespace majorant

@@ -1,0 +1,107 @@
+// An energy term: a sum over elements of functions of few unknowns each.
+//
+// This is the raw extension point. Most energies of maps do not need it: give a density of the
+// Jacobian to make_energy() (energies/make_energy.h) and the chain rule is done for you. Implement
+// EnergyTerm for anything else - springs, edge lengths, penalties on chosen unknowns:
+//
+//   class Springs final : public EnergyTerm {
+//     std::string_view name() const override { return "springs"; }
+//     const Stencils& stencils() const override { return stencils_; }     // 2 points each
+//     bool supports(Curvature c) const override { return c == Curvature::Exact; }
+//     void values(VecIn x, const Chunk&, const TermState&, Workspace&, std::span<double> f) ...
+//     void local(VecIn x, const Chunk&, Curvature, const TermState&, Workspace&, LocalSystem&) ...
+//   };
+//
+// A term is immutable and thread-safe: the evaluator calls it for different chunks at the same time,
+// each call with its own Workspace and output. What changes between steps is in TermState, which the
+// term receives by argument. check_derivatives() (derivative_check.h) tests an implementation.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "majorant/framework/types.h"
+
+namespace majorant {
+
+// Which symmetric matrix stands for the second derivatives. Passed by argument, never stored in an
+// energy. Only Exact may be indefinite.
+enum class Curvature {
+  Projected,       // exact Hessian per quadrature point, negative eigenvalues set to 0
+  Majorizer,       // composite majorizer in the (alpha, beta) frame, method.md section 5
+  PaperMajorizer,  // [MC20] Eq. 11 with its sign corrected
+  Exact,
+  Reweighted,      // SLIM's proxy [RPPSH17]
+};
+
+// Elements as lists of nodes; a node is `block` consecutive unknowns of x, so the local unknown
+// `block * i + c` of element e is x[block * nodes(e, i) + c].
+struct Stencils {
+  Cells nodes;    // #E by nodes per element
+  int block = 1;  // unknowns per node
+  Index element_count() const { return static_cast<Index>(nodes.rows()); }
+  int local_size() const { return static_cast<int>(nodes.cols()) * block; }
+};
+
+using RuleId = int;  // a term's own numbering of its quadrature rules; 0 is its default rule
+
+// Elements that one call treats: all use the same rule.
+struct Chunk {
+  static constexpr int kMaxSize = 128;
+  RuleId rule = 0;
+  std::span<const Index> elements;  // at most kMaxSize
+};
+
+// What may change between steps without changing unknowns or sparsity pattern.
+struct TermState {
+  double weight = 1.0;             // of the whole term
+  Vec element_weight;              // #E factors, empty = all 1
+  std::vector<RuleId> element_rule;  // #E, empty = all 0
+  Vec parameters;                  // the term's own scalars (annealed epsilon, say); usually empty
+};
+
+// Scratch memory of one thread: grows, never shrinks, contents undefined.
+class Workspace {
+ public:
+  double* reserve(std::size_t count) {
+    if (buffer_.size() < count + kAlign) buffer_.resize(count + kAlign);
+    auto address = reinterpret_cast<std::uintptr_t>(buffer_.data());
+    return buffer_.data() + (kAlign - address / sizeof(double) % kAlign) % kAlign;
+  }
+
+ private:
+  static constexpr std::size_t kAlign = 8;  // doubles: 64 bytes
+  std::vector<double> buffer_;
+};
+
+// Values, gradients and packed lower triangles of one chunk, structure of arrays: entry k of the
+// element at position p of the chunk is at [k * stride + p]; Hessian entry (i, j), i >= j, is
+// k = i (i + 1) / 2 + j. Arrays are 64-byte aligned.
+struct LocalSystem {
+  static constexpr int stride = Chunk::kMaxSize;
+  double* value = nullptr;     // 1 by stride
+  double* gradient = nullptr;  // local_size by stride
+  double* hessian = nullptr;   // local_size (local_size + 1) / 2 by stride
+};
+
+class EnergyTerm {
+ public:
+  virtual ~EnergyTerm() = default;
+  virtual std::string_view name() const = 0;
+  virtual const Stencils& stencils() const = 0;  // constant for the term's lifetime
+  virtual bool supports(Curvature curvature) const = 0;
+
+  // f[p] = energy of the chunk's element p at x, +inf outside the domain, never NaN. Weights are
+  // not the term's business.
+  virtual void values(VecIn x, const Chunk& chunk, const TermState& state, Workspace& workspace,
+                      std::span<double> f) const = 0;
+
+  // Values, gradients and curvature. x lies in the domain.
+  virtual void local(VecIn x, const Chunk& chunk, Curvature curvature, const TermState& state,
+                     Workspace& workspace, LocalSystem& out) const = 0;
+};
+
+}  // namespace majorant

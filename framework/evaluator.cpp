@@ -1,0 +1,130 @@
+#include "majorant/framework/evaluator.h"
+
+#include <omp.h>
+
+#include <chrono>
+#include <cmath>
+
+namespace majorant {
+namespace {
+
+class Timer {
+ public:
+  explicit Timer(double& sink) : sink_(sink), start_(std::chrono::steady_clock::now()) {}
+  ~Timer() {
+    sink_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  double& sink_;
+  std::chrono::steady_clock::time_point start_;
+};
+
+double weight(const TermState& state, Index element) {
+  return state.element_weight.size() ? state.weight * state.element_weight[element] : state.weight;
+}
+
+}  // namespace
+
+struct Evaluator::Scratch {
+  Workspace kernel, local;
+};
+
+void set_threads(int count) { omp_set_num_threads(count); }
+int threads() { return omp_get_max_threads(); }
+
+Evaluator::Evaluator(const Problem& problem) : problem_(problem) {}
+Evaluator::~Evaluator() = default;
+
+void Evaluator::reset(const Problem& problem) { problem_ = problem; }
+
+Evaluator::Scratch& Evaluator::scratch() {
+  return *scratch_[static_cast<std::size_t>(omp_get_thread_num())];
+}
+
+double Evaluator::value(VecIn y) {
+  const Timer timer(counters_.value_seconds);
+  ++counters_.values;
+  double total = 0;
+  for (std::size_t k = 0; k < problem_.term_count(); ++k) {
+    const Vec f = element_values(k, y);
+    const TermState& state = problem_.state(k);
+    const ChunkPlan& plan = problem_.plan(k);
+    for (Index c = 0; c < plan.chunk_count(); ++c) {
+      double sum = 0;
+      for (const Index e : plan.chunk(c).elements) sum += weight(state, e) * f[e];
+      total += sum;
+    }
+  }
+  return total;
+}
+
+Vec Evaluator::element_values(std::size_t k, VecIn y) {
+  problem_.elimination().expand(y, x_);
+  const EnergyTerm& term = problem_.term(k);
+  const TermState& state = problem_.state(k);
+  const ChunkPlan& plan = problem_.plan(k);
+  Vec f(term.stencils().element_count());
+  while (scratch_.size() < static_cast<std::size_t>(threads()))
+    scratch_.push_back(std::make_unique<Scratch>());
+#pragma omp parallel for schedule(static)
+  for (Index c = 0; c < plan.chunk_count(); ++c) {
+    Scratch& s = scratch();
+    const Chunk chunk = plan.chunk(c);
+    double* local = s.local.reserve(Chunk::kMaxSize);
+    term.values(x_, chunk, state, s.kernel, {local, chunk.elements.size()});
+    for (std::size_t p = 0; p < chunk.elements.size(); ++p) f[chunk.elements[p]] = local[p];
+  }
+  return f;
+}
+
+double Evaluator::linearize(VecIn y, Curvature curvature, Vec& gradient, Vec& hessian_values) {
+  const Timer timer(counters_.linearize_seconds);
+  ++counters_.linearizations;
+  problem_.elimination().expand(y, x_);
+  gradient.setZero(problem_.size());
+  hessian_values.setZero(problem_.pattern().nonzeros());
+  while (scratch_.size() < static_cast<std::size_t>(threads()))
+    scratch_.push_back(std::make_unique<Scratch>());
+  double total = 0;
+  std::vector<double> energies;
+  for (std::size_t k = 0; k < problem_.term_count(); ++k) {
+    assemble(k, curvature, gradient, hessian_values, energies);
+    for (const double e : energies) total += e;
+  }
+  return total;
+}
+
+void Evaluator::assemble(std::size_t k, Curvature curvature, Vec& gradient, Vec& hessian_values,
+                         std::vector<double>& chunk_energies) {
+  const EnergyTerm& term = problem_.term(k);
+  const TermState& state = problem_.state(k);
+  const ChunkPlan& plan = problem_.plan(k);
+  const SlotTable& slots = problem_.slots(k);
+  const auto n = static_cast<std::size_t>(term.stencils().local_size());
+  constexpr std::size_t stride = LocalSystem::stride;
+  chunk_energies.assign(static_cast<std::size_t>(plan.chunk_count()), 0.0);
+  for (const std::vector<Index>& colour : plan.colours()) {
+#pragma omp parallel for schedule(static)
+    for (std::size_t q = 0; q < colour.size(); ++q) {
+      Scratch& s = scratch();
+      const Chunk chunk = plan.chunk(colour[q]);
+      LocalSystem local;
+      local.value = s.local.reserve((1 + n + n * (n + 1) / 2) * stride);
+      local.gradient = local.value + stride;
+      local.hessian = local.gradient + n * stride;
+      term.local(x_, chunk, curvature, state, s.kernel, local);
+      double sum = 0;
+      for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
+        const Index e = chunk.elements[p];
+        const double w = weight(state, e);
+        sum += w * local.value[p];
+        slots.add_gradient(e, local, static_cast<int>(p), w, gradient.data());
+        slots.add_hessian(e, local, static_cast<int>(p), w, hessian_values.data());
+      }
+      chunk_energies[static_cast<std::size_t>(colour[q])] = sum;
+    }
+  }
+}
+
+}  // namespace majorant

@@ -1,0 +1,55 @@
+// Evaluates a Problem: energy, gradient and curvature in the reduced unknowns.
+//
+// One evaluator per solver: it owns scratch memory, the values of the Hessian's pattern, counters
+// and timers. Results do not depend on the number of threads, to the last bit: chunks are fixed,
+// chunks of one colour touch disjoint unknowns, colours run in order, energies add in chunk order.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "majorant/framework/problem.h"
+
+namespace majorant {
+
+// Number of threads that evaluators and checkers of this process use (default: OpenMP's).
+void set_threads(int count);
+int threads();
+
+class Evaluator {
+ public:
+  explicit Evaluator(const Problem& problem);
+  ~Evaluator();
+  Evaluator(const Evaluator&) = delete;
+  Evaluator& operator=(const Evaluator&) = delete;
+
+  const Problem& problem() const { return problem_; }
+  // Goes on with another state of the same structure.
+  void reset(const Problem& problem);
+
+  double value(VecIn y);  // +inf outside the domain
+  // Energy, gradient and curvature at y, which lies in the domain. The Hessian values are parallel
+  // to problem().pattern().rows.
+  double linearize(VecIn y, Curvature curvature, Vec& gradient, Vec& hessian_values);
+  // Unweighted value of each element of term k.
+  Vec element_values(std::size_t k, VecIn y);
+
+  struct Counters {
+    long values = 0, linearizations = 0;
+    double value_seconds = 0, linearize_seconds = 0;
+  };
+  const Counters& counters() const { return counters_; }
+
+ private:
+  struct Scratch;
+  Scratch& scratch();
+  void assemble(std::size_t k, Curvature curvature, Vec& gradient, Vec& hessian_values,
+                std::vector<double>& chunk_energies);
+
+  Problem problem_;
+  Vec x_;
+  std::vector<std::unique_ptr<Scratch>> scratch_;
+  Counters counters_;
+};
+
+}  // namespace majorant

@@ -1,0 +1,36 @@
+// Direct solution of H p = r for symmetric positive definite H of a fixed pattern.
+//
+// Analyse once per pattern, factorize once per matrix, solve as often as needed.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "majorant/framework/sparse_pattern.h"
+#include "majorant/framework/types.h"
+
+namespace majorant {
+
+enum class FactorStatus { Ok, NotPositiveDefinite, OutOfMemory };
+
+class LinearSolver {
+ public:
+  virtual ~LinearSolver() = default;
+  // Chooses an ordering and allocates. `pattern` must outlive the solver's use of it.
+  virtual void analyze(const SparsePattern& pattern) = 0;
+  // Factorizes H + shift * I; `values` parallel to pattern.rows.
+  virtual FactorStatus factorize(const Vec& values, double shift) = 0;
+  // p = H^-1 r; only after factorize() returned Ok.
+  virtual void solve(const Vec& r, Vec& p) = 0;
+  // What the analysis chose, for reports: "supernodal, METIS, 1.2e6 nonzeros".
+  virtual std::string description() const = 0;
+};
+
+enum class Factorization { Automatic, Supernodal, Simplicial };
+enum class Ordering { Best, Amd, Metis };  // Best: the one with fewer operations
+
+// CHOLMOD [CDHR08], on one thread. Throws std::bad_alloc when the analysis runs out of memory.
+std::unique_ptr<LinearSolver> make_cholmod_solver(Factorization factorization = Factorization::Automatic,
+                                                  Ordering ordering = Ordering::Best);
+
+}  // namespace majorant
