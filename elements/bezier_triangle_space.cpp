@@ -7,6 +7,12 @@
 #include "majorant/elements/det_coefficients.h"
 
 namespace majorant {
+namespace {
+
+constexpr int kMaxLocal = 2 * control_point_count(BezierTriangleSpace::kMaxDegree);
+constexpr int kMaxDet = control_point_count(2 * (BezierTriangleSpace::kMaxDegree - 1));
+
+}  // namespace
 
 BezierTriangleSpace::BezierTriangleSpace(const Cells& faces, Index vertex_count, int degree)
     : faces_(faces), vertex_count_(vertex_count), degree_(degree) {
@@ -101,24 +107,36 @@ ContractionTable BezierTriangleSpace::tabulate(const Quadrature& rule) const {
   return t;
 }
 
-DetNet BezierTriangleSpace::det_net_line(Index first, Index last, VecIn x, VecIn d) const {
-  const DetCoefficients& table = DetCoefficients::of_degree(degree_);
-  DetNet net;
-  net.degree = table.det_degree();
-  for (auto* c : {&net.c0, &net.c1, &net.c2}) c->setZero(last - first, table.count());
-  std::vector<double> cx(2 * static_cast<std::size_t>(nodes_per_element())), cd(cx.size());
-  for (Index e = first; e < last; ++e) {
-    for (int k = 0; k < nodes_per_element(); ++k)
-      for (int c = 0; c < 2; ++c) {
-        const auto q = static_cast<std::size_t>(2 * k + c);
-        cx[q] = x[2 * cells_(e, k) + c];
-        cd[q] = d[2 * cells_(e, k) + c];
-      }
-    const Index row = e - first;
-    table.along_line(cx.data(), cd.data(), net.c0.row(row).data(), net.c1.row(row).data(),
-                     net.c2.row(row).data());
+void BezierTriangleSpace::gather(Index e, VecIn x, double* local) const {
+  for (int k = 0; k < nodes_per_element(); ++k) {
+    local[2 * k] = x[2 * cells_(e, k)];
+    local[2 * k + 1] = x[2 * cells_(e, k) + 1];
   }
-  return net;
+}
+
+PositivityProof BezierTriangleSpace::certify(Index e, VecIn x, int max_depth) const {
+  const DetCoefficients& det = DetCoefficients::of_degree(degree_);
+  double c[kMaxLocal], d[kMaxDet], error[kMaxDet];
+  gather(e, x, c);
+  const auto prove = [&] {
+    return certify_positive(det.det_degree(), d, *std::max_element(error, error + det.count()),
+                            max_depth);
+  };
+  det.at_with_error(c, d, error);
+  const PositivityProof proof = prove();
+  if (proof.result == Positivity::Certified) return proof;
+  det.at_with_error_quad(c, d, error);
+  return prove();
+}
+
+double BezierTriangleSpace::largest_step(Index e, VecIn x, VecIn d, double s,
+                                         int max_depth) const {
+  const DetCoefficients& det = DetCoefficients::of_degree(degree_);
+  double cx[kMaxLocal], cd[kMaxLocal], p[3][kMaxDet];
+  gather(e, x, cx);
+  gather(e, d, cd);
+  det.along_line(cx, cd, p[0], p[1], p[2]);
+  return largest_positive_step(det.det_degree(), p[0], p[1], p[2], s, max_depth);
 }
 
 Vec BezierTriangleSpace::elevate(VecIn x, const BezierTriangleSpace& higher) const {

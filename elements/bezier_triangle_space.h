@@ -30,7 +30,8 @@ class BezierTriangleSpace final : public ElementSpace {
   const std::vector<Index>& boundary_nodes() const { return boundary_nodes_; }
 
   ContractionTable tabulate(const Quadrature& rule) const override;
-  DetNet det_net_line(Index first, Index last, VecIn x, VecIn d) const override;
+  PositivityProof certify(Index e, VecIn x, int max_depth) const override;
+  double largest_step(Index e, VecIn x, VecIn d, double s, int max_depth) const override;
 
   // Control points of the same map in `higher`, a space of degree + 1 over the same faces.
   // x: 2 numbers per node.
@@ -38,6 +39,8 @@ class BezierTriangleSpace final : public ElementSpace {
 
  private:
   void number_edges();
+  // 2 numbers per local node of element e.
+  void gather(Index e, VecIn x, double* local) const;
 
   Cells faces_, cells_;
   Index vertex_count_, node_count_;

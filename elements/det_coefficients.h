@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "majorant/elements/bernstein.h"
+#include "majorant/elements/positivity.h"
 
 namespace majorant {
 
@@ -47,14 +48,6 @@ class DetCoefficients {
   int degree_;
   std::vector<Product> products_;
   std::vector<Difference> differences_;
-};
-
-enum class Positivity { Certified, Violated, Undecided };
-
-struct PositivityProof {
-  Positivity result = Positivity::Undecided;
-  double lower_bound = 0;  // of the minimum on the triangle; certified whatever the result
-  int depth = 0;           // of bisection that was needed
 };
 
 // Whether a polynomial of degree n with these Bernstein coefficients, each exact to +- error, is

@@ -1,13 +1,15 @@
 // Elements turn geometry into tables.
 //
 // A space numbers the nodes of its cells, tabulates what the contraction of energies/ needs on a
-// quadrature rule, and knows the Bernstein coefficients of det J along a line of maps. Nothing above
+// quadrature rule, and proves that det J is positive, at a map and along a line of maps. Nothing above
 // this layer knows what a basis function is. To write a new element: docs/architecture.md.
 #pragma once
 
 #include <memory>
 #include <vector>
 
+#include "majorant/elements/contraction_entries.h"
+#include "majorant/elements/positivity.h"
 #include "majorant/elements/quadrature.h"
 #include "majorant/framework/types.h"
 
@@ -21,17 +23,9 @@ namespace majorant {
 //   d_a B_i d_b B_j = sum_m H[i,a,j,b,m] moment_m  (`hessian` list, `moment` table)
 // so the sums over quadrature points are moments, and basis pairs appear only afterwards.
 struct ContractionTable {
-  struct GradientEntry {
-    int node, direction, first;
-    double coefficient;
-  };
-  struct HessianEntry {
-    int direction_i, direction_j, moment;
-    double coefficient;
-  };
-
   int nodes = 0;                    // per element
-  Eigen::MatrixXd directions;       // D by reference dimension: gamma_a
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>
+      directions;                   // D by reference dimension: gamma_a
   Vec weights;                      // L
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> first;   // L by N1
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> moment;  // L by Nm
@@ -39,14 +33,6 @@ struct ContractionTable {
   // Entries of node pair (i, j), j <= i, are [pair_starts[p], pair_starts[p+1]), p = i(i+1)/2 + j.
   std::vector<HessianEntry> hessian;
   std::vector<int> pair_starts;
-};
-
-// Bernstein coefficients of det J of x + s d, as polynomials c0 + c1 s + c2 s^2 in s, by element:
-// c_p(e, :) has the coefficients of one element in the order of the space's det basis. J is the
-// derivative by reference coordinates, not yet divided by the rest shape's.
-struct DetNet {
-  int degree = 0;                          // of det J
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> c0, c1, c2;
 };
 
 class ElementSpace {
@@ -60,8 +46,14 @@ class ElementSpace {
   int nodes_per_element() const { return static_cast<int>(cells().cols()); }
 
   virtual ContractionTable tabulate(const Quadrature& rule) const = 0;
-  // Elements [first, last). x and d hold 2 numbers per node.
-  virtual DetNet det_net_line(Index first, Index last, VecIn x, VecIn d) const = 0;
+
+  // Proof that det J > 0 on element e of the map x (2 numbers per node), by bisection of its
+  // Bernstein coefficients down to max_depth, rounding errors included. det J is by reference
+  // coordinates: divide by the rest shape's (twice the area of a triangle) for det of the map.
+  virtual PositivityProof certify(Index e, VecIn x, int max_depth) const = 0;
+  // Largest s' <= s such that det J of x + t d is positive on element e for all 0 <= t < s'. In
+  // floating point, without the error bounds of certify(): certify the end point.
+  virtual double largest_step(Index e, VecIn x, VecIn d, double s, int max_depth) const = 0;
 };
 
 // What a map is measured against: per element the inverse Jacobian M of the rest shape (reference

@@ -23,19 +23,10 @@
 #include <string_view>
 #include <vector>
 
+#include "majorant/framework/curvature.h"
 #include "majorant/framework/types.h"
 
 namespace majorant {
-
-// Which symmetric matrix stands for the second derivatives. Passed by argument, never stored in an
-// energy. Only Exact may be indefinite.
-enum class Curvature {
-  Projected,       // exact Hessian per quadrature point, negative eigenvalues set to 0
-  Majorizer,       // composite majorizer in the (alpha, beta) frame, method.md section 5
-  PaperMajorizer,  // [MC20] Eq. 11 with its sign corrected
-  Exact,
-  Reweighted,      // SLIM's proxy [RPPSH17]
-};
 
 // Elements as lists of nodes; a node is `block` consecutive unknowns of x, so the local unknown
 // `block * i + c` of element e is x[block * nodes(e, i) + c].

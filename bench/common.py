@@ -1,0 +1,206 @@
+#!/usr/bin/python3
+"""What the scripts of this folder share: options, processes, reports, OBJ files, the initial map.
+
+The initial map is computed here on purpose, independently of the program and of shared/tools:
+uniform-weight Tutte embedding, boundary on a circle of the surface's area, arc-length spacing.
+
+Sample runs:
+  /usr/bin/python3 -c 'import common; print(common.DEFAULT_BINARY)'     (imported, not run)
+"""
+import json
+import math
+import os
+import subprocess
+import sys
+import time
+from collections import namedtuple
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+DEFAULT_SHARED = ROOT.parent / 'shared'
+DEFAULT_BINARY = ROOT / 'build/release/apps/majorant'
+PYTHON = '/usr/bin/python3'                       # the interpreter that has numpy and scipy
+TIMEOUT = 'timeout'                               # stands for the exit code of a killed process
+
+Finished = namedtuple('Finished', 'code stdout stderr seconds')
+
+
+# ------------------------------------------------------------------ options
+def add_options(parser, timeout=600):
+    """The options every script has."""
+    parser.add_argument('--shared', type=Path, default=DEFAULT_SHARED, help='folder with data/ and tools/')
+    parser.add_argument('--binary', type=Path, default=DEFAULT_BINARY, help='the majorant program')
+    parser.add_argument('--timeout', type=float, default=timeout, help='seconds a single process may take')
+
+
+def require_files(options):
+    """Ends the script with one line if the program or the shared folder is missing."""
+    for path in (options.binary, options.shared / 'tools/verify.py', options.shared / 'data/public'):
+        if not path.exists():
+            sys.exit('%s: no such file (see --binary and --shared)' % path)
+
+
+# ------------------------------------------------------------------ processes
+def run(command, timeout, env=None):
+    """Runs a command; .code is its exit code (negative: signal) or TIMEOUT."""
+    start = time.monotonic()
+    command = [str(word) for word in command]
+    try:
+        done = subprocess.run(command, capture_output=True, text=True, errors='replace', timeout=timeout,
+                              env=env, stdin=subprocess.DEVNULL)
+        code, out, err = done.returncode, done.stdout, done.stderr
+    except subprocess.TimeoutExpired:
+        code, out, err = TIMEOUT, '', 'killed after %g s' % timeout
+    return Finished(code, out, err, time.monotonic() - start)
+
+
+def parametrize(options, mesh, outputs, *flags):
+    """majorant parametrize MESH -o OUT... FLAGS --quiet"""
+    command = [options.binary.resolve(), 'parametrize', mesh]
+    for path in outputs:
+        command += ['-o', path]
+    return run(command + list(flags) + ['--quiet'], options.timeout)
+
+
+def verify(options, result, mesh=None, constraints=None):
+    """The JSON object that verify.py prints, or {"error": reason}."""
+    command = [PYTHON, options.shared / 'tools/verify.py', result]
+    command += ['--mesh', mesh] if mesh else []
+    command += ['--constraints', constraints] if constraints else []
+    single = dict(os.environ, OMP_NUM_THREADS='1', OPENBLAS_NUM_THREADS='1')
+    done = run(command, options.timeout, single)
+    try:
+        return json.loads(done.stdout)
+    except ValueError:
+        return {'error': (done.stderr.strip() or 'exit %s' % done.code).splitlines()[-1]}
+
+
+def failed_checks(checked):
+    """Names of the checks of verify.py that do not hold; empty for a good result."""
+    if 'error' in checked:
+        return [checked['error']]
+    return [name for name, good in checked['ok'].items() if not good and name != 'all']
+
+
+# ------------------------------------------------------------------ reports
+def refuse_constant(word):
+    raise ValueError('%s is not a JSON number' % word)
+
+
+def load_strict(path):
+    """JSON without NaN and Infinity; ValueError otherwise."""
+    return json.loads(Path(path).read_text(), parse_constant=refuse_constant)
+
+
+def load_report(path):
+    """(report, problem): {} and the reason if the report is missing or not strict JSON."""
+    try:
+        return load_strict(path), None
+    except (OSError, ValueError) as error:
+        return {}, 'report: %s' % error
+
+
+def markdown_table(header, rows):
+    """Lines of a Markdown table; cells are turned into text."""
+    lines = ['| %s |' % ' | '.join(header), '|%s' % ('---|' * len(header))]
+    return lines + ['| %s |' % ' | '.join(str(cell) for cell in row) for row in rows]
+
+
+def cell(value, form='%s'):
+    """A table cell; a dash where there is no value."""
+    return '-' if value is None else form % value
+
+
+# ------------------------------------------------------------------ meshes
+def read_obj(path):
+    """Vertices (#V by 3) and faces (#F by 3, 0-based) of a triangle OBJ."""
+    import numpy as np
+    vertices, faces = [], []
+    for line in Path(path).read_text().splitlines():
+        words = line.split()
+        if words[:1] == ['v']:
+            vertices.append([float(word) for word in words[1:4]])
+        elif words[:1] == ['f']:
+            faces.append([int(word.split('/')[0]) - 1 for word in words[1:]])
+    return np.array(vertices), np.array(faces)
+
+
+def write_obj(path, vertices, faces, uv=None):
+    """A triangle OBJ with 17 digits; uv (#V by 2) becomes vt, one for every vertex."""
+    lines = ['v %.17g %.17g %.17g' % tuple(v) for v in vertices]
+    lines += ['vt %.17g %.17g' % tuple(v) for v in ([] if uv is None else uv)]
+    corner = '%d' if uv is None else '%d/%d'
+    repeat = 1 if uv is None else 2
+    for face in faces:
+        lines.append('f ' + ' '.join(corner % ((i + 1,) * repeat) for i in face))
+    Path(path).write_text('\n'.join(lines) + '\n')
+
+
+def boundary_loop(faces):
+    """The boundary vertices of a disk in face orientation, the smallest index first."""
+    directed = {(int(f[i]), int(f[i - 2])) for f in faces for i in range(3)}
+    following = {a: b for a, b in directed if (b, a) not in directed}
+    loop = [min(following)]
+    while following[loop[-1]] != loop[0]:
+        loop.append(following[loop[-1]])
+    return loop
+
+
+def surface_area(vertices, faces):
+    import numpy as np
+    a, b, c = (vertices[faces[:, i]] for i in range(3))
+    return 0.5 * float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum())
+
+
+def circle(vertices, loop, radius):
+    """Points of the loop on a circle around the origin, spaced by arc length, the first at angle 0."""
+    import numpy as np
+    length = np.linalg.norm(np.roll(vertices[loop], -1, axis=0) - vertices[loop], axis=1)
+    angle = 2 * math.pi * (np.cumsum(length) - length) / length.sum()
+    return radius * np.stack([np.cos(angle), np.sin(angle)], 1)
+
+
+def tutte(vertices, faces):
+    """(uv, loop): the uniform-weight Tutte embedding on a circle of the surface's area."""
+    import numpy as np
+    import scipy.sparse as sparse
+    from scipy.sparse.linalg import splu
+    count, loop = len(vertices), boundary_loop(faces)
+    ends = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
+    ends = np.unique(np.sort(ends, axis=1), axis=0)
+    half = sparse.coo_matrix((np.ones(len(ends)), (ends[:, 0], ends[:, 1])), (count, count))
+    weights = (half + half.T).tocsr()
+    laplacian = (sparse.diags(np.asarray(weights.sum(1)).ravel()) - weights).tocsr()
+    uv = np.zeros((count, 2))
+    uv[loop] = circle(vertices, loop, math.sqrt(surface_area(vertices, faces) / math.pi))
+    inner = np.setdiff1d(np.arange(count), loop)
+    if len(inner):
+        right = -laplacian[inner][:, loop] @ uv[loop]
+        uv[inner] = splu(laplacian[inner][:, inner].tocsc()).solve(right)
+    return uv, loop
+
+
+# ------------------------------------------------------------------ result files
+def boundary_curves(shared, path):
+    """uv control points (#edges by n+1 by 2) of the edges of a VTU that one cell alone uses."""
+    import numpy as np
+    tools = str(Path(shared) / 'tools')
+    if tools not in sys.path:
+        sys.path.append(tools)
+    import bezier
+    import vtu
+    data = vtu.read_vtu(path)
+    points = np.array(bezier.edge_points(data['degree']))
+    edges = data['cells'][:, points].reshape(-1, points.shape[1])
+    _, inverse, uses = np.unique(np.sort(edges[:, [0, -1]], axis=1), axis=0, return_inverse=True,
+                                 return_counts=True)
+    return data['uv'][edges[uses[inverse.ravel()] == 1]]
+
+
+def straightness(curves):
+    """Largest distance of control points from evenly spaced points on their chord, over the size of all."""
+    import numpy as np
+    s = np.linspace(0, 1, curves.shape[1])[None, :, None]
+    chord = (1 - s) * curves[:, :1] + s * curves[:, -1:]
+    size = np.linalg.norm(np.ptp(curves.reshape(-1, 2), axis=0))
+    return float(np.linalg.norm(curves - chord, axis=2).max() / size)

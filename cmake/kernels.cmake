@@ -1,0 +1,22 @@
+# Kernels for x86-64 beyond the baseline: the same source compiled per instruction set, chosen at run
+# time (energies/symmetric_dirichlet.cpp). Elsewhere the baseline kernel is used.
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  set(flags_avx2 -mavx2 -mfma)
+  set(flags_avx512 -mavx512f -mavx512dq -mavx512bw -mavx512cd -mavx512vl -mfma)
+  foreach(set avx2 avx512)
+    add_library(majorant_kernels_${set} OBJECT
+                ${PROJECT_SOURCE_DIR}/energies/kernels/symmetric_dirichlet_kernels.cpp)
+    target_link_libraries(majorant_kernels_${set} PRIVATE majorant_elements xsimd)
+    target_include_directories(majorant_kernels_${set}
+                               PRIVATE ${PROJECT_BINARY_DIR}/include/energies)
+    # g++ 12 warns of its own _mm512_undefined_pd (GCC bug 105593).
+    target_compile_options(majorant_kernels_${set} PRIVATE ${flags_${set}} -Wall -Wextra
+                           $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized -Wno-uninitialized>)
+    target_compile_definitions(majorant_kernels_${set}
+      PRIVATE MAJORANT_KERNEL_NAME=symmetric_dirichlet_kernels_${set})
+    set_target_properties(majorant_kernels_${set} PROPERTIES POSITION_INDEPENDENT_CODE ON
+                                                             CXX_EXTENSIONS OFF)
+    target_sources(majorant_energies PRIVATE $<TARGET_OBJECTS:majorant_kernels_${set}>)
+  endforeach()
+  target_compile_definitions(majorant_energies PRIVATE MAJORANT_X86_KERNELS)
+endif()

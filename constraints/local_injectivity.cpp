@@ -1,0 +1,120 @@
+#include "majorant/constraints/local_injectivity.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace majorant {
+namespace {
+
+constexpr double kAngleTolerance = 1e-6;
+constexpr double kTwoPi = 2 * std::numbers::pi;
+
+}  // namespace
+
+LocalInjectivity::LocalInjectivity(std::shared_ptr<const ElementSpace> space, Vec rest_det,
+                                   int max_depth)
+    : space_(std::move(space)), rest_det_(std::move(rest_det)), max_depth_(max_depth) {}
+
+Vec LocalInjectivity::lower_bounds(VecIn x) const {
+  const Index count = space_->element_count();
+  Vec bounds(count);
+#pragma omp parallel for schedule(static)
+  for (Index e = 0; e < count; ++e) {
+    const PositivityProof proof = space_->certify(e, x, max_depth_);
+    const bool proven = proof.result == Positivity::Certified;
+    bounds[e] = (proven ? proof.lower_bound : std::min(proof.lower_bound, 0.0)) / rest_det_[e];
+    if (proven)
+      depth_counts_[static_cast<std::size_t>(std::min(proof.depth, 63))].fetch_add(
+          1, std::memory_order_relaxed);
+  }
+  return bounds;
+}
+
+Verdict LocalInjectivity::check(VecIn x) const {
+  const Vec bounds = lower_bounds(x);
+  Verdict verdict;
+  verdict.margin = std::numeric_limits<double>::infinity();
+  for (Index e = 0; e < bounds.size(); ++e) {
+    if (!(bounds[e] > 0)) verdict.blocking.push_back(e);
+    verdict.margin = std::min(verdict.margin, bounds[e]);
+  }
+  verdict.feasible = verdict.blocking.empty();
+  return verdict;
+}
+
+// First coefficientwise, without bisection, which settles almost all elements; then bisection for
+// those that limit the step, each asked only for the step the others still allow.
+StepBound LocalInjectivity::max_step(VecIn x, VecIn d, double s) const {
+  const Index count = space_->element_count();
+  Vec quick(count);
+#pragma omp parallel for schedule(static)
+  for (Index e = 0; e < count; ++e) quick[e] = space_->largest_step(e, x, d, s, 0);
+  std::vector<Index> limiting;
+  for (Index e = 0; e < count; ++e)
+    if (quick[e] < s) limiting.push_back(e);
+  std::sort(limiting.begin(), limiting.end(), [&](Index a, Index b) {
+    return quick[a] != quick[b] ? quick[a] < quick[b] : a < b;
+  });
+  StepBound bound{s, {}};
+  for (const Index e : limiting) {
+    if (quick[e] >= bound.step) continue;
+    const double step = space_->largest_step(e, x, d, bound.step, max_depth_);
+    if (step < bound.step) {
+      bound.step = step;
+      bound.blocking.push_back(e);
+    }
+  }
+  std::erase_if(bound.blocking, [&](Index e) { return quick[e] > 2 * bound.step; });
+  std::sort(bound.blocking.begin(), bound.blocking.end());
+  return bound;
+}
+
+std::vector<long> LocalInjectivity::depth_counts() const {
+  std::vector<long> counts;
+  for (int k = 0; k <= max_depth_; ++k)
+    counts.push_back(depth_counts_[static_cast<std::size_t>(k)].load(std::memory_order_relaxed));
+  return counts;
+}
+
+Vec vertex_angle_sums(const BezierTriangleSpace& space, VecIn x) {
+  Vec sums = Vec::Zero(space.vertex_count());
+  const TriangleIndices& ix = TriangleIndices::of_degree(space.degree());
+  const auto point = [&](Index e, int local) {
+    const Index node = space.cells()(e, local);
+    return Vector2(x[2 * node], x[2 * node + 1]);
+  };
+  for (Index e = 0; e < space.element_count(); ++e)
+    for (int k = 0; k < 3; ++k) {
+      const Vector2 corner = point(e, k);
+      const Vector2 a = point(e, ix.edge(k)[1]) - corner;
+      const Vector2 b = point(e, ix.edge((k + 2) % 3)[static_cast<std::size_t>(space.degree()) - 1]) - corner;
+      sums[space.cells()(e, k)] +=
+          std::abs(std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)));
+    }
+  return sums;
+}
+
+AngleSums::AngleSums(std::shared_ptr<const BezierTriangleSpace> space, Vertices which)
+    : space_(std::move(space)), which_(which) {}
+
+Verdict AngleSums::check(VecIn x) const {
+  const Vec sums = vertex_angle_sums(*space_, x);
+  std::vector<char> boundary(static_cast<std::size_t>(space_->node_count()), 0);
+  for (const Index node : space_->boundary_nodes()) boundary[static_cast<std::size_t>(node)] = 1;
+  Verdict verdict;
+  verdict.margin = std::numeric_limits<double>::infinity();
+  for (Index v = 0; v < sums.size(); ++v) {
+    const bool on_boundary = boundary[static_cast<std::size_t>(v)] != 0;
+    if (on_boundary != (which_ == Vertices::Boundary)) continue;
+    const double margin = on_boundary ? kTwoPi + kAngleTolerance - sums[v]
+                                      : kAngleTolerance - std::abs(sums[v] - kTwoPi);
+    if (!(margin >= 0)) verdict.blocking.push_back(v);
+    verdict.margin = std::min(verdict.margin, margin);
+  }
+  verdict.feasible = verdict.blocking.empty();
+  return verdict;
+}
+
+}  // namespace majorant

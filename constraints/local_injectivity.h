@@ -1,0 +1,60 @@
+// Local injectivity: det J > 0 certified on every element ([MC20] Sec. 5), and angle sums at
+// vertices ([MC20] Sec. 4.2, method.md N4).
+//
+// Positive determinants alone leave room for double covers around a vertex: LocalInjectivity checks
+// the elements, AngleSums the vertices. Along a path of certified maps interior angle sums cannot
+// change, so a solve needs AngleSums only for its start - or for boundary vertices, where the sum
+// may pass 2 pi continuously.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <memory>
+
+#include "majorant/elements/bezier_triangle_space.h"
+#include "majorant/framework/feasibility.h"
+
+namespace majorant {
+
+class LocalInjectivity final : public FeasibilityChecker {
+ public:
+  static constexpr int kDefaultDepth = 5;
+  // rest_det: #E determinants of the rest shapes (twice the areas), to make margins dimensionless.
+  LocalInjectivity(std::shared_ptr<const ElementSpace> space, Vec rest_det,
+                   int max_depth = kDefaultDepth);
+
+  std::string_view name() const override { return "local injectivity"; }
+  Verdict check(VecIn x) const override;  // margin: smallest certified det of the map
+  StepBound max_step(VecIn x, VecIn d, double s) const override;
+
+  // Certified lower bound of det J of the map, by element (<= 0 where there is no proof).
+  Vec lower_bounds(VecIn x) const;
+  // Elements certified at each bisection depth since construction, all checks together.
+  std::vector<long> depth_counts() const;
+
+ private:
+  std::shared_ptr<const ElementSpace> space_;
+  Vec rest_det_;
+  int max_depth_;
+  mutable std::array<std::atomic<long>, 64> depth_counts_{};
+};
+
+// Sum of sector angles (radians) at each vertex, between the tangents of the map at the corners.
+Vec vertex_angle_sums(const BezierTriangleSpace& space, VecIn x);
+
+class AngleSums final : public FeasibilityChecker {
+ public:
+  enum class Vertices { Interior, Boundary };
+  // Interior: the sum is 2 pi; Boundary: at most 2 pi. Tolerance 1e-6.
+  AngleSums(std::shared_ptr<const BezierTriangleSpace> space, Vertices which);
+
+  std::string_view name() const override { return "angle sums"; }
+  Verdict check(VecIn x) const override;  // blocking: vertices
+  StepBound max_step(VecIn, VecIn, double s) const override { return {s, {}}; }
+
+ private:
+  std::shared_ptr<const BezierTriangleSpace> space_;
+  Vertices which_;
+};
+
+}  // namespace majorant

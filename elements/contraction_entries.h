@@ -1,0 +1,17 @@
+// Sparse recombination entries of a contraction (element_space.h). Plain data without includes:
+// kernels compiled for special instruction sets see this and nothing else of the library.
+#pragma once
+
+namespace majorant {
+
+struct GradientEntry {  // d_a B_node contains coefficient * first_k
+  int node, direction, first;
+  double coefficient;
+};
+
+struct HessianEntry {  // d_a B_i d_b B_j contains coefficient * moment_m
+  int direction_i, direction_j, moment;
+  double coefficient;
+};
+
+}  // namespace majorant

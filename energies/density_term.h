@@ -1,0 +1,58 @@
+// The energy term of a density: element tables and rest shapes around a contraction kernel.
+//
+// Made by make_energy(); nothing here depends on the density's type.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "majorant/elements/element_space.h"
+#include "majorant/energies/contraction.h"
+#include "majorant/framework/energy_term.h"
+
+namespace majorant {
+
+class DensityTerm final : public EnergyTerm {
+ public:
+  // `density` is what `kernels` expect; `rules` are numbered by RuleId. Throws
+  // std::invalid_argument when there is no rule or the rest shapes do not fit the space.
+  DensityTerm(std::string name, std::shared_ptr<const ElementSpace> space, const RestShapes& rest,
+              const std::vector<Quadrature>& rules, std::shared_ptr<const void> density,
+              const DensityKernels& kernels);
+
+  std::string_view name() const override { return name_; }
+  const Stencils& stencils() const override { return stencils_; }
+  bool supports(Curvature curvature) const override {
+    return kernels_.supports(density_.get(), curvature);
+  }
+  void values(VecIn x, const Chunk& chunk, const TermState& state, Workspace& workspace,
+              std::span<double> f) const override;
+  void local(VecIn x, const Chunk& chunk, Curvature curvature, const TermState& state,
+             Workspace& workspace, LocalSystem& out) const override;
+
+  // Area (or volume) of each element's rest shape, #E.
+  Vec measures() const { return rest_.row(4).transpose(); }
+
+ private:
+  struct Rule {
+    ContractionTable table;
+    decltype(ContractionTable::first) weighted_first, weighted_moment;
+    ContractionView view() const;
+  };
+  struct Gathered {
+    ChunkView chunk;
+    double* scratch;
+    double* values;  // kMaxSize, aligned
+  };
+  Gathered gather(VecIn x, const Chunk& chunk, const ContractionView& table, Workspace& w) const;
+
+  std::string name_;
+  Stencils stencils_;
+  Eigen::Matrix<double, 5, Eigen::Dynamic> rest_;  // inverse (row by row), measure
+  std::vector<Rule> rules_;
+  std::shared_ptr<const void> density_;
+  DensityKernels kernels_;
+};
+
+}  // namespace majorant

@@ -1,0 +1,17 @@
+// Symmetric Dirichlet: |J|^2 + |J^-1|^2 = Sigma^2 + sigma^2 + Sigma^-2 + sigma^-2, 4 at isometries,
+// a barrier at det J = 0. Convex in (A, B). [SS15], [MC20] Eq. 8; in x = |alpha|^2, y = |beta|^2.
+#pragma once
+
+#include "majorant/energies/spectral.h"
+
+namespace majorant {
+
+inline auto symmetric_dirichlet_density() {
+  return invariant("symmetric-dirichlet", Domain::PositiveDeterminant, Convexity::Convex,
+                   [](const auto& x, const auto& y) {
+                     const auto det = x - y;
+                     return 2.0 * ((x + y) * (1.0 + 1.0 / (det * det)));
+                   });
+}
+
+}  // namespace majorant

@@ -1,0 +1,71 @@
+// Iterative solvers: what they are given, what they report, why they stop.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "majorant/framework/problem.h"
+
+namespace majorant {
+
+enum class Status {
+  Converged,       // a stopping formula holds
+  MaxIterations,
+  TimeLimit,       // an observer said so
+  Interrupted,     // an observer said so
+  Stalled,         // no step decreases the energy inside the feasible set, far from a minimum
+  Infeasible,      // the start violates a checker or lies outside an energy's domain
+  Failed,          // numerical breakdown: no factorization, no finite energy
+};
+std::string_view name(Status status);  // "converged", "max_iterations", ... as interface.md has it
+
+struct IterationRecord {
+  int iteration = 0;              // 1-based
+  double energy = 0;              // after the step
+  double relative_decrease = 0;   // (E_before - E_after) / |E_before|
+  double step = 0;                // accepted multiple of the Newton direction
+  double step_bound = 0;          // largest certified multiple
+  double gradient_norm = 0;       // before the step, reduced unknowns, Euclidean
+  double newton_decrement = 0;    // -g . p, an energy; before the step
+  double shift = 0;               // added to the Hessian's diagonal
+  int trials = 0;                 // energy evaluations of the line search
+  struct Seconds {
+    double assemble = 0, factorize = 0, solve = 0, line_search = 0;
+  } seconds;
+};
+
+// Receives each record and the point reached, before the next iteration; anything but Continue
+// ends the solve with that status.
+enum class Directive { Continue, TimeLimit, Interrupt };
+using Observer = std::function<Directive(const IterationRecord&, const Vec& y)>;
+
+struct SolveResult {
+  Status status = Status::Failed;
+  std::string message;
+  Vec y;
+  double energy = 0;
+  double newton_decrement = 0;              // of the last step, an energy
+  std::vector<IterationRecord> iterations;
+  std::vector<Index> blocking;              // elements that limited the last step
+};
+
+// Stopping formulas, with E_k the energy after iteration k, p the Newton direction, g the gradient:
+//   relative_decrease:  (E_{k-1} - E_k) <= relative_decrease * |E_{k-1}|        -> see below
+//   decrement:          -g.p <= decrement * |E_{k-1}|                           -> Converged, no step
+// When the first holds and -g.p <= stall_decrement * |E_{k-1}| the result is Converged, else Stalled.
+struct StoppingRules {
+  double relative_decrease = 1e-6;
+  double decrement = 1e-14;
+  double stall_decrement = 1e-4;
+  int max_iterations = 1000;
+};
+
+class Minimizer {
+ public:
+  virtual ~Minimizer() = default;
+  // y0: a feasible point of the reduced unknowns. Never throws for numerical reasons.
+  virtual SolveResult minimize(const Problem& problem, Vec y0, const Observer& observer) const = 0;
+};
+
+}  // namespace majorant

@@ -1,0 +1,36 @@
+// The local geometry of a Bezier triangle as files store it: VTK's order of the control points, and
+// what a writer samples. Independent of the solver's element tables on purpose: files are checked
+// against this second formulation.
+//
+// A control point has a multi-index (i, j, k), i + j + k = n: i belongs to corner 0, j to corner 1,
+// k to corner 2. VTK's order: the 3 corners, the inner points of edges 01, 12, 20 in edge
+// direction, then the interior as a triangle of degree n - 3, recursively.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "majorant/framework/types.h"
+
+namespace majorant {
+
+inline constexpr int kHighestFileDegree = 32;  // no file beyond is believed
+
+// Number of control points of degree n.
+constexpr Index bezier_cell_size(int degree) { return (degree + 1) * (degree + 2) / 2; }
+
+// The degree whose cells have `size` control points; 0 if there is none in 1..kHighestFileDegree.
+int bezier_cell_degree(long long size);
+
+// #(n+1)(n+2)/2 multi-indices in VTK order.
+std::vector<std::array<int, 3>> bezier_multi_indices(int degree);
+
+// Local numbers of the n+1 control points along edge 0 (corners 0 to 1), 1 (1 to 2) or 2 (2 to 0),
+// ends included.
+std::vector<int> bezier_edge_points(int degree, int edge);
+
+// The Bernstein polynomials of the degree at points given by barycentric coordinates (#S by 3).
+// #S by (n+1)(n+2)/2, columns in VTK order.
+Eigen::MatrixXd bernstein_values(int degree, const Points3& barycentric);
+
+}  // namespace majorant

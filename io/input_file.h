@@ -1,0 +1,28 @@
+// Whole input files in memory: what every reader starts from.
+//
+//   std::string text = read_whole_file(path);   // any bytes
+//   require_text(path, text);                   // refuses binary content
+//
+// Meshes are read in one piece (no streaming): parsing from memory is what makes a million faces a
+// matter of a second, and every reader can check the counts a header announces against the size.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace majorant {
+
+// All bytes of `path`. Throws Error(Unreadable) if it does not exist, is a directory or cannot be
+// read.
+std::string read_whole_file(const std::string& path);
+
+// Refuses control bytes other than tab, line ends, vertical tab and form feed (binary content,
+// UTF-16), removes a UTF-8 byte order mark and turns lone carriage returns (old Mac line ends)
+// into line feeds. Bytes above 127 stay: names and comments may hold them.
+// Throws Error(Unreadable) with the line of the first bad byte.
+void require_text(const std::string& path, std::string& content);
+
+// A piece of a file for a one-line message: in quotes, at most 40 characters, printable.
+std::string in_quotes(std::string_view piece);
+
+}  // namespace majorant

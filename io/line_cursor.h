@@ -1,0 +1,68 @@
+// Walks over the lines and numbers of a text file that is in memory. The tokenizer shared by the
+// text readers (OBJ, OFF, ASCII PLY and STL, ASCII arrays of VTU).
+//
+//   LineCursor cursor(path, text, Continuation::Backslash);
+//   while (cursor.next_line()) {
+//     if (cursor.next_token() == "v") x = cursor.next_number("x coordinate");
+//   }
+//
+// Blank lines and everything from a `#` that starts a token are skipped. Never reads outside the
+// text. Not for binary sections (see byte_cursor.h).
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace majorant {
+
+enum class Continuation {
+  None,
+  Backslash,  // a backslash at the end of a line continues it (OBJ)
+};
+
+class LineCursor {
+ public:
+  // `file` is for messages. `text` (see require_text) must outlive the cursor.
+  LineCursor(const std::string& file, std::string_view text, Continuation continuation);
+
+  bool next_line();  // to the next line that holds a token; false at the end of the text
+  long line() const { return line_; }   // number of the current line, 1-based
+  std::string_view whole_line() const;  // the current line without surrounding space
+  bool at_end_of_line();                // no token is left on the current line
+
+  // The next token of the current line; empty at its end.
+  std::string_view next_token();
+
+  // The next token as a finite number, an integer. `what` names it in messages.
+  // Throw Error(Unreadable) if it is missing, not a number, not finite or (integers) over 64 bits.
+  double next_number(std::string_view what);
+  long long next_integer(std::string_view what);
+
+  // Throws Error(Unreadable) if a token is left on the current line.
+  void require_end_of_line();
+
+  // Throws Error(Unreadable, "file:line: problem").
+  [[noreturn]] void fail(std::string_view problem) const;
+
+ private:
+  void skip_space();
+  bool is_continuation(const char* at) const;
+  const char* end_of_line(const char* begin);
+
+  const std::string& file_;
+  const char* text_end_;
+  const char* line_begin_;
+  const char* line_end_;
+  const char* cursor_;
+  long line_ = 0;
+  long next_line_ = 1;  // number of the line that begins after line_end_
+  Continuation continuation_;
+};
+
+enum class NumberStatus { Good, NotANumber, NotFinite };
+
+// The whole token as a double, independent of the locale. "nan", "inf" and overflow are NotFinite;
+// underflow gives the nearest double (zero or a denormal).
+NumberStatus parse_number(std::string_view token, double& value);
+
+}  // namespace majorant

@@ -1,0 +1,28 @@
+// Pins and handles: vertices and where they are to go, from a JSON file.
+//
+//   {"handles": [{"vertex": 12, "target": [0.1, 0.2]}, {"vertex": 3, "target": "initial"}]}
+//
+// Vertices count from 0; "index_base": 1 at the top says they count from 1. Other keys are
+// comments.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "majorant/framework/types.h"
+
+namespace majorant {
+
+struct Handle {
+  Index vertex = 0;               // 0-based, whatever the file's base
+  std::optional<Vector2> target;  // uv units; nothing for "initial": where the initial map has it
+};
+
+// The handles in the order of the file; one that is repeated with the same target counts once.
+// Throws Error(Unreadable), naming the file and the handle or the place, for broken JSON, missing
+// or malformed entries, numbers that are not finite, vertices outside 0 .. vertex_count - 1, and
+// two different targets for one vertex.
+std::vector<Handle> read_handles(const std::string& path, Index vertex_count);
+
+}  // namespace majorant

@@ -1,0 +1,43 @@
+#include "majorant/io/read_mesh.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <limits>
+
+#include "majorant/framework/error.h"
+#include "majorant/io/input_file.h"
+#include "majorant/io/mesh_readers.h"
+#include "majorant/io/vtu.h"
+
+namespace majorant {
+
+void require_complete(const PolygonMesh& mesh) {
+  const auto refuse = [&mesh](const char* problem) {
+    throw Error(ErrorKind::Unreadable, fmt::format("{}: {}", mesh.file, problem));
+  };
+  constexpr std::size_t kMost = std::numeric_limits<Index>::max();
+  if (mesh.positions.empty()) refuse("no vertices; not a mesh, or truncated");
+  if (mesh.polygons.empty()) refuse("no faces; a surface mesh is needed");
+  if (mesh.positions.size() > kMost || mesh.polygons.size() > kMost) {
+    refuse("more than 2^31 vertices or faces; simplify the mesh");
+  }
+}
+
+PolygonMesh read_mesh(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (extension == ".obj") return read_obj(path, read_whole_file(path));
+  if (extension == ".off") return read_off(path, read_whole_file(path));
+  if (extension == ".ply") return read_ply(path, read_whole_file(path));
+  if (extension == ".stl") return read_stl(path, read_whole_file(path));
+  if (extension == ".vtu") return mesh_from_map(read_vtu(path), path);
+  throw Error(ErrorKind::Unreadable,
+              fmt::format("{}: unknown mesh format {}; use .obj, .off, .ply, .stl or .vtu", path,
+                          in_quotes(extension)));
+}
+
+}  // namespace majorant

@@ -1,0 +1,39 @@
+// Reads a surface mesh from a file, the format chosen by the extension (in either case).
+//
+//   PolygonMesh mesh = read_mesh("camel.obj");
+//
+//   .obj  v, vt and vn with their own indices, polygons, negative indices, line continuation;
+//         o g s usemtl mtllib are kept; points, lines, curves and free-form surfaces are ignored
+//   .off  OFF and its variants with normals, colours or texture coordinates, which are ignored
+//   .ply  ascii, binary of both byte orders; vertex properties x y z, and (texture_u, texture_v),
+//         (s, t) or (u, v) as texture coordinates; face property vertex_indices or vertex_index
+//   .stl  ascii and binary. STL cannot share vertices: corners with exactly equal coordinates
+//         become one vertex, numbered by first appearance
+//   .vtu  written by majorant (vtu.h): the corner points, uv as texture coordinates
+//
+// Readers believe nothing but the syntax: finite numbers, indices in range, polygons of at least
+// three corners, at least one vertex and one polygon. Whether the mesh is a manifold, oriented or
+// connected is for SurfaceMesh to say. Polygons are not triangulated here.
+#pragma once
+
+#include <string>
+
+#include "majorant/io/map_file.h"
+#include "majorant/parametrization/polygon_mesh.h"
+
+namespace majorant {
+
+// Throws Error(Unreadable, "file:line: what is wrong; remedy") for an unknown extension, a missing
+// file, or content that breaks the rules above.
+PolygonMesh read_mesh(const std::string& path);
+
+// The corner mesh of a map: one triangle per cell, texcoords = the uv of the corner points (one per
+// point, so that cuts stay cuts). Where map.input_vertex is known for every corner, vertices have
+// the ids of the input mesh, and ids that no cell uses sit at the first corner's position;
+// otherwise vertices are the corner points in order. Where map.input_face is known, triangles are
+// sorted by it; polygons of the input stay the triangles the map was computed on.
+// polygon_lines are cell numbers, 1-based. `file` is for messages.
+// Throws Error(Unreadable) if an input vertex is at two places or its number is beyond reason.
+PolygonMesh mesh_from_map(const MapFile& map, const std::string& file);
+
+}  // namespace majorant

@@ -1,0 +1,34 @@
+// The full result as a VTK XML UnstructuredGrid, lossless: read_vtu(write_vtu(map)) gives the same
+// doubles. One VTK_BEZIER_TRIANGLE (type 76) per cell for degree >= 2, VTK_TRIANGLE (5) for 1.
+//
+//   Points               #N by 3 Float64  control points of the flat surface triangles
+//   PointData uv         #N by 2 Float64  control points of the map
+//   PointData input_vertex   #N Int32     vertex of the input mesh, -1 for none
+//   CellData  input_face     #F Int32     face of the input mesh
+//   CellData  distortion     #F Float64   mean density (if present)
+//   CellData  min_det        #F Float64   certified lower bound of det J (if present)
+//   FieldData majorant_claims  String     JSON, what the file promises (if present)
+//
+// VTK derives the degree of a triangle from its number of points, so no HigherOrderDegrees are
+// written. Arrays are inline base64, uncompressed, little endian, 64-bit headers: any XML parser
+// reads them and no bit is lost. Empty optional arrays of the map are left out.
+#pragma once
+
+#include <string>
+
+#include "majorant/io/map_file.h"
+
+namespace majorant {
+
+// Reads files of write_vtu and of other programs: formats ascii, binary and appended (raw or
+// base64), uncompressed, one piece, uv with 2 or 3 components (the third is dropped),
+// RationalWeights all 1. Arrays that the file lacks stay empty; uv is required. Throws
+// Error(Unreadable) with the reason for anything else: compressed data, mixed cell types or sizes,
+// inconsistent array sizes, point numbers out of range, values that are not finite.
+MapFile read_vtu(const std::string& path);
+
+// Throws Error(Invalid) if the map is inconsistent or not finite (map_check.h), Error(Usage) if
+// the file cannot be written. The file appears whole or not at all.
+void write_vtu(const std::string& path, const MapFile& map);
+
+}  // namespace majorant

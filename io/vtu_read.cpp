@@ -1,0 +1,190 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <limits>
+
+#include "majorant/framework/error.h"
+#include "majorant/io/bezier_cell.h"
+#include "majorant/io/input_file.h"
+#include "majorant/io/map_check.h"
+#include "majorant/io/vtu.h"
+#include "majorant/io/vtu_arrays.h"
+#include "majorant/io/xml_tree.h"
+
+namespace majorant {
+namespace {
+
+constexpr long long kTriangle = 5;
+constexpr long long kBezierTriangle = 76;
+
+bool same_name(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char x, unsigned char y) {
+    return std::tolower(x) == std::tolower(y);
+  });
+}
+
+class VtuReader {
+ public:
+  explicit VtuReader(const std::string& path)
+      : path_(path), content_(read_whole_file(path)), arrays_(path, content_) {}
+
+  MapFile read() {
+    const XmlElement root = parse_xml(path_, content_);
+    if (root.name != "VTKFile" || root.attribute("type") != "UnstructuredGrid") {
+      fail("not a VTK UnstructuredGrid file");
+    }
+    arrays_.configure(root);
+    const XmlElement& grid = require_child(root, "UnstructuredGrid");
+    if (std::count_if(grid.children.begin(), grid.children.end(),
+                      [](const XmlElement& e) { return e.name == "Piece"; }) > 1) {
+      fail("more than one Piece; merge the pieces into one");
+    }
+    const XmlElement& piece = require_child(grid, "Piece");
+    read_points(piece);
+    read_cells(require_child(piece, "Cells"));
+    if (const XmlElement* data = piece.child("CellData")) read_cell_data(*data);
+    if (const XmlElement* data = grid.child("FieldData")) read_claims(*data);
+    if (const std::string defect = map_defect(map_); !defect.empty()) fail(defect);
+    return std::move(map_);
+  }
+
+ private:
+  [[noreturn]] void fail(std::string_view problem) const {
+    throw Error(ErrorKind::Unreadable, fmt::format("{}: {}", path_, problem));
+  }
+
+  const XmlElement& require_child(const XmlElement& parent, std::string_view name) const {
+    const XmlElement* child = parent.child(name);
+    if (child == nullptr) fail(fmt::format("{} without {}; incomplete file", parent.name, name));
+    return *child;
+  }
+
+  // The array of a name, upper or lower case; null if there is none.
+  static const XmlElement* find_array(const XmlElement& section, std::string_view name) {
+    for (const XmlElement& array : section.children) {
+      if ((array.name == "DataArray" || array.name == "Array") &&
+          same_name(array.attribute("Name"), name)) {
+        return &array;
+      }
+    }
+    return nullptr;
+  }
+
+  // #rows by `columns` out of an array of `components` per row, the first of which are taken.
+  template <class Matrix>
+  Matrix matrix(const XmlElement& array, int columns, int components) const {
+    const std::vector<double> values = arrays_.doubles(array);
+    const auto stride = static_cast<std::size_t>(components);
+    if (values.size() % stride != 0) fail("an array does not fit its number of components");
+    const auto rows = static_cast<Eigen::Index>(values.size() / stride);
+    using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    return Eigen::Map<const RowMajor>(values.data(), rows, components).leftCols(columns);
+  }
+
+  void read_points(const XmlElement& piece) {
+    const XmlElement& points = require_child(require_child(piece, "Points"), "DataArray");
+    map_.points = matrix<Points3>(points, 3, 3);
+    if (map_.points.rows() > std::numeric_limits<Index>::max()) fail("too many points");
+    if (piece.attribute("NumberOfPoints") != std::to_string(map_.points.rows())) {
+      fail(fmt::format("NumberOfPoints says {}, Points holds {}; damaged or truncated",
+                       in_quotes(piece.attribute("NumberOfPoints")), map_.points.rows()));
+    }
+    const XmlElement* data = piece.child("PointData");
+    const XmlElement* uv = data == nullptr ? nullptr : find_array(*data, "uv");
+    if (uv == nullptr) fail("no PointData array 'uv'; not a parametrization");
+    const std::string_view components = uv->attribute("NumberOfComponents");
+    if (components != "2" && components != "3") fail("uv must have 2 or 3 components");
+    map_.uv = matrix<Points2>(*uv, 2, components == "2" ? 2 : 3);
+    if (const XmlElement* array = find_array(*data, "input_vertex")) {
+      map_.input_vertex = index_array(*array);
+    }
+    if (const XmlElement* weights = find_array(*data, "RationalWeights")) {
+      const std::vector<double> values = arrays_.doubles(*weights);
+      if (std::any_of(values.begin(), values.end(), [](double w) { return w != 1.0; })) {
+        fail("rational cells (RationalWeights other than 1) are not supported");
+      }
+    }
+    cell_count_ = std::string(piece.attribute("NumberOfCells"));
+  }
+
+  void read_cells(const XmlElement& section) {
+    const auto require = [&](std::string_view name) {
+      const XmlElement* array = find_array(section, name);
+      if (array == nullptr) fail(fmt::format("Cells without {}; incomplete file", name));
+      return arrays_.integers(*array);
+    };
+    const std::vector<long long> connectivity = require("connectivity");
+    const std::vector<long long> offsets = require("offsets");
+    const std::vector<long long> types = require("types");
+    if (types.empty()) fail("no cells");
+    if (offsets.size() != types.size() || cell_count_ != std::to_string(types.size())) {
+      fail("NumberOfCells, offsets and types disagree; damaged or truncated");
+    }
+    map_.degree = bezier_cell_degree(offsets[0]);
+    if (map_.degree == 0) {
+      fail(fmt::format("a cell of {} points is no Bezier triangle of degree 1..{}", offsets[0],
+                       kHighestFileDegree));
+    }
+    const long long size = offsets[0];
+    for (std::size_t f = 0; f < types.size(); ++f) {
+      const bool fits = types[f] == kBezierTriangle || (types[f] == kTriangle && map_.degree == 1);
+      if (!fits)
+        fail(fmt::format("cell {} of type {}; only Bezier triangles are supported", f, types[f]));
+      if (offsets[f] != size * static_cast<long long>(f + 1)) {
+        fail(fmt::format("cell {} has another number of points than cell 0", f));
+      }
+    }
+    if (static_cast<long long>(connectivity.size()) != offsets.back()) {
+      fail("connectivity and offsets disagree; damaged or truncated");
+    }
+    map_.cells.resize(static_cast<Eigen::Index>(types.size()), size);
+    std::transform(connectivity.begin(), connectivity.end(), map_.cells.data(),
+                   [this](long long id) { return index(id); });
+  }
+
+  // -1 (none) passes; map_defect refuses it where a point is needed.
+  Index index(long long id) const {
+    if (id < -1 || id > std::numeric_limits<Index>::max()) {
+      fail(fmt::format("number {} out of range", id));
+    }
+    return static_cast<Index>(id);
+  }
+
+  Eigen::VectorXi index_array(const XmlElement& array) const {
+    const std::vector<long long> values = arrays_.integers(array);
+    Eigen::VectorXi result(static_cast<Eigen::Index>(values.size()));
+    std::transform(values.begin(), values.end(), result.data(),
+                   [this](long long id) { return index(id); });
+    return result;
+  }
+
+  void read_cell_data(const XmlElement& section) {
+    if (const XmlElement* array = find_array(section, "input_face")) {
+      map_.input_face = index_array(*array);
+    }
+    if (const XmlElement* array = find_array(section, "distortion")) {
+      map_.distortion = matrix<Vec>(*array, 1, 1);
+    }
+    if (const XmlElement* array = find_array(section, "min_det")) {
+      map_.min_det = matrix<Vec>(*array, 1, 1);
+    }
+  }
+
+  void read_claims(const XmlElement& section) {
+    const XmlElement* array = find_array(section, "majorant_claims");
+    if (array != nullptr) map_.claims = arrays_.string(*array);
+  }
+
+  const std::string& path_;
+  std::string content_;
+  VtuArrays arrays_;
+  MapFile map_;
+  std::string cell_count_;
+};
+
+}  // namespace
+
+MapFile read_vtu(const std::string& path) { return VtuReader(path).read(); }
+
+}  // namespace majorant

@@ -1,0 +1,108 @@
+#include <fmt/format.h>
+
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <iterator>
+#include <type_traits>
+#include <vector>
+
+#include "majorant/io/atomic_file.h"
+#include "majorant/io/base64.h"
+#include "majorant/io/map_check.h"
+#include "majorant/io/vtu.h"
+
+namespace majorant {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "write_vtu writes memory as it is");
+
+template <class T>
+constexpr std::string_view type_name() {
+  if (std::is_same_v<T, double>) return "Float64";
+  if (std::is_same_v<T, std::int64_t>) return "Int64";
+  return std::is_same_v<T, std::int32_t> ? "Int32" : "UInt8";
+}
+
+class VtuText {
+ public:
+  template <class... Args>
+  void add(fmt::format_string<Args...> format, Args&&... args) {
+    fmt::format_to(std::back_inserter(text_), format, std::forward<Args>(args)...);
+  }
+
+  // `size` values in row-major order; an empty array is left out.
+  template <class T>
+  void add_array(std::string_view name, int components, const T* values, Eigen::Index size) {
+    if (size == 0) return;
+    const std::uint64_t bytes = static_cast<std::uint64_t>(size) * sizeof(T);
+    std::string data(sizeof(bytes) + bytes, '\0');
+    std::memcpy(data.data(), &bytes, sizeof(bytes));
+    std::memcpy(data.data() + sizeof(bytes), values, bytes);
+    add("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"binary\">\n",
+        type_name<T>(), name, components);
+    append_base64(data, text_);
+    text_ += "\n</DataArray>\n";
+  }
+
+  // As VTK writes a string array: character codes (signed), terminated by 0.
+  void add_string(std::string_view name, std::string_view value) {
+    add("<Array type=\"String\" Name=\"{}\" NumberOfTuples=\"1\" format=\"ascii\">\n", name);
+    for (const char c : value) add("{} ", static_cast<int>(static_cast<signed char>(c)));
+    text_ += "0\n</Array>\n";
+  }
+
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+void add_cells(const MapFile& map, VtuText& text) {
+  const Eigen::Index count = map.cells.rows();
+  const auto size = static_cast<std::size_t>(count);
+  const std::vector<std::int64_t> connectivity(map.cells.data(),
+                                               map.cells.data() + map.cells.size());
+  std::vector<std::int64_t> offsets(size);
+  for (std::size_t f = 0; f < size; ++f) {
+    offsets[f] = static_cast<std::int64_t>(f + 1) * map.cells.cols();
+  }
+  const std::vector<std::uint8_t> types(size, map.degree == 1 ? 5 : 76);
+  text.add("<Cells>\n");
+  text.add_array("connectivity", 1, connectivity.data(), map.cells.size());
+  text.add_array("offsets", 1, offsets.data(), count);
+  text.add_array("types", 1, types.data(), count);
+  text.add("</Cells>\n");
+}
+
+}  // namespace
+
+void write_vtu(const std::string& path, const MapFile& map) {
+  require_sound(path, map);
+  VtuText text;
+  text.add(
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
+      "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<UnstructuredGrid>\n");
+  if (!map.claims.empty()) {
+    text.add("<FieldData>\n");
+    text.add_string("majorant_claims", map.claims);
+    text.add("</FieldData>\n");
+  }
+  text.add("<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n", map.points.rows(),
+           map.cells.rows());
+  text.add("<PointData>\n");
+  text.add_array("uv", 2, map.uv.data(), map.uv.size());
+  text.add_array("input_vertex", 1, map.input_vertex.data(), map.input_vertex.size());
+  text.add("</PointData>\n<CellData>\n");
+  text.add_array("distortion", 1, map.distortion.data(), map.distortion.size());
+  text.add_array("min_det", 1, map.min_det.data(), map.min_det.size());
+  text.add_array("input_face", 1, map.input_face.data(), map.input_face.size());
+  text.add("</CellData>\n<Points>\n");
+  text.add_array("Points", 3, map.points.data(), map.points.size());
+  text.add("</Points>\n");
+  add_cells(map, text);
+  text.add("</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
+  write_file_atomically(path, text.text());
+}
+
+}  // namespace majorant

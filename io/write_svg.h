@@ -1,0 +1,23 @@
+// The layout of a map as a vector drawing: what to look at, and to put into a paper.
+#pragma once
+
+#include <string>
+
+#include "majorant/io/map_file.h"
+
+namespace majorant {
+
+// One <path> per cell along its curved boundary: lines for degree 1, quadratic and cubic Bezier
+// curves for 2 and 3, exactly; higher degrees as four Hermite cubics an edge. The v axis points up.
+// The drawing is 1000 wide and fits the control points (a layout more than 4 times as tall as wide
+// is 4000 high instead); coordinates have 6 digits of the drawing's size.
+//
+// Cells are filled by `distortion`, light yellow to dark red in even steps of perceived lightness
+// (OKLab), from the smallest value to the 98 % quantile (a few extreme cells do not wash out the
+// rest); the legend says both numbers. Without distortion the cells are grey. The output depends on
+// nothing but the map.
+// Throws Error(Invalid) if the map is unsound (map_check.h), Error(Usage) if the file cannot be
+// written.
+void write_svg(const std::string& path, const MapFile& map);
+
+}  // namespace majorant

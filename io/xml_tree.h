@@ -1,0 +1,30 @@
+// Just enough XML to read VTK files: elements, attributes, leading text. No namespaces, no DTD.
+// Views point into the text that was parsed, which must outlive the tree.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace majorant {
+
+struct XmlElement {
+  std::string_view name;
+  std::vector<std::pair<std::string_view, std::string>> attributes;  // values decoded
+  std::string_view text;  // between the start tag and the first child or the end tag; not decoded
+  std::vector<XmlElement> children;
+
+  // The value of an attribute; `otherwise` if it is not there.
+  std::string_view attribute(std::string_view attribute_name,
+                             std::string_view otherwise = {}) const;
+  // The first child of that name; null if there is none.
+  const XmlElement* child(std::string_view child_name) const;
+};
+
+// The root element. Comments, processing instructions and <!DOCTYPE ...> are skipped.
+// Throws Error(Unreadable, "file:line: ...") for anything that is not well formed, or nested more
+// than 64 levels deep. `file` is for messages.
+XmlElement parse_xml(const std::string& file, std::string_view text);
+
+}  // namespace majorant

@@ -1,0 +1,233 @@
+// Small test surfaces, each a topological disk of a few hundred triangles. Standard library only.
+//
+//   g++ -std=c++20 -O2 -Wall -Wextra generate_shapes.cpp -o generate_shapes
+//   ./generate_shapes .       # writes wavy_disk.obj cap.obj ribbon.obj tube.obj into this folder
+//
+// What: wavy_disk  a bumpy height field over a noisy triangular grid: mild distortion, the easy
+// case
+//       cap        a sphere with a small round opening: strong shrinking away from the boundary
+//       ribbon     two turns of a helicoid: long, thin, negatively curved, two long boundary sides
+//       tube       a crinkled L-shaped sheet; a tube with a closed end grows out of its long leg:
+//                  the map has to flatten the whole tube around the interior of the sheet
+// How: every shape is a planar triangulation whose vertices are then moved into space. Noise comes
+// from a linear congruential generator of fixed seed: the output is the same on every machine up to
+// the last digits of sin and cos.
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <exception>
+#include <functional>
+#include <map>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+struct Point {
+  double x = 0.0;
+  double y = 0.0;
+  double z = 0.0;
+};
+
+struct Mesh {
+  std::vector<Point> vertices;
+  std::vector<std::array<int, 3>> faces;
+};
+
+// Knuth's MMIX generator; uniform numbers in [-1, 1).
+class Noise {
+ public:
+  double next() {
+    state_ = 6364136223846793005u * state_ + 1442695040888963407u;
+    return static_cast<double>(state_ >> 11) / static_cast<double>(1ull << 52) - 1.0;
+  }
+
+ private:
+  std::uint64_t state_ = 2026;
+};
+
+// Concentric rings around one centre vertex: ring k of `rings` has 6 k vertices, in the unit disk.
+Mesh hexagonal_disk(int rings) {
+  Mesh mesh;
+  mesh.vertices.push_back({});
+  std::vector<int> first = {0};  // first vertex of each ring
+  for (int k = 1; k <= rings; ++k) {
+    first.push_back(static_cast<int>(mesh.vertices.size()));
+    for (int i = 0; i < 6 * k; ++i) {
+      const double angle = 2.0 * pi * i / (6 * k);
+      const double radius = static_cast<double>(k) / rings;
+      mesh.vertices.push_back({radius * std::cos(angle), radius * std::sin(angle), 0.0});
+    }
+  }
+  const auto vertex = [&](int ring, int i) { return ring == 0 ? 0 : first[ring] + i % (6 * ring); };
+  for (int k = 1; k <= rings; ++k) {
+    for (int sector = 0; sector < 6; ++sector) {
+      for (int i = 0; i < k; ++i) {
+        const int outer = sector * k + i;
+        const int inner = sector * (k - 1) + i;
+        mesh.faces.push_back({vertex(k, outer), vertex(k, outer + 1), vertex(k - 1, inner)});
+        if (i + 1 < k) {
+          mesh.faces.push_back(
+              {vertex(k, outer + 1), vertex(k - 1, inner + 1), vertex(k - 1, inner)});
+        }
+      }
+    }
+  }
+  return mesh;
+}
+
+// The cells of a grid of nx by ny squares for which keep(i, j) holds, cut in two along alternating
+// diagonals. Vertices have integer coordinates.
+Mesh square_grid(int nx, int ny, const std::function<bool(int, int)>& keep) {
+  Mesh mesh;
+  std::map<std::pair<int, int>, int> number;
+  const auto vertex = [&](int i, int j) {
+    const auto [entry, is_new] = number.try_emplace({i, j}, static_cast<int>(mesh.vertices.size()));
+    if (is_new) mesh.vertices.push_back({static_cast<double>(i), static_cast<double>(j), 0.0});
+    return entry->second;
+  };
+  for (int j = 0; j < ny; ++j) {
+    for (int i = 0; i < nx; ++i) {
+      if (!keep(i, j)) continue;
+      const int a = vertex(i, j);
+      const int b = vertex(i + 1, j);
+      const int c = vertex(i + 1, j + 1);
+      const int d = vertex(i, j + 1);
+      if ((i + j) % 2 == 0) {
+        mesh.faces.push_back({a, b, c});
+        mesh.faces.push_back({a, c, d});
+      } else {
+        mesh.faces.push_back({a, b, d});
+        mesh.faces.push_back({b, c, d});
+      }
+    }
+  }
+  return mesh;
+}
+
+Mesh wavy_disk() {
+  constexpr int rings = 9;
+  Mesh mesh = hexagonal_disk(rings);
+  Noise noise;
+  for (Point& p : mesh.vertices) {
+    if (std::hypot(p.x, p.y) < 0.99) {
+      p.x += 0.20 / rings * noise.next();
+      p.y += 0.20 / rings * noise.next();
+    }
+    p.z = 0.22 * std::sin(5.0 * p.x + 0.4) * std::cos(4.0 * p.y) + 0.15 * p.x * p.y;
+  }
+  return mesh;
+}
+
+// The rings of the disk become parallels; the opening is 35 degrees around the south pole.
+Mesh cap() {
+  Mesh mesh = hexagonal_disk(9);
+  for (Point& p : mesh.vertices) {
+    const double radius = std::hypot(p.x, p.y);
+    if (radius == 0.0) {
+      p.z = 1.0;
+      continue;
+    }
+    // Rings get narrower towards the opening, where the parallels shorten and triangles shrink.
+    const double colatitude = 145.0 / 180.0 * pi * radius * (1.18 - 0.18 * radius);
+    const double scale = std::sin(colatitude) / radius;
+    p = {scale * p.x, scale * p.y, std::cos(colatitude)};
+  }
+  return mesh;
+}
+
+Mesh ribbon() {
+  constexpr int length = 48;
+  constexpr int width = 4;
+  Mesh mesh = square_grid(length, width, [](int, int) { return true; });
+  for (Point& p : mesh.vertices) {
+    const double angle = 4.0 * pi * p.x / length;
+    const double radius = 1.0 - 0.65 * p.y / width;
+    p = {radius * std::cos(angle), radius * std::sin(angle), 0.25 * angle};
+  }
+  return mesh;
+}
+
+// A 12 by 12 sheet without its upper right quarter, crinkled. Four cells of the grid are removed,
+// and a tube of `floors` floors with 8 sides stands on the hole; one vertex closes it on top.
+Mesh tube() {
+  constexpr int sides = 8;
+  constexpr int floors = 9;
+  constexpr double middle = 3.0;
+  Mesh mesh = square_grid(12, 12, [](int i, int j) {
+    const bool is_hole = (i == 2 || i == 3) && (j == 2 || j == 3);
+    return (i < 6 || j < 6) && !is_hole;
+  });
+  const std::array<std::array<int, 2>, sides> rim = {
+      {{4, 3}, {4, 4}, {3, 4}, {2, 4}, {2, 3}, {2, 2}, {3, 2}, {4, 2}}};
+  std::vector<int> below(sides);
+  Noise noise;
+  for (int v = 0; v < static_cast<int>(mesh.vertices.size()); ++v) {
+    Point& p = mesh.vertices[v];
+    bool is_rim = false;
+    for (int s = 0; s < sides; ++s) {
+      if (p.x != rim[s][0] || p.y != rim[s][1]) continue;
+      below[s] = v;
+      is_rim = true;
+    }
+    if (!is_rim) p.z = 0.35 * std::sin(1.1 * p.x + 0.7 * p.y) + 0.12 * noise.next();
+  }
+  for (int floor = 1; floor <= floors; ++floor) {
+    std::vector<int> above(sides);
+    for (int s = 0; s < sides; ++s) {
+      const double angle = 2.0 * pi * s / sides;
+      const double lean = 0.012 * floor * floor;  // the tube bends towards +x
+      above[s] = static_cast<int>(mesh.vertices.size());
+      mesh.vertices.push_back(
+          {middle + 1.05 * std::cos(angle) + lean, middle + 1.05 * std::sin(angle), 0.8 * floor});
+    }
+    for (int s = 0; s < sides; ++s) {
+      const int t = (s + 1) % sides;
+      mesh.faces.push_back({below[s], below[t], above[t]});
+      mesh.faces.push_back({below[s], above[t], above[s]});
+    }
+    below = above;
+  }
+  const int top = static_cast<int>(mesh.vertices.size());
+  mesh.vertices.push_back({middle + 0.012 * floors * floors, middle, 0.8 * floors + 0.5});
+  for (int s = 0; s < sides; ++s) mesh.faces.push_back({below[s], below[(s + 1) % sides], top});
+  return mesh;
+}
+
+void write_obj(const std::string& path, const Mesh& mesh) {
+  std::FILE* file = std::fopen(path.c_str(), "w");
+  if (file == nullptr) throw std::runtime_error("cannot write " + path);
+  std::fprintf(file, "# majorant test mesh, BSD-3-Clause, made by meshes/generate_shapes.cpp\n");
+  for (const Point& p : mesh.vertices) std::fprintf(file, "v %.9g %.9g %.9g\n", p.x, p.y, p.z);
+  for (const auto& [a, b, c] : mesh.faces) {
+    std::fprintf(file, "f %d %d %d\n", a + 1, b + 1, c + 1);
+  }
+  if (std::fclose(file) != 0) throw std::runtime_error("cannot write " + path);
+  std::printf("%s: %zu vertices, %zu faces\n", path.c_str(), mesh.vertices.size(),
+              mesh.faces.size());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::fprintf(stderr, "usage: %s FOLDER\n", argv[0]);
+    return 2;
+  }
+  try {
+    const std::string folder = std::string(argv[1]) + "/";
+    write_obj(folder + "wavy_disk.obj", wavy_disk());
+    write_obj(folder + "cap.obj", cap());
+    write_obj(folder + "ribbon.obj", ribbon());
+    write_obj(folder + "tube.obj", tube());
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s: %s\n", argv[0], error.what());
+    return 1;
+  }
+}

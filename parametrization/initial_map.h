@@ -1,0 +1,18 @@
+// Starts for the optimizer.
+#pragma once
+
+#include "majorant/parametrization/surface_mesh.h"
+
+namespace majorant {
+
+// Tutte's embedding [Tut63] with uniform weights: boundary on the circle of the surface's area
+// (radius sqrt(area / pi), centre 0), counterclockwise, spaced by arc length, the first boundary
+// vertex in file order at angle 0. Returns u, v per vertex, model units.
+// Needs a disk; throws Error(Infeasible) when the linear system cannot be solved.
+Vec tutte_map(const SurfaceMesh& mesh);
+
+// The file's texture coordinates as u, v per vertex, for `--init input`. Throws Error(Unsupported)
+// when a corner has none or a vertex has several.
+Vec texture_map(const SurfaceMesh& mesh);
+
+}  // namespace majorant

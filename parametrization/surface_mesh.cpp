@@ -1,0 +1,145 @@
+#include "majorant/parametrization/surface_mesh.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <OpenMesh/Core/Mesh/TriConnectivity.hh>
+#include <algorithm>
+#include <cmath>
+
+#include "majorant/framework/error.h"
+#include "majorant/parametrization/mesh_validation.h"
+
+namespace majorant {
+namespace {
+
+TriangleList triangulate(const PolygonMesh& input) {
+  TriangleList list;
+  for (std::size_t p = 0; p < input.polygons.size(); ++p) {
+    const auto& polygon = input.polygons[p];
+    std::vector<std::array<int, 3>> triangles{{0, 1, 2}};
+    if (polygon.size() > 3) {
+      std::vector<Vector3> corners;
+      for (const Index v : polygon) corners.push_back(input.positions[static_cast<std::size_t>(v)]);
+      triangles = triangulate_polygon(corners);
+    }
+    for (const auto& t : triangles) {
+      std::array<Index, 3> f{};
+      for (std::size_t k = 0; k < 3; ++k) f[k] = polygon[static_cast<std::size_t>(t[k])];
+      list.triangles.push_back(f);
+      list.polygon.push_back(static_cast<Index>(p));
+      list.corners.push_back(t);
+    }
+  }
+  return list;
+}
+
+}  // namespace
+
+SurfaceMesh SurfaceMesh::from_polygons(const PolygonMesh& input) {
+  const TriangleList list = triangulate(input);
+  require_proper_faces(input, list);
+  require_usable_coordinates(input);
+  require_manifold_edges(input, list);
+  require_one_piece(input, list);
+
+  SurfaceMesh mesh;
+  mesh.file_ = input.file;
+  mesh.input_face_ = list.polygon;
+  mesh.vertex_of_input_.assign(input.positions.size(), -1);
+  for (const auto& t : list.triangles)
+    for (const Index v : t) mesh.vertex_of_input_[static_cast<std::size_t>(v)] = 0;
+  for (std::size_t v = 0; v < input.positions.size(); ++v) {
+    if (mesh.vertex_of_input_[v] < 0) continue;
+    mesh.vertex_of_input_[v] = static_cast<Index>(mesh.input_vertex_.size());
+    mesh.input_vertex_.push_back(static_cast<Index>(v));
+  }
+  mesh.positions_.resize(static_cast<Index>(mesh.input_vertex_.size()), 3);
+  for (Index v = 0; v < mesh.vertex_count(); ++v)
+    mesh.positions_.row(v) = input.positions[static_cast<std::size_t>(mesh.input_vertex(v))];
+  const bool textured = !input.polygon_texcoords.empty() &&
+                        std::none_of(input.polygon_texcoords.begin(), input.polygon_texcoords.end(),
+                                     [](const auto& t) { return t.empty(); });
+  mesh.faces_.resize(static_cast<Index>(list.triangles.size()), 3);
+  if (textured) mesh.corner_texcoords_.resize(mesh.faces_.rows(), 6);
+  for (Index f = 0; f < mesh.face_count(); ++f)
+    for (Index k = 0; k < 3; ++k) {
+      const auto t = static_cast<std::size_t>(f), c = static_cast<std::size_t>(k);
+      mesh.faces_(f, k) = mesh.vertex_of_input_[static_cast<std::size_t>(list.triangles[t][c])];
+      if (!textured) continue;
+      const auto& corners = input.polygon_texcoords[static_cast<std::size_t>(list.polygon[t])];
+      const Index vt = corners[static_cast<std::size_t>(list.corners[t][c])];
+      mesh.corner_texcoords_.row(f).segment<2>(2 * k) = input.texcoords[static_cast<std::size_t>(vt)];
+    }
+  mesh.build_connectivity();
+  return mesh;
+}
+
+// Half-edges, boundary loops and counts. The faces are edge-manifold and oriented by now; what
+// OpenMesh refuses, or finds with several fans, is a vertex where sheets merely touch.
+void SurfaceMesh::build_connectivity() {
+  omerr().disable();
+  OpenMesh::TriConnectivity kernel;
+  std::vector<OpenMesh::VertexHandle> handles;
+  for (Index v = 0; v < vertex_count(); ++v) handles.push_back(kernel.new_vertex());
+  const auto touching = [&](Index v) {
+    return Error(ErrorKind::Unsupported,
+                 fmt::format("{}: vertex {}: sheets of the surface touch there (non-manifold); "
+                             "duplicate the vertex",
+                             file_, input_vertex(v) + 1));
+  };
+  for (Index f = 0; f < face_count(); ++f) {
+    const auto h = [&](int k) { return handles[static_cast<std::size_t>(faces_(f, k))]; };
+    if (!kernel.add_face(h(0), h(1), h(2)).is_valid()) throw touching(faces_(f, 0));
+  }
+  for (Index v = 0; v < vertex_count(); ++v)
+    if (!kernel.is_manifold(handles[static_cast<std::size_t>(v)])) throw touching(v);
+
+  std::vector<char> seen(kernel.n_halfedges(), 0);
+  for (const auto start : kernel.halfedges()) {
+    if (!kernel.is_boundary(start) || seen[static_cast<std::size_t>(start.idx())]) continue;
+    std::vector<Index> loop;
+    for (OpenMesh::HalfedgeHandle h = start; !seen[static_cast<std::size_t>(h.idx())];
+         h = kernel.next_halfedge_handle(h)) {
+      seen[static_cast<std::size_t>(h.idx())] = 1;
+      loop.push_back(kernel.from_vertex_handle(h).idx());
+    }
+    std::reverse(loop.begin(), loop.end());  // boundary half-edges run against the faces
+    std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
+    boundary_loops_.push_back(std::move(loop));
+  }
+  std::sort(boundary_loops_.begin(), boundary_loops_.end());
+  topology_ = {vertex_count(), static_cast<Index>(kernel.n_edges()), face_count(), 1,
+               static_cast<Index>(boundary_loops_.size())};
+  for (Index f = 0; f < face_count(); ++f) {
+    const Vector3 a = positions_.row(faces_(f, 1)) - positions_.row(faces_(f, 0));
+    const Vector3 b = positions_.row(faces_(f, 2)) - positions_.row(faces_(f, 0));
+    area_ += 0.5 * a.cross(b).norm();
+  }
+}
+
+void SurfaceMesh::require_disk() const {
+  const auto refuse = [&](const std::string& what) {
+    throw Error(ErrorKind::Unsupported, fmt::format("{}: {}", file_, what));
+  };
+  const Index genus_twice =
+      2 - topology_.boundary_loops - topology_.euler_characteristic();
+  if (topology_.boundary_loops == 0)
+    refuse(fmt::format("the surface is closed (genus {}, no boundary); cut it open to a disk",
+                       genus_twice / 2));
+  if (topology_.boundary_loops > 1)
+    refuse(fmt::format("the surface has {} boundary loops (a second one passes vertex {}); close "
+                       "the holes or cut it open to a disk",
+                       topology_.boundary_loops, input_vertex(boundary_loops_[1].front()) + 1));
+  if (topology_.euler_characteristic() != 1)
+    refuse(fmt::format("the surface has genus {} (one boundary loop, Euler characteristic {}); cut "
+                       "it open to a disk",
+                       genus_twice / 2, topology_.euler_characteristic()));
+}
+
+Index SurfaceMesh::find_input_vertex(Index input) const {
+  if (input < 0 || static_cast<std::size_t>(input) >= vertex_of_input_.size()) return -1;
+  return vertex_of_input_[static_cast<std::size_t>(input)];
+}
+
+}  // namespace majorant

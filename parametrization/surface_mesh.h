@@ -1,0 +1,75 @@
+// A validated triangle mesh: what the rest of the library may rely on.
+//
+//   SurfaceMesh mesh = SurfaceMesh::from_polygons(read_mesh("bunny.obj"));
+//   mesh.require_disk();
+//
+// Edge- and vertex-manifold, consistently oriented, connected, no degenerate or duplicate faces.
+// Polygons are triangulated, unreferenced vertices left out; input_vertex() and input_face() lead
+// back to the file. Immutable.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "majorant/framework/types.h"
+#include "majorant/parametrization/polygon_mesh.h"
+
+namespace majorant {
+
+struct Topology {
+  Index vertices = 0, edges = 0, faces = 0, components = 0, boundary_loops = 0;
+  Index euler_characteristic() const { return vertices - edges + faces; }
+};
+
+class SurfaceMesh {
+ public:
+  // Throws Error(Unsupported) naming file, place and remedy for the first defect found.
+  static SurfaceMesh from_polygons(const PolygonMesh& input);
+
+  // Throws Error(Unsupported) unless the surface is a disk (connected, one boundary loop, Euler
+  // characteristic 1).
+  void require_disk() const;
+
+  const std::string& file() const { return file_; }
+  const Points3& positions() const { return positions_; }  // #V by 3, model units
+  const Cells& faces() const { return faces_; }            // #F by 3, counterclockwise
+  Index vertex_count() const { return static_cast<Index>(positions_.rows()); }
+  Index face_count() const { return static_cast<Index>(faces_.rows()); }
+  // Index in the file of a vertex, and of the polygon that a face belongs to.
+  Index input_vertex(Index v) const { return input_vertex_[static_cast<std::size_t>(v)]; }
+  Index input_face(Index f) const { return input_face_[static_cast<std::size_t>(f)]; }
+  // Vertex of this mesh for a vertex of the file, -1 when no face uses it.
+  Index find_input_vertex(Index input) const;
+
+  // Boundary loops, vertices in face orientation (surface on the left), each starting at its
+  // smallest vertex, loops ordered by that vertex.
+  const std::vector<std::vector<Index>>& boundary_loops() const { return boundary_loops_; }
+  const Topology& topology() const { return topology_; }
+  double area() const { return area_; }
+
+  // Texture coordinates per face corner (#F by 6: u, v of each corner), empty unless every corner
+  // of the file has one.
+  const Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>& corner_texcoords() const {
+    return corner_texcoords_;
+  }
+
+ private:
+  SurfaceMesh() = default;
+  void build_connectivity();
+
+  std::string file_;
+  Points3 positions_;
+  Cells faces_;
+  std::vector<Index> input_vertex_, input_face_, vertex_of_input_;
+  std::vector<std::vector<Index>> boundary_loops_;
+  Topology topology_;
+  double area_ = 0;
+  Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor> corner_texcoords_;
+};
+
+// Triangles (local corner numbers) of a simple polygon, n - 2 of them, by ear clipping in its mean
+// plane; the shape-preserving choice among valid ears is the one with the largest smallest angle.
+std::vector<std::array<int, 3>> triangulate_polygon(const std::vector<Vector3>& corners);
+
+}  // namespace majorant
