@@ -51,13 +51,16 @@ struct SolveResult {
 };
 
 // Stopping formulas, with E_k the energy after iteration k, p the Newton direction, g the gradient:
-//   relative_decrease:  (E_{k-1} - E_k) <= relative_decrease * |E_{k-1}|        -> see below
-//   decrement:          -g.p <= decrement * |E_{k-1}|                           -> Converged, no step
-// When the first holds and -g.p <= stall_decrement * |E_{k-1}| the result is Converged, else Stalled.
+//   decrement:   -g.p <= decrement |E_{k-1}|                            Converged, no step taken
+//   small step:  E_{k-1} - E_k <= relative_decrease |E_{k-1}|
+//     and -g.p <= stall_decrement |E_{k-1}|                             Converged
+//     in stall_iterations successive iterations, decrement still larger   Stalled
+//   no step decreases the energy: Converged or Stalled by the same bound on -g.p.
 struct StoppingRules {
   double relative_decrease = 1e-6;
   double decrement = 1e-14;
   double stall_decrement = 1e-4;
+  int stall_iterations = 4;
   int max_iterations = 1000;
 };
 

@@ -37,6 +37,88 @@ std::string_view name(Status status) {
   return "failed";
 }
 
+// Along x + s d: an acceptable step first (certified, Armijo, halving), then towards the minimum of
+// the parabola through E(0), E'(0) and E(s). Positive semidefinite models overestimate curvature
+// where they clamp it, and barriers flatten quickly, so steps well above 1 are common far from a
+// minimum and in linearly converging tails; an evaluation costs a fraction of a factorization.
+class NewtonStepper::LineSearch {
+ public:
+  LineSearch(Evaluator& evaluator, const NewtonOptions& options, const Vec& y, const Vec& p,
+             double energy, double decrement)
+      : evaluator_(evaluator), options_(options), y_(y), p_(p), energy_(energy),
+        decrement_(decrement), x_(evaluator.problem().expand(y)) {
+    evaluator.problem().elimination().expand_direction(p, d_);
+  }
+
+  Outcome run(Step& step) {
+    StepBound bound = certified(1.0);
+    step.record.step_bound = bound.step;
+    step.blocking = std::move(bound.blocking);
+    double s = bound.step < 1 ? options_.boundary_fraction * bound.step : 1.0;
+    if (s < options_.smallest_step) return Outcome::Blocked;
+    while (!accept(s)) {
+      s *= 0.5;
+      if (s < options_.smallest_step) return Outcome::NoDecrease;
+    }
+    improve();
+    return Outcome::Moved;
+  }
+
+  double step() const { return best_step_; }
+  double energy() const { return best_energy_; }
+  int trials() const { return trials_; }
+
+ private:
+  StepBound certified(double s) const {
+    StepBound bound{s, {}};
+    for (const auto& checker : evaluator_.problem().checkers()) {
+      StepBound b = checker->max_step(x_, d_, bound.step);
+      if (b.step < bound.step) bound = std::move(b);
+    }
+    return bound;
+  }
+
+  // Whether s passes Armijo and all checkers and beats the best step so far, which it then becomes.
+  bool accept(double s) {
+    ++trials_;
+    const Vec candidate = y_ + s * p_;
+    const double trial = evaluator_.value(candidate);
+    if (!(trial <= energy_ - options_.armijo * s * decrement_)) return false;
+    if (best_step_ > 0 && !(trial < best_energy_)) return false;
+    const Vec x = evaluator_.problem().expand(candidate);
+    for (const auto& checker : evaluator_.problem().checkers())
+      if (!checker->check(x).feasible) return false;
+    best_step_ = s;
+    best_energy_ = trial;
+    return true;
+  }
+
+  void improve() {
+    for (int round = 0; round < 8; ++round) {
+      const double s = best_step_;
+      const double curvature = (best_energy_ - energy_ + decrement_ * s) / (s * s);
+      const double largest = options_.largest_growth * s;
+      double target = curvature > 0 ? std::min(decrement_ / (2 * curvature), largest) : largest;
+      if (target > 1.25 * s) {
+        const double cap = certified(target).step;
+        if (cap < target) target = options_.boundary_fraction * cap;
+        if (target <= 1.25 * s) return;
+      } else if (target > 0.8 * s) {
+        return;
+      }
+      if (!accept(target)) return;
+    }
+  }
+
+  Evaluator& evaluator_;
+  const NewtonOptions& options_;
+  const Vec &y_, &p_;
+  double energy_, decrement_;
+  Vec x_, d_;
+  double best_step_ = 0, best_energy_ = 0;
+  int trials_ = 0;
+};
+
 NewtonStepper::NewtonStepper(const Problem& problem, NewtonOptions options)
     : options_(std::move(options)), evaluator_(problem), solver_(options_.linear_solver()) {
   solver_->analyze(evaluator_.problem().pattern());
@@ -68,7 +150,15 @@ NewtonStepper::Step NewtonStepper::step(Vec& y, double& energy) {
     return step;
   }
   lap();
-  step.outcome = line_search(y, energy, p, step);
+  LineSearch search(evaluator_, options_, y, p, energy, r.newton_decrement);
+  step.outcome = search.run(step);
+  r.trials = search.trials();
+  if (step.outcome == Outcome::Moved) {
+    r.step = search.step();
+    r.relative_decrease = (energy - search.energy()) / std::abs(energy);
+    r.energy = energy = search.energy();
+    y += r.step * p;
+  }
   r.seconds.line_search = lap();
   return step;
 }
@@ -98,48 +188,6 @@ bool NewtonStepper::find_direction(IterationRecord& record, Vec& p) {
   return p.allFinite() && gradient_.dot(p) <= 0;
 }
 
-StepBound NewtonStepper::certified_step(const Vec& x, const Vec& d) const {
-  StepBound bound{1.0, {}};
-  for (const auto& checker : evaluator_.problem().checkers()) {
-    StepBound b = checker->max_step(x, d, bound.step);
-    if (b.step < bound.step) bound = std::move(b);
-  }
-  return bound;
-}
-
-bool NewtonStepper::feasible(const Vec& x) const {
-  for (const auto& checker : evaluator_.problem().checkers())
-    if (!checker->check(x).feasible) return false;
-  return true;
-}
-
-NewtonStepper::Outcome NewtonStepper::line_search(Vec& y, double& energy, const Vec& p,
-                                                  Step& step) {
-  IterationRecord& r = step.record;
-  const Problem& problem = evaluator_.problem();
-  const Vec x = problem.expand(y);
-  Vec d;
-  problem.elimination().expand_direction(p, d);
-  StepBound bound = certified_step(x, d);
-  r.step_bound = bound.step;
-  step.blocking = std::move(bound.blocking);
-  double s = bound.step < 1 ? options_.boundary_fraction * bound.step : 1.0;
-  if (s < options_.smallest_step) return Outcome::Blocked;
-  for (; s >= options_.smallest_step; s *= 0.5) {
-    const Vec candidate = y + s * p;
-    const double trial = evaluator_.value(candidate);
-    ++r.trials;
-    if (!(trial <= energy - options_.armijo * s * r.newton_decrement)) continue;
-    if (!feasible(problem.expand(candidate))) continue;
-    r.step = s;
-    r.relative_decrease = (energy - trial) / std::abs(energy);
-    r.energy = energy = trial;
-    y = candidate;
-    return Outcome::Moved;
-  }
-  return Outcome::NoDecrease;
-}
-
 SolveResult NewtonMinimizer::minimize(const Problem& problem, Vec y0,
                                       const Observer& observer) const {
   SolveResult result;
@@ -160,13 +208,14 @@ SolveResult NewtonMinimizer::minimize(const Problem& problem, Vec y0,
     return finish(Status::Infeasible, "the start lies outside the energy's domain");
 
   const StoppingRules& rules = options_.stopping;
+  int idle = 0;
   for (int k = 1; k <= rules.max_iterations; ++k) {
+    const double scale = std::abs(result.energy);
     NewtonStepper::Step step = stepper.step(result.y, result.energy);
     step.record.iteration = k;
     result.newton_decrement = step.record.newton_decrement;
     result.blocking = std::move(step.blocking);
     using Outcome = NewtonStepper::Outcome;
-    const double scale = std::abs(result.energy);
     const bool near = result.newton_decrement <= rules.stall_decrement * scale;
     if (step.outcome == Outcome::Breakdown)
       return finish(Status::Failed, "no finite Newton direction");
@@ -175,8 +224,9 @@ SolveResult NewtonMinimizer::minimize(const Problem& problem, Vec y0,
       return finish(near ? Status::Converged : Status::Stalled, "no further decrease");
     result.iterations.push_back(step.record);
     const Directive directive = observer ? observer(step.record, result.y) : Directive::Continue;
-    if (step.record.relative_decrease <= rules.relative_decrease)
-      return finish(near ? Status::Converged : Status::Stalled, "relative decrease");
+    idle = step.record.relative_decrease <= rules.relative_decrease ? idle + 1 : 0;
+    if (idle > 0 && near) return finish(Status::Converged, "relative decrease");
+    if (idle >= rules.stall_iterations) return finish(Status::Stalled, "relative decrease");
     if (directive == Directive::TimeLimit) return finish(Status::TimeLimit, "time limit");
     if (directive == Directive::Interrupt) return finish(Status::Interrupted, "interrupted");
   }

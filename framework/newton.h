@@ -18,9 +18,10 @@ namespace majorant {
 struct NewtonOptions {
   Curvature curvature = Curvature::Projected;
   StoppingRules stopping;
-  double armijo = 1e-4;          // accept s when E(s) <= E(0) + armijo * s * g.p
-  double boundary_fraction = 0.9; // of the largest certified step, when that is below 1
-  double smallest_step = 1e-14;  // give up below
+  double armijo = 1e-4;            // accept s when E(s) <= E(0) + armijo * s * g.p
+  double boundary_fraction = 0.9;  // of the largest certified step is used, when that is the limit
+  double largest_growth = 4;       // of the step per trial, while the energy asks for more
+  double smallest_step = 1e-14;    // give up below
   std::function<std::unique_ptr<LinearSolver>()> linear_solver = [] {
     return make_cholmod_solver();
   };
@@ -53,9 +54,7 @@ class NewtonStepper {
 
  private:
   bool find_direction(IterationRecord& record, Vec& p);
-  StepBound certified_step(const Vec& x, const Vec& d) const;
-  bool feasible(const Vec& x) const;
-  Outcome line_search(Vec& y, double& energy, const Vec& p, Step& step);
+  class LineSearch;
 
   NewtonOptions options_;
   Evaluator evaluator_;

@@ -70,9 +70,10 @@ inline std::optional<std::filesystem::path> shared_data() {
 #ifdef MAJORANT_SHARED_DATA
   const std::string compiled = MAJORANT_SHARED_DATA;
 #else
-  const std::string compiled = "/work/shared/data/public";
+  const std::string compiled;
 #endif
-  std::filesystem::path folder = variable != nullptr ? variable : compiled.c_str();
+  const std::filesystem::path folder = variable != nullptr ? variable : compiled.c_str();
+  if (folder.empty()) return std::nullopt;
   for (const char* below : {"", "public", "data/public"}) {
     if (std::filesystem::is_directory(folder / below / "bad")) return folder / below;
   }

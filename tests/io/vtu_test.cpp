@@ -50,8 +50,8 @@ TEST(Vtu, RoundTripKeepsEveryFiniteDouble) {
     do x = std::bit_cast<double>(random());
     while (!std::isfinite(x));
   }
-  const double extremes[] = {std::numeric_limits<double>::denorm_min(), 1e300, -1e300, -0.0,
-                             std::numeric_limits<double>::max(), 1e-310, 0.1};
+  const double extremes[] = {std::numeric_limits<double>::denorm_min(), 1e300,  -1e300, -0.0,
+                             std::numeric_limits<double>::max(),        1e-310, 0.1};
   for (Eigen::Index i = 0; i < map.uv.size(); ++i) map.uv.data()[i] = extremes[i % 7];
   write_vtu(folder.file("map.vtu"), map);
   expect_same(map, read_vtu(folder.file("map.vtu")));
@@ -94,7 +94,8 @@ std::string triangle_file(const std::string& points, const std::string& uv,
          "</PointData><Cells><DataArray type='Int64' Name='connectivity' format='ascii'>0 1 2"
          "</DataArray><DataArray type='Int64' Name='offsets' format='ascii'>3</DataArray>"
          "<DataArray type='UInt8' Name='types' format='ascii'>5</DataArray></Cells></Piece>"
-         "</UnstructuredGrid>" + appended + "</VTKFile>\n";
+         "</UnstructuredGrid>" +
+         appended + "</VTKFile>\n";
 }
 
 const std::string kAsciiPoints =
@@ -183,7 +184,8 @@ TEST(Vtu, RefusesWhatItDoesNotUnderstand) {
   expect_refused("</Cells>", "", "end tag");
   expect_refused("<PointData>",
                  "<PointData><DataArray type='Float64' Name='RationalWeights' format='ascii'>"
-                 "1 2 1</DataArray>", "rational");
+                 "1 2 1</DataArray>",
+                 "rational");
   error_message(ErrorKind::Unreadable, [&] { read_vtu(folder.file("absent.vtu")); });
   error_message(ErrorKind::Unreadable, [&] { read_vtu(folder.write("empty.vtu", "")); });
   error_message(ErrorKind::Unreadable, [&] {
@@ -197,7 +199,8 @@ TEST(Vtu, RefusesMixedCells) {
   const TemporaryFolder folder;
   const std::string content =
       "<VTKFile type='UnstructuredGrid'><UnstructuredGrid><Piece NumberOfPoints='3' "
-      "NumberOfCells='2'><Points>" + kAsciiPoints + "</Points><PointData>" + kAsciiUv +
+      "NumberOfCells='2'><Points>" +
+      kAsciiPoints + "</Points><PointData>" + kAsciiUv +
       "</PointData><Cells><DataArray type='Int64' Name='connectivity'>0 1 2 0 1 2 0 1 2</DataArray>"
       "<DataArray type='Int64' Name='offsets'>3 9</DataArray>"
       "<DataArray type='UInt8' Name='types'>76 76</DataArray></Cells></Piece></UnstructuredGrid>"

@@ -1,0 +1,30 @@
+// Writes maps of several degrees and lets VTK itself evaluate them (vtk_evaluation.py).
+#include <sys/wait.h>
+
+#include <cstdlib>
+
+#include "io_test_helpers.h"
+#include "majorant/io/vtu.h"
+
+namespace majorant {
+namespace {
+
+TEST(VtkEvaluation, AgreesWithTheOrderOfControlPoints) {
+  const TemporaryFolder folder;
+  const std::string script =
+      (std::filesystem::path(__FILE__).parent_path() / "vtk_evaluation.py").string();
+  ASSERT_TRUE(std::filesystem::exists(script)) << script;
+  std::string command = "/usr/bin/python3 '" + script + "'";
+  for (int degree = 1; degree <= 8; ++degree) {
+    const std::string path = folder.file("degree" + std::to_string(degree) + ".vtu");
+    write_vtu(path, random_strip(degree, 3, static_cast<unsigned>(degree)));
+    command += " '" + path + "'";
+  }
+  const int status = std::system(command.c_str());
+  ASSERT_TRUE(WIFEXITED(status));
+  if (WEXITSTATUS(status) == 77) GTEST_SKIP() << "python3-vtk9 is not installed";
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+}
+
+}  // namespace
+}  // namespace majorant

@@ -1,0 +1,160 @@
+#include "majorant/io/write_obj.h"
+
+#include <Eigen/Geometry>
+#include <map>
+
+#include "io_test_helpers.h"
+#include "majorant/io/read_mesh.h"
+
+namespace majorant {
+namespace {
+
+using Polygons = std::vector<std::vector<Index>>;
+
+// A quad (two cells) and a triangle, cut apart along their common edge (vertices 2 and 3).
+struct QuadExample {
+  PolygonMesh input;
+  MapFile map;
+
+  QuadExample() {
+    input.positions = {{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0.1, 0}};
+    input.polygons = {{1, 2, 3, 4}, {2, 5, 3}};
+    input.normals = {{0, 0, 1}};
+    input.polygon_normals = {{0, 0, 0, 0}, {}};
+    input.directives = {{0, "mtllib m.mtl"}, {0, "g a"}, {1, "usemtl red"}, {2, "s off"}};
+    map.degree = 1;
+    map.input_vertex.resize(7);
+    map.input_vertex << 1, 2, 3, 4, 2, 5, 3;
+    map.points.resize(7, 3);
+    for (Index p = 0; p < 7; ++p) {
+      map.points.row(p) = input.positions[static_cast<std::size_t>(map.input_vertex[p])];
+    }
+    map.uv.resize(7, 2);
+    map.uv << 0, 0, 1.0 / 3.0, 0, 1, 1e-300, 0, 1, 5, 0, 6, 0, 5, 1;
+    map.cells.resize(3, 3);
+    map.cells << 4, 5, 6, 0, 1, 2, 0, 2, 3;
+    map.input_face.resize(3);
+    map.input_face << 1, 0, 0;
+  }
+};
+
+TEST(WriteObj, DegreeOneKeepsTheInput) {
+  const TemporaryFolder folder;
+  const QuadExample example;
+  write_obj(folder.file("out.obj"), example.map, &example.input, 1);
+  const PolygonMesh mesh = read_mesh(folder.file("out.obj"));
+  EXPECT_EQ(mesh.positions, example.input.positions);
+  EXPECT_EQ(mesh.polygons, example.input.polygons);
+  EXPECT_EQ(mesh.normals, example.input.normals);
+  EXPECT_EQ(mesh.polygon_normals, example.input.polygon_normals);
+  EXPECT_EQ(mesh.directives, example.input.directives);
+  EXPECT_EQ(mesh.polygon_texcoords, (Polygons{{0, 1, 2, 3}, {4, 5, 6}}));
+  ASSERT_EQ(mesh.texcoords.size(), 7u);
+  for (Index p = 0; p < 7; ++p) {
+    EXPECT_EQ(mesh.texcoords[static_cast<std::size_t>(p)], example.map.uv.row(p).transpose());
+  }
+}
+
+TEST(WriteObj, PolygonThatIsCutBecomesTriangles) {
+  const TemporaryFolder folder;
+  QuadExample example;
+  example.map.points.conservativeResize(8, 3);
+  example.map.uv.conservativeResize(8, 2);
+  example.map.input_vertex.conservativeResize(8);
+  example.map.points.row(7) = example.map.points.row(0);
+  example.map.uv.row(7) << -3, -3;
+  example.map.input_vertex[7] = 1;
+  example.map.cells(2, 0) = 7;
+  write_obj(folder.file("out.obj"), example.map, &example.input, 1);
+  const PolygonMesh mesh = read_mesh(folder.file("out.obj"));
+  EXPECT_EQ(mesh.polygons, (Polygons{{1, 2, 3}, {1, 3, 4}, {2, 5, 3}}));
+  EXPECT_EQ(mesh.polygon_texcoords, (Polygons{{0, 1, 2}, {7, 2, 3}, {4, 5, 6}}));
+  EXPECT_EQ(mesh.directives[2], (std::pair<Index, std::string>{2, "usemtl red"}));
+}
+
+TEST(WriteObj, WithoutInputWritesTheCells) {
+  const TemporaryFolder folder;
+  const QuadExample example;
+  write_obj(folder.file("out.obj"), example.map, nullptr, 1);
+  const PolygonMesh mesh = read_mesh(folder.file("out.obj"));
+  EXPECT_EQ(mesh.polygons, (Polygons{{1, 2, 3}, {1, 3, 4}, {2, 5, 3}}));
+  EXPECT_EQ(mesh.positions.size(), 6u);
+}
+
+TEST(WriteObj, RefusesAnotherInputAndBadRefinement) {
+  const TemporaryFolder folder;
+  QuadExample example;
+  const std::string path = folder.file("out.obj");
+  error_message(ErrorKind::Usage, [&] { write_obj(path, example.map, nullptr, 0); });
+  error_message(ErrorKind::Usage, [&] { write_obj(path, example.map, nullptr, 2000000000); });
+  example.input.polygons.pop_back();
+  error_message(ErrorKind::Invalid, [&] { write_obj(path, example.map, &example.input, 1); });
+  example.input.polygons = {{0, 1, 2, 3}, {2, 5, 3}};
+  error_message(ErrorKind::Invalid, [&] { write_obj(path, example.map, &example.input, 1); });
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(WriteObj, RefinedEdgesAreSharedAndCutsStayCuts) {
+  const TemporaryFolder folder;
+  const QuadExample example;
+  constexpr int K = 3;
+  write_obj(folder.file("out.obj"), example.map, &example.input, K);
+  const PolygonMesh mesh = read_mesh(folder.file("out.obj"));
+  ASSERT_EQ(mesh.polygons.size(), 3u * K * K);
+  // 6 input vertices, 7 edges with K - 1 samples, 3 cells with (K - 1)(K - 2) / 2; the cut has
+  // one more edge and two more corners in the plane, but no unreferenced vertex.
+  EXPECT_EQ(mesh.positions.size(), 6u + 7 * (K - 1) + 3 * (K - 1) * (K - 2) / 2);
+  EXPECT_EQ(mesh.texcoords.size(), 7u + 8 * (K - 1) + 3 * (K - 1) * (K - 2) / 2);
+  for (std::size_t v = 0; v < 6; ++v) EXPECT_EQ(mesh.positions[v], example.input.positions[v]);
+  EXPECT_EQ(mesh.directives[2], (std::pair<Index, std::string>{2 * K * K, "usemtl red"}));
+  double area = 0.0;
+  std::map<std::pair<Index, Index>, int> edges;
+  for (const auto& t : mesh.polygons) {
+    for (std::size_t k = 0; k < 3; ++k) ++edges[{t[k], t[(k + 1) % 3]}];
+    const auto p = [&](std::size_t k) { return mesh.positions[static_cast<std::size_t>(t[k])]; };
+    const double twice = (p(1) - p(0)).cross(p(2) - p(0))[2];
+    EXPECT_GT(twice, 0.0);
+    area += 0.5 * twice;
+  }
+  EXPECT_NEAR(area, 1.5, 1e-14);
+  int boundary = 0;
+  for (const auto& [edge, count] : edges) {
+    EXPECT_EQ(count, 1);
+    boundary += edges.count({edge.second, edge.first}) == 0;
+  }
+  EXPECT_EQ(boundary, 5 * K);
+}
+
+TEST(WriteObj, RefinedCubicIsEvaluated) {
+  const TemporaryFolder folder;
+  const MapFile map = random_strip(3, 2, 11);
+  write_obj(folder.file("out.obj"), map, nullptr, 2);
+  const PolygonMesh mesh = read_mesh(folder.file("out.obj"));
+  ASSERT_EQ(mesh.polygons.size(), 8u);
+  // The middle of edge 0 of cell 0: binomial weights of the edge's four control points.
+  const auto edge = bezier_edge_points(3, 0);
+  Vector2 middle = Vector2::Zero();
+  const double weights[] = {0.125, 0.375, 0.375, 0.125};
+  for (std::size_t s = 0; s < 4; ++s) middle += weights[s] * map.uv.row(map.cells(0, edge[s]));
+  const auto texcoord = static_cast<std::size_t>(mesh.polygon_texcoords[0][1]);
+  EXPECT_NEAR((mesh.texcoords[texcoord] - middle).norm(), 0.0, 1e-15);
+  const auto vertex = static_cast<std::size_t>(mesh.polygons[0][1]);
+  const Vector3 flat = 0.5 * (map.points.row(map.cells(0, 0)) + map.points.row(map.cells(0, 1)));
+  EXPECT_NEAR((mesh.positions[vertex] - flat).norm(), 0.0, 1e-15);
+  // 4 corners, 5 edges: the shared edge is sampled once.
+  EXPECT_EQ(mesh.texcoords.size(), 9u);
+  EXPECT_EQ(mesh.positions.size(), 9u);
+}
+
+TEST(WriteObj, DoublesSurvive) {
+  const TemporaryFolder folder;
+  MapFile map = random_strip(1, 200, 4);
+  write_obj(folder.file("out.obj"), map, nullptr, 1);
+  const PolygonMesh mesh = read_mesh(folder.file("out.obj"));
+  for (Index p = 0; p < map.uv.rows(); ++p) {
+    EXPECT_EQ(mesh.texcoords[static_cast<std::size_t>(p)], map.uv.row(p).transpose());
+  }
+}
+
+}  // namespace
+}  // namespace majorant
