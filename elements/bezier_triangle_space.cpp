@@ -1,8 +1,8 @@
 #include "majorant/elements/bezier_triangle_space.h"
 
 #include <algorithm>
-#include <map>
 #include <stdexcept>
+#include <tuple>
 
 #include "majorant/elements/det_coefficients.h"
 
@@ -12,56 +12,64 @@ namespace {
 constexpr int kMaxLocal = 2 * control_point_count(BezierTriangleSpace::kMaxDegree);
 constexpr int kMaxDet = control_point_count(2 * (BezierTriangleSpace::kMaxDegree - 1));
 
-}  // namespace
+// One side of an edge, in a face.
+struct Side {
+  Index low, high, face;
+  int edge;
+};
 
-BezierTriangleSpace::BezierTriangleSpace(const Cells& faces, Index vertex_count, int degree)
-    : faces_(faces), vertex_count_(vertex_count), degree_(degree) {
-  if (degree < 1 || degree > kMaxDegree)
-    throw std::invalid_argument("BezierTriangleSpace: degree must be 1..8");
-  cells_.resize(faces.rows(), control_point_count(degree));
-  cells_.leftCols(3) = faces;
-  number_edges();
-  const int inner = control_point_count(degree) - 3 * degree;
-  for (Index f = 0; f < faces.rows(); ++f)
-    for (int k = 0; k < inner; ++k) cells_(f, 3 * degree + k) = node_count_++;
-}
-
-void BezierTriangleSpace::number_edges() {
-  struct Side {
-    Index low, high, face;
-    int edge;
-  };
+std::vector<Side> sorted_sides(const Cells& faces) {
   std::vector<Side> sides;
-  for (Index f = 0; f < faces_.rows(); ++f)
+  for (Index f = 0; f < faces.rows(); ++f)
     for (int e = 0; e < 3; ++e) {
-      const Index a = faces_(f, e), b = faces_(f, (e + 1) % 3);
+      const Index a = faces(f, e), b = faces(f, (e + 1) % 3);
       sides.push_back({std::min(a, b), std::max(a, b), f, e});
     }
   std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
     return std::tie(a.low, a.high, a.face) < std::tie(b.low, b.high, b.face);
   });
-  const TriangleIndices& ix = TriangleIndices::of_degree(degree_);
-  node_count_ = vertex_count_;
+  return sides;
+}
+
+}  // namespace
+
+LatticeNumbering number_lattice(const Cells& faces, Index vertex_count, int n) {
+  const TriangleIndices& ix = TriangleIndices::of_degree(n);
+  LatticeNumbering out;
+  out.cells.resize(faces.rows(), ix.count());
+  out.cells.leftCols(3) = faces;
+  out.node_count = vertex_count;
+  const std::vector<Side> sides = sorted_sides(faces);
   for (std::size_t k = 0; k < sides.size();) {
     std::size_t end = k;
     while (end < sides.size() && sides[end].low == sides[k].low && sides[end].high == sides[k].high)
       ++end;
-    if (end - k > 2) throw std::invalid_argument("BezierTriangleSpace: edge with three faces");
+    if (end - k > 2) throw std::invalid_argument("number_lattice: edge with three faces");
     for (std::size_t q = k; q < end; ++q) {
-      const bool forward = faces_(sides[q].face, sides[q].edge) == sides[k].low;
-      for (int s = 1; s < degree_; ++s)
-        cells_(sides[q].face, ix.edge(sides[q].edge)[static_cast<std::size_t>(s)]) =
-            node_count_ + (forward ? s - 1 : degree_ - 1 - s);
+      const bool forward = faces(sides[q].face, sides[q].edge) == sides[k].low;
+      for (int s = 1; s < n; ++s)
+        out.cells(sides[q].face, ix.edge(sides[q].edge)[static_cast<std::size_t>(s)]) =
+            out.node_count + (forward ? s - 1 : n - 1 - s);
     }
     if (end - k == 1)
       for (const int local : ix.edge(sides[k].edge))
-        boundary_nodes_.push_back(cells_(sides[k].face, local));
-    node_count_ += degree_ - 1;
+        out.boundary_nodes.push_back(out.cells(sides[k].face, local));
+    out.node_count += n - 1;
     k = end;
   }
-  std::sort(boundary_nodes_.begin(), boundary_nodes_.end());
-  boundary_nodes_.erase(std::unique(boundary_nodes_.begin(), boundary_nodes_.end()),
-                        boundary_nodes_.end());
+  std::sort(out.boundary_nodes.begin(), out.boundary_nodes.end());
+  out.boundary_nodes.erase(std::unique(out.boundary_nodes.begin(), out.boundary_nodes.end()),
+                           out.boundary_nodes.end());
+  for (Index f = 0; f < faces.rows(); ++f)
+    for (int k = 3 * n; k < ix.count(); ++k) out.cells(f, k) = out.node_count++;
+  return out;
+}
+
+BezierTriangleSpace::BezierTriangleSpace(const Cells& faces, Index vertex_count, int degree)
+    : faces_(faces), vertex_count_(vertex_count), degree_(degree) {
+  if (degree < 1 || degree > kMaxDegree)
+    throw std::invalid_argument("BezierTriangleSpace: degree must be 1..8");
+  numbering_ = number_lattice(faces, vertex_count, degree);
 }
 
 // d_a B^n_i = n B^{n-1}_{i - e_a} (formal barycentric derivatives), and the product of two such is
@@ -109,8 +117,8 @@ ContractionTable BezierTriangleSpace::tabulate(const Quadrature& rule) const {
 
 void BezierTriangleSpace::gather(Index e, VecIn x, double* local) const {
   for (int k = 0; k < nodes_per_element(); ++k) {
-    local[2 * k] = x[2 * cells_(e, k)];
-    local[2 * k + 1] = x[2 * cells_(e, k) + 1];
+    local[2 * k] = x[2 * numbering_.cells(e, k)];
+    local[2 * k + 1] = x[2 * numbering_.cells(e, k) + 1];
   }
 }
 
@@ -142,11 +150,11 @@ double BezierTriangleSpace::largest_step(Index e, VecIn x, VecIn d, double s,
 Vec BezierTriangleSpace::elevate(VecIn x, const BezierTriangleSpace& higher) const {
   const Eigen::MatrixXd e = elevation_matrix(degree_);
   Vec out = Vec::Zero(2 * higher.node_count());
-  for (Index f = 0; f < cells_.rows(); ++f)
+  for (Index f = 0; f < numbering_.cells.rows(); ++f)
     for (Index q = 0; q < e.rows(); ++q)
       for (int c = 0; c < 2; ++c) {
         double value = 0;
-        for (Index p = 0; p < e.cols(); ++p) value += e(q, p) * x[2 * cells_(f, p) + c];
+        for (Index p = 0; p < e.cols(); ++p) value += e(q, p) * x[2 * numbering_.cells(f, p) + c];
         out[2 * higher.cells()(f, q) + c] = value;
       }
   // Corner points stay the same doubles.

@@ -11,6 +11,16 @@
 
 namespace majorant {
 
+// Shared numbering of the points (i,j,k)/n of every face: vertices keep their numbers, then edges,
+// then face interiors; local order is VTK's. Any n >= 1. Throws std::invalid_argument when an edge
+// has more than two faces.
+struct LatticeNumbering {
+  Cells cells;  // #F by (n+1)(n+2)/2
+  Index node_count = 0;
+  std::vector<Index> boundary_nodes;  // on edges of one face, ends included, sorted
+};
+LatticeNumbering number_lattice(const Cells& faces, Index vertex_count, int n);
+
 class BezierTriangleSpace final : public ElementSpace {
  public:
   static constexpr int kMaxDegree = 8;
@@ -22,12 +32,12 @@ class BezierTriangleSpace final : public ElementSpace {
 
   int degree() const { return degree_; }
   int reference_dim() const override { return 2; }
-  const Cells& cells() const override { return cells_; }
-  Index node_count() const override { return node_count_; }
+  const Cells& cells() const override { return numbering_.cells; }
+  Index node_count() const override { return numbering_.node_count; }
   Index vertex_count() const { return vertex_count_; }
   const Cells& faces() const { return faces_; }
   // Nodes on edges that only one face has, ends included, sorted.
-  const std::vector<Index>& boundary_nodes() const { return boundary_nodes_; }
+  const std::vector<Index>& boundary_nodes() const { return numbering_.boundary_nodes; }
 
   ContractionTable tabulate(const Quadrature& rule) const override;
   PositivityProof certify(Index e, VecIn x, int max_depth) const override;
@@ -38,14 +48,13 @@ class BezierTriangleSpace final : public ElementSpace {
   Vec elevate(VecIn x, const BezierTriangleSpace& higher) const;
 
  private:
-  void number_edges();
   // 2 numbers per local node of element e.
   void gather(Index e, VecIn x, double* local) const;
 
-  Cells faces_, cells_;
-  Index vertex_count_, node_count_;
+  Cells faces_;
+  Index vertex_count_;
   int degree_;
-  std::vector<Index> boundary_nodes_;
+  LatticeNumbering numbering_;
 };
 
 }  // namespace majorant

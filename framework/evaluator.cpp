@@ -38,18 +38,32 @@ Evaluator::~Evaluator() = default;
 
 void Evaluator::reset(const Problem& problem) { problem_ = problem; }
 
-Evaluator::Scratch& Evaluator::scratch() {
-  return *scratch_[static_cast<std::size_t>(omp_get_thread_num())];
+Vec element_values(const EnergyTerm& term, const TermState& state, const ChunkPlan& plan,
+                   VecIn x) {
+  Vec f(term.stencils().element_count());
+#pragma omp parallel
+  {
+    Workspace workspace;
+    double local[Chunk::kMaxSize];
+#pragma omp for schedule(static)
+    for (Index c = 0; c < plan.chunk_count(); ++c) {
+      const Chunk chunk = plan.chunk(c);
+      term.values(x, chunk, state, workspace, {local, chunk.elements.size()});
+      for (std::size_t p = 0; p < chunk.elements.size(); ++p) f[chunk.elements[p]] = local[p];
+    }
+  }
+  return f;
 }
 
 double Evaluator::value(VecIn y) {
   const Timer timer(counters_.value_seconds);
   ++counters_.values;
+  problem_.elimination().expand(y, x_);
   double total = 0;
   for (std::size_t k = 0; k < problem_.term_count(); ++k) {
-    const Vec f = element_values(k, y);
     const TermState& state = problem_.state(k);
     const ChunkPlan& plan = problem_.plan(k);
+    const Vec f = element_values(problem_.term(k), state, plan, x_);
     for (Index c = 0; c < plan.chunk_count(); ++c) {
       double sum = 0;
       for (const Index e : plan.chunk(c).elements) sum += weight(state, e) * f[e];
@@ -57,25 +71,6 @@ double Evaluator::value(VecIn y) {
     }
   }
   return total;
-}
-
-Vec Evaluator::element_values(std::size_t k, VecIn y) {
-  problem_.elimination().expand(y, x_);
-  const EnergyTerm& term = problem_.term(k);
-  const TermState& state = problem_.state(k);
-  const ChunkPlan& plan = problem_.plan(k);
-  Vec f(term.stencils().element_count());
-  while (scratch_.size() < static_cast<std::size_t>(threads()))
-    scratch_.push_back(std::make_unique<Scratch>());
-#pragma omp parallel for schedule(static)
-  for (Index c = 0; c < plan.chunk_count(); ++c) {
-    Scratch& s = scratch();
-    const Chunk chunk = plan.chunk(c);
-    double* local = s.local.reserve(Chunk::kMaxSize);
-    term.values(x_, chunk, state, s.kernel, {local, chunk.elements.size()});
-    for (std::size_t p = 0; p < chunk.elements.size(); ++p) f[chunk.elements[p]] = local[p];
-  }
-  return f;
 }
 
 double Evaluator::linearize(VecIn y, Curvature curvature, Vec& gradient, Vec& hessian_values) {
@@ -107,7 +102,7 @@ void Evaluator::assemble(std::size_t k, Curvature curvature, Vec& gradient, Vec&
   for (const std::vector<Index>& colour : plan.colours()) {
 #pragma omp parallel for schedule(static)
     for (std::size_t q = 0; q < colour.size(); ++q) {
-      Scratch& s = scratch();
+      Scratch& s = *scratch_[static_cast<std::size_t>(omp_get_thread_num())];
       const Chunk chunk = plan.chunk(colour[q]);
       LocalSystem local;
       local.value = s.local.reserve((1 + n + n * (n + 1) / 2) * stride);

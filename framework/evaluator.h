@@ -16,6 +16,9 @@ namespace majorant {
 void set_threads(int count);
 int threads();
 
+// Unweighted value of each element of a term at x, with the plan that belongs to `state`.
+Vec element_values(const EnergyTerm& term, const TermState& state, const ChunkPlan& plan, VecIn x);
+
 class Evaluator {
  public:
   explicit Evaluator(const Problem& problem);
@@ -31,9 +34,6 @@ class Evaluator {
   // Energy, gradient and curvature at y, which lies in the domain. The Hessian values are parallel
   // to problem().pattern().rows.
   double linearize(VecIn y, Curvature curvature, Vec& gradient, Vec& hessian_values);
-  // Unweighted value of each element of term k.
-  Vec element_values(std::size_t k, VecIn y);
-
   struct Counters {
     long values = 0, linearizations = 0;
     double value_seconds = 0, linearize_seconds = 0;
@@ -42,7 +42,6 @@ class Evaluator {
 
  private:
   struct Scratch;
-  Scratch& scratch();
   void assemble(std::size_t k, Curvature curvature, Vec& gradient, Vec& hessian_values,
                 std::vector<double>& chunk_energies);
 

@@ -50,7 +50,7 @@ class NewtonStepper::LineSearch {
     evaluator.problem().elimination().expand_direction(p, d_);
   }
 
-  Outcome run(Step& step) {
+  Outcome find(Step& step) {
     StepBound bound = certified(1.0);
     step.record.step_bound = bound.step;
     step.blocking = std::move(bound.blocking);
@@ -151,7 +151,7 @@ NewtonStepper::Step NewtonStepper::step(Vec& y, double& energy) {
   }
   lap();
   LineSearch search(evaluator_, options_, y, p, energy, r.newton_decrement);
-  step.outcome = search.run(step);
+  step.outcome = search.find(step);
   r.trials = search.trials();
   if (step.outcome == Outcome::Moved) {
     r.step = search.step();
@@ -188,8 +188,8 @@ bool NewtonStepper::find_direction(IterationRecord& record, Vec& p) {
   return p.allFinite() && gradient_.dot(p) <= 0;
 }
 
-SolveResult NewtonMinimizer::minimize(const Problem& problem, Vec y0,
-                                      const Observer& observer) const {
+SolveResult run(NewtonStepper& stepper, Vec y0, const StoppingRules& rules,
+                const Observer& observer) {
   SolveResult result;
   result.y = std::move(y0);
   const auto finish = [&](Status status, std::string message) {
@@ -197,17 +197,18 @@ SolveResult NewtonMinimizer::minimize(const Problem& problem, Vec y0,
     result.message = std::move(message);
     return result;
   };
+  const Problem& problem = stepper.evaluator().problem();
   const Vec x = problem.expand(result.y);
   for (const auto& checker : problem.checkers())
-    if (!checker->check(x).feasible)
-      return finish(Status::Infeasible, std::string("the start violates ") +
-                                            std::string(checker->name()));
-  NewtonStepper stepper(problem, options_);
+    if (Verdict verdict = checker->check(x); !verdict.feasible) {
+      result.blocking = std::move(verdict.blocking);
+      return finish(Status::Infeasible,
+                    std::string("the start violates ") + std::string(checker->name()));
+    }
   result.energy = stepper.evaluator().value(result.y);
   if (!std::isfinite(result.energy))
     return finish(Status::Infeasible, "the start lies outside the energy's domain");
 
-  const StoppingRules& rules = options_.stopping;
   int idle = 0;
   for (int k = 1; k <= rules.max_iterations; ++k) {
     const double scale = std::abs(result.energy);
@@ -231,6 +232,12 @@ SolveResult NewtonMinimizer::minimize(const Problem& problem, Vec y0,
     if (directive == Directive::Interrupt) return finish(Status::Interrupted, "interrupted");
   }
   return finish(Status::MaxIterations, "iteration limit");
+}
+
+SolveResult NewtonMinimizer::minimize(const Problem& problem, Vec y0,
+                                      const Observer& observer) const {
+  NewtonStepper stepper(problem, options_);
+  return run(stepper, std::move(y0), options_.stopping, observer);
 }
 
 }  // namespace majorant

@@ -63,6 +63,11 @@ class NewtonStepper {
   double shift_ = 0;
 };
 
+// Steps until a stopping rule or the observer says so. y0 must be feasible for the stepper's
+// problem; outer loops that change the state of the problem call this repeatedly.
+SolveResult run(NewtonStepper& stepper, Vec y0, const StoppingRules& rules,
+                const Observer& observer);
+
 class NewtonMinimizer final : public Minimizer {
  public:
   explicit NewtonMinimizer(NewtonOptions options = {}) : options_(std::move(options)) {}
