@@ -55,12 +55,14 @@ struct SolveResult {
 //   small step:  E_{k-1} - E_k <= relative_decrease |E_{k-1}|
 //     and -g.p <= stall_decrement |E_{k-1}|                             Converged
 //     in stall_iterations successive iterations, decrement still larger   Stalled
+//     (an iteration whose certified step is below stall_step counts as one of them)
 //   no step decreases the energy: Converged or Stalled by the same bound on -g.p.
 struct StoppingRules {
   double relative_decrease = 1e-6;
   double decrement = 1e-14;
   double stall_decrement = 1e-4;
   int stall_iterations = 4;
+  double stall_step = 1e-3;
   int max_iterations = 1000;
 };
 

@@ -225,9 +225,11 @@ SolveResult run(NewtonStepper& stepper, Vec y0, const StoppingRules& rules,
       return finish(near ? Status::Converged : Status::Stalled, "no further decrease");
     result.iterations.push_back(step.record);
     const Directive directive = observer ? observer(step.record, result.y) : Directive::Continue;
-    idle = step.record.relative_decrease <= rules.relative_decrease ? idle + 1 : 0;
-    if (idle > 0 && near) return finish(Status::Converged, "relative decrease");
-    if (idle >= rules.stall_iterations) return finish(Status::Stalled, "relative decrease");
+    const bool small_decrease = step.record.relative_decrease <= rules.relative_decrease;
+    if (small_decrease && near) return finish(Status::Converged, "relative decrease");
+    idle = small_decrease || step.record.step_bound < rules.stall_step ? idle + 1 : 0;
+    if (idle >= rules.stall_iterations)
+      return finish(Status::Stalled, "held at the limit of the feasible set");
     if (directive == Directive::TimeLimit) return finish(Status::TimeLimit, "time limit");
     if (directive == Directive::Interrupt) return finish(Status::Interrupted, "interrupted");
   }

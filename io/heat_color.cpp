@@ -23,8 +23,7 @@ int srgb_byte(double linear) {
 std::string heat_color(double t) {
   t = std::clamp(t, 0.0, 1.0);
   const double lightness = 0.97 - 0.60 * t;
-  const double chroma =
-      0.05 + 0.13 * std::sin(std::numbers::pi * std::min(0.5 + 0.6 * (t - 0.5), 0.7));
+  const double chroma = 0.11 + 0.06 * std::sin(std::numbers::pi * t);
   const double hue = (105.0 - 80.0 * t) * std::numbers::pi / 180.0;
   const double a = chroma * std::cos(hue);
   const double b = chroma * std::sin(hue);

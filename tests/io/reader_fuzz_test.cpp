@@ -111,7 +111,7 @@ TEST_P(ReaderFuzz, RandomDamage) {
   const std::string pieces = "0123456789-+.eE/\\#\n\r\t <>\"'=&;{}[],_nif\xFF\x7F\x80";
   std::mt19937 random(17);
   const auto below = [&random](std::size_t bound) { return random() % bound; };
-  for (int round = 0; round < 3000; ++round) {
+  for (int round = 0; round < 1500; ++round) {
     std::string damaged = content;
     for (std::size_t hit = 0; hit <= below(4); ++hit) {
       const std::size_t at = below(damaged.size());

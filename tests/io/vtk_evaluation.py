@@ -78,7 +78,8 @@ def check(path):
                     ours = bernstein(n, (1 - r - s, r, s)) @ control[ids]
                     worst = max(worst, np.abs(ours - x).max())
     assert worst <= 1e-12, "VTK and Bernstein differ by %g" % worst
-    print("%s: degree %d, %d cells, largest difference %.2g" % (path, n, grid.GetNumberOfCells(), worst))
+    print("%s: degree %d, %d cells, largest difference %.2g"
+          % (path, n, grid.GetNumberOfCells(), worst))
 
 
 for name in sys.argv[1:]:

@@ -1,0 +1,175 @@
+#include "majorant/parametrization/degree_solver.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "majorant/framework/error.h"
+
+namespace majorant {
+namespace {
+
+constexpr double kExcludedWeight = 1e-6;   // method.md section 9
+constexpr int kExcludedIterations = 10;
+constexpr int kStallRounds = 12;
+constexpr int kAccuracyRounds = 3;
+constexpr double kQuadratureError = 3e-5;  // of the energy, all elements together
+
+std::vector<Quadrature> all_rules(const QuadratureLadder& ladder) {
+  std::vector<Quadrature> rules = ladder.guarded;
+  rules.insert(rules.end(), ladder.plain.begin(), ladder.plain.end());
+  return rules;
+}
+
+NewtonOptions newton_options(const ParametrizationOptions& options) {
+  NewtonOptions newton;
+  newton.curvature = options.curvature;
+  return newton;
+}
+
+}  // namespace
+
+DegreeSolver::DegreeSolver(const Setup& setup, std::shared_ptr<const BezierTriangleSpace> space,
+                           Vec x)
+    : setup_(setup),
+      space_(std::move(space)),
+      x_(std::move(x)),
+      start_(x_),
+      ladder_(optimizer_ladder(space_->degree(), setup.options.quadrature_points)),
+      term_(setup.options.energy(space_, setup.rest, all_rules(ladder_))),
+      injectivity_(std::make_shared<const LocalInjectivity>(space_, 2 * setup.rest.measure,
+                                                            setup.options.injectivity_depth)),
+      level_(static_cast<std::size_t>(space_->element_count()), 0),
+      element_weight_(Vec::Ones(space_->element_count())),
+      problem_(build_problem()),
+      stepper_(problem_, newton_options(setup.options)) {}
+
+Problem DegreeSolver::build_problem() const {
+  if (!term_->supports(setup_.options.curvature))
+    throw Error(ErrorKind::Usage, fmt::format("energy '{}' does not support this curvature model; "
+                                              "use the projected Hessian", term_->name()));
+  ProblemBuilder builder(2 * space_->node_count());
+  builder.add(term_, 1.0 / setup_.rest.measure.sum());
+  builder.add(injectivity_);
+  if (setup_.options.boundary_angles == BoundaryAngles::AtMostFullTurn)
+    builder.add(std::make_shared<const AngleSums>(space_, AngleSums::Vertices::Boundary));
+  if (setup_.options.boundary == BoundaryCondition::Fixed)
+    builder.add(FixedPoints::at(space_->boundary_nodes(), start_));
+  if (!setup_.pins.empty()) {
+    builder.add(FixedPoints(setup_.pins));
+  } else if (setup_.options.boundary == BoundaryCondition::Free) {
+    builder.add(FixedPoints::at({0}, start_));  // translations are the null space (method.md N3)
+  }
+  return builder.build();
+}
+
+double DegreeSolver::constraint_residual() const {
+  double residual = 0;
+  problem_.reduce(x_, &residual);
+  return residual;
+}
+
+SolveResult DegreeSolver::run_once(const StoppingRules& rules, RunRecord& record) {
+  StoppingRules limited = rules;
+  limited.max_iterations = std::min(rules.max_iterations, record.iterations_left());
+  SolveResult result =
+      run(stepper_, problem_.reduce(x_), limited, record.observer(space_->degree()));
+  x_ = problem_.expand(result.y);
+  return result;
+}
+
+SolveResult DegreeSolver::approach(double tolerance, RunRecord& record) {
+  StoppingRules rules;
+  rules.relative_decrease = tolerance;
+  rules.stall_decrement = std::numeric_limits<double>::infinity();
+  rules.max_iterations = std::numeric_limits<int>::max();
+  return run_once(rules, record);
+}
+
+SolveResult DegreeSolver::finish(RunRecord& record) {
+  StoppingRules rules;
+  rules.relative_decrease = setup_.options.tolerance;
+  rules.max_iterations = std::numeric_limits<int>::max();
+  SolveResult result = run_once(rules, record);
+  for (int stalls = 0, refinements = 0;;) {
+    if (result.status == Status::Stalled && stalls++ < kStallRounds) {
+      const double before = result.energy;
+      const bool climbed = climb(result.blocking);
+      if (!climbed) result = leave_stall(result, record);
+      if (!climbed && !(result.energy < before)) return result;
+    } else if (result.status != Status::Converged || refinements++ >= kAccuracyRounds ||
+               !climb_inaccurate()) {
+      return result;
+    }
+    result = run_once(rules, record);
+  }
+}
+
+void DegreeSolver::apply_state() {
+  TermState state = problem_.state(0);
+  state.element_rule = level_;
+  state.element_weight = element_weight_;
+  problem_ = problem_.with({state});
+  stepper_.reset(problem_);
+}
+
+bool DegreeSolver::climb(const std::vector<Index>& elements) {
+  bool climbed = false;
+  for (const Index e : elements) {
+    RuleId& level = level_[static_cast<std::size_t>(e)];
+    if (level >= ladder_.top()) continue;
+    ++level;
+    climbed = true;
+  }
+  if (climbed) apply_state();
+  return climbed;
+}
+
+// Raises the elements whose integrals are worst until the rest is within the bound.
+bool DegreeSolver::climb_inaccurate() {
+  if (ladder_.top() == 0 || setup_.options.quadrature_points > 0) return false;
+  const auto plain = [&](int above) {
+    TermState state;
+    state.element_rule = level_;
+    for (RuleId& rule : state.element_rule)
+      rule = std::min(rule + above, ladder_.top()) + ladder_.top() + 1;
+    return element_values(*term_, state, ChunkPlan(term_->stencils(), state.element_rule), x_);
+  };
+  const Vec now = plain(0);
+  const Vec error = (plain(1) - now).cwiseAbs();
+  std::vector<Index> order(static_cast<std::size_t>(error.size()));
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](Index a, Index b) { return error[a] > error[b]; });
+  double left = error.sum();
+  std::vector<Index> worst;
+  for (const Index e : order) {
+    if (left <= kQuadratureError * now.sum()) break;
+    left -= error[e];
+    worst.push_back(e);
+  }
+  return climb(worst);
+}
+
+// [MC20] Sec. 4.3: the blocking triangles lose their say for a few steps, not their positivity.
+SolveResult DegreeSolver::leave_stall(const SolveResult& stalled, RunRecord& record) {
+  if (stalled.blocking.empty()) return stalled;
+  const Vec best = x_;
+  for (const Index e : stalled.blocking) element_weight_[e] = kExcludedWeight;
+  apply_state();
+  StoppingRules rules;
+  rules.relative_decrease = 1e-3;
+  rules.max_iterations = kExcludedIterations;
+  run_once(rules, record);
+  element_weight_.setOnes();
+  apply_state();
+  rules.max_iterations = std::numeric_limits<int>::max();
+  SolveResult result = run_once(rules, record);
+  if (result.energy < stalled.energy) return result;
+  x_ = best;
+  return stalled;
+}
+
+}  // namespace majorant

@@ -1,0 +1,60 @@
+// The optimization at one degree: Newton on a fixed space, with quadrature that climbs where it
+// must and the ways out of a stall at the injectivity limit.
+//
+// Internal to parametrize(). Coordinates are normalised (see NormalizedSurface).
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "majorant/constraints/fixed_points.h"
+#include "majorant/constraints/local_injectivity.h"
+#include "majorant/framework/newton.h"
+#include "majorant/parametrization/parametrize.h"
+#include "majorant/parametrization/quadrature_ladder.h"
+
+namespace majorant {
+
+class DegreeSolver {
+ public:
+  struct Setup {
+    RestShapes rest;                  // normalised
+    ParametrizationOptions options;   // options.initial unused
+    std::vector<FixedPoint> pins;     // vertices, normalised positions
+  };
+
+  // x: start, 2 numbers per node of `space`, normalised, locally injective.
+  DegreeSolver(const Setup& setup, std::shared_ptr<const BezierTriangleSpace> space, Vec x);
+
+  // Until one iteration decreases the energy by less than `tolerance`; no way out of stalls is
+  // tried. For degrees on the way.
+  SolveResult approach(double tolerance, RunRecord& record);
+  // To the documented stopping rules, with all means.
+  SolveResult finish(RunRecord& record);
+
+  const Vec& x() const { return x_; }
+  Index variables() const { return problem_.size(); }
+  double constraint_residual() const;
+  const LocalInjectivity& injectivity() const { return *injectivity_; }
+
+ private:
+  Problem build_problem() const;
+  SolveResult run_once(const StoppingRules& rules, RunRecord& record);
+  void apply_state();
+  bool climb(const std::vector<Index>& elements);
+  bool climb_inaccurate();
+  SolveResult leave_stall(const SolveResult& stalled, RunRecord& record);
+
+  const Setup& setup_;
+  std::shared_ptr<const BezierTriangleSpace> space_;
+  Vec x_, start_;
+  QuadratureLadder ladder_;
+  std::shared_ptr<const DensityTerm> term_;
+  std::shared_ptr<const LocalInjectivity> injectivity_;
+  std::vector<RuleId> level_;   // by element
+  Vec element_weight_;          // 1, or less where temporarily excluded
+  Problem problem_;
+  NewtonStepper stepper_;
+};
+
+}  // namespace majorant

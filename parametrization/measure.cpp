@@ -1,0 +1,108 @@
+#include "majorant/parametrization/measure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "majorant/constraints/local_injectivity.h"
+#include "majorant/framework/evaluator.h"
+#include "majorant/parametrization/quadrature_ladder.h"
+
+namespace majorant {
+namespace {
+
+constexpr double kAgreement = 1e-6;    // of the total, spread over the elements
+constexpr int kSamples = 8;            // extremes are sampled at the points (i,j,k)/8
+
+Vec values_on(const DensityTerm& term, const std::vector<RuleId>& rules, VecIn x) {
+  TermState state;
+  state.element_rule = rules;
+  return element_values(term, state, ChunkPlan(term.stencils(), rules), x);
+}
+
+std::vector<Barycentric> sample_points() {
+  std::vector<Barycentric> points;
+  for (int i = 0; i <= kSamples; ++i)
+    for (int j = 0; j <= kSamples - i; ++j)
+      points.push_back(Barycentric(i, j, kSamples - i - j) / kSamples);
+  return points;
+}
+
+Quadrature single_point(const Barycentric& xi) {
+  Quadrature q;
+  q.points = xi.transpose();
+  q.weights = Vec::Ones(1);
+  return q;
+}
+
+void sample_extremes(const BezierMap& map, const RestShapes& rest, const EnergyFactory& energy,
+                     MapMeasures& m) {
+  const std::vector<Barycentric> points =
+      map.degree() == 1 ? std::vector<Barycentric>{Barycentric::Constant(1.0 / 3)} : sample_points();
+  std::vector<Quadrature> rules;
+  for (const Barycentric& xi : points) rules.push_back(single_point(xi));
+  const auto term = energy(map.shared_space(), rest, rules);
+  m.sigma_min = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const std::vector<RuleId> rule(static_cast<std::size_t>(rest.measure.size()),
+                                   static_cast<RuleId>(k));
+    const Vec density = values_on(*term, rule, map.control_points()).cwiseQuotient(rest.measure);
+    m.max_density = std::max(m.max_density, density.maxCoeff());
+    const Eigen::MatrixX2d g = bernstein_gradients(map.degree(), points[k]);
+    for (Index f = 0; f < rest.measure.size(); ++f) {
+      Eigen::Matrix2d j = Eigen::Matrix2d::Zero();
+      for (Index q = 0; q < g.rows(); ++q)
+        j += map.control_points().segment<2>(2 * map.space().cells()(f, q)) * g.row(q);
+      j *= rest.inverse[static_cast<std::size_t>(f)];
+      const double alpha = 0.5 * std::hypot(j(0, 0) + j(1, 1), j(1, 0) - j(0, 1));
+      const double beta = 0.5 * std::hypot(j(0, 0) - j(1, 1), j(1, 0) + j(0, 1));
+      m.sigma_max = std::max(m.sigma_max, alpha + beta);
+      m.sigma_min = std::min(m.sigma_min, alpha - beta);
+    }
+  }
+}
+
+}  // namespace
+
+double mean_density(const BezierMap& map, const RestShapes& rest, const EnergyFactory& energy,
+                    Vec& face_value) {
+  const std::vector<Quadrature> ladder = measuring_rules(map.degree());
+  const auto term = energy(map.shared_space(), rest, ladder);
+  const Index faces = rest.measure.size();
+  std::vector<RuleId> level(static_cast<std::size_t>(faces), 0);
+  Vec values = values_on(*term, level, map.control_points());
+  std::vector<char> open(static_cast<std::size_t>(faces), 1);
+  for (std::size_t top = 1; top < ladder.size(); ++top) {
+    for (std::size_t f = 0; f < level.size(); ++f)
+      if (open[f]) level[f] = static_cast<RuleId>(top);
+    const Vec finer = values_on(*term, level, map.control_points());
+    const double bound = kAgreement * std::abs(finer.sum()) / static_cast<double>(faces);
+    for (Index f = 0; f < faces; ++f)
+      if (std::abs(finer[f] - values[f]) <= bound) open[static_cast<std::size_t>(f)] = 0;
+    values = finer;
+  }
+  face_value = values.cwiseQuotient(rest.measure);
+  return values.sum() / rest.measure.sum();
+}
+
+MapMeasures measure(const BezierMap& map, const EnergyFactory& energy) {
+  MapMeasures m;
+  const RestShapes rest = flat_triangles(map.mesh().positions(), map.mesh().faces());
+  m.value = mean_density(map, rest, energy, m.face_value);
+  sample_extremes(map, rest, energy, m);
+  m.min_det = LocalInjectivity(map.shared_space(), 2 * rest.measure)
+                  .lower_bounds(map.control_points());
+  const bool interior_ok =
+      AngleSums(map.shared_space(), AngleSums::Vertices::Interior).check(map.control_points()).feasible;
+  m.locally_injective = interior_ok && m.min_det.minCoeff() > 0;
+  const Vec sums = vertex_angle_sums(map.space(), map.control_points());
+  for (const auto& loop : map.mesh().boundary_loops())
+    for (const Index v : loop) {
+      m.max_boundary_angle = std::max(m.max_boundary_angle, sums[v]);
+      if (sums[v] > 2 * std::numbers::pi + 1e-6) ++m.boundary_over_full_turn;
+    }
+  return m;
+}
+
+}  // namespace majorant

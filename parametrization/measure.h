@@ -1,0 +1,27 @@
+// What a finished map is worth: energies from a rule fine enough to be trusted, extremes, proofs.
+#pragma once
+
+#include "majorant/energies/energy_factory.h"
+#include "majorant/parametrization/bezier_map.h"
+
+namespace majorant {
+
+struct MapMeasures {
+  double value = 0;            // mean density over the surface, good to 1e-5 relative
+  Vec face_value;              // #F mean density of each face
+  double max_density = 0;      // sampled
+  double sigma_max = 0, sigma_min = 0;  // sampled extreme singular values
+  Vec min_det;                 // #F certified lower bound of det J (<= 0: not proven positive)
+  bool locally_injective = false;       // all min_det > 0 and interior angle sums 2 pi
+  double max_boundary_angle = 0;        // radians, largest sector sum at a boundary vertex
+  Index boundary_over_full_turn = 0;    // boundary vertices whose sum exceeds 2 pi
+};
+
+// Mean density and #F mean densities, adaptively: elements are refined until two successive rules
+// agree to 1e-6 of the total.
+double mean_density(const BezierMap& map, const RestShapes& rest, const EnergyFactory& energy,
+                    Vec& face_value);
+
+MapMeasures measure(const BezierMap& map, const EnergyFactory& energy);
+
+}  // namespace majorant

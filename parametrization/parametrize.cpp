@@ -1,0 +1,163 @@
+#include "majorant/parametrization/parametrize.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "majorant/framework/error.h"
+#include "majorant/parametrization/degree_solver.h"
+#include "majorant/parametrization/initial_map.h"
+
+namespace majorant {
+namespace {
+
+// The optimizer works on a surface of size about 1: a power of two, so that scaling is exact.
+double normalizing_scale(const SurfaceMesh& mesh) {
+  const Eigen::RowVector3d extent =
+      mesh.positions().colwise().maxCoeff() - mesh.positions().colwise().minCoeff();
+  return std::exp2(-std::round(std::log2(extent.maxCoeff())));
+}
+
+void require_valid(const ParametrizationOptions& o) {
+  const auto refuse = [](const std::string& what) { throw Error(ErrorKind::Usage, what); };
+  if (o.degree < 1 || o.degree > BezierTriangleSpace::kMaxDegree)
+    refuse(fmt::format("degree {} is not one of 1..{}", o.degree, BezierTriangleSpace::kMaxDegree));
+  if (!(o.tolerance > 0)) refuse("the tolerance must be positive");
+  if (o.quadrature_points < 0) refuse("the number of quadrature points must not be negative");
+}
+
+// Pins as fixed points: a target must be where the start has the vertex, up to rounding, because
+// the solver moves along maps that satisfy the constraints.
+std::vector<FixedPoint> place_pins(const SurfaceMesh& mesh, const std::vector<Pin>& pins,
+                                   const Vec& start) {
+  const double tolerance = 1e-9 * start.cwiseAbs().maxCoeff();
+  std::vector<FixedPoint> points;
+  for (const Pin& pin : pins) {
+    const Vector2 here = start.segment<2>(2 * pin.vertex);
+    const Vector2 target = pin.target.value_or(here);
+    const double distance = (target - here).norm();
+    if (distance > tolerance)
+      throw Error(ErrorKind::Infeasible,
+                  fmt::format("{}: the pin of vertex {} is {:.6g} away from the initial map ({}, {}); "
+                              "hold it there with \"target\": \"initial\", start from a map that "
+                              "meets the pins with --init input, or use soft handles",
+                              mesh.file(), mesh.input_vertex(pin.vertex), distance, here.x(),
+                              here.y()));
+    points.push_back({pin.vertex, target});
+  }
+  return points;
+}
+
+void require_injective(const BezierMap& map, const std::string& what) {
+  const RestShapes rest = flat_triangles(map.mesh().positions(), map.mesh().faces());
+  const Verdict faces = LocalInjectivity(map.shared_space(), 2 * rest.measure)
+                            .check(map.control_points());
+  if (!faces.feasible)
+    throw Error(ErrorKind::Infeasible,
+                fmt::format("{}: the {} is not injective: face {} ({} in all) is not positively "
+                            "oriented; give another start with --init",
+                            map.mesh().file(), what,
+                            map.mesh().input_face(faces.blocking.front()) + 1,
+                            faces.blocking.size()));
+  const Verdict vertices =
+      AngleSums(map.shared_space(), AngleSums::Vertices::Interior).check(map.control_points());
+  if (!vertices.feasible)
+    throw Error(ErrorKind::Infeasible,
+                fmt::format("{}: the {} is not injective: it covers the neighbourhood of vertex {} "
+                            "more than once; give another start with --init",
+                            map.mesh().file(), what,
+                            map.mesh().input_vertex(vertices.blocking.front()) + 1));
+}
+
+// One degree after the other, from 1 (or, when asked, directly at the highest).
+class Run {
+ public:
+  Run(std::shared_ptr<const SurfaceMesh> mesh, const ParametrizationOptions& options,
+      RunRecord& record)
+      : options_(options), record_(record), scale_(normalizing_scale(*mesh)),
+        map_(BezierMap::linear(mesh, initial_map(*mesh, options) * scale_)) {
+    setup_.rest = flat_triangles(mesh->positions() * scale_, mesh->faces());
+    setup_.options = options;
+    setup_.pins = place_pins(*mesh, options.pins, map_.control_points() / scale_);
+    for (FixedPoint& p : setup_.pins) p.position *= scale_;
+  }
+
+  ParametrizationResult solve() {
+    Vec unused;
+    result_.initial_value = mean_density(map_, setup_.rest, options_.energy, unused);
+    SolveResult solved;
+    for (;;) {
+      const bool last = map_.degree() == options_.degree;
+      if (last || options_.elevation == Elevation::Incremental) {
+        DegreeSolver solver(setup_, map_.shared_space(), map_.control_points());
+        solved = last ? solver.finish(record_)
+                      : solver.approach(options_.elevation_tolerance, record_);
+        map_ = BezierMap(map_.shared_mesh(), map_.shared_space(), solver.x());
+        account(solver);
+        if (limited(solved.status)) break;
+      }
+      if (last) break;
+      map_ = map_.elevated();
+    }
+    return conclude(solved);
+  }
+
+ private:
+  static bool limited(Status s) {
+    return s != Status::Converged && s != Status::Stalled;
+  }
+
+  void account(const DegreeSolver& solver) {
+    const std::vector<long> counts = solver.injectivity().depth_counts();
+    result_.injectivity_tests.resize(counts.size(), 0);
+    for (std::size_t k = 0; k < counts.size(); ++k) result_.injectivity_tests[k] += counts[k];
+    result_.variables = solver.variables();
+    result_.constraint_residual = solver.constraint_residual() / scale_;
+  }
+
+  // A run that a limit ended below the degree asked for is elevated all the same: valid, and of
+  // the promised degree.
+  ParametrizationResult conclude(const SolveResult& solved) {
+    while (map_.degree() < options_.degree) map_ = map_.elevated();
+    result_.status = solved.status;
+    result_.message = solved.message;
+    result_.value_quadrature = solved.energy;
+    result_.newton_decrement = solved.newton_decrement / std::abs(solved.energy);
+    result_.map = BezierMap(map_.shared_mesh(), map_.shared_space(), map_.control_points() / scale_);
+    result_.measures = measure(*result_.map, options_.energy);
+    if (!result_.measures.locally_injective) result_.status = Status::Failed;
+    if (solved.status == Status::Failed && result_.measures.locally_injective)
+      result_.status = Status::Stalled;
+    return std::move(result_);
+  }
+
+  const ParametrizationOptions& options_;
+  RunRecord& record_;
+  double scale_;
+  BezierMap map_;  // normalised
+  DegreeSolver::Setup setup_;
+  ParametrizationResult result_;
+};
+
+}  // namespace
+
+Vec initial_map(const SurfaceMesh& mesh, const ParametrizationOptions& options) {
+  mesh.require_disk();
+  return options.initial ? *options.initial : tutte_map(mesh);
+}
+
+ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,
+                                  const ParametrizationOptions& options, RunRecord& record) {
+  require_valid(options);
+  const BezierMap start = BezierMap::linear(mesh, initial_map(*mesh, options));
+  require_injective(start, "initial map");
+  return Run(std::move(mesh), options, record).solve();
+}
+
+ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,
+                                  const ParametrizationOptions& options) {
+  RunRecord record;
+  return parametrize(std::move(mesh), options, record);
+}
+
+}  // namespace majorant

@@ -1,0 +1,74 @@
+// The main job: a low-distortion, certified locally injective, piecewise degree-n map of a disk.
+//
+//   auto mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(read_mesh(path)));
+//   ParametrizationOptions options;
+//   options.degree = 3;
+//   ParametrizationResult result = parametrize(mesh, options);
+//   Vector2 uv = result.map->evaluate(face, {0.2, 0.3, 0.5});
+//
+// Tutte start (or the caller's), Newton on the energy with det J > 0 held by the line search, the
+// degree raised step by step. [MC20], method.md.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "majorant/energies/energy_factory.h"
+#include "majorant/energies/symmetric_dirichlet.h"
+#include "majorant/framework/curvature.h"
+#include "majorant/parametrization/bezier_map.h"
+#include "majorant/parametrization/measure.h"
+#include "majorant/parametrization/run_record.h"
+
+namespace majorant {
+
+enum class BoundaryCondition { Free, Fixed };      // Fixed: the initial map's boundary stays
+enum class BoundaryAngles { Free, AtMostFullTurn }; // sector sums at boundary vertices
+enum class Elevation { Incremental, Direct };
+
+struct Pin {
+  Index vertex;                    // of the mesh
+  std::optional<Vector2> target;   // model units; none: where the initial map has the vertex
+};
+
+struct ParametrizationOptions {
+  int degree = 3;                                  // 1..8
+  EnergyFactory energy = make_symmetric_dirichlet;
+  Curvature curvature = Curvature::Projected;
+  BoundaryCondition boundary = BoundaryCondition::Free;
+  BoundaryAngles boundary_angles = BoundaryAngles::Free;
+  Elevation elevation = Elevation::Incremental;
+  std::vector<Pin> pins;
+  std::optional<Vec> initial;                      // u, v per vertex; none: Tutte's map
+  int quadrature_points = 0;                       // lattice points per triangle; 0: our own rule
+  double tolerance = 1e-6;                         // relative energy decrease per iteration
+  double elevation_tolerance = 1e-2;               // the degree is raised below this decrease
+  int injectivity_depth = 5;                       // of bisection
+};
+
+struct ParametrizationResult {
+  Status status = Status::Failed;
+  std::string message;
+  std::optional<BezierMap> map;       // absent only when status is Infeasible or Failed
+  double initial_value = 0;           // mean density of the start
+  double value_quadrature = 0;        // the optimizer's own energy at the end
+  double newton_decrement = 0;        // relative to the energy
+  double constraint_residual = 0;     // model units
+  Index variables = 0;
+  MapMeasures measures;
+  std::vector<long> injectivity_tests;  // elements certified, by bisection depth
+};
+
+// The start that `options` ask for, as it is optimized from: Tutte's map or the given one.
+// Throws Error(Infeasible) when it is not locally injective or does not meet the pins.
+Vec initial_map(const SurfaceMesh& mesh, const ParametrizationOptions& options);
+
+// Throws Error as initial_map, Error(Unsupported) when the mesh is no disk or a pin names a vertex
+// twice, Error(Usage) when the energy does not support the curvature or options are out of range.
+ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,
+                                  const ParametrizationOptions& options, RunRecord& record);
+ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,
+                                  const ParametrizationOptions& options);
+
+}  // namespace majorant

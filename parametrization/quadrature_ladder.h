@@ -1,0 +1,29 @@
+// Which quadrature the optimizer uses, and how it gets finer where that is not enough.
+//
+// The paper's lattices let det J run to 0 at element corners unseen (method.md N12). Ours: Radon's
+// rule on subtriangles, plus guard points of small total weight on the element's boundary, which
+// make it a barrier. Most elements stay on level 0 for good; an element that blocks a run, or whose
+// integral level 0 gets wrong, climbs.
+#pragma once
+
+#include <vector>
+
+#include "majorant/elements/quadrature.h"
+
+namespace majorant {
+
+struct QuadratureLadder {
+  std::vector<Quadrature> guarded;  // by level: what the optimizer minimizes
+  std::vector<Quadrature> plain;    // by level: the same without guard points
+  int top() const { return static_cast<int>(guarded.size()) - 1; }
+};
+
+// Ladder for maps of degree n. lattice_points > 0 replaces level 0's interior rule by the lattice
+// (i) of method.md E5 with the smallest m such that m(m+1)/2 >= lattice_points.
+QuadratureLadder optimizer_ladder(int n, int lattice_points);
+
+// Plain rules of growing accuracy for measuring: Radon on 2^2, 4^2, 8^2, ... subtriangles, graded
+// towards the corners at the end. One point for n = 1, where densities are constant.
+std::vector<Quadrature> measuring_rules(int n);
+
+}  // namespace majorant
