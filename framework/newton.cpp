@@ -55,7 +55,6 @@ class NewtonStepper::LineSearch {
     step.record.step_bound = bound.step;
     step.blocking = std::move(bound.blocking);
     double s = bound.step < 1 ? options_.boundary_fraction * bound.step : 1.0;
-    if (getenv("MAXS") && energy_ > 60) { s = std::min(s, atof(getenv("MAXS"))); if (accept(s)) return Outcome::Moved; }
     if (s < options_.smallest_step) return Outcome::Blocked;
     while (!accept(s)) {
       s *= 0.5;

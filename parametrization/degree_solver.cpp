@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kExcludedWeight = 1e-6;   // method.md section 9
 constexpr int kExcludedIterations = 10;
+constexpr double kSoftStart = 1e5;         // mean density
 constexpr int kStallRounds = 12;
 constexpr int kAccuracyRounds = 3;
 constexpr double kQuadratureError = 3e-5;  // of the energy, all elements together
@@ -79,6 +80,29 @@ SolveResult DegreeSolver::run_once(const StoppingRules& rules, RunRecord& record
       run(stepper_, problem_.reduce(x_), limited, record.observer(space_->degree()));
   x_ = problem_.expand(result.y);
   return result;
+}
+
+// sqrt is concave, so weights 1 / sqrt(density) give a linear majorizer of sqrt at the current map:
+// each step on the reweighted energy decreases sum A sqrt(density).
+void DegreeSolver::soften_start(RunRecord& record) {
+  const Observer observe = record.observer(space_->degree());
+  const ChunkPlan& plan = problem_.plan(0);
+  Vec y = problem_.reduce(x_);
+  bool go_on = true;
+  while (go_on && record.iterations_left() > 0) {
+    const Vec density = element_values(*term_, problem_.state(0), plan, problem_.expand(y))
+                            .cwiseQuotient(setup_.rest.measure);
+    if (density.dot(setup_.rest.measure) < kSoftStart * setup_.rest.measure.sum()) break;
+    TermState state = problem_.state(0);
+    state.element_weight = density.cwiseSqrt().cwiseInverse();
+    stepper_.reset(problem_.with({state}));
+    double energy = stepper_.evaluator().value(y);
+    const NewtonStepper::Step step = stepper_.step(y, energy);
+    if (step.outcome != NewtonStepper::Outcome::Moved) break;
+    go_on = observe(step.record, y) == Directive::Continue;
+  }
+  x_ = problem_.expand(y);
+  stepper_.reset(problem_);
 }
 
 SolveResult DegreeSolver::approach(double tolerance, RunRecord& record) {

@@ -26,6 +26,10 @@ class DegreeSolver {
   // x: start, 2 numbers per node of `space`, normalised, locally injective.
   DegreeSolver(const Setup& setup, std::shared_ptr<const BezierTriangleSpace> space, Vec x);
 
+  // For a start of enormous energy (a Tutte map with nearly collapsed triangles): steps on
+  // sum A sqrt(density) by reweighting, until the mean density is moderate. Otherwise the stiff
+  // triangles' rounding errors drive everything else, and which minimum is reached is chance.
+  void soften_start(RunRecord& record);
   // Until one iteration decreases the energy by less than `tolerance`; no way out of stalls is
   // tried. For degrees on the way.
   SolveResult approach(double tolerance, RunRecord& record);

@@ -90,6 +90,7 @@ class Run {
       const bool last = map_.degree() == options_.degree;
       if (last || options_.elevation == Elevation::Incremental) {
         DegreeSolver solver(setup_, map_.shared_space(), map_.control_points());
+        solver.soften_start(record_);
         solved = last ? solver.finish(record_)
                       : solver.approach(options_.elevation_tolerance, record_);
         map_ = BezierMap(map_.shared_mesh(), map_.shared_space(), solver.x());
