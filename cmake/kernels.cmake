@@ -6,7 +6,7 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   foreach(set avx2 avx512)
     add_library(majorant_kernels_${set} OBJECT
                 ${PROJECT_SOURCE_DIR}/energies/kernels/symmetric_dirichlet_kernels.cpp)
-    target_link_libraries(majorant_kernels_${set} PRIVATE majorant_elements xsimd)
+    target_link_libraries(majorant_kernels_${set} PRIVATE majorant_elements XsimdHeaders::XsimdHeaders)
     target_include_directories(majorant_kernels_${set}
                                PRIVATE ${PROJECT_BINARY_DIR}/include/energies)
     # g++ 12 warns of its own _mm512_undefined_pd (GCC bug 105593).

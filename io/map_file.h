@@ -9,6 +9,8 @@
 #include <string>
 
 #include "majorant/framework/types.h"
+#include "majorant/parametrization/bezier_map.h"
+#include "majorant/parametrization/polygon_mesh.h"
 
 namespace majorant {
 
@@ -23,5 +25,16 @@ struct MapFile {
   Vec min_det;                    // #F, certified lower bound of det J; may be empty
   std::string claims;             // JSON object, what the file promises; may be empty
 };
+
+// Distortion, min_det and claims are left empty.
+MapFile to_map_file(const BezierMap& map);
+// A triangle mesh with texture coordinates as a map of degree 1: one point per (v, vt) pair. Throws
+// Error(Invalid) where a corner has none or a face is no triangle.
+MapFile to_map_file(const PolygonMesh& textured);
+
+// The map a file holds, strictly: throws Error(Unsupported) when the cells are no proper surface
+// (mesh_validation.h) and Error(Invalid) where neighbouring cells disagree on a control point.
+// Vertices are numbered in the order of the file's points. `name` is for messages.
+BezierMap to_bezier_map(const MapFile& file, const std::string& name);
 
 }  // namespace majorant

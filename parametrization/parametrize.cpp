@@ -72,17 +72,17 @@ void require_injective(const BezierMap& map, const std::string& what) {
 // One degree after the other, from 1 (or, when asked, directly at the highest).
 class Run {
  public:
-  Run(std::shared_ptr<const SurfaceMesh> mesh, const ParametrizationOptions& options,
-      RunRecord& record)
-      : options_(options), record_(record), scale_(normalizing_scale(*mesh)),
-        map_(BezierMap::linear(mesh, initial_map(*mesh, options) * scale_)) {
-    setup_.rest = flat_triangles(mesh->positions() * scale_, mesh->faces());
+  Run(const BezierMap& start, const ParametrizationOptions& options, RunRecord& record)
+      : options_(options), record_(record), scale_(normalizing_scale(start.mesh())),
+        map_(start.shared_mesh(), start.shared_space(), start.control_points() * scale_) {
+    setup_.rest = flat_triangles(start.mesh().positions() * scale_, start.mesh().faces());
     setup_.options = options;
-    setup_.pins = place_pins(*mesh, options.pins, map_.control_points() / scale_);
+    setup_.pins = place_pins(start.mesh(), options.pins, start.control_points());
     for (FixedPoint& p : setup_.pins) p.position *= scale_;
   }
 
   ParametrizationResult solve() {
+    const double started = record_.seconds();
     Vec unused;
     result_.initial_value = mean_density(map_, setup_.rest, options_.energy, unused);
     SolveResult solved;
@@ -100,6 +100,7 @@ class Run {
       if (last) break;
       map_ = map_.elevated();
     }
+    result_.optimize_seconds = record_.seconds() - started;
     return conclude(solved);
   }
 
@@ -125,7 +126,9 @@ class Run {
     result_.value_quadrature = solved.energy;
     result_.newton_decrement = solved.newton_decrement / std::abs(solved.energy);
     result_.map = BezierMap(map_.shared_mesh(), map_.shared_space(), map_.control_points() / scale_);
+    const double started = record_.seconds();
     result_.measures = measure(*result_.map, options_.energy);
+    result_.measure_seconds = record_.seconds() - started;
     if (!result_.measures.locally_injective) result_.status = Status::Failed;
     if (solved.status == Status::Failed && result_.measures.locally_injective)
       result_.status = Status::Stalled;
@@ -150,9 +153,13 @@ Vec initial_map(const SurfaceMesh& mesh, const ParametrizationOptions& options) 
 ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,
                                   const ParametrizationOptions& options, RunRecord& record) {
   require_valid(options);
+  const double started = record.seconds();
   const BezierMap start = BezierMap::linear(mesh, initial_map(*mesh, options));
   require_injective(start, "initial map");
-  return Run(std::move(mesh), options, record).solve();
+  const double initialize_seconds = record.seconds() - started;
+  ParametrizationResult result = Run(start, options, record).solve();
+  result.initialize_seconds = initialize_seconds;
+  return result;
 }
 
 ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,

@@ -1,0 +1,204 @@
+// majorant check RESULT: measures a finished map and tests what it claims, from the file alone.
+#include <fmt/format.h>
+
+#include <CLI/App.hpp>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+#include "apps/command.h"
+#include "apps/outputs.h"
+#include "apps/report.h"
+#include "majorant/energies/symmetric_dirichlet.h"
+#include "majorant/io/read_mesh.h"
+#include "majorant/io/read_map.h"
+#include "majorant/parametrization/initial_map.h"
+
+namespace majorant::app {
+namespace {
+
+constexpr double kClose = 1e-9;        // relative to the size of the map or surface
+constexpr double kEnergyClose = 1e-4;  // what reported energies are good to
+
+struct Request {
+  CommonOptions common;
+  std::string result, surface;
+  bool certify = false;
+};
+
+// Findings in words; empty means the check passed.
+class Findings {
+ public:
+  void require(bool holds, std::string what) {
+    if (!holds) list_.push_back(std::move(what));
+  }
+  const std::vector<std::string>& list() const { return list_; }
+
+ private:
+  std::vector<std::string> list_;
+};
+
+double extent(const Eigen::Ref<const Eigen::MatrixXd>& points) {
+  return (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff();
+}
+
+// Surface control points must be those of flat triangles, or the file shows another surface.
+void check_flat(const MapFile& file, Findings& findings) {
+  const TriangleIndices& ix = TriangleIndices::of_degree(file.degree);
+  double worst = 0;
+  for (Index c = 0; c < file.cells.rows(); ++c)
+    for (int l = 0; l < ix.count(); ++l) {
+      Eigen::RowVector3d flat = Eigen::RowVector3d::Zero();
+      for (int k = 0; k < 3; ++k)
+        flat += ix.multi(l)[static_cast<std::size_t>(k)] / double(file.degree) *
+                file.points.row(file.cells(c, k));
+      worst = std::max(worst, (flat - file.points.row(file.cells(c, l))).norm());
+    }
+  findings.require(worst <= kClose * extent(file.points),
+                   fmt::format("surface control points are off their flat triangles by {:g}", worst));
+}
+
+void check_surface(const MapFile& file, const std::string& path, Findings& findings) {
+  const PolygonMesh surface = read_mesh(path);
+  if (file.input_vertex.size() == 0 || file.input_face.size() == 0)
+    return findings.require(false, "the file does not say which input vertices it maps");
+  const double size = extent(file.points);
+  std::vector<char> covered(surface.polygons.size(), 0);
+  for (Index c = 0; c < file.cells.rows(); ++c) {
+    const Index face = file.input_face[c];
+    if (face < 0 || static_cast<std::size_t>(face) >= surface.polygons.size())
+      return findings.require(false, fmt::format("cell {} names face {} the surface lacks", c, face));
+    covered[static_cast<std::size_t>(face)] = 1;
+    for (int k = 0; k < 3; ++k) {
+      const Index point = file.cells(c, k), v = file.input_vertex[point];
+      const bool same =
+          v >= 0 && static_cast<std::size_t>(v) < surface.positions.size() &&
+          (surface.positions[static_cast<std::size_t>(v)].transpose() - file.points.row(point))
+                  .norm() <= kClose * size;
+      if (!same)
+        return findings.require(false, fmt::format("cell {}: corner {} is not where the surface has "
+                                                   "it", c, k));
+    }
+  }
+  for (std::size_t f = 0; f < covered.size(); ++f)
+    if (!covered[f])
+      return findings.require(false, fmt::format("face {} of the surface is not mapped", f + 1));
+}
+
+// Nodes of the map by vertex of the input mesh.
+Index find_vertex(const MapFile& file, Index input_vertex) {
+  for (Index p = 0; p < file.input_vertex.size(); ++p)
+    if (file.input_vertex[p] == input_vertex) return p;
+  return -1;
+}
+
+void check_pins(const MapFile& file, const Json& claims, Findings& findings) {
+  const double size = extent(file.uv);
+  for (const Json& pin : claims.value("pins", Json::array())) {
+    const Index vertex = pin.at("vertex").get<Index>(), point = find_vertex(file, vertex);
+    const Eigen::RowVector2d target(pin.at("target").at(0).get<double>(),
+                                    pin.at("target").at(1).get<double>());
+    findings.require(point >= 0 && (file.uv.row(point) - target).norm() <= kClose * size,
+                     fmt::format("the pin of vertex {} is not held", vertex));
+  }
+}
+
+// A fixed boundary is that of Tutte's map, recomputed from the surface in the file.
+void check_fixed_boundary(const BezierMap& map, const Json& claims, Findings& findings) {
+  if (claims.value("boundary", "") != "fixed") return;
+  if (claims.value("init", "tutte") != "tutte" || claims.value("normalized", false)) return;
+  BezierMap start = BezierMap::linear(map.shared_mesh(), tutte_map(map.mesh()));
+  while (start.degree() < map.degree()) start = start.elevated();
+  double worst = 0;
+  for (const Index node : map.space().boundary_nodes())
+    worst = std::max(worst, (map.control_points().segment<2>(2 * node) -
+                             start.control_points().segment<2>(2 * node)).norm());
+  findings.require(worst <= kClose * map.control_points().cwiseAbs().maxCoeff(),
+                   fmt::format("the boundary is off the initial map's by {:g}", worst));
+}
+
+void check_claims(const MapFile& file, const BezierMap& map, const MapMeasures& measures,
+                  Findings& findings) {
+  if (file.claims.empty()) return;
+  const Json claims = Json::parse(file.claims, nullptr, false);
+  if (claims.is_discarded() || !claims.is_object())
+    return findings.require(false, "majorant_claims is not a JSON object");
+  try {
+    const double value = claims.value("value", measures.value);
+    if (!claims.value("normalized", false))
+      findings.require(std::abs(value - measures.value) <= kEnergyClose * std::abs(measures.value),
+                       fmt::format("energy {:.9g} is claimed, {:.9g} is found", value,
+                                   measures.value));
+    findings.require(claims.value("degree", file.degree) == file.degree,
+                     fmt::format("degree {} is not the one claimed", file.degree));
+    check_pins(file, claims, findings);
+    check_fixed_boundary(map, claims, findings);
+    for (const char* claim : {"bijective", "seams"})
+      findings.require(!claims.value(claim, false),
+                       fmt::format("the claim '{}' cannot be decided by this version", claim));
+  } catch (const Json::exception& e) {
+    findings.require(false, fmt::format("majorant_claims: {}", e.what()));
+  }
+}
+
+MapMeasures check_map(const MapFile& file, const Request& request, Findings& findings, Json& report) {
+  const BezierMap map = to_bezier_map(file, request.result);
+  const MapMeasures measures = measure(map, make_symmetric_dirichlet);
+  report["result"] = measures_section(map, measures, "symmetric-dirichlet");
+  for (Index f = 0; f < measures.min_det.size(); ++f)
+    if (!(measures.min_det[f] > 0)) {
+      findings.require(false, fmt::format("cell {}: det J is not proven positive", f));
+      break;
+    }
+  findings.require(measures.locally_injective || !findings.list().empty(),
+                   "the map covers the neighbourhood of a vertex more than once");
+  check_claims(file, map, measures, findings);
+  return measures;
+}
+
+int check(const Request& request) {
+  if (!request.common.report.empty()) require_writable({request.common.report}, {".json"});
+  request.common.apply();
+  const MapFile file = read_map(request.result);
+  Findings findings;
+  Json report{{"schema_version", 1}, {"version", MAJORANT_VERSION}, {"command", "check"}};
+  check_flat(file, findings);
+  if (!request.surface.empty()) check_surface(file, request.surface, findings);
+  MapMeasures measures;
+  try {
+    measures = check_map(file, request, findings, report);
+  } catch (const Error& e) {
+    findings.require(false, e.what());
+  }
+  if (request.certify)
+    findings.require(false, "global injectivity cannot be decided by this version");
+  report["status"] = findings.list().empty() ? "valid" : "invalid";
+  report["message"] = findings.list().empty() ? "" : findings.list().front();
+  report["findings"] = findings.list();
+  if (!request.common.report.empty()) write_json(request.common.report, report);
+  if (findings.list().empty()) {
+    if (!request.common.quiet)
+      fmt::print(stderr, "{}: valid, degree {}, {} cells, symmetric-dirichlet {:.9g}\n",
+                 request.result, file.degree, file.cells.rows(), measures.value);
+    return kSuccess;
+  }
+  fmt::print(stderr, "majorant: {}: invalid: {}\n", request.result,
+             fmt::join(findings.list(), "; "));
+  return kInvalid;
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, Action* run) {
+  auto request = std::make_shared<Request>();
+  CLI::App& verb = *app.add_subcommand("check", "measure a finished map and test its claims");
+  verb.add_option("result", request->result, "result: .vtu, or .obj with vt")->required();
+  verb.add_option("--surface", request->surface, "the mesh it should be a map of")
+      ->type_name("FILE");
+  verb.add_flag("--certify", request->certify, "prove global injectivity as well");
+  request->common.add_to(verb);
+  verb.footer("Example: majorant check bunny.vtu --surface bunny.obj --report check.json");
+  verb.callback([request, run] { *run = [request] { return check(*request); }; });
+}
+
+}  // namespace majorant::app

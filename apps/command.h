@@ -1,0 +1,43 @@
+// What the verbs of the command share: exit codes, options every verb has, the verbs themselves.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <functional>
+#include <string>
+
+#include "majorant/framework/error.h"
+#include "majorant/framework/minimizer.h"
+
+namespace majorant::app {
+
+// Documented in README.md; fixed.
+enum ExitCode {
+  kSuccess = 0,
+  kUsage = 1,
+  kUnreadable = 2,
+  kUnsupported = 3,
+  kLimit = 4,
+  kInvalid = 5,
+  kInternal = 6,
+};
+ExitCode exit_code(ErrorKind kind);
+ExitCode exit_code(Status status);
+
+struct CommonOptions {
+  int threads = 0;  // 0: as many as the machine has
+  bool quiet = false, verbose = false;
+  std::string report;  // file name or empty
+
+  void add_to(CLI::App& verb);
+  void apply() const;
+};
+
+// Each adds its verb to `app` and sets *run when that verb is chosen; run returns the exit code and
+// may throw Error.
+using Action = std::function<int()>;
+void add_parametrize(CLI::App& app, Action* run);
+void add_check(CLI::App& app, Action* run);
+void add_convert(CLI::App& app, Action* run);
+void add_info(CLI::App& app, Action* run);
+
+}  // namespace majorant::app

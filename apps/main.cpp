@@ -1,0 +1,95 @@
+// majorant: the command. One file a verb; exit codes and file formats in README.md.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "apps/command.h"
+#include "majorant/framework/evaluator.h"
+
+namespace majorant::app {
+
+ExitCode exit_code(ErrorKind kind) {
+  switch (kind) {
+    case ErrorKind::Usage: return kUsage;
+    case ErrorKind::Unreadable: return kUnreadable;
+    case ErrorKind::Unsupported:
+    case ErrorKind::Infeasible: return kUnsupported;
+    case ErrorKind::Invalid: return kInvalid;
+  }
+  return kInternal;
+}
+
+ExitCode exit_code(Status status) {
+  switch (status) {
+    case Status::Converged: return kSuccess;
+    case Status::MaxIterations:
+    case Status::TimeLimit:
+    case Status::Interrupted:
+    case Status::Stalled: return kLimit;
+    case Status::Infeasible: return kUnsupported;
+    case Status::Failed: return kInvalid;
+  }
+  return kInternal;
+}
+
+void CommonOptions::add_to(CLI::App& verb) {
+  verb.add_option("--threads", threads, "threads (default: all cores); results do not depend on it")
+      ->check(CLI::Range(1, 1024));
+  auto* q = verb.add_flag("--quiet", quiet, "no progress");
+  verb.add_flag("--verbose", verbose, "a line per iteration")->excludes(q);
+  verb.add_option("--report", report, "write a JSON report to FILE")->type_name("FILE");
+}
+
+void CommonOptions::apply() const {
+  if (threads > 0) set_threads(threads);
+}
+
+namespace {
+
+int run(int argc, char** argv) {
+  CLI::App app{"majorant: low-distortion, injective, piecewise polynomial maps of surfaces onto the "
+               "plane",
+               "majorant"};
+  app.set_version_flag("--version", "majorant " MAJORANT_VERSION);
+  app.require_subcommand(1);
+  app.footer("Example: majorant parametrize bunny.obj -o bunny.vtu -o bunny.svg --degree 3\n"
+             "Exit codes: 0 valid, 1 usage, 2 unreadable input, 3 unsupported input, 4 stopped by a "
+             "limit,\n            5 invalid result, 6 internal error.");
+  Action action;
+  add_parametrize(app, &action);
+  add_check(app, &action);
+  add_convert(app, &action);
+  add_info(app, &action);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    if (e.get_exit_code() == 0) return app.exit(e);  // help, version
+    fmt::print(stderr, "majorant: {} (see majorant --help)\n", e.what());
+    return kUsage;
+  }
+  return action();
+}
+
+}  // namespace
+}  // namespace majorant::app
+
+int main(int argc, char** argv) {
+  using namespace majorant;
+  try {
+    return app::run(argc, argv);
+  } catch (const Error& e) {
+    fmt::print(stderr, "majorant: {}\n", e.what());
+    return app::exit_code(e.kind());
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "majorant: out of memory; use a lower degree or a smaller mesh\n");
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "majorant: internal error: {}; please report it with the input\n", e.what());
+  }
+  return app::kInternal;
+}

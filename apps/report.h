@@ -1,0 +1,26 @@
+// The JSON report, schema_version 1, and the CSV trace.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "majorant/parametrization/measure.h"
+#include "majorant/parametrization/run_record.h"
+#include "majorant/parametrization/surface_mesh.h"
+
+namespace majorant::app {
+
+using Json = nlohmann::ordered_json;
+
+Json input_section(const PolygonMesh& polygons, const SurfaceMesh& mesh);
+// value, extremes, injectivity of a map: the part of "result" that any map has.
+Json measures_section(const BezierMap& map, const MapMeasures& measures, const std::string& energy);
+Json iterations_section(const std::vector<TraceEntry>& trace);
+long peak_memory_bytes();
+
+// Numbers with 17 digits where needed; not finite becomes null. Writes atomically.
+void write_json(const std::string& path, const Json& json);
+void write_trace(const std::string& path, const std::vector<TraceEntry>& trace);
+
+}  // namespace majorant::app

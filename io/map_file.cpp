@@ -1,0 +1,106 @@
+#include "majorant/io/map_file.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <map>
+#include <utility>
+
+#include "majorant/framework/error.h"
+
+namespace majorant {
+
+MapFile to_map_file(const BezierMap& map) {
+  const BezierTriangleSpace& space = map.space();
+  const TriangleIndices& ix = TriangleIndices::of_degree(map.degree());
+  MapFile file;
+  file.degree = map.degree();
+  file.cells = space.cells();
+  file.points.resize(space.node_count(), 3);
+  file.uv.resize(space.node_count(), 2);
+  file.input_vertex = Eigen::VectorXi::Constant(space.node_count(), -1);
+  file.input_face.resize(space.element_count());
+  for (Index f = space.element_count() - 1; f >= 0; --f) {
+    file.input_face[f] = map.mesh().input_face(f);
+    for (int l = 0; l < ix.count(); ++l) {
+      Vector3 point = Vector3::Zero();
+      for (int k = 0; k < 3; ++k)
+        point += ix.multi(l)[static_cast<std::size_t>(k)] *
+                 map.mesh().positions().row(map.mesh().faces()(f, k)).transpose();
+      file.points.row(space.cells()(f, l)) = point / map.degree();
+    }
+  }
+  for (Index v = 0; v < space.vertex_count(); ++v) {
+    file.points.row(v) = map.mesh().positions().row(v);
+    file.input_vertex[v] = map.mesh().input_vertex(v);
+  }
+  for (Index n = 0; n < space.node_count(); ++n)
+    file.uv.row(n) = map.control_points().segment<2>(2 * n);
+  return file;
+}
+
+MapFile to_map_file(const PolygonMesh& textured) {
+  if (textured.polygon_texcoords.size() != textured.polygons.size())
+    throw Error(ErrorKind::Unreadable, textured.file + ": not every corner has texture coordinates");
+  MapFile file;
+  std::map<std::pair<Index, Index>, Index> point_of;  // (vertex, texture coordinate)
+  std::vector<std::array<Index, 3>> cells;
+  std::vector<Index> faces;
+  for (std::size_t p = 0; p < textured.polygons.size(); ++p) {
+    const auto& corners = textured.polygons[p];
+    const auto& texture = textured.polygon_texcoords[p];
+    if (corners.size() != 3 || texture.size() != 3)
+      throw Error(ErrorKind::Invalid,
+                  fmt::format("{}: face {} is not a triangle with texture coordinates",
+                              textured.file, p + 1));
+    std::array<Index, 3> cell{};
+    for (std::size_t k = 0; k < 3; ++k)
+      cell[k] = point_of
+                    .emplace(std::pair(corners[k], texture[k]), static_cast<Index>(point_of.size()))
+                    .first->second;
+    cells.push_back(cell);
+    faces.push_back(static_cast<Index>(p));
+  }
+  const auto count = static_cast<Index>(point_of.size());
+  file.points.resize(count, 3);
+  file.uv.resize(count, 2);
+  file.input_vertex.resize(count);
+  for (const auto& [key, point] : point_of) {
+    file.points.row(point) = textured.positions[static_cast<std::size_t>(key.first)];
+    file.uv.row(point) = textured.texcoords[static_cast<std::size_t>(key.second)];
+    file.input_vertex[point] = key.first;
+  }
+  file.cells.resize(static_cast<Index>(cells.size()), 3);
+  for (std::size_t c = 0; c < cells.size(); ++c)
+    file.cells.row(static_cast<Index>(c)) << cells[c][0], cells[c][1], cells[c][2];
+  file.input_face = Eigen::Map<Eigen::VectorXi>(faces.data(), static_cast<Index>(faces.size()));
+  return file;
+}
+
+BezierMap to_bezier_map(const MapFile& file, const std::string& name) {
+  PolygonMesh polygons;
+  polygons.file = name;
+  for (Index p = 0; p < file.points.rows(); ++p) polygons.positions.push_back(file.points.row(p));
+  for (Index c = 0; c < file.cells.rows(); ++c)
+    polygons.polygons.push_back({file.cells(c, 0), file.cells(c, 1), file.cells(c, 2)});
+  auto mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(polygons));
+  auto space = std::make_shared<const BezierTriangleSpace>(mesh->faces(), mesh->vertex_count(),
+                                                           file.degree);
+  std::vector<Index> point_of(static_cast<std::size_t>(space->node_count()), -1);
+  Vec x(2 * space->node_count());
+  for (Index c = 0; c < file.cells.rows(); ++c)
+    for (Index k = 0; k < file.cells.cols(); ++k) {
+      const Index node = space->cells()(c, k), point = file.cells(c, k);
+      Index& first = point_of[static_cast<std::size_t>(node)];
+      if (first >= 0 && file.uv.row(first) != file.uv.row(point))
+        throw Error(ErrorKind::Invalid,
+                    fmt::format("{}: cell {}: control point {} differs from the neighbouring "
+                                "cell's: the map is not continuous there",
+                                name, c, k));
+      first = point;
+      x.segment<2>(2 * node) = file.uv.row(point);
+    }
+  return BezierMap(std::move(mesh), std::move(space), std::move(x));
+}
+
+}  // namespace majorant

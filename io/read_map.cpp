@@ -1,0 +1,18 @@
+#include "majorant/io/read_map.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include "majorant/io/read_mesh.h"
+#include "majorant/io/vtu.h"
+
+namespace majorant {
+
+MapFile read_map(const std::string& path) {
+  std::string e = std::filesystem::path(path).extension().string();
+  std::transform(e.begin(), e.end(), e.begin(), [](unsigned char c) { return std::tolower(c); });
+  return e == ".vtu" ? read_vtu(path) : to_map_file(read_mesh(path));
+}
+
+}  // namespace majorant
