@@ -12,24 +12,34 @@ static_assert(ChunkView::stride == Chunk::kMaxSize && ChunkView::stride == Local
 DensityTerm::DensityTerm(std::string name, std::shared_ptr<const ElementSpace> space,
                          const RestShapes& rest, const std::vector<Quadrature>& rules,
                          std::shared_ptr<const void> density, const DensityKernels& kernels)
-    : name_(std::move(name)), density_(std::move(density)), kernels_(kernels) {
+    : name_(std::move(name)),
+      space_(std::move(space)),
+      density_(std::move(density)),
+      kernels_(kernels) {
   if (rules.empty()) throw std::invalid_argument("DensityTerm: no quadrature rule");
-  if (rest.measure.size() != space->element_count())
+  if (rest.measure.size() != space_->element_count())
     throw std::invalid_argument("DensityTerm: rest shapes do not fit the space");
-  stencils_.nodes = space->cells();
+  stencils_.nodes = space_->cells();
   stencils_.block = 2;
-  rest_.resize(5, space->element_count());
-  for (Index e = 0; e < space->element_count(); ++e) {
+  rest_.resize(5, space_->element_count());
+  for (Index e = 0; e < space_->element_count(); ++e) {
     const Eigen::Matrix2d& m = rest.inverse[static_cast<std::size_t>(e)];
     rest_.col(e) << m(0, 0), m(0, 1), m(1, 0), m(1, 1), rest.measure[e];
   }
   for (const Quadrature& q : rules) {
-    Rule rule;
-    rule.table = space->tabulate(q);
-    rule.weighted_first = rule.table.weights.asDiagonal() * rule.table.first;
-    rule.weighted_moment = rule.table.weights.asDiagonal() * rule.table.moment;
-    rules_.push_back(std::move(rule));
+    rules_.push_back(std::make_unique<Rule>());
+    rules_.back()->quadrature = q;
   }
+}
+
+const DensityTerm::Rule& DensityTerm::rule(RuleId id) const {
+  Rule& r = *rules_[static_cast<std::size_t>(id)];
+  std::call_once(r.built, [&] {
+    r.table = space_->tabulate(r.quadrature);
+    r.weighted_first = r.table.weights.asDiagonal() * r.table.first;
+    r.weighted_moment = r.table.weights.asDiagonal() * r.table.moment;
+  });
+  return r;
 }
 
 ContractionView DensityTerm::Rule::view() const {
@@ -76,8 +86,7 @@ DensityTerm::Gathered DensityTerm::gather(VecIn x, const Chunk& chunk,
 void DensityTerm::values(VecIn x, const Chunk& chunk, const TermState&, Workspace& workspace,
                          std::span<double> f) const {
   if (chunk.elements.empty()) return;
-  const Rule& rule = rules_[static_cast<std::size_t>(chunk.rule)];
-  const ContractionView table = rule.view();
+  const ContractionView table = rule(chunk.rule).view();
   const Gathered g = gather(x, chunk, table, workspace);
   kernels_.values(density_.get(), table, g.chunk, g.scratch, g.values);
   std::copy_n(g.values, chunk.elements.size(), f.begin());
@@ -86,8 +95,7 @@ void DensityTerm::values(VecIn x, const Chunk& chunk, const TermState&, Workspac
 void DensityTerm::local(VecIn x, const Chunk& chunk, Curvature curvature, const TermState&,
                         Workspace& workspace, LocalSystem& out) const {
   if (chunk.elements.empty()) return;
-  const Rule& rule = rules_[static_cast<std::size_t>(chunk.rule)];
-  const ContractionView table = rule.view();
+  const ContractionView table = rule(chunk.rule).view();
   const Gathered g = gather(x, chunk, table, workspace);
   kernels_.local(density_.get(), table, g.chunk, curvature, g.scratch, out.value, out.gradient,
                  out.hessian);

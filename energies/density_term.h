@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -35,11 +36,15 @@ class DensityTerm final : public EnergyTerm {
   Vec measures() const { return rest_.row(4).transpose(); }
 
  private:
+  // Tables of one rule, built when first used: fine rules are large and rarely needed.
   struct Rule {
+    Quadrature quadrature;
+    std::once_flag built;
     ContractionTable table;
     decltype(ContractionTable::first) weighted_first, weighted_moment;
     ContractionView view() const;
   };
+  const Rule& rule(RuleId id) const;
   struct Gathered {
     ChunkView chunk;
     double* scratch;
@@ -50,7 +55,8 @@ class DensityTerm final : public EnergyTerm {
   std::string name_;
   Stencils stencils_;
   Eigen::Matrix<double, 5, Eigen::Dynamic> rest_;  // inverse (row by row), measure
-  std::vector<Rule> rules_;
+  std::shared_ptr<const ElementSpace> space_;
+  std::vector<std::unique_ptr<Rule>> rules_;
   std::shared_ptr<const void> density_;
   DensityKernels kernels_;
 };

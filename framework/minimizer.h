@@ -61,7 +61,7 @@ struct StoppingRules {
   double relative_decrease = 1e-6;
   double decrement = 1e-14;
   double stall_decrement = 1e-4;
-  int stall_iterations = 4;
+  int stall_iterations = 3;
   double stall_step = 1e-3;
   int max_iterations = 1000;
 };

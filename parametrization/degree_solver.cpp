@@ -12,10 +12,11 @@
 namespace majorant {
 namespace {
 
-constexpr double kExcludedWeight = 1e-6;   // method.md section 9
+constexpr double kExcludedWeight = 1e-6;   // method.md section 9   // method.md section 9
 constexpr int kExcludedIterations = 10;
 constexpr double kSoftStart = 1e5;         // mean density
-constexpr int kStallRounds = 12;
+constexpr int kDeepest = 13;               // bisections, when the asked depth holds a run back
+constexpr int kStallRounds = 60;
 constexpr int kAccuracyRounds = 3;
 constexpr double kQuadratureError = 3e-5;  // of the energy, all elements together
 
@@ -41,8 +42,9 @@ DegreeSolver::DegreeSolver(const Setup& setup, std::shared_ptr<const BezierTrian
       start_(x_),
       ladder_(optimizer_ladder(space_->degree(), setup.options.quadrature_points)),
       term_(setup.options.energy(space_, setup.rest, all_rules(ladder_))),
-      injectivity_(std::make_shared<const LocalInjectivity>(space_, 2 * setup.rest.measure,
-                                                            setup.options.injectivity_depth)),
+      depth_(setup.options.injectivity_depth),
+      injectivity_(
+          std::make_shared<const LocalInjectivity>(space_, 2 * setup.rest.measure, depth_)),
       level_(static_cast<std::size_t>(space_->element_count()), 0),
       element_weight_(Vec::Ones(space_->element_count())),
       problem_(build_problem()),
@@ -121,15 +123,34 @@ SolveResult DegreeSolver::finish(RunRecord& record) {
   for (int stalls = 0, refinements = 0;;) {
     if (result.status == Status::Stalled && stalls++ < kStallRounds) {
       const double before = result.energy;
-      const bool climbed = climb(result.blocking);
-      if (!climbed) result = leave_stall(result, record);
-      if (!climbed && !(result.energy < before)) return result;
+      const bool changed = deepen() || climb(result.blocking);
+      if (!changed) result = leave_stall(result, record);
+      if (!changed && !(result.energy < before)) return result;
     } else if (result.status != Status::Converged || refinements++ >= kAccuracyRounds ||
                !climb_inaccurate()) {
       return result;
     }
     result = run_once(rules, record);
   }
+}
+
+// The certificate may be too coarse rather than the map too close to degenerate: bisect deeper.
+bool DegreeSolver::deepen() {
+  if (depth_ >= kDeepest) return false;
+  depth_ = std::min(depth_ + 4, kDeepest);
+  depth_counts_ = injectivity_depth_counts();
+  injectivity_ =
+      std::make_shared<const LocalInjectivity>(space_, 2 * setup_.rest.measure, depth_);
+  const TermState state = problem_.state(0);
+  problem_ = build_problem().with({state});
+  stepper_.reset(problem_);
+  return true;
+}
+
+std::vector<long> DegreeSolver::injectivity_depth_counts() const {
+  std::vector<long> counts = injectivity_->depth_counts();
+  for (std::size_t k = 0; k < depth_counts_.size(); ++k) counts[k] += depth_counts_[k];
+  return counts;
 }
 
 void DegreeSolver::apply_state() {

@@ -39,11 +39,12 @@ class DegreeSolver {
   const Vec& x() const { return x_; }
   Index variables() const { return problem_.size(); }
   double constraint_residual() const;
-  const LocalInjectivity& injectivity() const { return *injectivity_; }
+  std::vector<long> injectivity_depth_counts() const;
 
  private:
   Problem build_problem() const;
   SolveResult run_once(const StoppingRules& rules, RunRecord& record);
+  bool deepen();
   void apply_state();
   bool climb(const std::vector<Index>& elements);
   bool climb_inaccurate();
@@ -54,7 +55,9 @@ class DegreeSolver {
   Vec x_, start_;
   QuadratureLadder ladder_;
   std::shared_ptr<const DensityTerm> term_;
+  int depth_;
   std::shared_ptr<const LocalInjectivity> injectivity_;
+  std::vector<long> depth_counts_;  // of checkers replaced by deeper ones
   std::vector<RuleId> level_;   // by element
   Vec element_weight_;          // 1, or less where temporarily excluded
   Problem problem_;

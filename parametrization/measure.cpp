@@ -13,6 +13,7 @@ namespace majorant {
 namespace {
 
 constexpr double kAgreement = 1e-6;    // of the total, spread over the elements
+constexpr int kProofDepth = 16;        // of bisection: proofs need not be cheap here
 constexpr int kSamples = 8;            // extremes are sampled at the points (i,j,k)/8
 
 Vec values_on(const DensityTerm& term, const std::vector<RuleId>& rules, VecIn x) {
@@ -91,7 +92,7 @@ MapMeasures measure(const BezierMap& map, const EnergyFactory& energy) {
   const RestShapes rest = flat_triangles(map.mesh().positions(), map.mesh().faces());
   m.value = mean_density(map, rest, energy, m.face_value);
   sample_extremes(map, rest, energy, m);
-  m.min_det = LocalInjectivity(map.shared_space(), 2 * rest.measure)
+  m.min_det = LocalInjectivity(map.shared_space(), 2 * rest.measure, kProofDepth)
                   .lower_bounds(map.control_points());
   const bool interior_ok =
       AngleSums(map.shared_space(), AngleSums::Vertices::Interior).check(map.control_points()).feasible;

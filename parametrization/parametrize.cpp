@@ -110,8 +110,9 @@ class Run {
   }
 
   void account(const DegreeSolver& solver) {
-    const std::vector<long> counts = solver.injectivity().depth_counts();
-    result_.injectivity_tests.resize(counts.size(), 0);
+    const std::vector<long> counts = solver.injectivity_depth_counts();
+    if (result_.injectivity_tests.size() < counts.size())
+      result_.injectivity_tests.resize(counts.size(), 0);
     for (std::size_t k = 0; k < counts.size(); ++k) result_.injectivity_tests[k] += counts[k];
     result_.variables = solver.variables();
     result_.constraint_residual = solver.constraint_residual() / scale_;

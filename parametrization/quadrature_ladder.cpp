@@ -7,6 +7,7 @@ namespace {
 
 constexpr double kCornerGuard = 1e-3;    // total weight of guard points, level 0
 constexpr double kBoundaryGuard = 3e-3;  // and above, where they also cover the edges
+constexpr int kClimbs = 4;               // levels above 0, each halves the subtriangles
 
 }  // namespace
 
@@ -23,11 +24,13 @@ QuadratureLadder optimizer_ladder(int n, int lattice_points) {
     while (k * (k + 1) / 2 < lattice_points) ++k;
     first = lattice_rule(k);
   }
-  ladder.plain = {first, corner_graded_rule(radon_rule(), 2 * m, 1),
-                  corner_graded_rule(radon_rule(), 4 * m, 2)};
-  ladder.guarded = {guarded_rule(ladder.plain[0], 1, kCornerGuard),
-                    guarded_rule(ladder.plain[1], 2 * n, kBoundaryGuard),
-                    guarded_rule(ladder.plain[2], 4 * n, kBoundaryGuard)};
+  ladder.plain = {first};
+  ladder.guarded = {guarded_rule(first, 1, kCornerGuard)};
+  for (int level = 1, pieces = 2; level <= kClimbs; ++level, pieces *= 2) {
+    ladder.plain.push_back(corner_graded_rule(radon_rule(), pieces * m, 2));
+    ladder.guarded.push_back(
+        guarded_rule(ladder.plain.back(), std::min(pieces * n, 16), kBoundaryGuard));
+  }
   return ladder;
 }
 

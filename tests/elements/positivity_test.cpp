@@ -1,0 +1,238 @@
+// Certificates of positivity: never wrong, and strong enough to be useful.
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "majorant/elements/bezier_triangle_space.h"
+#include "majorant/elements/det_coefficients.h"
+#include "support.h"
+
+namespace majorant {
+namespace {
+
+using test::Random;
+using test::Rational;
+
+// Exact minimum over the points of a lattice (an upper bound of the minimum).
+Rational sampled_minimum(int n, const std::vector<double>& c, int m) {
+  const std::vector<Rational> q = test::exact(c.data(), static_cast<int>(c.size()));
+  Rational lowest = q[0];
+  for (int i = 0; i <= m; ++i)
+    for (int j = 0; j <= m - i; ++j)
+      lowest = std::min(lowest, test::evaluate(n, q, {Rational(i, m), Rational(j, m),
+                                                      Rational(m - i - j, m)}));
+  return lowest;
+}
+
+TEST(CertifyPositive, IsNeverWrongOnRandomPolynomials) {
+  Random random(1);
+  int certified = 0, bisected = 0, refused = 0;
+  for (int trial = 0; trial < 400; ++trial) {
+    const int n = random.integer(0, 5);
+    std::vector<double> c(static_cast<std::size_t>(control_point_count(n)));
+    for (double& x : c) x = random.uniform(-0.45, 1);
+    for (std::size_t k = 0; k < std::min<std::size_t>(3, c.size()); ++k) c[k] = std::abs(c[k]);
+    const Rational lowest = sampled_minimum(n, c, 12);
+    const PositivityProof proof = certify_positive(n, c.data(), 0, 6);
+    EXPECT_LE(Rational(proof.lower_bound), lowest);
+    if (proof.result != Positivity::Certified) {
+      ++refused;
+      continue;
+    }
+    ++certified;
+    bisected += proof.depth > 0;
+    EXPECT_GT(proof.lower_bound, 0);
+    EXPECT_GT(lowest, 0) << "degree " << n;
+  }
+  EXPECT_GT(certified, 50);
+  EXPECT_GT(bisected, 30);
+  EXPECT_GT(refused, 10);
+}
+
+// Convergence of the bound: the quadratic (x0 - x1)^2 + shift and its rotations.
+TEST(CertifyPositive, FindsWhatNeedsBisection) {
+  for (int rotation = 0; rotation < 3; ++rotation) {
+    std::vector<double> c(6);
+    const int order[3][6] = {{0, 1, 2, 3, 4, 5}, {1, 2, 0, 4, 5, 3}, {2, 0, 1, 5, 3, 4}};
+    const double values[6] = {1, 1, 0, -1, 0, 0};  // (x0 - x1)^2
+    for (int k = 0; k < 6; ++k) c[static_cast<std::size_t>(order[rotation][k])] = values[k] + 0.05;
+    EXPECT_EQ(certify_positive(2, c.data(), 0, 0).result, Positivity::Undecided);
+    const PositivityProof proof = certify_positive(2, c.data(), 0, 8);
+    EXPECT_EQ(proof.result, Positivity::Certified);
+    EXPECT_GT(proof.depth, 0);
+    EXPECT_LE(proof.lower_bound, 0.05);
+    EXPECT_EQ(certify_positive(2, c.data(), 0, proof.depth).result, Positivity::Certified);
+    EXPECT_EQ(certify_positive(2, c.data(), 0, proof.depth - 1).result, Positivity::Undecided);
+    EXPECT_NE(certify_positive(2, c.data(), 0.051, 8).result, Positivity::Certified);
+  }
+}
+
+TEST(CertifyPositive, TouchingZeroIsNotPositive) {
+  const double touching[6] = {1, 1, 1, -1, 0, 0};  // zero at the midpoint of edge 01
+  for (int depth = 0; depth < 12; ++depth)
+    EXPECT_NE(certify_positive(2, touching, 0, depth).result, Positivity::Certified);
+  const double corner[3] = {1, 0, 1}, negative[3] = {1, 1, -1e-300}, zero[1] = {0};
+  EXPECT_EQ(certify_positive(1, corner, 0, 5).result, Positivity::Violated);
+  EXPECT_EQ(certify_positive(1, negative, 0, 5).result, Positivity::Violated);
+  EXPECT_EQ(certify_positive(0, zero, 0, 5).result, Positivity::Violated);
+  const double tiny[1] = {1e-300};
+  EXPECT_EQ(certify_positive(0, tiny, 0, 0).result, Positivity::Certified);
+  EXPECT_EQ(certify_positive(0, tiny, 1e-299, 5).result, Positivity::Violated);
+}
+
+// method.md N5: NaN must count as failure, wherever it stands.
+TEST(CertifyPositive, NaNIsNeverCertified) {
+  for (const double bad : {std::nan(""), -std::nan(""), -std::numeric_limits<double>::infinity()})
+    for (std::size_t k = 0; k < 6; ++k) {
+      std::vector<double> c(6, 1.0);
+      c[k] = bad;
+      EXPECT_NE(certify_positive(2, c.data(), 0, 3).result, Positivity::Certified) << "at " << k;
+    }
+  const std::vector<double> fine(6, 1.0);
+  EXPECT_NE(certify_positive(2, fine.data(), std::nan(""), 3).result, Positivity::Certified);
+}
+
+Cells one_face() {
+  Cells f(1, 3);
+  f << 0, 1, 2;
+  return f;
+}
+
+TEST(Certify, MapsWithNonfiniteControlPointsAreNotCertified) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (int n = 1; n <= 4; ++n) {
+    const BezierTriangleSpace space(one_face(), 3, n);
+    Points2 corners(3, 2);
+    corners << 1, 0, 0, 1, 0, 0;
+    const Vec x = test::linear_map(space, corners);
+    ASSERT_EQ(space.certify(0, x, 5).result, Positivity::Certified);
+    for (const double bad : {std::nan(""), infinity, -infinity})
+      for (Index k = 0; k < x.size(); ++k) {
+        Vec broken = x;
+        broken[k] = bad;
+        EXPECT_NE(space.certify(0, broken, 5).result, Positivity::Certified)
+            << "degree " << n << ", unknown " << k << " = " << bad;
+      }
+  }
+}
+
+// Triangles of relative area 1e-15 and below, whose sign doubles cannot decide: whatever is
+// certified must be positive exactly.
+TEST(Certify, NearlyDegenerateTrianglesAgreeWithExactArithmetic) {
+  Random random(2);
+  const BezierTriangleSpace space(one_face(), 3, 1);
+  int positive = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    Vec x = random.vector(6);
+    const double t = random.uniform();
+    x[4] = x[0] + t * (x[2] - x[0]);
+    x[5] = x[1] + t * (x[3] - x[1]);  // on the edge up to rounding
+    const std::vector<Rational> q = test::exact(x.data(), 6);
+    const Rational det = (q[0] - q[4]) * (q[3] - q[5]) - (q[1] - q[5]) * (q[2] - q[4]);
+    const PositivityProof proof = space.certify(0, x, 5);
+    EXPECT_EQ(proof.result == Positivity::Certified, det > 0);
+    positive += det > 0;
+  }
+  EXPECT_GT(positive, 50);
+  EXPECT_LT(positive, 250);
+}
+
+struct Line {
+  std::vector<double> p[3];
+};
+
+// Along a random line of maps of degree m that starts at the identity.
+Line random_line(Random& random, int m, double amplitude) {
+  const DetCoefficients& det = DetCoefficients::of_degree(m);
+  const TriangleIndices& ix = TriangleIndices::of_degree(m);
+  std::vector<double> c, d;
+  for (int l = 0; l < ix.count(); ++l)
+    for (std::size_t k = 0; k < 2; ++k) {
+      c.push_back(ix.multi(l)[k] / double(m) + 0.3 * random.uniform() / m / m);
+      d.push_back(amplitude * random.uniform());
+    }
+  Line line;
+  for (auto& p : line.p) p.resize(static_cast<std::size_t>(det.count()));
+  det.along_line(c.data(), d.data(), line.p[0].data(), line.p[1].data(), line.p[2].data());
+  return line;
+}
+
+// Smallest value at parameter t on a dense lattice.
+double minimum_at(int n, const Line& line, double t) {
+  Vec c(static_cast<Index>(line.p[0].size()));
+  for (Index k = 0; k < c.size(); ++k) {
+    const auto q = static_cast<std::size_t>(k);
+    c[k] = line.p[0][q] + t * line.p[1][q] + t * t * line.p[2][q];
+  }
+  double lowest = c[0];
+  constexpr int kFine = 24;
+  for (int i = 0; i <= kFine; ++i)
+    for (int j = 0; j <= kFine - i; ++j)
+      lowest = std::min(lowest, bernstein_values(n, Barycentric(i, j, kFine - i - j) / kFine).dot(c));
+  return lowest;
+}
+
+double step_of(int n, const Line& line, double s, int depth) {
+  return largest_positive_step(n, line.p[0].data(), line.p[1].data(), line.p[2].data(), s, depth);
+}
+
+class LargestStep : public testing::TestWithParam<int> {};
+
+TEST_P(LargestStep, IsPositiveBeforeAndTightWithBisection) {
+  const int m = GetParam(), n = 2 * (m - 1);
+  Random random(static_cast<unsigned>(m));
+  int limited = 0, improved = 0;
+  for (int trial = 0; trial < 12; ++trial) {
+    const Line line = random_line(random, m, 1.0);
+    if (certify_positive(n, line.p[0].data(), 0, 8).result != Positivity::Certified) continue;
+    const double quick = step_of(n, line, 1, 0), step = step_of(n, line, 1, 8);
+    EXPECT_GE(step, quick);
+    EXPECT_GT(step, 0);
+    EXPECT_LE(step, 1);
+    improved += step > quick;
+    for (int k = 0; k < 20; ++k)
+      EXPECT_GT(minimum_at(n, line, step * k / 20.0), 0) << "t = " << step * k / 20.0;
+    if (step == 1) continue;
+    ++limited;
+    // Just beyond, the polynomial is all but zero somewhere: the bound is not overly cautious.
+    EXPECT_LT(minimum_at(n, line, std::min(1.0, 1.05 * step)), 0.02);
+  }
+  EXPECT_GT(limited, 3);
+  EXPECT_TRUE(m == 1 || improved > 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Degrees, LargestStep, testing::Range(1, 6));
+
+TEST(LargestStep, ExactRoots) {
+  const auto step = [](double a, double b, double c, double s) {
+    return largest_positive_step(0, &a, &b, &c, s, 4);
+  };
+  EXPECT_EQ(step(1, 0, 0, 3), 3);
+  EXPECT_DOUBLE_EQ(step(1, -2, 0, 3), 0.5);
+  EXPECT_DOUBLE_EQ(step(2, 0, -8, 3), 0.5);           // root from the quadratic term alone
+  EXPECT_DOUBLE_EQ(step(6, -5, 1, 10), 2);            // the smaller of 2 and 3
+  EXPECT_EQ(step(6, -5, 1, 1.5), 1.5);
+  EXPECT_EQ(step(1, -1, 1, 10), 10);                  // no real root
+  EXPECT_EQ(step(6, 5, 1, 10), 10);                   // both roots negative
+  EXPECT_DOUBLE_EQ(step(1, -2, 1, 10), 1);            // a double root is a zero
+  EXPECT_DOUBLE_EQ(step(1e-30, -1, 1, 10), 1e-30);    // no cancellation
+  EXPECT_DOUBLE_EQ(step(1, 1, -1e-20, 1e30), 1e20);
+  EXPECT_EQ(step(0, 1, 1, 10), 0);
+  EXPECT_EQ(step(-1, 5, 0, 10), 0);
+  EXPECT_EQ(step(std::nan(""), 0, 0, 1), 0);
+  EXPECT_EQ(step(1, std::nan(""), 0, 1), 0);
+  EXPECT_EQ(step(1, 0, std::nan(""), 1), 0);
+}
+
+// Coefficients that are not all positive at s = 0 although the polynomial is: bisection must find a
+// positive step.
+TEST(LargestStep, StartsThatOnlyBisectionCertifies) {
+  const double p0[6] = {1, 1, 1, -0.5, 1, 1}, p1[6] = {-1, -1, -1, 0, -1, -1}, p2[6] = {};
+  EXPECT_EQ(largest_positive_step(2, p0, p1, p2, 1, 0), 0);
+  const double step = largest_positive_step(2, p0, p1, p2, 1, 8);
+  EXPECT_GT(step, 0.4);  // on edge 01 the minimum is (1 - t - 0.5) / 2
+  EXPECT_LE(step, 0.5);
+}
+
+}  // namespace
+}  // namespace majorant

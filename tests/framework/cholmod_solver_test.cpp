@@ -1,0 +1,142 @@
+// The sparse Cholesky solver against dense linear algebra.
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <tuple>
+
+#include "framework/quadratic_term.h"
+#include "majorant/framework/assembly.h"
+#include "majorant/framework/linear_solver.h"
+
+namespace majorant {
+namespace {
+
+using test::Random;
+
+struct Matrix {
+  SparsePattern pattern;
+  Vec values;
+  Eigen::MatrixXd dense;
+};
+
+// Random symmetric matrix on the pattern of random stencils; positive definite when `diagonal` is
+// large enough.
+Matrix random_matrix(Random& random, Index nodes, int block, double diagonal) {
+  const Stencils s = test::random_stencils(random, 2 * nodes, 3, nodes, block);
+  const Elimination all(nodes * block, ConstraintRows{});
+  Matrix m{reduced_pattern({&s}, all), {}, Eigen::MatrixXd::Zero(nodes * block, nodes * block)};
+  m.values = random.vector(m.pattern.nonzeros());
+  for (Index c = 0; c < m.pattern.size; ++c)
+    for (Index k = m.pattern.column_starts[static_cast<std::size_t>(c)];
+         k < m.pattern.column_starts[static_cast<std::size_t>(c) + 1]; ++k) {
+      const Index r = m.pattern.rows[static_cast<std::size_t>(k)];
+      if (r == c) m.values[k] += diagonal;
+      m.dense(r, c) = m.dense(c, r) = m.values[k];
+    }
+  return m;
+}
+
+void expect_solves(LinearSolver& solver, const Eigen::MatrixXd& dense, Random& random) {
+  const Vec r = random.vector(dense.rows());
+  Vec p;
+  solver.solve(r, p);
+  EXPECT_LE((dense * p - r).norm(), 1e-11 * (dense.norm() * p.norm()));
+}
+
+class Cholmod : public testing::TestWithParam<std::tuple<Factorization, Ordering>> {
+ protected:
+  std::unique_ptr<LinearSolver> make() const {
+    return make_cholmod_solver(std::get<0>(GetParam()), std::get<1>(GetParam()));
+  }
+};
+
+TEST_P(Cholmod, SolvesPositiveDefiniteSystems) {
+  Random random(1);
+  const auto solver = make();
+  for (const auto& [nodes, block] : {std::pair(1, 1), {1, 2}, {2, 1}, {20, 2}, {300, 1}, {150, 2}}) {
+    const Matrix m = random_matrix(random, nodes, block, 60);
+    solver->analyze(m.pattern);
+    ASSERT_EQ(solver->factorize(m.values, 0), FactorStatus::Ok) << nodes << ' ' << block;
+    expect_solves(*solver, m.dense, random);
+    expect_solves(*solver, m.dense, random);
+  }
+}
+
+TEST_P(Cholmod, RefactorizesOtherValues) {
+  Random random(2);
+  const auto solver = make();
+  Matrix m = random_matrix(random, 80, 2, 60);
+  solver->analyze(m.pattern);
+  for (int k = 0; k < 3; ++k) {
+    ASSERT_EQ(solver->factorize(m.values, 0), FactorStatus::Ok);
+    expect_solves(*solver, m.dense, random);
+    m.values *= 0.1;
+    m.dense *= 0.1;
+  }
+}
+
+TEST_P(Cholmod, DetectsIndefinitenessAndRecoversByShift) {
+  Random random(3);
+  const auto solver = make();
+  const Matrix m = random_matrix(random, 100, 2, 2);
+  const Index n = m.pattern.size;
+  const double lowest =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(m.dense).eigenvalues().minCoeff();
+  ASSERT_LT(lowest, -0.1);
+  solver->analyze(m.pattern);
+  EXPECT_EQ(solver->factorize(m.values, 0), FactorStatus::NotPositiveDefinite);
+  EXPECT_EQ(solver->factorize(m.values, -lowest - 0.01), FactorStatus::NotPositiveDefinite);
+  ASSERT_EQ(solver->factorize(m.values, -lowest + 0.01), FactorStatus::Ok);
+  const double shift = -lowest + 3;
+  ASSERT_EQ(solver->factorize(m.values, shift), FactorStatus::Ok);
+  expect_solves(*solver, m.dense + shift * Eigen::MatrixXd::Identity(n, n), random);
+  EXPECT_EQ(solver->factorize(m.values, 0), FactorStatus::NotPositiveDefinite);
+}
+
+TEST_P(Cholmod, ZeroMatrixIsNotPositiveDefinite) {
+  Random random(4);
+  const auto solver = make();
+  Matrix m = random_matrix(random, 10, 2, 0);
+  m.values.setZero();
+  solver->analyze(m.pattern);
+  EXPECT_EQ(solver->factorize(m.values, 0), FactorStatus::NotPositiveDefinite);
+  EXPECT_EQ(solver->factorize(m.values, 2), FactorStatus::Ok);
+  Vec p;
+  solver->solve(Vec::Ones(20), p);
+  EXPECT_LE((p - Vec::Constant(20, 0.5)).norm(), 1e-15);
+}
+
+TEST_P(Cholmod, EmptyMatrix) {
+  const auto solver = make();
+  SparsePattern empty;
+  empty.column_starts = {0};
+  solver->analyze(empty);
+  EXPECT_EQ(solver->factorize(Vec(), 0), FactorStatus::Ok);
+  Vec p = Vec::Ones(3);
+  solver->solve(Vec(), p);
+  EXPECT_EQ(p.size(), 0);
+}
+
+TEST_P(Cholmod, DescriptionTellsTheChoice) {
+  Random random(5);
+  const auto solver = make();
+  const Matrix m = random_matrix(random, 100, 2, 60);
+  solver->analyze(m.pattern);
+  const std::string d = solver->description();
+  const auto [factorization, ordering] = GetParam();
+  const auto has = [&](const char* word) { return d.find(word) != std::string::npos; };
+  EXPECT_EQ(has("supernodal"), !has("simplicial"));
+  EXPECT_EQ(has("METIS"), !has("AMD"));
+  EXPECT_TRUE(factorization == Factorization::Automatic ||
+              has("supernodal") == (factorization == Factorization::Supernodal));
+  EXPECT_TRUE(ordering == Ordering::Best || has("METIS") == (ordering == Ordering::Metis));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, Cholmod,
+    testing::Combine(testing::Values(Factorization::Automatic, Factorization::Supernodal,
+                                     Factorization::Simplicial),
+                     testing::Values(Ordering::Best, Ordering::Amd, Ordering::Metis)));
+
+}  // namespace
+}  // namespace majorant

@@ -1,0 +1,169 @@
+// Chunks, colours, and results that do not depend on the number of threads.
+#include "majorant/framework/chunk_plan.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "framework/quadratic_term.h"
+#include "majorant/framework/evaluator.h"
+
+namespace majorant {
+namespace {
+
+using test::QuadraticTerm;
+using test::Random;
+using test::Rows;
+
+void expect_valid(const ChunkPlan& plan, const Stencils& stencils,
+                  const std::vector<RuleId>& rules) {
+  std::vector<int> seen(static_cast<std::size_t>(stencils.element_count()), 0);
+  for (Index c = 0; c < plan.chunk_count(); ++c) {
+    const Chunk chunk = plan.chunk(c);
+    EXPECT_GE(chunk.elements.size(), 1u);
+    EXPECT_LE(chunk.elements.size(), static_cast<std::size_t>(Chunk::kMaxSize));
+    for (const Index e : chunk.elements) {
+      ++seen[static_cast<std::size_t>(e)];
+      EXPECT_EQ(chunk.rule, rules.empty() ? 0 : rules[static_cast<std::size_t>(e)]);
+    }
+  }
+  EXPECT_TRUE(std::all_of(seen.begin(), seen.end(), [](int n) { return n == 1; }));
+
+  std::vector<int> coloured(static_cast<std::size_t>(plan.chunk_count()), 0);
+  for (const auto& colour : plan.colours()) {
+    std::set<Index> nodes;
+    for (const Index c : colour) {
+      ++coloured[static_cast<std::size_t>(c)];
+      std::set<Index> own;
+      for (const Index e : plan.chunk(c).elements)
+        for (Index k = 0; k < stencils.nodes.cols(); ++k) own.insert(stencils.nodes(e, k));
+      for (const Index n : own) EXPECT_TRUE(nodes.insert(n).second) << "node " << n;
+    }
+  }
+  EXPECT_TRUE(std::all_of(coloured.begin(), coloured.end(), [](int n) { return n == 1; }));
+}
+
+TEST(ChunkPlan, Meshes) {
+  const test::Mesh mesh = test::grid(30, 30);
+  const Stencils stencils{mesh.faces, 2};
+  const ChunkPlan plan(stencils, {});
+  expect_valid(plan, stencils, {});
+  EXPECT_LE(plan.chunk_count(), 1800 / Chunk::kMaxSize + 1);
+  EXPECT_LE(plan.colours().size(), 8u);
+}
+
+TEST(ChunkPlan, MixedRules) {
+  Random random(1);
+  const test::Mesh mesh = test::grid(20, 20);
+  const Stencils stencils{mesh.faces, 2};
+  std::vector<RuleId> rules;
+  for (Index e = 0; e < mesh.faces.rows(); ++e) rules.push_back(random.integer(0, 4));
+  expect_valid(ChunkPlan(stencils, rules), stencils, rules);
+}
+
+TEST(ChunkPlan, UnconnectedAndScatteredElements) {
+  Random random(2);
+  for (const Index nodes : {50, 100000}) {
+    const Stencils stencils = test::random_stencils(random, 1000, 3, nodes, 1);
+    expect_valid(ChunkPlan(stencils, {}), stencils, {});
+  }
+}
+
+// More chunks around one node than the colour mask has bits.
+TEST(ChunkPlan, OneNodeInEveryElement) {
+  Stencils stencils = test::band_stencils(70 * Chunk::kMaxSize, 2, 1);
+  stencils.nodes.col(0).setZero();
+  const ChunkPlan plan(stencils, {});
+  expect_valid(plan, stencils, {});
+  EXPECT_EQ(plan.colours().size(), 70u);
+}
+
+TEST(ChunkPlan, Empty) {
+  const ChunkPlan plan(Stencils{Cells(0, 3), 2}, {});
+  EXPECT_EQ(plan.chunk_count(), 0);
+  EXPECT_TRUE(plan.colours().empty());
+}
+
+class Threads : public testing::Test {
+ protected:
+  void TearDown() override { set_threads(before_); }
+  int before_ = threads();
+};
+
+struct System {
+  double f, value;
+  Vec g, h;
+  bool operator==(const System&) const = default;
+};
+
+System evaluate(const Problem& problem, const Vec& y, int count) {
+  set_threads(count);
+  EXPECT_EQ(threads(), count);
+  Evaluator evaluator(problem);
+  System s;
+  s.f = evaluator.linearize(y, Curvature::Exact, s.g, s.h);
+  s.value = evaluator.value(y);
+  return s;
+}
+
+TEST_F(Threads, DoNotChangeABit) {
+  Random random(3);
+  const test::Mesh mesh = test::grid(40, 40);
+  const auto term = std::make_shared<const QuadraticTerm>(Stencils{mesh.faces, 2}, random);
+  const Index size = 2 * static_cast<Index>(mesh.positions.rows());
+  const Problem problem = ProblemBuilder(size).add(term, 1.1).build();
+  const Vec y = random.vector(problem.size());
+  const System one = evaluate(problem, y, 1);
+  for (const int count : {2, 3, 2, 5}) EXPECT_TRUE(evaluate(problem, y, count) == one);
+}
+
+// Constraints identify unknowns of nodes that are far apart (seams, a chain's translation).
+Problem seam_problem(Random& random, const test::Mesh& mesh) {
+  const auto term = std::make_shared<const QuadraticTerm>(Stencils{mesh.faces, 2}, random);
+  const Index count = static_cast<Index>(mesh.positions.rows());
+  Rows rows;
+  for (Index k = 0; k < 80; ++k)
+    for (Index c = 0; c < 2; ++c) {
+      const Index a = 2 * k + c, b = 2 * (count - 1 - k) + c, t = 2 * (count / 2) + c;
+      rows.row({{a, 1}, {b, -1}, {t, -1}}, 0);
+    }
+  return ProblemBuilder(2 * count).add(term, 1.0).add(rows).build();
+}
+
+TEST_F(Threads, ChunksOfOneColourShareNoReducedUnknown) {
+  Random random(4);
+  const test::Mesh mesh = test::grid(40, 40);
+  const Problem problem = seam_problem(random, mesh);
+  const Elimination& z = problem.elimination();
+  const Stencils& s = problem.term(0).stencils();
+  int shared = 0;
+  for (const auto& colour : problem.plan(0).colours()) {
+    std::set<Index> unknowns;
+    for (const Index c : colour) {
+      std::set<Index> own;
+      for (const Index e : problem.plan(0).chunk(c).elements)
+        for (Index k = 0; k < s.nodes.cols(); ++k)
+          for (int b = 0; b < s.block; ++b)
+            for (auto q = z.begin(s.block * s.nodes(e, k) + b); q != z.end(s.block * s.nodes(e, k) + b);
+                 ++q)
+              own.insert(q->reduced);
+      for (const Index u : own) shared += !unknowns.insert(u).second;
+    }
+  }
+  EXPECT_EQ(shared, 0) << "chunks assembled at the same time write the same unknowns: a data race";
+}
+
+TEST_F(Threads, DoNotChangeABitWithSeams) {
+  Random random(5);
+  const test::Mesh mesh = test::grid(40, 40);
+  const Problem problem = seam_problem(random, mesh);
+  const Vec y = random.vector(problem.size());
+  const System one = evaluate(problem, y, 1);
+  int different = 0;
+  for (int k = 0; k < 100; ++k) different += !(evaluate(problem, y, 2) == one);
+  EXPECT_EQ(different, 0);
+}
+
+}  // namespace
+}  // namespace majorant

@@ -1,0 +1,364 @@
+// Newton's method: convergence, feasibility, every way to stop.
+#include "majorant/framework/newton.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "framework/quadratic_term.h"
+
+namespace majorant {
+namespace {
+
+using test::QuadraticTerm;
+using test::Random;
+using test::Rows;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// sum over unknowns of phi(x), given by value, slope and curvature.
+struct Scalar {
+  std::function<double(double)> f, f1, f2;
+};
+
+class Chain final : public EnergyTerm {
+ public:
+  Chain(Index count, Scalar phi) : phi_(std::move(phi)), stencils_(test::band_stencils(count, 1, 1)) {}
+  std::string_view name() const override { return "chain"; }
+  const Stencils& stencils() const override { return stencils_; }
+  bool supports(Curvature) const override { return true; }
+  void values(VecIn x, const Chunk& chunk, const TermState&, Workspace&,
+              std::span<double> f) const override {
+    for (std::size_t p = 0; p < chunk.elements.size(); ++p) f[p] = phi_.f(x[chunk.elements[p]]);
+  }
+  void local(VecIn x, const Chunk& chunk, Curvature, const TermState&, Workspace&,
+             LocalSystem& out) const override {
+    for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
+      const double t = x[chunk.elements[p]];
+      out.value[p] = phi_.f(t);
+      out.gradient[p] = phi_.f1(t);
+      out.hessian[p] = phi_.f2(t);
+    }
+  }
+
+ private:
+  Scalar phi_;
+  Stencils stencils_;
+};
+
+Scalar double_well() {
+  return {[](double t) { return (t * t - 1) * (t * t - 1) + 1; },
+          [](double t) { return 4 * t * (t * t - 1); },
+          [](double t) { return 12 * t * t - 4; }};
+}
+
+Scalar parabola(double minimum, double offset) {
+  return {[=](double t) { return (t - minimum) * (t - minimum) + offset; },
+          [=](double t) { return 2 * (t - minimum); }, [](double) { return 2.0; }};
+}
+
+// The box |x_i| < limit; certifies paths or not.
+class Box final : public FeasibilityChecker {
+ public:
+  Box(double limit, bool paths) : limit_(limit), paths_(paths) {}
+  std::string_view name() const override { return "box"; }
+  Verdict check(VecIn x) const override {
+    Verdict v;
+    for (Index i = 0; i < x.size(); ++i)
+      if (!(std::abs(x[i]) < limit_)) v.blocking.push_back(i);
+    v.feasible = v.blocking.empty();
+    return v;
+  }
+  StepBound max_step(VecIn x, VecIn d, double s) const override {
+    StepBound b{s, {}};
+    if (!paths_) return b;
+    for (Index i = 0; i < x.size(); ++i) {
+      const double room = (d[i] > 0 ? limit_ - x[i] : limit_ + x[i]) / std::abs(d[i]);
+      if (room < b.step) b = {room, {i}};
+    }
+    return b;
+  }
+
+ private:
+  double limit_;
+  bool paths_;
+};
+
+// Lets nothing move.
+class Frozen final : public FeasibilityChecker {
+ public:
+  std::string_view name() const override { return "frozen"; }
+  Verdict check(VecIn) const override { return {}; }
+  StepBound max_step(VecIn, VecIn, double) const override { return {0, {3}}; }
+};
+
+NewtonOptions options(Curvature curvature = Curvature::Exact) {
+  NewtonOptions o;
+  o.curvature = curvature;
+  return o;
+}
+
+TEST(Newton, SolvesAQuadraticInOneStep) {
+  Random random(1);
+  const auto term =
+      std::make_shared<const QuadraticTerm>(test::band_stencils(30, 3, 2), random, true);
+  Rows rows;
+  rows.row({{0, 1}}, 1).row({{5, 1}, {9, -2}}, 0.5);
+  const Problem problem = ProblemBuilder(64).add(term, 1.0).add(rows).build();
+  const SolveResult r = NewtonMinimizer(options()).minimize(problem, random.vector(62), {});
+  ASSERT_EQ(r.status, Status::Converged) << r.message;
+  ASSERT_GE(r.iterations.size(), 1u);
+  EXPECT_NEAR(r.iterations[0].step, 1.0, 1e-6);
+  EXPECT_EQ(r.iterations[0].shift, 0.0);
+  EXPECT_NEAR(r.iterations[0].energy, r.energy, 1e-12 * std::abs(r.energy));
+
+  Eigen::MatrixXd h = Eigen::MatrixXd::Zero(64, 64);
+  Vec g = Vec::Zero(64);
+  term->add_dense(Vec(problem.expand(Vec::Zero(62))), problem.state(0), h, g);
+  const Eigen::MatrixXd z = test::dense_z(problem.elimination());
+  const Vec expected = (z.transpose() * h * z).ldlt().solve(-z.transpose() * g);
+  EXPECT_LE((r.y - expected).norm(), 1e-8 * expected.norm());
+}
+
+TEST(Newton, EnergiesDecreaseAndRecordsAgree) {
+  const Problem problem = ProblemBuilder(5).add(std::make_shared<const Chain>(5, double_well()), 1).build();
+  Vec y0(5);
+  y0 << 0.3, -0.7, 3, 0.6, -1.5;
+  double previous = Evaluator(problem).value(y0);
+  int calls = 0;
+  const auto observer = [&](const IterationRecord& r, const Vec& y) {
+    EXPECT_EQ(r.iteration, ++calls);
+    EXPECT_LT(r.energy, previous);
+    EXPECT_EQ(r.energy, Evaluator(problem).value(y));
+    EXPECT_NEAR(r.relative_decrease, (previous - r.energy) / previous, 1e-15);
+    EXPECT_GT(r.newton_decrement, 0);
+    EXPECT_GE(r.trials, 1);
+    previous = r.energy;
+    return Directive::Continue;
+  };
+  const SolveResult r = NewtonMinimizer(options()).minimize(problem, y0, observer);
+  EXPECT_EQ(r.status, Status::Converged) << r.message;
+  EXPECT_EQ(static_cast<int>(r.iterations.size()), calls);
+  for (const double t : r.y) EXPECT_NEAR(std::abs(t), 1, 1e-3);
+  EXPECT_NEAR(r.energy, 5, 1e-6);
+}
+
+// Curvature is negative at the start: the shift is recorded and the iteration gets away.
+TEST(Newton, ShiftsIndefiniteHessians) {
+  const Problem problem = ProblemBuilder(2).add(std::make_shared<const Chain>(2, double_well()), 1).build();
+  const SolveResult r = NewtonMinimizer(options()).minimize(problem, Vector2(0.5, 2.0), {});
+  ASSERT_EQ(r.status, Status::Converged) << r.message;
+  EXPECT_GT(r.iterations.at(0).shift, 0);
+  EXPECT_NEAR(r.y[0], 1, 1e-3);
+}
+
+// The whole Hessian is negative: a shift of one mean diagonal is not enough.
+TEST(Newton, ShiftsNegativeDefiniteHessians) {
+  const Problem problem = ProblemBuilder(1).add(std::make_shared<const Chain>(1, double_well()), 1).build();
+  const SolveResult r = NewtonMinimizer(options()).minimize(problem, Vec::Constant(1, 0.1), {});
+  EXPECT_EQ(r.status, Status::Converged) << r.message;
+}
+
+class NewtonInTheBox : public testing::TestWithParam<bool> {};
+
+TEST_P(NewtonInTheBox, NeverLeavesTheFeasibleSet) {
+  const auto box = std::make_shared<const Box>(1.2, GetParam());
+  const Problem problem =
+      ProblemBuilder(4).add(std::make_shared<const Chain>(4, double_well()), 1).add(box).build();
+  Vec y0(4);
+  y0 << 0.6, -0.7, 1.1, -0.8;
+  const auto observer = [&](const IterationRecord&, const Vec& y) {
+    EXPECT_TRUE(box->check(problem.expand(y)).feasible);
+    return Directive::Continue;
+  };
+  const SolveResult r = NewtonMinimizer(options()).minimize(problem, y0, observer);
+  EXPECT_EQ(r.status, Status::Converged) << r.message;
+  EXPECT_NEAR(r.energy, 4, 1e-5);
+}
+
+// The minimum lies outside: the solver stops at the boundary and says so.
+TEST_P(NewtonInTheBox, StallsAtTheBoundary) {
+  const auto box = std::make_shared<const Box>(1, GetParam());
+  const Problem problem =
+      ProblemBuilder(2).add(std::make_shared<const Chain>(2, parabola(2, 1)), 1).add(box).build();
+  const SolveResult r = NewtonMinimizer(options()).minimize(problem, Vector2(0.5, 0), {});
+  EXPECT_EQ(r.status, Status::Stalled) << r.message;
+  EXPECT_GT(r.newton_decrement, 1e-4 * r.energy);
+  EXPECT_TRUE(box->check(problem.expand(r.y)).feasible);
+  if (!GetParam()) return;
+  EXPECT_FALSE(r.blocking.empty());
+  EXPECT_LE(r.iterations.at(0).step,
+            (1 + 1e-12) * options().boundary_fraction * r.iterations.at(0).step_bound);
+}
+
+INSTANTIATE_TEST_SUITE_P(PathsAndPoints, NewtonInTheBox, testing::Bool());
+
+TEST(Newton, BlockedStepsStall) {
+  const Problem problem = ProblemBuilder(1)
+                              .add(std::make_shared<const Chain>(1, parabola(2, 1)), 1)
+                              .add(std::make_shared<const Frozen>())
+                              .build();
+  const SolveResult r = NewtonMinimizer(options()).minimize(problem, Vec::Zero(1), {});
+  EXPECT_EQ(r.status, Status::Stalled);
+  EXPECT_EQ(r.blocking, std::vector<Index>{3});
+  EXPECT_EQ(r.y[0], 0);
+  EXPECT_TRUE(r.iterations.empty());
+}
+
+TEST(Newton, StopsAtTheIterationLimit) {
+  NewtonOptions o = options();
+  o.stopping.max_iterations = 2;
+  const Problem problem = ProblemBuilder(1).add(std::make_shared<const Chain>(1, double_well()), 1).build();
+  const SolveResult r = NewtonMinimizer(o).minimize(problem, Vec::Constant(1, 30), {});
+  EXPECT_EQ(r.status, Status::MaxIterations);
+  EXPECT_EQ(r.iterations.size(), 2u);
+}
+
+TEST(Newton, ObserversStopIt) {
+  const Problem problem = ProblemBuilder(1).add(std::make_shared<const Chain>(1, double_well()), 1).build();
+  for (const auto& [directive, status] :
+       {std::pair(Directive::TimeLimit, Status::TimeLimit),
+        {Directive::Interrupt, Status::Interrupted}}) {
+    const auto observer = [d = directive](const IterationRecord& r, const Vec&) {
+      return r.iteration == 2 ? d : Directive::Continue;
+    };
+    const SolveResult r = NewtonMinimizer(options()).minimize(problem, Vec::Constant(1, 30), observer);
+    EXPECT_EQ(r.status, status);
+    EXPECT_EQ(r.iterations.size(), 2u);
+    EXPECT_EQ(r.energy, Evaluator(problem).value(r.y));
+  }
+}
+
+TEST(Newton, InfeasibleStarts) {
+  const auto box = std::make_shared<const Box>(1, true);
+  const Problem boxed =
+      ProblemBuilder(3).add(std::make_shared<const Chain>(3, parabola(0, 1)), 1).add(box).build();
+  SolveResult r = NewtonMinimizer(options()).minimize(boxed, Vector3(0, 7, 0), {});
+  EXPECT_EQ(r.status, Status::Infeasible);
+  EXPECT_EQ(r.blocking, std::vector<Index>{1});
+  EXPECT_EQ(r.y, Vec(Vector3(0, 7, 0)));
+
+  const Scalar barrier{[](double t) { return t > 0 ? t - std::log(t) : kInfinity; },
+                       [](double t) { return 1 - 1 / t; }, [](double t) { return 1 / (t * t); }};
+  const Problem domain = ProblemBuilder(1).add(std::make_shared<const Chain>(1, barrier), 1).build();
+  EXPECT_EQ(NewtonMinimizer(options()).minimize(domain, Vec::Constant(1, -1), {}).status,
+            Status::Infeasible);
+  r = NewtonMinimizer(options()).minimize(domain, Vec::Constant(1, 1e-6), {});
+  EXPECT_EQ(r.status, Status::Converged) << r.message;
+  EXPECT_NEAR(r.y[0], 1, 1e-3);
+}
+
+TEST(Newton, WithoutUnknownsThereIsNothingToDo) {
+  Rows rows;
+  rows.row({{0, 1}}, 0.5);
+  const Problem problem =
+      ProblemBuilder(1).add(std::make_shared<const Chain>(1, parabola(0, 1)), 1).add(rows).build();
+  ASSERT_EQ(problem.size(), 0);
+  const SolveResult r = NewtonMinimizer(options()).minimize(problem, Vec(), {});
+  EXPECT_EQ(r.status, Status::Converged);
+  EXPECT_TRUE(r.iterations.empty());
+  EXPECT_EQ(r.energy, 1.25);
+}
+
+TEST(Newton, StartingAtTheMinimumTakesNoStep) {
+  const Problem problem = ProblemBuilder(1).add(std::make_shared<const Chain>(1, parabola(2, 1)), 1).build();
+  const SolveResult r = NewtonMinimizer(options()).minimize(problem, Vec::Constant(1, 2), {});
+  EXPECT_EQ(r.status, Status::Converged);
+  EXPECT_TRUE(r.iterations.empty());
+}
+
+// sum of (a_e . x_e - b_e)^2 over three successive unknowns, b_e from a known solution.
+class LeastSquares final : public EnergyTerm {
+ public:
+  explicit LeastSquares(Random& random) : a_(40, 3), b_(40) {
+    const Vec solution = random.vector(42);
+    for (Index e = 0; e < 40; ++e) {
+      a_.row(e) << random.uniform(), random.uniform(), 3;
+      b_[e] = a_.row(e).dot(solution.segment<3>(e));
+    }
+  }
+  std::string_view name() const override { return "least squares"; }
+  const Stencils& stencils() const override { return stencils_; }
+  bool supports(Curvature) const override { return true; }
+  void values(VecIn x, const Chunk& chunk, const TermState&, Workspace&,
+              std::span<double> f) const override {
+    for (std::size_t p = 0; p < chunk.elements.size(); ++p)
+      f[p] = std::pow(residual(x, chunk.elements[p]), 2);
+  }
+  void local(VecIn x, const Chunk& chunk, Curvature, const TermState& state, Workspace& workspace,
+             LocalSystem& out) const override {
+    values(x, chunk, state, workspace, {out.value, chunk.elements.size()});
+    for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
+      const Index e = chunk.elements[p];
+      for (int i = 0, k = 0; i < 3; ++i) {
+        out.gradient[static_cast<std::size_t>(i) * LocalSystem::stride + p] =
+            2 * residual(x, e) * a_(e, i);
+        for (int j = 0; j <= i; ++j, ++k)
+          out.hessian[static_cast<std::size_t>(k) * LocalSystem::stride + p] =
+              2 * a_(e, i) * a_(e, j);
+      }
+    }
+  }
+
+ private:
+  double residual(VecIn x, Index e) const { return a_.row(e).dot(x.segment<3>(e)) - b_[e]; }
+  Points3 a_;
+  Vec b_;
+  Stencils stencils_ = test::band_stencils(40, 3, 1);
+};
+
+// The minimum has energy zero: a rule relative to the energy alone never holds there.
+TEST(Newton, MinimaOfEnergyZeroConverge) {
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    Random random(seed);
+    Rows rows;
+    rows.row({{0, 1}}, 0).row({{1, 1}}, 0);  // 40 unknowns left for 40 squares
+    const Problem problem =
+        ProblemBuilder(42).add(std::make_shared<const LeastSquares>(random), 1).add(rows).build();
+    const Vec y0 = random.vector(40);
+    const double start = Evaluator(problem).value(y0);
+    const SolveResult r = NewtonMinimizer(options()).minimize(problem, y0, {});
+    EXPECT_LT(r.energy, 1e-18 * start);
+    EXPECT_EQ(r.status, Status::Converged) << r.message << ", E = " << r.energy;
+  }
+}
+
+TEST(Newton, NumericalBreakdownIsAStatus) {
+  const Scalar broken{[](double t) { return t; }, [](double) { return 1.0; },
+                      [](double) { return std::nan(""); }};
+  const Problem problem = ProblemBuilder(1).add(std::make_shared<const Chain>(1, broken), 1).build();
+  const SolveResult r = NewtonMinimizer(options()).minimize(problem, Vec::Constant(1, 2), {});
+  EXPECT_EQ(r.status, Status::Failed);
+  EXPECT_EQ(r.y[0], 2);
+}
+
+TEST(Newton, StepperGoesOnWithAnotherState) {
+  Random random(2);
+  const auto a = std::make_shared<const Chain>(3, parabola(0, 1));
+  const auto b = std::make_shared<const Chain>(3, parabola(1, 1));
+  const Problem problem = ProblemBuilder(3).add(a, 1).add(b, 0).build();
+  NewtonStepper stepper(problem, options());
+  SolveResult r = run(stepper, Vector3(3, 4, 5), {}, {});
+  EXPECT_EQ(r.status, Status::Converged);
+  EXPECT_LE(r.y.norm(), 1e-6);
+  TermState first, second;
+  first.weight = 0;
+  stepper.reset(problem.with({first, second}));
+  r = run(stepper, r.y, {}, {});
+  EXPECT_LE((r.y - Vec::Ones(3)).norm(), 1e-6);
+}
+
+TEST(Newton, StatusNames) {
+  EXPECT_EQ(name(Status::Converged), "converged");
+  EXPECT_EQ(name(Status::MaxIterations), "max_iterations");
+  EXPECT_EQ(name(Status::TimeLimit), "time_limit");
+  EXPECT_EQ(name(Status::Interrupted), "interrupted");
+  EXPECT_EQ(name(Status::Stalled), "stalled");
+  EXPECT_EQ(name(Status::Infeasible), "infeasible");
+  EXPECT_EQ(name(Status::Failed), "failed");
+}
+
+}  // namespace
+}  // namespace majorant

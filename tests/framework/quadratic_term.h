@@ -1,0 +1,130 @@
+// A term made of one random quadratic per element: f_e = 1/2 x^T H x + g^T x, scaled by its rule.
+#pragma once
+
+#include <Eigen/Dense>
+#include <utility>
+#include <vector>
+
+#include "majorant/framework/elimination.h"
+#include "majorant/framework/energy_term.h"
+#include "support.h"
+
+namespace majorant::test {
+
+class QuadraticTerm final : public EnergyTerm {
+ public:
+  QuadraticTerm(Stencils stencils, Random& random, bool definite = false)
+      : stencils_(std::move(stencils)) {
+    const int n = stencils_.local_size();
+    for (Index e = 0; e < stencils_.element_count(); ++e) {
+      Eigen::MatrixXd a(n, n);
+      for (int i = 0; i < n; ++i) a.row(i) = random.vector(n).transpose();
+      hessians_.push_back(definite ? Eigen::MatrixXd(a * a.transpose())
+                                   : Eigen::MatrixXd(a + a.transpose()));
+      gradients_.push_back(random.vector(n));
+    }
+  }
+  std::string_view name() const override { return "random quadratics"; }
+  const Stencils& stencils() const override { return stencils_; }
+  bool supports(Curvature c) const override { return c != Curvature::Reweighted; }
+
+  Index full(Index e, int i) const {
+    return stencils_.block * stencils_.nodes(e, i / stencils_.block) + i % stencils_.block;
+  }
+  static double scale(RuleId rule) { return 1 + 0.5 * rule; }
+  const Eigen::MatrixXd& hessian(Index e) const { return hessians_[static_cast<std::size_t>(e)]; }
+  const Vec& gradient(Index e) const { return gradients_[static_cast<std::size_t>(e)]; }
+
+  void values(VecIn x, const Chunk& chunk, const TermState&, Workspace&,
+              std::span<double> f) const override {
+    for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
+      const Index e = chunk.elements[p];
+      const Vec local = gather(x, e);
+      f[p] = scale(chunk.rule) * (0.5 * local.dot(hessian(e) * local) + gradient(e).dot(local));
+    }
+  }
+  void local(VecIn x, const Chunk& chunk, Curvature, const TermState& state, Workspace& workspace,
+             LocalSystem& out) const override {
+    values(x, chunk, state, workspace, {out.value, chunk.elements.size()});
+    for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
+      const Index e = chunk.elements[p];
+      const double s = scale(chunk.rule);
+      const Vec g = s * (hessian(e) * gather(x, e) + gradient(e));
+      for (int i = 0, k = 0; i < stencils_.local_size(); ++i) {
+        out.gradient[static_cast<std::size_t>(i) * LocalSystem::stride + p] = g[i];
+        for (int j = 0; j <= i; ++j, ++k)
+          out.hessian[static_cast<std::size_t>(k) * LocalSystem::stride + p] = s * hessian(e)(i, j);
+      }
+    }
+  }
+
+  // Dense Hessian and gradient in the full unknowns.
+  void add_dense(VecIn x, const TermState& state, Eigen::MatrixXd& h, Vec& g) const {
+    for (Index e = 0; e < stencils_.element_count(); ++e) {
+      const double rule = state.element_rule.empty()
+                              ? scale(0)
+                              : scale(state.element_rule[static_cast<std::size_t>(e)]);
+      const double w =
+          rule * state.weight * (state.element_weight.size() ? state.element_weight[e] : 1.0);
+      const Vec local = hessian(e) * gather(x, e) + gradient(e);
+      for (int i = 0; i < local.size(); ++i) {
+        g[full(e, i)] += w * local[i];
+        for (int j = 0; j < local.size(); ++j) h(full(e, i), full(e, j)) += w * hessian(e)(i, j);
+      }
+    }
+  }
+
+ private:
+  Vec gather(VecIn x, Index e) const {
+    Vec local(stencils_.local_size());
+    for (int i = 0; i < local.size(); ++i) local[i] = x[full(e, i)];
+    return local;
+  }
+  Stencils stencils_;
+  std::vector<Eigen::MatrixXd> hessians_;
+  std::vector<Vec> gradients_;
+};
+
+inline Stencils random_stencils(Random& random, Index elements, int nodes, Index node_count,
+                                int block) {
+  Stencils s{Cells(elements, nodes), block};
+  for (Index e = 0; e < elements; ++e)
+    for (int k = 0; k < nodes; ++k) s.nodes(e, k) = random.integer(0, node_count - 1);
+  return s;
+}
+
+// Elements of successive nodes: a mesh-like stencil of many chunks.
+inline Stencils band_stencils(Index elements, int nodes, int block) {
+  Stencils s{Cells(elements, nodes), block};
+  for (Index e = 0; e < elements; ++e)
+    for (int k = 0; k < nodes; ++k) s.nodes(e, k) = e + k;
+  return s;
+}
+
+inline Eigen::MatrixXd dense_z(const Elimination& z) {
+  Eigen::MatrixXd m = Eigen::MatrixXd::Zero(z.full_size(), z.reduced_size());
+  for (Index i = 0; i < z.full_size(); ++i)
+    for (auto e = z.begin(i); e != z.end(i); ++e) m(i, e->reduced) += e->coefficient;
+  return m;
+}
+
+// Rows with given coefficients, for tests.
+class Rows final : public Constraint {
+ public:
+  Rows& row(std::vector<std::pair<Index, long>> entries, double rhs) {
+    rows_.push_back({std::move(entries), rhs});
+    return *this;
+  }
+  void append_rows(ConstraintRows& out) const override {
+    for (const auto& [entries, rhs] : rows_) {
+      out.begin_row("test row");
+      for (const auto& [unknown, coefficient] : entries) out.add(unknown, coefficient);
+      out.end_row(rhs);
+    }
+  }
+
+ private:
+  std::vector<std::pair<std::vector<std::pair<Index, long>>, double>> rows_;
+};
+
+}  // namespace majorant::test

@@ -1,0 +1,154 @@
+// What the tests of framework/, elements/, energies/ and constraints/ share: reproducible random
+// numbers, exact rationals, small meshes and maps whose properties are known by construction.
+#pragma once
+
+// g++ 12 believes that boost's small integers are used uninitialized.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
+
+#include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "majorant/elements/bernstein.h"
+#include "majorant/elements/bezier_triangle_space.h"
+#include "majorant/framework/types.h"
+
+namespace majorant::test {
+
+using Rational = boost::multiprecision::cpp_rational;
+
+class Random {
+ public:
+  explicit Random(unsigned seed) : engine_(seed) {}
+  double uniform(double low = -1, double high = 1) {
+    return std::uniform_real_distribution<double>(low, high)(engine_);
+  }
+  int integer(int low, int high) { return std::uniform_int_distribution<int>(low, high)(engine_); }
+  Vec vector(Index size, double low = -1, double high = 1) {
+    Vec v(size);
+    for (double& x : v) x = uniform(low, high);
+    return v;
+  }
+  // Inside the triangle, not on its boundary.
+  Barycentric barycentric() {
+    Barycentric b(uniform(0.01, 1), uniform(0.01, 1), uniform(0.01, 1));
+    return b / b.sum();
+  }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+// ---- Exact polynomials: independent of the library but for the order of the coefficients. ----
+
+inline Rational factorial(int n) { return n < 2 ? Rational(1) : n * factorial(n - 1); }
+
+inline Rational multinomial(const MultiIndex& m) {
+  return factorial(m[0] + m[1] + m[2]) / (factorial(m[0]) * factorial(m[1]) * factorial(m[2]));
+}
+
+inline Rational power(const Rational& x, int e) { return e == 0 ? Rational(1) : x * power(x, e - 1); }
+
+struct ExactPoint {
+  Rational a, b, c;  // barycentric, a + b + c = 1
+};
+
+inline ExactPoint exact_point(Random& random, int denominator = 60) {
+  const int i = random.integer(0, denominator), j = random.integer(0, denominator - i);
+  return {Rational(i, denominator), Rational(j, denominator),
+          Rational(denominator - i - j, denominator)};
+}
+
+inline Rational evaluate(int n, const std::vector<Rational>& coefficients, const ExactPoint& p) {
+  const TriangleIndices& ix = TriangleIndices::of_degree(n);
+  Rational sum = 0;
+  for (int l = 0; l < ix.count(); ++l) {
+    const MultiIndex& m = ix.multi(l);
+    sum += coefficients[static_cast<std::size_t>(l)] * multinomial(m) * power(p.a, m[0]) *
+           power(p.b, m[1]) * power(p.c, m[2]);
+  }
+  return sum;
+}
+
+// Every finite double is a rational.
+inline std::vector<Rational> exact(const double* values, int count) {
+  return std::vector<Rational>(values, values + count);
+}
+
+// ---- Meshes and maps. ----
+
+struct Mesh {
+  Cells faces;
+  Points3 positions;
+};
+
+// nx by ny squares, two triangles each; interior vertices moved by at most `jitter` of a square.
+inline Mesh grid(int nx, int ny, double jitter = 0, double height = 0, unsigned seed = 1) {
+  Random random(seed);
+  Mesh m;
+  m.positions.resize((nx + 1) * (ny + 1), 3);
+  for (int j = 0, v = 0; j <= ny; ++j)
+    for (int i = 0; i <= nx; ++i, ++v) {
+      const bool inside = i > 0 && j > 0 && i < nx && j < ny;
+      const double du = inside ? jitter * random.uniform() : 0;
+      const double dv = inside ? jitter * random.uniform() : 0;
+      m.positions.row(v) << i + du, j + dv, height * random.uniform();
+    }
+  m.faces.resize(2 * nx * ny, 3);
+  for (int j = 0, f = 0; j < ny; ++j)
+    for (int i = 0; i < nx; ++i) {
+      const int a = j * (nx + 1) + i, b = a + 1, c = a + nx + 1, d = c + 1;
+      m.faces.row(f++) << a, b, d;
+      m.faces.row(f++) << d, c, a;  // starts elsewhere: faces do not agree on corner 0
+    }
+  return m;
+}
+
+// The map of `space` that is linear on every face and takes vertex v to uv.row(v).
+inline Vec linear_map(const BezierTriangleSpace& space, const Points2& uv) {
+  const TriangleIndices& ix = TriangleIndices::of_degree(space.degree());
+  Vec x = Vec::Zero(2 * space.node_count());
+  for (Index f = 0; f < space.element_count(); ++f)
+    for (int l = 0; l < ix.count(); ++l) {
+      const MultiIndex& m = ix.multi(l);
+      Vector2 p(0, 0);
+      for (int k = 0; k < 3; ++k)
+        p += m[static_cast<std::size_t>(k)] * uv.row(space.faces()(f, k)).transpose();
+      x.segment<2>(2 * space.cells()(f, l)) = p / space.degree();
+    }
+  return x;
+}
+
+inline Points2 flat(const Points3& p) { return p.leftCols<2>(); }
+
+inline Vector2 map_point(const BezierTriangleSpace& space, VecIn x, Index f, const Barycentric& xi) {
+  const Vec b = bernstein_values(space.degree(), xi);
+  Vector2 p(0, 0);
+  for (int l = 0; l < b.size(); ++l) p += b[l] * x.segment<2>(2 * space.cells()(f, l));
+  return p;
+}
+
+// det J by reference coordinates, straight from basis gradients.
+inline double det_at(const BezierTriangleSpace& space, VecIn x, Index f, const Barycentric& xi) {
+  const Eigen::MatrixX2d g = bernstein_gradients(space.degree(), xi);
+  Eigen::Matrix2d j = Eigen::Matrix2d::Zero();
+  for (int l = 0; l < g.rows(); ++l) j += x.segment<2>(2 * space.cells()(f, l)) * g.row(l);
+  return j.determinant();
+}
+
+// Determinants (twice the areas) of the flat faces of `positions`.
+inline Vec rest_determinants(const Mesh& m) {
+  Vec d(m.faces.rows());
+  for (Index f = 0; f < m.faces.rows(); ++f) {
+    const Vector3 a = m.positions.row(m.faces(f, 0)), b = m.positions.row(m.faces(f, 1)),
+                  c = m.positions.row(m.faces(f, 2)), u = b - a, v = c - a;
+    d[f] = std::sqrt(u.squaredNorm() * v.squaredNorm() - u.dot(v) * u.dot(v));
+  }
+  return d;
+}
+
+}  // namespace majorant::test
