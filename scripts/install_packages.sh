@@ -1,0 +1,21 @@
+#!/bin/sh
+# Installs the packages of scripts/packages.txt that are missing (Debian, root or sudo). Does
+# nothing, and needs no network, when all are there.
+set -eu
+list=$(dirname "$0")/packages.txt
+missing=""
+for package in $(sed 's/#.*//' "$list"); do
+  status=$(dpkg-query -W -f='${Status}' "$package" 2>/dev/null || true)
+  case "$status" in
+    *"install ok installed"*) ;;
+    *) missing="$missing $package" ;;
+  esac
+done
+[ -n "$missing" ] || exit 0
+echo "installing:$missing"
+sudo=""
+[ "$(id -u)" -eq 0 ] || sudo="sudo"
+export DEBIAN_FRONTEND=noninteractive
+$sudo apt-get update -qq
+# shellcheck disable=SC2086
+$sudo apt-get install -y -qq --no-install-recommends $missing

@@ -1,0 +1,193 @@
+"""What the tests of the command share: running it, small meshes, reading and changing VTU files."""
+import base64
+import json
+import math
+import os
+import re
+import shutil
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+
+BINARY = os.environ.get('MAJORANT_BINARY', '')
+SOURCE = os.environ.get('MAJORANT_SOURCE_DIR', '')
+SHARED = os.environ.get('MAJORANT_SHARED_DIR', '')
+VERIFY = os.path.join(SHARED, 'tools', 'verify.py')
+
+OK, USAGE, UNREADABLE, UNSUPPORTED, LIMIT, INVALID, INTERNAL = range(7)
+
+
+def generated(name):
+    return os.path.join(SOURCE, 'meshes', name + '.obj')
+
+
+class Outcome:
+    def __init__(self, process):
+        self.code, self.out, self.err = process.returncode, process.stdout, process.stderr
+
+
+def majorant(*args, cwd=None):
+    return Outcome(subprocess.run([BINARY] + [str(a) for a in args], cwd=cwd, text=True,
+                                  stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                  stderr=subprocess.PIPE, timeout=300))
+
+
+class CommandTest(unittest.TestCase):
+    """A fresh folder per test; refusals are checked for what every refusal owes the user."""
+
+    def setUp(self):
+        self.folder = tempfile.mkdtemp(prefix='majorant_apps_')
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def write(self, name, text):
+        with open(self.path(name), 'w' if isinstance(text, str) else 'wb') as f:
+            f.write(text)
+        return self.path(name)
+
+    def read(self, name):
+        with open(self.path(name), 'rb') as f:
+            return f.read()
+
+    def files(self):
+        return sorted(os.listdir(self.folder))
+
+    def run_ok(self, *args, code=OK):
+        outcome = majorant(*args)
+        self.assertEqual(outcome.code, code, '%s\n%s' % (args, outcome.err))
+        return outcome
+
+    def refused(self, code, *args, says=()):
+        """Exit code, one line on stderr that says `says`, nothing on stdout."""
+        outcome = majorant(*args)
+        self.assertEqual(outcome.code, code, '%s\n%s' % (args, outcome.err))
+        self.assertEqual(outcome.out, '')
+        self.assertEqual(outcome.err.count('\n'), 1, outcome.err)
+        self.assertTrue(outcome.err.endswith('\n'))
+        for part in [says] if isinstance(says, str) else says:
+            self.assertIn(part, outcome.err)
+        return outcome
+
+
+# ------------------------------------------------------------------ meshes
+def bumpy(x, y):
+    return 0.4 * math.sin(2.5 * x + 0.3) * math.cos(2 * y)
+
+
+def grid(n, height=bumpy):
+    """(n+1)^2 vertices row by row, 2 n^2 triangles (0-based)."""
+    points = [(i / n, j / n, height(i / n, j / n)) for j in range(n + 1) for i in range(n + 1)]
+    faces = []
+    for j in range(n):
+        for i in range(n):
+            a = j * (n + 1) + i
+            b, c, d = a + 1, a + n + 1, a + n + 2
+            faces += [(a, b, d), (a, d, c)]
+    return points, faces
+
+
+def quads(n, height=bumpy):
+    points, _ = grid(n, height)
+    faces = [(j * (n + 1) + i, j * (n + 1) + i + 1, (j + 1) * (n + 1) + i + 1, (j + 1) * (n + 1) + i)
+             for j in range(n) for i in range(n)]
+    return points, faces
+
+
+def torus(m, n, holes):
+    points, faces = [], []
+    for j in range(n):
+        for i in range(m):
+            s, t = 2 * math.pi * i / m, 2 * math.pi * j / n
+            points.append(((2 + math.cos(t)) * math.cos(s), (2 + math.cos(t)) * math.sin(s),
+                           math.sin(t)))
+    for q in range(holes, m * n):
+        i, j = q % m, q // m
+        a, b = j * m + i, j * m + (i + 1) % m
+        c, d = (j + 1) % n * m + (i + 1) % m, (j + 1) % n * m + i
+        faces += [(a, b, c), (a, c, d)]
+    return points, faces
+
+
+def obj_text(points, faces, uv=None):
+    lines = ['v %r %r %r' % tuple(p) for p in points]
+    lines += ['vt %r %r' % tuple(t) for t in uv or []]
+    corner = '%d/%d' if uv else '%d'
+    for face in faces:
+        lines.append('f ' + ' '.join(corner % ((v + 1, v + 1) if uv else (v + 1,)) for v in face))
+    return '\n'.join(lines) + '\n'
+
+
+def read_obj(path):
+    """v, vt, faces of v numbers, faces of vt numbers; 0-based."""
+    v, vt, faces, texture = [], [], [], []
+    with open(path) as f:
+        for line in f:
+            words = line.split()
+            if not words:
+                continue
+            if words[0] == 'v':
+                v.append(tuple(map(float, words[1:4])))
+            elif words[0] == 'vt':
+                vt.append(tuple(map(float, words[1:3])))
+            elif words[0] == 'f':
+                corners = [w.split('/') for w in words[1:]]
+                faces.append(tuple(int(c[0]) - 1 for c in corners))
+                texture.append(tuple(int(c[1]) - 1 for c in corners if len(c) > 1 and c[1]))
+    return v, vt, faces, texture
+
+
+# ------------------------------------------------------------------ VTU as majorant writes it
+_FORMATS = {'Float64': 'd', 'Int32': 'i', 'Int64': 'q', 'UInt8': 'B'}
+
+
+class Vtu:
+    """The arrays of a file by name, as flat lists; change them and write the file again."""
+
+    def __init__(self, path):
+        with open(path) as f:
+            self.text = f.read()
+        self.types, self.components, self.arrays = {}, {}, {}
+        for match in re.finditer(r'<DataArray type="(\w+)" Name="(\w+)" NumberOfComponents="(\d+)" '
+                                 r'format="binary">\n(.*?)\n</DataArray>', self.text, re.S):
+            kind, name, components, payload = match.groups()
+            raw = base64.b64decode(payload)
+            size = struct.unpack('<Q', raw[:8])[0]
+            assert size == len(raw) - 8
+            count = size // struct.calcsize(_FORMATS[kind])
+            self.types[name], self.components[name] = kind, int(components)
+            self.arrays[name] = list(struct.unpack('<%d%s' % (count, _FORMATS[kind]), raw[8:]))
+        claims = re.search(r'Name="majorant_claims"[^>]*>\n(.*?)\n</Array>', self.text, re.S).group(1)
+        self.claims = json.loads(bytes(map(int, claims.split())).rstrip(b'\0').decode())
+
+    def rows(self, name):
+        a, k = self.arrays[name], self.components[name]
+        return [tuple(a[i:i + k]) for i in range(0, len(a), k)]
+
+    def cells(self):
+        ends = [0] + self.arrays['offsets']
+        return [self.arrays['connectivity'][a:b] for a, b in zip(ends, ends[1:])]
+
+    def write(self, path):
+        text = self.text
+        for name, values in self.arrays.items():
+            data = struct.pack('<%d%s' % (len(values), _FORMATS[self.types[name]]), *values)
+            payload = base64.b64encode(struct.pack('<Q', len(data)) + data).decode()
+            text = re.sub(r'(Name="%s" NumberOfComponents="\d+" format="binary">\n).*?(\n</DataArray>)'
+                          % name, lambda m: m.group(1) + payload + m.group(2), text, flags=re.S)
+        claims = ' '.join(map(str, json.dumps(self.claims).encode())) + ' 0'
+        text = re.sub(r'(Name="majorant_claims"[^>]*>\n).*?(\n</Array>)',
+                      lambda m: m.group(1) + claims + m.group(2), text, flags=re.S)
+        text = re.sub(r'NumberOfPoints="\d+"', 'NumberOfPoints="%d"' % len(self.rows('uv')), text)
+        with open(path, 'w') as f:
+            f.write(text)
+        return path
+
+
+def main():
+    if not os.path.exists(BINARY):
+        sys.exit('set MAJORANT_BINARY to the majorant command (have %r)' % BINARY)
+    unittest.main()

@@ -1,0 +1,140 @@
+// Quadrature rules: exactness, positivity, symmetry.
+#include "majorant/elements/quadrature.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+#include "support.h"
+
+namespace majorant {
+namespace {
+
+// Mean of xi0^i xi1^j xi2^k over the triangle: 2 i! j! k! / (i + j + k + 2)!.
+double exact_mean(int i, int j, int k) {
+  return static_cast<double>(test::Rational(2 * test::factorial(i) * test::factorial(j) *
+                                            test::factorial(k) / test::factorial(i + j + k + 2)));
+}
+
+double mean(const Quadrature& q, int i, int j, int k) {
+  double sum = 0;
+  for (Index l = 0; l < q.size(); ++l)
+    sum += q.weights[l] * std::pow(q.points(l, 0), i) * std::pow(q.points(l, 1), j) *
+           std::pow(q.points(l, 2), k);
+  return sum;
+}
+
+int exactness(const Quadrature& q) {
+  for (int degree = 0; degree <= 12; ++degree)
+    for (int i = 0; i <= degree; ++i)
+      for (int j = 0; j <= degree - i; ++j) {
+        const double e = exact_mean(i, j, degree - i - j);
+        if (std::abs(mean(q, i, j, degree - i - j) - e) > 1e-13 * e) return degree - 1;
+      }
+  return 12;
+}
+
+void expect_sound(const Quadrature& q) {
+  ASSERT_EQ(q.points.rows(), q.size());
+  EXPECT_NEAR(q.weights.sum(), 1, 1e-13);
+  EXPECT_GT(q.weights.minCoeff(), 0);
+  EXPECT_GE(q.points.minCoeff(), 0);
+  EXPECT_LE((q.points.rowwise().sum().array() - 1).abs().maxCoeff(), 1e-14);
+}
+
+// Every permutation of the corners gives the same set of weighted points.
+void expect_symmetric(const Quadrature& q) {
+  using Point = std::array<double, 4>;
+  const auto sorted = [&](const std::array<int, 3>& permutation) {
+    std::vector<Point> out;
+    for (Index l = 0; l < q.size(); ++l) {
+      Point p;
+      for (std::size_t k = 0; k < 3; ++k)
+        p[k] = std::round(q.points(l, permutation[k]) * 1e10) / 1e10;
+      p[3] = std::round(q.weights[l] * 1e13) / 1e13;
+      out.push_back(p);
+    }
+    std::sort(out.begin(), out.end());
+    return out;
+  };
+  const auto reference = sorted({0, 1, 2});
+  for (const std::array<int, 3>& permutation :
+       {std::array{1, 0, 2}, {2, 1, 0}, {0, 2, 1}, {1, 2, 0}, {2, 0, 1}})
+    EXPECT_EQ(sorted(permutation), reference);
+}
+
+TEST(Quadrature, LatticeIsExactForLinearFunctions) {
+  for (const int m : {1, 2, 3, 8, 12, 40}) {
+    const Quadrature q = lattice_rule(m);
+    EXPECT_EQ(q.size(), m * (m + 1) / 2);
+    EXPECT_EQ(exactness(q), 1);
+    EXPECT_GT(q.points.minCoeff(), 0);  // none on the boundary
+    expect_sound(q);
+    expect_symmetric(q);
+  }
+  // Second moments of method.md E5.
+  EXPECT_NEAR(mean(lattice_rule(8), 2, 0, 0), 0.171875, 5e-7);
+  EXPECT_NEAR(mean(lattice_rule(12), 2, 0, 0), 0.170525, 5e-7);
+  EXPECT_NEAR(mean(lattice_rule(100), 2, 0, 0), 0.167211, 5e-7);
+}
+
+TEST(Quadrature, RadonIsExactForDegreeFive) {
+  const Quadrature q = radon_rule();
+  EXPECT_EQ(q.size(), 7);
+  EXPECT_EQ(exactness(q), 5);
+  expect_sound(q);
+  expect_symmetric(q);
+}
+
+TEST(Quadrature, CompositeKeepsExactnessAndConverges) {
+  const double fine_error = std::abs(mean(composite_rule(radon_rule(), 6), 6, 0, 0) - exact_mean(6, 0, 0));
+  const double coarse_error = std::abs(mean(radon_rule(), 6, 0, 0) - exact_mean(6, 0, 0));
+  EXPECT_LT(fine_error, coarse_error / 1000);
+  for (const int m : {1, 2, 3, 7}) {
+    const Quadrature q = composite_rule(radon_rule(), m);
+    EXPECT_EQ(q.size(), 7 * m * m);
+    EXPECT_EQ(exactness(q), 5);
+    expect_sound(q);
+    expect_symmetric(q);
+    EXPECT_EQ(exactness(composite_rule(lattice_rule(1), m)), 1);
+  }
+}
+
+TEST(Quadrature, CornerGradingAddsPointsAtTheCornersOnly) {
+  for (const int m : {2, 3})
+    for (const int levels : {1, 2, 4}) {
+      const Quadrature q = corner_graded_rule(radon_rule(), m, levels);
+      // Each level replaces a corner triangle by four.
+      EXPECT_EQ(q.size(), 7 * (m * m + 9 * levels));
+      EXPECT_EQ(exactness(q), 5);
+      expect_sound(q);
+      expect_symmetric(q);
+      const Quadrature coarse = composite_rule(radon_rule(), m);
+      EXPECT_NEAR(1 - q.points.maxCoeff(), (1 - coarse.points.maxCoeff()) / (1 << levels), 1e-14);
+    }
+}
+
+TEST(Quadrature, GradingOfTheWholeTriangle) {
+  const Quadrature q = corner_graded_rule(radon_rule(), 1, 2);
+  EXPECT_EQ(q.size(), 7 * (4 + 9));
+  EXPECT_EQ(exactness(q), 5);
+  expect_sound(q);
+  expect_symmetric(q);
+}
+
+TEST(Quadrature, GuardPoints) {
+  for (const int m : {1, 2, 4}) {
+    const Quadrature q = guarded_rule(lattice_rule(8), m, 1e-3);
+    EXPECT_EQ(q.size(), 36 + control_point_count(m));
+    EXPECT_EQ(q.points.maxCoeff(), 1.0);
+    EXPECT_NEAR(q.weights.tail(control_point_count(m)).sum(), 1e-3, 1e-15);
+    EXPECT_GE(exactness(q), 1);
+    expect_sound(q);
+    expect_symmetric(q);
+  }
+}
+
+}  // namespace
+}  // namespace majorant

@@ -1,0 +1,184 @@
+// Curvature models: positive semidefinite, ordered, and equal to what they claim to be.
+#include <gtest/gtest.h>
+
+#include "energies/density_fixture.h"
+
+namespace majorant {
+namespace {
+
+using test::Matrix4;
+using test::PointModel;
+using Jacobians = std::vector<Eigen::Matrix2d>;
+
+constexpr double kUnit = std::numeric_limits<double>::epsilon();
+
+// Relative accuracy of a Hessian that a comparison can ask for.
+double accuracy(const Eigen::Matrix2d& j) {
+  const double ratio = test::norm_beta(j) / test::norm_alpha(j);
+  return 1e-12 + 32 * kUnit * test::cancellation(j) + 32 * kUnit / std::max(ratio, 1e-5) +
+         (ratio < 1.01e-5 ? 20 * ratio * ratio : 0);
+}
+
+struct Case {
+  const char* name;
+  std::shared_ptr<const EnergyTerm> term;
+  PointModel (*oracle)(const Eigen::Matrix2d&);
+  Jacobians jacobians;
+  bool convex;
+};
+
+std::vector<Case> cases() {
+  const Jacobians positive = test::injective_jacobians();
+  Jacobians moderate;
+  for (const Eigen::Matrix2d& j : test::all_jacobians())
+    if (j.norm() > 1e-2 && j.norm() < 100 && test::norm_alpha(j) > 1e-3) moderate.push_back(j);
+  const test::Triangles t(positive.size()), m(moderate.size());
+  const std::vector<Quadrature> rule{lattice_rule(1)};
+  const auto sd = [](const Eigen::Matrix2d& j) { return test::oracle(test::direct_symmetric_dirichlet, j); };
+  const auto mips = [](const Eigen::Matrix2d& j) { return test::oracle(test::direct_mips, j); };
+  const auto arap = [](const Eigen::Matrix2d& j) { return test::oracle(test::direct_arap, j); };
+  return {
+      {"symmetric Dirichlet, dispatched", make_symmetric_dirichlet(t.space, t.rest, rule), sd, positive, true},
+      {"symmetric Dirichlet, spectral",
+       make_energy(t.space, t.rest, test::spectral_symmetric_dirichlet(), rule), sd, positive, true},
+      {"MIPS", make_energy(t.space, t.rest, test::mips(), rule), mips, positive, false},
+      {"MIPS, spectral", make_energy(t.space, t.rest, test::spectral_mips(), rule), mips, positive, false},
+      {"ARAP", make_energy(m.space, m.rest, test::arap(), rule), arap, moderate, true},
+  };
+}
+
+template <class Check>
+void for_each(const Check& check) {
+  for (const Case& c : cases()) {
+    SCOPED_TRACE(c.name);
+    check(c);
+  }
+}
+
+std::string describe(const Eigen::Matrix2d& j) {
+  return (testing::Message() << "A = " << test::norm_alpha(j) << ", B = " << test::norm_beta(j))
+      .GetString();
+}
+
+TEST(CurvatureModels, SupportsFollowsConvexity) {
+  for_each([](const Case& c) {
+    EXPECT_TRUE(c.term->supports(Curvature::Exact));
+    EXPECT_TRUE(c.term->supports(Curvature::Projected));
+    EXPECT_EQ(c.term->supports(Curvature::Majorizer), c.convex);
+    EXPECT_EQ(c.term->supports(Curvature::PaperMajorizer), c.convex);
+    EXPECT_FALSE(c.term->supports(Curvature::Reweighted));
+  });
+}
+
+TEST(CurvatureModels, ModelsArePositiveSemidefinite) {
+  for_each([](const Case& c) {
+    for (const Curvature curvature :
+         {Curvature::Projected, Curvature::Majorizer, Curvature::PaperMajorizer}) {
+      if (!c.term->supports(curvature)) continue;
+      const auto models = test::point_models(*c.term, c.jacobians, curvature);
+      const auto elements = test::element_models(*c.term, test::corners_of(c.jacobians), curvature);
+      for (std::size_t e = 0; e < models.size(); ++e) {
+        const Matrix4& h = models[e].hessian;
+        EXPECT_GE(test::smallest_eigenvalue(h), -1e-12 * h.trace())
+            << describe(c.jacobians[e]) << ", model " << static_cast<int>(curvature);
+        EXPECT_GT(h.trace(), 0);
+        const Eigen::MatrixXd& full = elements.hessians[e];
+        EXPECT_GE(test::smallest_eigenvalue(full), -1e-12 * full.trace());
+      }
+    }
+  });
+}
+
+// The claim of method.md section 5: clamping coefficients in the (alpha, beta) frame is clamping the
+// eigenvalues of the exact 4x4 Hessian.
+TEST(CurvatureModels, ProjectionIsEigenvalueClamping) {
+  for_each([](const Case& c) {
+    const auto models = test::point_models(*c.term, c.jacobians, Curvature::Projected);
+    int indefinite = 0;
+    for (std::size_t e = 0; e < models.size(); ++e) {
+      const Matrix4 exact = c.oracle(c.jacobians[e]).hessian;
+      indefinite += test::smallest_eigenvalue(exact) < -1e-6 * exact.norm();
+      EXPECT_LE((models[e].hessian - test::clamp_eigenvalues(exact)).norm(),
+                accuracy(c.jacobians[e]) * 4 * exact.norm())
+          << describe(c.jacobians[e]);
+    }
+    EXPECT_GT(indefinite, 20);
+  });
+}
+
+TEST(CurvatureModels, ModelsAreOrdered) {
+  for_each([](const Case& c) {
+    const auto exact = test::point_models(*c.term, c.jacobians, Curvature::Exact);
+    const auto projected = test::point_models(*c.term, c.jacobians, Curvature::Projected);
+    const auto ordered = [&](const auto& small, const auto& large, std::size_t e) {
+      const double tolerance = (kUnit * 64 + 1e-3 * accuracy(c.jacobians[e])) * large[e].hessian.norm();
+      EXPECT_GE(test::smallest_eigenvalue(large[e].hessian - small[e].hessian), -tolerance)
+          << describe(c.jacobians[e]);
+    };
+    for (std::size_t e = 0; e < exact.size(); ++e) ordered(exact, projected, e);
+    if (!c.convex) return;
+    const auto majorizer = test::point_models(*c.term, c.jacobians, Curvature::Majorizer);
+    const auto paper = test::point_models(*c.term, c.jacobians, Curvature::PaperMajorizer);
+    for (std::size_t e = 0; e < exact.size(); ++e) {
+      ordered(exact, majorizer, e);
+      ordered(projected, majorizer, e);
+      ordered(majorizer, paper, e);
+    }
+  });
+}
+
+// [MC20] Eq. A.1 with h'' of the singular values, built from its definition.
+TEST(CurvatureModels, PaperMajorizerIsEquationA1) {
+  const Jacobians jacobians = test::injective_jacobians();
+  const test::Triangles t(jacobians.size());
+  const auto term = make_energy(t.space, t.rest, symmetric_dirichlet_density(), {lattice_rule(1)});
+  const auto models = test::point_models(*term, jacobians, Curvature::PaperMajorizer);
+  Eigen::Matrix<double, 2, 4> p, q;
+  p << 0.5, 0, 0, 0.5, 0, -0.5, 0.5, 0;  // alpha = P x, beta = Q x
+  q << 0.5, 0, 0, -0.5, 0, 0.5, 0.5, 0;
+  int compared = 0;
+  for (std::size_t e = 0; e < jacobians.size(); ++e) {
+    const Eigen::Matrix2d& j = jacobians[e];
+    const double a = test::norm_alpha(j), b = test::norm_beta(j);
+    if (b < 1e-6 * a || test::cancellation(j) > 1e4) continue;
+    ++compared;
+    const test::Vector4 x(j(0, 0), j(0, 1), j(1, 0), j(1, 1));
+    const Vector2 ah = (p * x) / a, bh = (q * x) / b;
+    const Eigen::RowVector4d da = ah.transpose() * p, db = bh.transpose() * q;
+    const Matrix4 hess_a = p.transpose() * (Eigen::Matrix2d::Identity() - ah * ah.transpose()) * p / a;
+    const Matrix4 hess_b = q.transpose() * (Eigen::Matrix2d::Identity() - bh * bh.transpose()) * q / b;
+    const double S = a + b, s = j.determinant() / S;
+    const double hS = 2 * (S - std::pow(S, -3)), hs = 2 * (s - std::pow(s, -3));
+    const Eigen::RowVector4d dS = da + db, ds = da - db;
+    const auto plus = [](double v) { return std::max(v, 0.0); };
+    const auto minus = [](double v) { return std::min(v, 0.0); };
+    const Matrix4 expected = (2 + 6 * std::pow(S, -4)) * dS.transpose() * dS +
+                             (2 + 6 * std::pow(s, -4)) * ds.transpose() * ds +
+                             plus(hS) * (hess_a + hess_b) + plus(hs) * hess_a - minus(hs) * hess_b;
+    EXPECT_LE((models[e].hessian - expected).norm(),
+              1e-9 * expected.norm() + 1e-14 * expected.norm() * a / b)
+        << describe(j);
+  }
+  EXPECT_GT(compared, 120);
+}
+
+// What a majorizer of this family is for: h' is convex in the linearized arguments, so H' bounds the
+// exact Hessian at the same point (sampled; N1: not a global upper bound).
+TEST(CurvatureModels, MajorizerBoundsTheHessianInRandomDirections) {
+  test::Random random(1);
+  for_each([&](const Case& c) {
+    if (!c.convex) return;
+    const auto majorizer = test::point_models(*c.term, c.jacobians, Curvature::Majorizer);
+    for (std::size_t e = 0; e < majorizer.size(); ++e) {
+      const Matrix4 exact = c.oracle(c.jacobians[e]).hessian;
+      for (int k = 0; k < 10; ++k) {
+        const test::Vector4 d = random.vector(4);
+        EXPECT_GE(d.dot(majorizer[e].hessian * d),
+                  d.dot(exact * d) - accuracy(c.jacobians[e]) * 4 * exact.norm() * d.squaredNorm());
+      }
+    }
+  });
+}
+
+}  // namespace
+}  // namespace majorant
