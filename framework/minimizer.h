@@ -29,6 +29,7 @@ struct IterationRecord {
   double gradient_norm = 0;       // before the step, reduced unknowns, Euclidean
   double newton_decrement = 0;    // -g . p, an energy; before the step
   double shift = 0;               // added to the Hessian's diagonal
+  Curvature curvature = Curvature::Projected;  // model that gave the direction
   int trials = 0;                 // energy evaluations of the line search
   struct Seconds {
     double assemble = 0, factorize = 0, solve = 0, line_search = 0;
@@ -51,15 +52,18 @@ struct SolveResult {
 };
 
 // Stopping formulas, with E_k the energy after iteration k, p the Newton direction, g the gradient:
-//   decrement:   -g.p <= decrement |E_{k-1}|                            Converged, no step taken
+//   decrement:   -g.p <= decrement |E_{k-1}|                                Converged, no step taken
 //   small step:  E_{k-1} - E_k <= relative_decrease |E_{k-1}|
-//     and -g.p <= stall_decrement |E_{k-1}|                             Converged
-//     in stall_iterations successive iterations, decrement still larger   Stalled
-//     (an iteration whose certified step is below stall_step counts as one of them)
+//     and -g.p <= tail_factor relative_decrease |E_{k-1}|                   Converged
+//     for a second time, the exact Hessian having been given another chance in between; steps with
+//     the exact Hessian do not count, they converge quadratically to the decrement rule
+//   idle: small step, or a certified step below stall_step, in stall_iterations successive
+//     iterations: Converged if -g.p <= stall_decrement |E_{k-1}|, else Stalled
 //   no step decreases the energy: Converged or Stalled by the same bound on -g.p.
 struct StoppingRules {
   double relative_decrease = 1e-6;
-  double decrement = 1e-14;
+  double tail_factor = 10;
+  double decrement = 1e-12;
   double stall_decrement = 1e-4;
   int stall_iterations = 3;
   double stall_step = 1e-3;

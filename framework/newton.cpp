@@ -138,18 +138,20 @@ NewtonStepper::Step NewtonStepper::step(Vec& y, double& energy) {
     step.outcome = Outcome::AtMinimum;
     return step;
   }
+  if (!try_exact(y, r) && !factorize(y, r)) return step;
   Lap lap;
-  evaluator_.linearize(y, options_.curvature, gradient_, hessian_);
-  r.gradient_norm = gradient_.norm();
-  r.seconds.assemble = lap();
   Vec p;
-  if (!std::isfinite(r.gradient_norm) || !find_direction(r, p)) return step;
+  rhs_ = -gradient_;
+  solver_->solve(rhs_, p);
+  r.seconds.solve = lap();
+  r.gradient_norm = gradient_.norm();
   r.newton_decrement = -gradient_.dot(p);
-  if (r.newton_decrement <= options_.stopping.decrement * std::abs(energy)) {
+  if (!p.allFinite() || !(r.newton_decrement >= 0)) return step;
+  relative_decrement_ = r.newton_decrement / std::abs(energy);
+  if (relative_decrement_ <= options_.stopping.decrement) {
     step.outcome = Outcome::AtMinimum;
     return step;
   }
-  lap();
   LineSearch search(evaluator_, options_, y, p, energy, r.newton_decrement);
   step.outcome = search.find(step);
   r.trials = search.trials();
@@ -159,19 +161,54 @@ NewtonStepper::Step NewtonStepper::step(Vec& y, double& energy) {
     r.energy = energy = search.energy();
     y += r.step * p;
   }
+  // A decrease far below the model's -g.p / 2: the Hessian is misleading here.
+  if (r.curvature == Curvature::Exact && r.relative_decrease < 0.1 * relative_decrement_)
+    pause_exact();
   r.seconds.line_search = lap();
   return step;
 }
 
-// H p = -g; when H is not positive definite, a growing multiple of its mean diagonal is added.
-bool NewtonStepper::find_direction(IterationRecord& record, Vec& p) {
+// Whether the exact Hessian was worth a try and is factorized now. Where the energy is invariant
+// under rotations about the origin, the Hessian's curvature along an infinitesimal rotation is
+// y.g / |y|^2 (differentiate the gradient along it): a shift by that much, when it is negative,
+// vanishes at the minimum and makes up for it.
+bool NewtonStepper::try_exact(const Vec& y, IterationRecord& record) {
+  if (options_.curvature == Curvature::Exact || relative_decrement_ > options_.exact_below ||
+      !evaluator_.problem().supports(Curvature::Exact))
+    return false;
+  if (exact_pause_ > 0) {
+    --exact_pause_;
+    return false;
+  }
   Lap lap;
+  evaluator_.linearize(y, Curvature::Exact, gradient_, hessian_);
+  record.seconds.assemble += lap();
+  record.shift = 1.5 * std::max(0.0, -y.dot(gradient_)) / y.squaredNorm();
+  const FactorStatus status = solver_->factorize(hessian_, record.shift);
+  record.seconds.factorize += lap();
+  record.curvature = Curvature::Exact;
+  if (status == FactorStatus::Ok) return true;
+  pause_exact();
+  return false;
+}
+
+void NewtonStepper::retry_exact() { exact_pause_ = 0; }
+
+void NewtonStepper::pause_exact() { exact_pause_ = 1 << std::min(exact_failures_++, 5); }
+
+// Assembles the chosen curvature; when it is not positive definite numerically, a growing multiple
+// of its mean diagonal is added.
+bool NewtonStepper::factorize(const Vec& y, IterationRecord& record) {
+  Lap lap;
+  evaluator_.linearize(y, options_.curvature, gradient_, hessian_);
+  record.curvature = options_.curvature;
+  record.seconds.assemble += lap();
   const SparsePattern& pattern = evaluator_.problem().pattern();
   double diagonal = 0;
   for (Index c = 0; c < pattern.size; ++c)
     diagonal += std::abs(hessian_[pattern.column_starts[static_cast<std::size_t>(c)]]);
   diagonal /= pattern.size;
-  if (!std::isfinite(diagonal)) return false;
+  if (!std::isfinite(diagonal) || !gradient_.allFinite()) return false;
   FactorStatus status = FactorStatus::NotPositiveDefinite;
   double shift = 0;
   for (int attempt = 0; attempt < 16; ++attempt) {
@@ -180,12 +217,8 @@ bool NewtonStepper::find_direction(IterationRecord& record, Vec& p) {
     shift = shift == 0 ? 1e-14 * diagonal : 10 * shift;
   }
   record.shift = shift;
-  record.seconds.factorize = lap();
-  if (status != FactorStatus::Ok) return false;
-  rhs_ = -gradient_;
-  solver_->solve(rhs_, p);
-  record.seconds.solve = lap();
-  return p.allFinite() && gradient_.dot(p) <= 0;
+  record.seconds.factorize += lap();
+  return status == FactorStatus::Ok;
 }
 
 SolveResult run(NewtonStepper& stepper, Vec y0, const StoppingRules& rules,
@@ -210,6 +243,7 @@ SolveResult run(NewtonStepper& stepper, Vec y0, const StoppingRules& rules,
     return finish(Status::Infeasible, "the start lies outside the energy's domain");
 
   int idle = 0;
+  bool polished = false;
   for (int k = 1; k <= rules.max_iterations; ++k) {
     const double scale = std::abs(result.energy);
     NewtonStepper::Step step = stepper.step(result.y, result.energy);
@@ -226,10 +260,17 @@ SolveResult run(NewtonStepper& stepper, Vec y0, const StoppingRules& rules,
     result.iterations.push_back(step.record);
     const Directive directive = observer ? observer(step.record, result.y) : Directive::Continue;
     const bool small_decrease = step.record.relative_decrease <= rules.relative_decrease;
-    if (small_decrease && near) return finish(Status::Converged, "relative decrease");
+    const bool exact = step.record.curvature == Curvature::Exact;
+    if (small_decrease && !exact &&
+        result.newton_decrement <= rules.tail_factor * rules.relative_decrease * scale) {
+      if (polished) return finish(Status::Converged, "relative decrease");
+      stepper.retry_exact();
+      polished = true;
+    }
     idle = small_decrease || step.record.step_bound < rules.stall_step ? idle + 1 : 0;
     if (idle >= rules.stall_iterations)
-      return finish(Status::Stalled, "held at the limit of the feasible set");
+      return near ? finish(Status::Converged, "relative decrease")
+                  : finish(Status::Stalled, "held at the limit of the feasible set");
     if (directive == Directive::TimeLimit) return finish(Status::TimeLimit, "time limit");
     if (directive == Directive::Interrupt) return finish(Status::Interrupted, "interrupted");
   }

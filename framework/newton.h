@@ -7,6 +7,7 @@
 // keeps the symbolic factorization. Not for problems without a sparse Hessian.
 #pragma once
 
+#include <limits>
 #include <memory>
 
 #include "majorant/framework/evaluator.h"
@@ -17,6 +18,10 @@ namespace majorant {
 
 struct NewtonOptions {
   Curvature curvature = Curvature::Projected;
+  // Near a minimum (last -g.p <= exact_below * |E|) the exact Hessian is tried first, where all
+  // terms support it and it is positive definite: the tail converges quadratically instead of
+  // linearly. 0 switches this off.
+  double exact_below = 1e-4;
   StoppingRules stopping;
   double armijo = 1e-4;            // accept s when E(s) <= E(0) + armijo * s * g.p
   double boundary_fraction = 0.95; // of the largest certified step is used, when that is the limit
@@ -49,18 +54,24 @@ class NewtonStepper {
   // One Newton step from y, which must be feasible; energy of y in, energy of the new y out.
   Step step(Vec& y, double& energy);
 
+  // Lets the next step try the exact Hessian, whatever happened before.
+  void retry_exact();
+
   Evaluator& evaluator() { return evaluator_; }
   const LinearSolver& linear_solver() const { return *solver_; }
 
  private:
-  bool find_direction(IterationRecord& record, Vec& p);
+  bool try_exact(const Vec& y, IterationRecord& record);
+  void pause_exact();
+  bool factorize(const Vec& y, IterationRecord& record);
   class LineSearch;
 
   NewtonOptions options_;
   Evaluator evaluator_;
   std::unique_ptr<LinearSolver> solver_;
   Vec gradient_, hessian_, rhs_;
-  double shift_ = 0;
+  double relative_decrement_ = std::numeric_limits<double>::infinity();  // of the last step
+  int exact_pause_ = 0, exact_failures_ = 0;  // after a failure wait, longer each time
 };
 
 // Steps until a stopping rule or the observer says so. y0 must be feasible for the stepper's

@@ -69,12 +69,25 @@ void require_injective(const BezierMap& map, const std::string& what) {
                             map.mesh().input_vertex(vertices.blocking.front()) + 1));
 }
 
+// Translations are free when nothing holds the map; then vertex 0 is held, at the origin.
+bool needs_gauge(const ParametrizationOptions& options) {
+  return options.boundary == BoundaryCondition::Free && options.pins.empty();
+}
+
+Vec moved(Vec x, const Vector2& by) {
+  for (Index k = 0; k < x.size(); k += 2) x.segment<2>(k) += by;
+  return x;
+}
+
 // One degree after the other, from 1 (or, when asked, directly at the highest).
 class Run {
  public:
   Run(const BezierMap& start, const ParametrizationOptions& options, RunRecord& record)
       : options_(options), record_(record), scale_(normalizing_scale(start.mesh())),
-        map_(start.shared_mesh(), start.shared_space(), start.control_points() * scale_) {
+        origin_(needs_gauge(options) ? Vector2(start.control_points().head<2>())
+                                     : Vector2(Vector2::Zero())),
+        map_(start.shared_mesh(), start.shared_space(),
+             moved(start.control_points(), -origin_) * scale_) {
     setup_.rest = flat_triangles(start.mesh().positions() * scale_, start.mesh().faces());
     setup_.options = options;
     setup_.pins = place_pins(start.mesh(), options.pins, start.control_points());
@@ -126,7 +139,8 @@ class Run {
     result_.message = solved.message;
     result_.value_quadrature = solved.energy;
     result_.newton_decrement = solved.newton_decrement / std::abs(solved.energy);
-    result_.map = BezierMap(map_.shared_mesh(), map_.shared_space(), map_.control_points() / scale_);
+    result_.map = BezierMap(map_.shared_mesh(), map_.shared_space(),
+                            moved(map_.control_points() / scale_, origin_));
     const double started = record_.seconds();
     result_.measures = measure(*result_.map, options_.energy);
     result_.measure_seconds = record_.seconds() - started;
@@ -139,7 +153,8 @@ class Run {
   const ParametrizationOptions& options_;
   RunRecord& record_;
   double scale_;
-  BezierMap map_;  // normalised
+  Vector2 origin_;  // model units; where the held vertex of a free map is, else 0
+  BezierMap map_;   // normalised: (uv - origin) * scale
   DegreeSolver::Setup setup_;
   ParametrizationResult result_;
 };

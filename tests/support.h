@@ -7,6 +7,7 @@
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif
 
+#include <Eigen/LU>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <numbers>

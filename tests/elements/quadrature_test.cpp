@@ -69,7 +69,7 @@ TEST(Quadrature, LatticeIsExactForLinearFunctions) {
   for (const int m : {1, 2, 3, 8, 12, 40}) {
     const Quadrature q = lattice_rule(m);
     EXPECT_EQ(q.size(), m * (m + 1) / 2);
-    EXPECT_EQ(exactness(q), 1);
+    EXPECT_EQ(exactness(q), m == 2 ? 2 : 1);
     EXPECT_GT(q.points.minCoeff(), 0);  // none on the boundary
     expect_sound(q);
     expect_symmetric(q);

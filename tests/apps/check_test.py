@@ -1,0 +1,200 @@
+"""check: passes on what parametrize wrote, exits 5 on every kind of tampering."""
+import json
+import os
+
+from command_helpers import *
+
+
+class Check(CommandTest):
+    @classmethod
+    def setUpClass(cls):
+        cls.shared = tempfile.mkdtemp(prefix='majorant_check_')
+        cls.addClassCleanup(shutil.rmtree, cls.shared)
+        cls.mesh = generated('cap')
+        pins = os.path.join(cls.shared, 'pins.json')
+        with open(pins, 'w') as f:
+            json.dump({'handles': [{'vertex': v, 'target': 'initial'} for v in (100, 150)]}, f)
+        cls.results = {}
+        for name, options in {'free1': ['--degree', '1'], 'free3': ['--degree', '3'],
+                              'pins1': ['--degree', '1', '--pins', pins],
+                              'pins2': ['--degree', '2', '--pins', pins],
+                              'fixed1': ['--degree', '1', '--boundary', 'fixed'],
+                              'fixed3': ['--degree', '3', '--boundary', 'fixed']}.items():
+            cls.results[name] = os.path.join(cls.shared, name + '.vtu')
+            outcome = majorant('parametrize', '--quiet', cls.mesh, '-o', cls.results[name], *options)
+            assert outcome.code == OK, outcome.err
+
+    def tampered(self, name, change, says=''):
+        """Applies `change` to a fresh copy of a result; check must exit 5 and say why."""
+        vtu = Vtu(self.results[name])
+        change(vtu)
+        path = vtu.write(self.path(name + '_tampered.vtu'))
+        self.refused(INVALID, 'check', path, says=[path, 'invalid', says])
+        return path
+
+    def test_untouched_results_pass(self):
+        for name, path in self.results.items():
+            report = self.path('report.json')
+            outcome = self.run_ok('check', path, '--surface', self.mesh, '--report', report)
+            self.assertEqual(outcome.out, '')
+            with open(report) as f:
+                data = json.load(f)
+            self.assertEqual((data['schema_version'], data['command'], data['status']),
+                             (1, 'check', 'valid'))
+            self.assertEqual(data['findings'], [])
+            self.assertTrue(data['result']['locally_injective'])
+            self.assertAlmostEqual(data['result']['value'], Vtu(path).claims['value'], delta=1e-9)
+
+    def test_the_helpers_do_no_harm(self):
+        # Written again without a change: whatever fails below is the tampering.
+        for name in self.results:
+            path = Vtu(self.results[name]).write(self.path('copy.vtu'))
+            with open(self.results[name], 'rb') as f:
+                self.assertEqual(self.read('copy.vtu').split(b'<Piece')[1],
+                                 f.read().split(b'<Piece')[1])
+            self.run_ok('check', path, '--surface', self.mesh)
+
+    def test_a_flipped_triangle(self):
+        def swap(vtu):
+            a, b = vtu.cells()[200][:2]
+            uv = vtu.arrays['uv']
+            for c in (0, 1):
+                uv[2 * a + c], uv[2 * b + c] = uv[2 * b + c], uv[2 * a + c]
+        for name in ('free1', 'free3'):
+            self.tampered(name, swap, 'det J')
+
+    def test_an_inner_control_point_far_away(self):
+        def move(vtu):
+            vtu.arrays['uv'][2 * vtu.cells()[200][-1]] += 3
+        self.tampered('free3', move, 'det J')
+
+    def test_broken_continuity(self):
+        for name in ('free1', 'free3'):
+            def tear(vtu, local):
+                # Cell 200 gets its own copy of one point, a little elsewhere in the plane.
+                point = vtu.cells()[200][local]
+                size = len(vtu.cells()[0])
+                for array in ('uv', 'Points', 'input_vertex'):
+                    k = vtu.components[array]
+                    vtu.arrays[array] += vtu.arrays[array][k * point:k * (point + 1)]
+                vtu.arrays['uv'][-1] += 1e-3
+                vtu.arrays['connectivity'][200 * size + local] = len(vtu.rows('uv')) - 1
+            if name == 'free3':
+                self.tampered(name, lambda vtu: tear(vtu, 3), 'continuous')  # an edge's point
+            self.tampered(name, lambda vtu: tear(vtu, 0))                    # a corner
+
+    def test_a_moved_pin(self):
+        def move(vtu):
+            point = vtu.arrays['input_vertex'].index(100)
+            vtu.arrays['uv'][2 * point] += 1e-5
+        for name in ('pins1', 'pins2'):
+            self.tampered(name, move, 'pin of vertex 100')
+
+    def test_a_pin_that_is_not_there(self):
+        def claim(vtu):
+            vtu.claims['pins'].append({'vertex': 120, 'target': [7, 7]})
+        self.tampered('pins1', claim, 'pin of vertex 120')
+
+    def test_a_lie_about_the_energy(self):
+        for factor in (0.99, 1.01, 1.001):
+            def lie(vtu):
+                vtu.claims['value'] *= factor
+            self.tampered('free3', lie, 'energy')
+        vtu = Vtu(self.results['free3'])  # what energies are good to is no lie
+        vtu.claims['value'] *= 1 + 1e-6
+        self.run_ok('check', vtu.write(self.path('close.vtu')))
+
+    def test_a_lie_about_the_degree(self):
+        self.tampered('free3', lambda vtu: vtu.claims.update(degree=2), 'degree')
+
+    def test_a_moved_fixed_boundary(self):
+        for name in ('fixed1', 'fixed3'):
+            def move(vtu):
+                edges = {}
+                n = vtu.claims['degree']
+                for cell in vtu.cells():
+                    for k in range(3):
+                        a, b = cell[k], cell[(k + 1) % 3]
+                        inner = cell[3 + k * (n - 1)] if n > 1 else a
+                        edges.setdefault((min(a, b), max(a, b)), []).append(inner)
+                point = next(e[0] for e in edges.values() if len(e) == 1)
+                vtu.arrays['uv'][2 * point + 1] += 1e-6
+            self.tampered(name, move, 'boundary')
+
+    def test_a_free_boundary_that_claims_to_be_fixed(self):
+        self.tampered('free3', lambda vtu: vtu.claims.update(boundary='fixed'), 'boundary')
+
+    def test_claims_that_cannot_be_decided(self):
+        for claim in ('bijective', 'seams'):
+            self.tampered('free1', lambda vtu: vtu.claims.update({claim: True}), claim)
+        self.refused(INVALID, 'check', self.results['free1'], '--certify', says='global')
+
+    def test_claims_of_the_wrong_type(self):
+        for wrong in ({'value': 'four'}, {'pins': [{'vertex': 3}]}, {'pins': 7}, {'degree': 'three'},
+                      {'pins': [{'vertex': 3, 'target': [0]}]}):
+            self.tampered('pins1', lambda vtu: vtu.claims.update(wrong))
+
+    def test_a_bent_surface(self):
+        def bend(vtu):
+            vtu.arrays['Points'][3 * vtu.cells()[200][-1] + 2] += 0.05
+        self.tampered('free3', bend, 'flat')
+
+    def test_another_surface(self):
+        for other in ('wavy_disk', 'tube'):
+            self.refused(INVALID, 'check', self.results['free3'], '--surface', generated(other),
+                         says='surface')
+        v, _, faces, _ = read_obj(self.mesh)
+        moved = [tuple(p) for p in v]
+        moved[17] = (moved[17][0] + 1e-3, moved[17][1], moved[17][2])
+        for points, polygons in ((moved, faces), (v, faces + [(0, 1, 2)]), (v, faces[:-1])):
+            path = self.write('other.obj', obj_text(points, polygons))
+            self.refused(INVALID, 'check', self.results['free3'], '--surface', path)
+
+    def test_a_face_that_is_mapped_as_another(self):
+        # Right vertices for another cell: what --surface compares must include the face's corners.
+        def exchange(vtu):
+            f = vtu.arrays['input_face']
+            f[3], f[200] = f[200], f[3]
+        vtu = Vtu(self.results['free3'])
+        exchange(vtu)
+        self.refused(INVALID, 'check', vtu.write(self.path('exchanged.vtu')), '--surface', self.mesh)
+
+    def test_a_missing_cell(self):
+        def drop(vtu):
+            size = len(vtu.cells()[0])
+            del vtu.arrays['connectivity'][-size:]
+            for name in ('offsets', 'types', 'input_face', 'distortion', 'min_det'):
+                vtu.arrays[name].pop()
+            vtu.text = vtu.text.replace('NumberOfCells="486"', 'NumberOfCells="485"')
+        vtu = Vtu(self.results['free1'])
+        drop(vtu)
+        path = vtu.write(self.path('dropped.vtu'))
+        self.refused(INVALID, 'check', path, '--surface', self.mesh)
+
+    def test_an_obj_result(self):
+        self.run_ok('convert', self.results['free1'], '-o', self.path('out.obj'))
+        self.run_ok('check', self.path('out.obj'))
+        self.run_ok('check', self.path('out.obj'), '--surface', self.mesh)
+        text = self.read('out.obj').decode().split('\n')
+        first = next(k for k, line in enumerate(text) if line.startswith('vt '))
+        text[first + 30] = 'vt 50 50'
+        self.refused(INVALID, 'check', self.write('bad.obj', '\n'.join(text)), says='bad.obj')
+        self.refused(UNREADABLE, 'check', self.mesh)  # no texture coordinates: not a result
+
+    def test_the_report_of_a_failure(self):
+        path = self.tampered('free1', lambda vtu: vtu.claims.update(value=3.0))
+        report = self.path('report.json')
+        self.refused(INVALID, 'check', path, '--report', report)
+        with open(report) as f:
+            data = json.load(f)
+        self.assertEqual(data['status'], 'invalid')
+        self.assertEqual(len(data['findings']), 1)
+        self.assertIn('energy', data['message'])
+
+    def test_quiet(self):
+        outcome = self.run_ok('check', '--quiet', self.results['free1'])
+        self.assertEqual((outcome.out, outcome.err), ('', ''))
+
+
+if __name__ == '__main__':
+    main()

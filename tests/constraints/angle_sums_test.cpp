@@ -1,0 +1,116 @@
+// Sector angles around vertices: double covers and overlapping boundaries.
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "majorant/constraints/local_injectivity.h"
+#include "support.h"
+
+namespace majorant {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+// A fan of `count` triangles around vertex 0; vertices 1.. on a circle, `turns` times around.
+struct Fan {
+  Fan(int count, double turns, bool closed, int degree) {
+    const int rim = closed ? count : count + 1;
+    faces.resize(count, 3);
+    uv.resize(rim + 1, 2);
+    uv.row(0).setZero();
+    for (int k = 0; k < rim; ++k) {
+      const double t = 2 * kPi * turns * k / count;
+      uv.row(k + 1) << std::cos(t), std::sin(t);
+    }
+    for (int k = 0; k < count; ++k) faces.row(k) << 0, 1 + k, 1 + (k + 1) % rim;
+    space = std::make_shared<const BezierTriangleSpace>(faces, rim + 1, degree);
+    x = test::linear_map(*space, uv);
+  }
+  Cells faces;
+  Points2 uv;
+  std::shared_ptr<const BezierTriangleSpace> space;
+  Vec x;
+};
+
+class Angles : public testing::TestWithParam<int> {};
+
+TEST_P(Angles, InjectiveMapsSumToFullTurnsInside) {
+  const test::Mesh mesh = test::grid(4, 4, 0.25);
+  const auto space = std::make_shared<const BezierTriangleSpace>(mesh.faces, 25, GetParam());
+  test::Random random(1);
+  Vec x = test::linear_map(*space, test::flat(mesh.positions));
+  x += 0.05 / GetParam() * random.vector(x.size());
+  ASSERT_TRUE(LocalInjectivity(space, test::rest_determinants(mesh)).check(x).feasible);
+  const Vec sums = vertex_angle_sums(*space, x);
+  ASSERT_EQ(sums.size(), 25);
+  for (int j = 1; j < 4; ++j)
+    for (int i = 1; i < 4; ++i) EXPECT_NEAR(sums[5 * j + i], 2 * kPi, 1e-13);
+  EXPECT_TRUE(AngleSums(space, AngleSums::Vertices::Interior).check(x).feasible);
+  EXPECT_TRUE(AngleSums(space, AngleSums::Vertices::Boundary).check(x).feasible);
+  // Straight sides have half turns, corners quarter turns, before the perturbation.
+  const Vec flat = vertex_angle_sums(*space, test::linear_map(*space, test::flat(mesh.positions)));
+  EXPECT_NEAR(flat[2], kPi, 1e-13);
+  EXPECT_NEAR(flat[0], kPi / 2, 1e-13);
+}
+
+// All determinants are positive, yet the map covers the disk twice.
+TEST_P(Angles, DoubleCoversAreRefused) {
+  const Fan fan(7, 2, true, GetParam());
+  EXPECT_TRUE(LocalInjectivity(fan.space, Vec::Ones(7)).check(fan.x).feasible);
+  EXPECT_NEAR(vertex_angle_sums(*fan.space, fan.x)[0], 4 * kPi, 1e-12);
+  const Verdict v = AngleSums(fan.space, AngleSums::Vertices::Interior).check(fan.x);
+  EXPECT_FALSE(v.feasible);
+  EXPECT_EQ(v.blocking, std::vector<Index>{0});
+  EXPECT_LT(v.margin, 0);
+  EXPECT_TRUE(AngleSums(fan.space, AngleSums::Vertices::Boundary).check(fan.x).feasible);
+
+  const Fan single(7, 1, true, GetParam());
+  EXPECT_TRUE(AngleSums(single.space, AngleSums::Vertices::Interior).check(single.x).feasible);
+}
+
+TEST_P(Angles, BoundaryVerticesMayNotPassAFullTurn) {
+  const AngleSums::Vertices boundary = AngleSums::Vertices::Boundary;
+  for (const double turns : {0.3, 0.99, 1.01, 1.5}) {
+    const Fan fan(8, turns, false, GetParam());
+    EXPECT_TRUE(LocalInjectivity(fan.space, Vec::Ones(8)).check(fan.x).feasible);
+    EXPECT_NEAR(vertex_angle_sums(*fan.space, fan.x)[0], 2 * kPi * turns, 1e-12);
+    const Verdict v = AngleSums(fan.space, boundary).check(fan.x);
+    EXPECT_EQ(v.feasible, turns < 1);
+    EXPECT_EQ(v.blocking, turns > 1 ? std::vector<Index>{0} : std::vector<Index>{});
+    EXPECT_TRUE(AngleSums(fan.space, AngleSums::Vertices::Interior).check(fan.x).feasible);
+  }
+}
+
+TEST_P(Angles, NaNIsInfeasible) {
+  Fan fan(7, 1, true, GetParam());
+  fan.x[0] = std::nan("");
+  EXPECT_FALSE(AngleSums(fan.space, AngleSums::Vertices::Interior).check(fan.x).feasible);
+}
+
+INSTANTIATE_TEST_SUITE_P(Degrees, Angles, testing::Values(1, 2, 3, 5));
+
+// Tangents count, not chords (method.md N4): bend one edge of a quadratic corner.
+TEST(AngleSums, AreMeasuredBetweenTangents) {
+  Cells face(1, 3);
+  face << 0, 1, 2;
+  const BezierTriangleSpace space(face, 3, 2);
+  Points2 corners(3, 2);
+  corners << 0, 0, 1, 0, 0, 1;
+  Vec x = test::linear_map(space, corners);
+  EXPECT_NEAR(vertex_angle_sums(space, x)[0], kPi / 2, 1e-15);
+  x.segment<2>(2 * space.cells()(0, 3)) = Vector2(0.5, -0.5);  // edge 01 leaves at -45 degrees
+  const Vec sums = vertex_angle_sums(space, x);
+  EXPECT_NEAR(sums[0], 0.75 * kPi, 1e-15);
+  EXPECT_NEAR(sums[1], 0.5 * kPi, 1e-15);  // between (-1, -1) and (-1, 1)
+  EXPECT_NEAR(sums[2], 0.25 * kPi, 1e-15);
+}
+
+TEST(AngleSums, DoNotRestrictSteps) {
+  const Fan fan(5, 1, true, 1);
+  const StepBound b = AngleSums(fan.space, AngleSums::Vertices::Interior).max_step(fan.x, fan.x, 0.7);
+  EXPECT_EQ(b.step, 0.7);
+  EXPECT_TRUE(b.blocking.empty());
+}
+
+}  // namespace
+}  // namespace majorant

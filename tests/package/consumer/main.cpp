@@ -1,0 +1,23 @@
+// The library as an installed package sees it: a mesh in, an energy out.
+#include <cstdio>
+#include <memory>
+
+#include "majorant/framework/error.h"
+#include "majorant/io/read_mesh.h"
+#include "majorant/parametrization/initial_map.h"
+#include "majorant/parametrization/parametrize.h"
+
+int main(int argc, char** argv) try {
+  if (argc != 2) return 1;
+  const auto mesh = std::make_shared<const majorant::SurfaceMesh>(
+      majorant::SurfaceMesh::from_polygons(majorant::read_mesh(argv[1])));
+  majorant::ParametrizationOptions options;
+  options.degree = 3;
+  options.initial = majorant::tutte_map(*mesh);  // memory of the library, freed here
+  const majorant::ParametrizationResult result = majorant::parametrize(mesh, options);
+  std::printf("%.17g\n", result.measures.value);
+  return result.status == majorant::Status::Converged ? 0 : 4;
+} catch (const majorant::Error& e) {
+  std::fprintf(stderr, "%s\n", e.what());
+  return 3;
+}

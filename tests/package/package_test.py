@@ -1,0 +1,88 @@
+"""Installs the build, builds a program against the package, compares it with the command."""
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+BINARY = os.environ.get('MAJORANT_BINARY', '')
+SOURCE = os.environ.get('MAJORANT_SOURCE_DIR', '')
+BUILD = os.environ.get('MAJORANT_BUILD_DIR', '')
+CONSUMER = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'consumer')
+
+
+class Package(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.mkdtemp(prefix='majorant_package_')
+        cls.addClassCleanup(shutil.rmtree, cls.folder)
+        cls.prefix = os.path.join(cls.folder, 'prefix')
+        cls.build = os.path.join(cls.folder, 'build')
+        cls.do('cmake', '--install', BUILD, '--prefix', cls.prefix)
+        cls.do('cmake', '-S', CONSUMER, '-B', cls.build, '-DCMAKE_BUILD_TYPE=Release',
+               '-DCMAKE_PREFIX_PATH=' + cls.prefix)
+        cls.do('cmake', '--build', cls.build)
+
+    @staticmethod
+    def do(*command):
+        done = subprocess.run(command, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        assert done.returncode == 0, '%s: %d\n%s' % (command, done.returncode, done.stdout)
+        return done.stdout
+
+    def installed(self):
+        for folder, _, files in os.walk(self.prefix):
+            for name in files:
+                yield os.path.join(folder, name)
+
+    def test_the_consumer_gets_the_value_of_the_command(self):
+        for name in ('cap', 'tube'):
+            mesh = os.path.join(SOURCE, 'meshes', name + '.obj')
+            report = os.path.join(self.folder, 'report.json')
+            self.do(BINARY, 'parametrize', '--quiet', mesh, '-o', report, '--degree', '3')
+            with open(report) as f:
+                expected = json.load(f)['result']['value']
+            value = float(self.do(os.path.join(self.build, 'consumer'), mesh))
+            # Inline code of the headers is compiled with other flags: the last digits may differ.
+            self.assertAlmostEqual(value / expected, 1, delta=1e-9)
+
+    def test_errors_cross_the_border(self):
+        done = subprocess.run([os.path.join(self.build, 'consumer'), '/nonexistent/mesh.obj'], text=True,
+                              stderr=subprocess.PIPE)
+        self.assertEqual(done.returncode, 3)
+        self.assertIn('/nonexistent/mesh.obj', done.stderr)
+
+    def test_the_installed_command_runs(self):
+        self.assertIn('majorant', self.do(os.path.join(self.prefix, 'bin', 'majorant'), '--version'))
+
+    def test_the_package_does_not_point_back(self):
+        names = list(self.installed())
+        self.assertTrue(any(n.endswith('majorantConfig.cmake') for n in names))
+        for name in names:
+            if name.endswith('.cmake'):
+                with open(name) as f:
+                    text = f.read()
+                for place in (SOURCE + '/', BUILD + '/'):
+                    self.assertNotIn(place, text, name)
+
+    def test_headers_include_installed_headers(self):
+        headers = [n for n in self.installed() if n.endswith('.h')]
+        self.assertGreater(len(headers), 20)
+        root = os.path.join(self.prefix, 'include')
+        missing = []
+        for header in headers:  # what a header includes of ours is installed, too
+            with open(header) as f:
+                for line in f:
+                    if line.startswith('#include "'):
+                        included = line.split('"')[1]
+                        self.assertTrue(included.startswith('majorant/'), header + ': ' + line)
+                        if not os.path.exists(os.path.join(root, included)):
+                            missing.append('%s: %s' % (header, included))
+        self.assertEqual(missing, [])
+
+
+if __name__ == '__main__':
+    if not os.path.exists(BINARY) or not os.path.isdir(BUILD):
+        sys.exit('set MAJORANT_BINARY and MAJORANT_BUILD_DIR')
+    unittest.main()
