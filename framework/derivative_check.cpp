@@ -81,6 +81,70 @@ constexpr std::array<std::pair<Curvature, const char*>, 4> kSemidefinite{
      {Curvature::PaperMajorizer, "paper-majorizer"},
      {Curvature::Reweighted, "reweighted"}}};
 
+// All comparisons of one element.
+class ElementCheck {
+ public:
+  ElementCheck(const EnergyTerm& term, const TermState& state, Index element, VecIn x)
+      : term_(term), element_(element), x_(x), probe_(term, state, element) {
+    exact_ = term.supports(Curvature::Exact);
+    Curvature model = Curvature::Exact;
+    for (const auto& c : kSemidefinite)
+      if (!exact_ && term.supports(c.first)) model = c.first;
+    at_ = probe_.local(x_, model);
+    for (const Index i : probe_.unknowns())
+      for (const Index j : probe_.unknowns()) size_ = std::max(size_, std::abs(x_[i] - x_[j]));
+    if (size_ == 0) size_ = 1;
+    gradient_scale_ = at_.gradient.cwiseAbs().maxCoeff() + std::abs(at_.value) / size_;
+    hessian_scale_ = at_.hessian.cwiseAbs().maxCoeff() + gradient_scale_ / size_;
+  }
+
+  void run() {
+    const double f = probe_.value(x_);
+    gradient.update(std::abs(at_.value - f) / (gradient_scale_ * size_), element_, "value",
+                    at_.value, f);
+    for (int i = 0; i < at_.gradient.size(); ++i) differences(i);
+    for (const auto& [curvature, label] : kSemidefinite) {
+      if (!term_.supports(curvature)) continue;
+      const Eigen::MatrixXd k = probe_.local(x_, curvature).hessian;
+      const double lowest = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(k).eigenvalues()[0];
+      definite.update(std::max(0.0, -lowest) / hessian_scale_, element_,
+                      fmt::format("curvature {}", label), lowest, 0);
+    }
+  }
+
+  Worst gradient, hessian, definite;
+
+ private:
+  // Central differences by local unknown i.
+  void differences(int i) {
+    const double h = 1e-5 * size_;
+    const Index u = probe_.unknowns()[static_cast<std::size_t>(i)];
+    const double here = x_[u];
+    x_[u] = here + h;
+    const double f_above = probe_.value(x_);
+    const Vec g_above = exact_ ? probe_.local(x_, Curvature::Exact).gradient : Vec();
+    x_[u] = here - h;
+    const double g = (f_above - probe_.value(x_)) / (2 * h);
+    gradient.update(std::abs(at_.gradient[i] - g) / gradient_scale_, element_,
+                    fmt::format("gradient[{}]", i), at_.gradient[i], g);
+    if (exact_) {
+      const Vec column = (g_above - probe_.local(x_, Curvature::Exact).gradient) / (2 * h);
+      for (int j = 0; j < column.size(); ++j)
+        hessian.update(std::abs(at_.hessian(j, i) - column[j]) / hessian_scale_, element_,
+                       fmt::format("hessian({}, {})", j, i), at_.hessian(j, i), column[j]);
+    }
+    x_[u] = here;
+  }
+
+  const EnergyTerm& term_;
+  Index element_;
+  Vec x_;
+  ElementProbe probe_;
+  LocalValues at_;
+  bool exact_ = false;
+  double size_ = 0, gradient_scale_ = 0, hessian_scale_ = 0;
+};
+
 }  // namespace
 
 std::string DerivativeReport::message() const {
@@ -94,54 +158,12 @@ std::string DerivativeReport::message() const {
 DerivativeReport check_derivatives(const EnergyTerm& term, VecIn x, double tolerance,
                                    const TermState& state) {
   DerivativeReport report;
-  Vec y = x;
-  const bool exact = term.supports(Curvature::Exact);
   for (Index e = 0; e < term.stencils().element_count(); ++e) {
-    ElementProbe probe(term, state, e);
-    const auto n = static_cast<int>(probe.unknowns().size());
-    Curvature first = Curvature::Exact;
-    for (const auto& c : kSemidefinite)
-      if (!exact && term.supports(c.first)) first = c.first;
-    const LocalValues at = probe.local(x, first);
-    double size = 0;
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; j < i; ++j)
-        size = std::max(size, std::abs(x[probe.unknowns()[static_cast<std::size_t>(i)]] -
-                                       x[probe.unknowns()[static_cast<std::size_t>(j)]]));
-    if (size == 0) size = 1;
-    const double h = 1e-5 * size;
-    const double g_scale = at.gradient.cwiseAbs().maxCoeff() + std::abs(at.value) / size;
-    const double h_scale = at.hessian.cwiseAbs().maxCoeff() + g_scale / size;
-    Worst gradient, hessian, definite;
-    gradient.update(std::abs(at.value - probe.value(x)) / (g_scale * size), e, "value", at.value,
-                    probe.value(x));
-    for (int i = 0; i < n; ++i) {
-      const Index u = probe.unknowns()[static_cast<std::size_t>(i)];
-      y[u] = x[u] + h;
-      const double above = probe.value(y);
-      const Vec g_above = exact ? probe.local(y, Curvature::Exact).gradient : Vec();
-      y[u] = x[u] - h;
-      const double g = (above - probe.value(y)) / (2 * h);
-      gradient.update(std::abs(at.gradient[i] - g) / g_scale, e, fmt::format("gradient[{}]", i),
-                      at.gradient[i], g);
-      if (exact) {
-        const Vec column = (g_above - probe.local(y, Curvature::Exact).gradient) / (2 * h);
-        for (int j = 0; j < n; ++j)
-          hessian.update(std::abs(at.hessian(j, i) - column[j]) / h_scale, e,
-                         fmt::format("hessian({}, {})", j, i), at.hessian(j, i), column[j]);
-      }
-      y[u] = x[u];
-    }
-    for (const auto& [curvature, label] : kSemidefinite) {
-      if (!term.supports(curvature)) continue;
-      const Eigen::MatrixXd k = probe.local(x, curvature).hessian;
-      const double lowest = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(k).eigenvalues()[0];
-      definite.update(std::max(0.0, -lowest) / h_scale, e, fmt::format("curvature {}", label),
-                      lowest, 0);
-    }
-    report.gradient_error = std::max(report.gradient_error, gradient.error);
-    report.hessian_error = std::max(report.hessian_error, hessian.error);
-    for (const Worst* worst : {&gradient, &hessian, &definite})
+    ElementCheck check(term, state, e, x);
+    check.run();
+    report.gradient_error = std::max(report.gradient_error, check.gradient.error);
+    report.hessian_error = std::max(report.hessian_error, check.hessian.error);
+    for (const Worst* worst : {&check.gradient, &check.hessian, &check.definite})
       if (worst->error > tolerance) report.mismatches.push_back(worst->mismatch);
   }
   return report;

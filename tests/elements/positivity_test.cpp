@@ -182,7 +182,7 @@ TEST_P(LargestStep, IsPositiveBeforeAndTightWithBisection) {
   const int m = GetParam(), n = 2 * (m - 1);
   Random random(static_cast<unsigned>(m));
   int limited = 0, improved = 0;
-  for (int trial = 0; trial < 12; ++trial) {
+  for (int trial = 0; trial < (m == 1 ? 60 : 12); ++trial) {
     const Line line = random_line(random, m, 1.0);
     if (certify_positive(n, line.p[0].data(), 0, 8).result != Positivity::Certified) continue;
     const double quick = step_of(n, line, 1, 0), step = step_of(n, line, 1, 8);
@@ -217,6 +217,8 @@ TEST(LargestStep, ExactRoots) {
   EXPECT_DOUBLE_EQ(step(1, -2, 1, 10), 1);            // a double root is a zero
   EXPECT_DOUBLE_EQ(step(1e-30, -1, 1, 10), 1e-30);    // no cancellation
   EXPECT_DOUBLE_EQ(step(1, 1, -1e-20, 1e30), 1e20);
+  EXPECT_DOUBLE_EQ(step(1e-18, 1, -1, 10), 1);        // a triangle of relative area 1e-18
+  EXPECT_DOUBLE_EQ(step(1e-13, 1, -1, 10), 1 + 1e-13);
   EXPECT_EQ(step(0, 1, 1, 10), 0);
   EXPECT_EQ(step(-1, 5, 0, 10), 0);
   EXPECT_EQ(step(std::nan(""), 0, 0, 1), 0);

@@ -93,7 +93,11 @@ auto difference(const F& f, const Vec& x, const Vec& d, double h) {
 
 class Assembled : public testing::TestWithParam<int> {
  protected:
-  void SetUp() override { set_threads(1); }  // tiny problems: parallel regions cost more than they save
+  Assembled() { set_threads(1); }  // problems this small gain nothing from more
+  ~Assembled() override { set_threads(before_); }
+
+ private:
+  int before_ = threads();
 };
 
 void expect_consistent(const Fixture& s, const std::shared_ptr<const EnergyTerm>& term) {

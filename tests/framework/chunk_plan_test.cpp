@@ -115,7 +115,7 @@ TEST_F(Threads, DoNotChangeABit) {
   const Problem problem = ProblemBuilder(size).add(term, 1.1).build();
   const Vec y = random.vector(problem.size());
   const System one = evaluate(problem, y, 1);
-  for (const int count : {2, 3, 2, 5}) EXPECT_TRUE(evaluate(problem, y, count) == one);
+  for (const int count : {2, 3, 2}) EXPECT_TRUE(evaluate(problem, y, count) == one);
 }
 
 // Constraints identify unknowns of nodes that are far apart (seams, a chain's translation).
@@ -161,7 +161,7 @@ TEST_F(Threads, DoNotChangeABitWithSeams) {
   const Vec y = random.vector(problem.size());
   const System one = evaluate(problem, y, 1);
   int different = 0;
-  for (int k = 0; k < 100; ++k) different += !(evaluate(problem, y, 2) == one);
+  for (int k = 0; k < 20; ++k) different += !(evaluate(problem, y, 2) == one);
   EXPECT_EQ(different, 0);
 }
 

@@ -94,7 +94,6 @@ TEST_P(GeneratedMesh, FixedBoundaryStaysWhereTutteHasIt) {
 
 TEST_P(GeneratedMesh, DirectElevationReachesTheSame) {
   const auto mesh = generated(GetParam());
-  if (mesh->face_count() > 1000) GTEST_SKIP() << "too slow here";
   ParametrizationOptions options = degree(3);
   const double incremental = parametrize(mesh, options).measures.value;
   options.elevation = Elevation::Direct;
