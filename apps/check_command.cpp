@@ -2,9 +2,11 @@
 #include <fmt/format.h>
 
 #include <CLI/App.hpp>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <unordered_set>
 
 #include "apps/command.h"
 #include "apps/outputs.h"
@@ -63,16 +65,17 @@ void check_surface(const MapFile& file, const std::string& path, Findings& findi
   if (file.input_vertex.size() == 0 || file.input_face.size() == 0)
     return findings.require(false, "the file does not say which input vertices it maps");
   const double size = extent(file.points);
-  std::vector<char> covered(surface.polygons.size(), 0);
+  std::vector<std::size_t> cells_of(surface.polygons.size(), 0);
   for (Index c = 0; c < file.cells.rows(); ++c) {
     const Index face = file.input_face[c];
     if (face < 0 || static_cast<std::size_t>(face) >= surface.polygons.size())
       return findings.require(false, fmt::format("cell {} names face {} the surface lacks", c, face));
-    covered[static_cast<std::size_t>(face)] = 1;
+    const auto& polygon = surface.polygons[static_cast<std::size_t>(face)];
+    ++cells_of[static_cast<std::size_t>(face)];
     for (int k = 0; k < 3; ++k) {
       const Index point = file.cells(c, k), v = file.input_vertex[point];
       const bool same =
-          v >= 0 && static_cast<std::size_t>(v) < surface.positions.size() &&
+          std::find(polygon.begin(), polygon.end(), v) != polygon.end() &&
           (surface.positions[static_cast<std::size_t>(v)].transpose() - file.points.row(point))
                   .norm() <= kClose * size;
       if (!same)
@@ -80,9 +83,19 @@ void check_surface(const MapFile& file, const std::string& path, Findings& findi
                                                    "it", c, k));
     }
   }
-  for (std::size_t f = 0; f < covered.size(); ++f)
-    if (!covered[f])
-      return findings.require(false, fmt::format("face {} of the surface is not mapped", f + 1));
+  for (std::size_t f = 0; f < cells_of.size(); ++f)
+    if (cells_of[f] + 2 != surface.polygons[f].size())
+      return findings.require(false, fmt::format("face {} of the surface is mapped by {} cells, not {}",
+                                                 f + 1, cells_of[f], surface.polygons[f].size() - 2));
+}
+
+// A map that claims no seams has one point for every vertex of the input.
+void check_cuts(const MapFile& file, Findings& findings) {
+  std::unordered_set<Index> seen;
+  for (const Index v : file.input_vertex)
+    if (v >= 0 && !seen.insert(v).second)
+      return findings.require(false, fmt::format("the map is not continuous: vertex {} of the input "
+                                                 "has several points", v));
 }
 
 // Nodes of the map by vertex of the input mesh.
@@ -103,36 +116,68 @@ void check_pins(const MapFile& file, const Json& claims, Findings& findings) {
   }
 }
 
-// A fixed boundary is that of Tutte's map, recomputed from the surface in the file.
-void check_fixed_boundary(const BezierMap& map, const Json& claims, Findings& findings) {
+// A fixed boundary is that of the initial map: Tutte's, recomputed from the surface in the file, or
+// the texture coordinates of the input, for which the input is needed.
+void check_fixed_boundary(const MapFile& file, const BezierMap& map, const Json& claims,
+                          const Request& request, Findings& findings) {
   if (claims.value("boundary", "") != "fixed") return;
-  if (claims.value("init", "tutte") != "tutte" || claims.value("normalized", false)) return;
-  BezierMap start = BezierMap::linear(map.shared_mesh(), tutte_map(map.mesh()));
-  while (start.degree() < map.degree()) start = start.elevated();
+  Vec start;
+  if (claims.value("init", "tutte") == "tutte") {
+    start = tutte_map(map.mesh());
+  } else if (request.surface.empty()) {
+    return findings.require(false, "the boundary is that of texture coordinates: give the input with "
+                                   "--surface to check it");
+  } else {
+    const SurfaceMesh input = SurfaceMesh::from_polygons(read_mesh(request.surface));
+    const Vec texture = texture_map(input);
+    start.resize(2 * map.mesh().vertex_count());
+    for (Index v = 0; v < map.mesh().vertex_count(); ++v) {
+      const Index source = input.find_input_vertex(file.input_vertex[map.mesh().input_vertex(v)]);
+      if (source < 0) return findings.require(false, "the file maps vertices the surface lacks");
+      start.segment<2>(2 * v) = texture.segment<2>(2 * source);
+    }
+  }
+  BezierMap initial = BezierMap::linear(map.shared_mesh(), start);
+  while (initial.degree() < map.degree()) initial = initial.elevated();
   double worst = 0;
   for (const Index node : map.space().boundary_nodes())
     worst = std::max(worst, (map.control_points().segment<2>(2 * node) -
-                             start.control_points().segment<2>(2 * node)).norm());
+                             initial.control_points().segment<2>(2 * node)).norm());
   findings.require(worst <= kClose * map.control_points().cwiseAbs().maxCoeff(),
                    fmt::format("the boundary is off the initial map's by {:g}", worst));
 }
 
+void check_arrays(const MapFile& file, const MapMeasures& measures, Findings& findings) {
+  for (Index f = 0; f < file.distortion.size(); ++f)
+    if (!(std::abs(file.distortion[f] - measures.face_value[f]) <=
+          kEnergyClose * (measures.face_value[f] + measures.value))) {
+      findings.require(false, fmt::format("cell {}: distortion {:.6g} is claimed, {:.6g} is found", f,
+                                          file.distortion[f], measures.face_value[f]));
+      break;
+    }
+  for (Index f = 0; f < file.min_det.size(); ++f)
+    if (!(file.min_det[f] <= measures.min_det[f] * (1 + kClose))) {
+      findings.require(false, fmt::format("cell {}: det J >= {:.6g} is claimed, only {:.6g} is proven",
+                                          f, file.min_det[f], measures.min_det[f]));
+      break;
+    }
+}
+
 void check_claims(const MapFile& file, const BezierMap& map, const MapMeasures& measures,
-                  Findings& findings) {
-  if (file.claims.empty()) return;
-  const Json claims = Json::parse(file.claims, nullptr, false);
-  if (claims.is_discarded() || !claims.is_object())
-    return findings.require(false, "majorant_claims is not a JSON object");
+                  const Json& claims, const Request& request, Findings& findings) {
+  if (claims.is_null()) return;
   try {
     const double value = claims.value("value", measures.value);
-    if (!claims.value("normalized", false))
+    if (claims.value("energy", "symmetric-dirichlet") == "symmetric-dirichlet")
       findings.require(std::abs(value - measures.value) <= kEnergyClose * std::abs(measures.value),
                        fmt::format("energy {:.9g} is claimed, {:.9g} is found", value,
                                    measures.value));
     findings.require(claims.value("degree", file.degree) == file.degree,
                      fmt::format("degree {} is not the one claimed", file.degree));
+    if (!claims.value("seams", false)) check_cuts(file, findings);
     check_pins(file, claims, findings);
-    check_fixed_boundary(map, claims, findings);
+    check_fixed_boundary(file, map, claims, request, findings);
+    check_arrays(file, measures, findings);
     for (const char* claim : {"bijective", "seams"})
       findings.require(!claims.value(claim, false),
                        fmt::format("the claim '{}' cannot be decided by this version", claim));
@@ -141,7 +186,24 @@ void check_claims(const MapFile& file, const BezierMap& map, const MapMeasures& 
   }
 }
 
-MapMeasures check_map(const MapFile& file, const Request& request, Findings& findings, Json& report) {
+// The claims, null when there are none; undoes the normalization they tell of.
+Json read_claims(MapFile& file, Findings& findings) {
+  if (file.claims.empty()) return nullptr;
+  Json claims = Json::parse(file.claims, nullptr, false);
+  if (claims.is_discarded() || !claims.is_object()) {
+    findings.require(false, "majorant_claims is not a JSON object");
+    return nullptr;
+  }
+  if (const Json n = claims.value("normalized", Json()); n.is_object()) {
+    const Eigen::RowVector2d origin(n.at("origin").at(0).get<double>(),
+                                    n.at("origin").at(1).get<double>());
+    file.uv = ((file.uv * n.at("size").get<double>()).rowwise() + origin).eval();
+  }
+  return claims;
+}
+
+MapMeasures check_map(MapFile& file, const Request& request, Findings& findings, Json& report) {
+  const Json claims = read_claims(file, findings);
   const BezierMap map = to_bezier_map(file, request.result);
   const MapMeasures measures = measure(map, make_symmetric_dirichlet);
   report["result"] = measures_section(map, measures, "symmetric-dirichlet");
@@ -152,14 +214,14 @@ MapMeasures check_map(const MapFile& file, const Request& request, Findings& fin
     }
   findings.require(measures.locally_injective || !findings.list().empty(),
                    "the map covers the neighbourhood of a vertex more than once");
-  check_claims(file, map, measures, findings);
+  check_claims(file, map, measures, claims, request, findings);
   return measures;
 }
 
 int check(const Request& request) {
   if (!request.common.report.empty()) require_writable({request.common.report}, {".json"});
   request.common.apply();
-  const MapFile file = read_map(request.result);
+  MapFile file = read_map(request.result);
   Findings findings;
   Json report{{"schema_version", 1}, {"version", MAJORANT_VERSION}, {"command", "check"}};
   check_flat(file, findings);
@@ -169,6 +231,8 @@ int check(const Request& request) {
     measures = check_map(file, request, findings, report);
   } catch (const Error& e) {
     findings.require(false, e.what());
+  } catch (const Json::exception& e) {
+    findings.require(false, fmt::format("majorant_claims: {}", e.what()));
   }
   if (request.certify)
     findings.require(false, "global injectivity cannot be decided by this version");

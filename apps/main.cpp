@@ -39,6 +39,7 @@ ExitCode exit_code(Status status) {
 }
 
 void CommonOptions::add_to(CLI::App& verb) {
+  verb.set_version_flag("--version", "majorant " MAJORANT_VERSION);
   verb.add_option("--threads", threads, "threads (default: all cores); results do not depend on it")
       ->check(CLI::Range(1, 1024));
   auto* q = verb.add_flag("--quiet", quiet, "no progress");

@@ -62,6 +62,8 @@ class Job {
     if (!request_.common.report.empty()) require_writable({request_.common.report}, {".json"});
     if (request_.normalize && !request_.pins.empty())
       throw Error(ErrorKind::Usage, "--normalize moves pinned points; leave one of the two out");
+    if (!(request_.time_limit >= 0))
+      throw Error(ErrorKind::Usage, "--time-limit is not a number of seconds");
     request_.common.apply();
     read();
     RunRecord record(request_.time_limit, request_.max_iterations, interruption_flag(),
@@ -133,7 +135,7 @@ class Job {
                 {"init", request_.init},
                 {"seams", false},
                 {"bijective", false},
-                {"normalized", request_.normalize},
+                {"normalized", normalization_},
                 {"pins", pins},
                 {"options", options_section()}}
         .dump();
@@ -143,8 +145,8 @@ class Job {
     MapFile file = to_map_file(*result_.map);
     file.distortion = result_.measures.face_value;
     file.min_det = result_.measures.min_det;
-    file.claims = claims();
     if (request_.normalize) normalize(file.uv);
+    file.claims = claims();
     for (const std::string& path : request_.outputs) {
       if (extension(path) == ".csv") write_trace(path, record.trace());
       write_map(path, file, &polygons_, request_.refine);
@@ -152,9 +154,11 @@ class Job {
   }
 
   // Into the unit square, aspect ratio kept, lower left corner at the origin.
-  static void normalize(Points2& uv) {
+  void normalize(Points2& uv) {
     const Eigen::RowVector2d low = uv.colwise().minCoeff(), high = uv.colwise().maxCoeff();
-    uv = (uv.rowwise() - low) / (high - low).maxCoeff();
+    const double size = (high - low).maxCoeff();
+    uv = (uv.rowwise() - low) / size;
+    normalization_ = {{"origin", {low.x(), low.y()}}, {"size", size}};
   }
 
   void write_reports(const RunRecord& record) const {
@@ -209,6 +213,7 @@ class Job {
   }
 
   Request request_;
+  Json normalization_ = nullptr;  // uv in the file = (uv - origin) / size
   ParametrizationOptions options_;
   ParametrizationResult result_;
   PolygonMesh polygons_;

@@ -21,7 +21,8 @@ function(majorant_module name)
                                                     POSITION_INDEPENDENT_CODE ON)
   # Eigen's heap alignment is part of the binary interface: fix it, so that a consumer compiled
   # with wider vector instructions frees what we allocate.
-  target_compile_definitions(majorant_${name} PUBLIC EIGEN_MAX_ALIGN_BYTES=16)
+  target_compile_definitions(majorant_${name} PUBLIC EIGEN_MAX_ALIGN_BYTES=16
+                                                    EIGEN_MALLOC_ALREADY_ALIGNED=0)
   target_include_directories(majorant_${name} PUBLIC $<BUILD_INTERFACE:${root}>
                                                      $<INSTALL_INTERFACE:include>)
   target_link_libraries(majorant_${name} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})

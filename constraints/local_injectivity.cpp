@@ -9,6 +9,7 @@ namespace majorant {
 namespace {
 
 constexpr double kAngleTolerance = 1e-6;
+constexpr Index kParallelElements = 2048;  // fewer are not worth waking threads for
 constexpr double kTwoPi = 2 * std::numbers::pi;
 
 }  // namespace
@@ -20,7 +21,7 @@ LocalInjectivity::LocalInjectivity(std::shared_ptr<const ElementSpace> space, Ve
 Vec LocalInjectivity::lower_bounds(VecIn x) const {
   const Index count = space_->element_count();
   Vec bounds(count);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (count >= kParallelElements)
   for (Index e = 0; e < count; ++e) {
     const PositivityProof proof = space_->certify(e, x, max_depth_);
     const bool proven = proof.result == Positivity::Certified;
@@ -49,7 +50,7 @@ Verdict LocalInjectivity::check(VecIn x) const {
 StepBound LocalInjectivity::max_step(VecIn x, VecIn d, double s) const {
   const Index count = space_->element_count();
   Vec quick(count);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (count >= kParallelElements)
   for (Index e = 0; e < count; ++e) quick[e] = space_->largest_step(e, x, d, s, 0);
   std::vector<Index> limiting;
   for (Index e = 0; e < count; ++e)

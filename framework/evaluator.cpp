@@ -20,6 +20,9 @@ class Timer {
   std::chrono::steady_clock::time_point start_;
 };
 
+// Fewer chunks are not worth waking threads for.
+constexpr Index kParallelChunks = 16;
+
 double weight(const TermState& state, Index element) {
   return state.element_weight.size() ? state.weight * state.element_weight[element] : state.weight;
 }
@@ -41,7 +44,7 @@ void Evaluator::reset(const Problem& problem) { problem_ = problem; }
 Vec element_values(const EnergyTerm& term, const TermState& state, const ChunkPlan& plan,
                    VecIn x) {
   Vec f(term.stencils().element_count());
-#pragma omp parallel
+#pragma omp parallel if (plan.chunk_count() >= kParallelChunks)
   {
     Workspace workspace;
     double local[Chunk::kMaxSize];
@@ -100,7 +103,7 @@ void Evaluator::assemble(std::size_t k, Curvature curvature, Vec& gradient, Vec&
   constexpr std::size_t stride = LocalSystem::stride;
   chunk_energies.assign(static_cast<std::size_t>(plan.chunk_count()), 0.0);
   for (const std::vector<Index>& colour : plan.colours()) {
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (plan.chunk_count() >= kParallelChunks)
     for (std::size_t q = 0; q < colour.size(); ++q) {
       Scratch& s = *scratch_[static_cast<std::size_t>(omp_get_thread_num())];
       const Chunk chunk = plan.chunk(colour[q]);

@@ -211,7 +211,7 @@ bool NewtonStepper::factorize(const Vec& y, IterationRecord& record) {
   if (!std::isfinite(diagonal) || !gradient_.allFinite()) return false;
   FactorStatus status = FactorStatus::NotPositiveDefinite;
   double shift = 0;
-  for (int attempt = 0; attempt < 16; ++attempt) {
+  for (int attempt = 0; attempt < 24; ++attempt) {
     status = solver_->factorize(hessian_, shift);
     if (status != FactorStatus::NotPositiveDefinite) break;
     shift = shift == 0 ? 1e-14 * diagonal : 10 * shift;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "majorant/framework/error.h"
@@ -28,11 +29,14 @@ void require_valid(const ParametrizationOptions& o) {
 
 // Pins as fixed points: a target must be where the start has the vertex, up to rounding, because
 // the solver moves along maps that satisfy the constraints.
-std::vector<FixedPoint> place_pins(const SurfaceMesh& mesh, const std::vector<Pin>& pins,
+std::vector<FixedPoint> place_pins(const SurfaceMesh& mesh, const ParametrizationOptions& options,
                                    const Vec& start) {
   const double tolerance = 1e-9 * start.cwiseAbs().maxCoeff();
   std::vector<FixedPoint> points;
-  for (const Pin& pin : pins) {
+  for (const Pin& pin : options.pins) {
+    if (pin.vertex < 0 || pin.vertex >= mesh.vertex_count())
+      throw Error(ErrorKind::Usage,
+                  fmt::format("{}: pinned vertex {} does not exist", mesh.file(), pin.vertex));
     const Vector2 here = start.segment<2>(2 * pin.vertex);
     const Vector2 target = pin.target.value_or(here);
     const double distance = (target - here).norm();
@@ -43,7 +47,15 @@ std::vector<FixedPoint> place_pins(const SurfaceMesh& mesh, const std::vector<Pi
                               "meets the pins with --init input, or use soft handles",
                               mesh.file(), mesh.input_vertex(pin.vertex), distance, here.x(),
                               here.y()));
-    points.push_back({pin.vertex, target});
+    if (std::any_of(points.begin(), points.end(),
+                    [&](const FixedPoint& p) { return p.node == pin.vertex; }))
+      throw Error(ErrorKind::Unsupported, fmt::format("{}: vertex {} is pinned twice; pin it once",
+                                                      mesh.file(), mesh.input_vertex(pin.vertex)));
+    // A fixed boundary already says the same, up to rounding.
+    const auto& loop = mesh.boundary_loops().front();
+    const bool held = options.boundary == BoundaryCondition::Fixed &&
+                      std::find(loop.begin(), loop.end(), pin.vertex) != loop.end();
+    points.push_back({pin.vertex, held ? here : target});
   }
   return points;
 }
@@ -90,7 +102,7 @@ class Run {
              moved(start.control_points(), -origin_) * scale_) {
     setup_.rest = flat_triangles(start.mesh().positions() * scale_, start.mesh().faces());
     setup_.options = options;
-    setup_.pins = place_pins(start.mesh(), options.pins, start.control_points());
+    setup_.pins = place_pins(start.mesh(), options, start.control_points());
     for (FixedPoint& p : setup_.pins) p.position *= scale_;
   }
 
@@ -163,6 +175,8 @@ class Run {
 
 Vec initial_map(const SurfaceMesh& mesh, const ParametrizationOptions& options) {
   mesh.require_disk();
+  if (options.initial && options.initial->size() != 2 * mesh.vertex_count())
+    throw Error(ErrorKind::Usage, mesh.file() + ": the initial map needs 2 numbers per vertex");
   return options.initial ? *options.initial : tutte_map(mesh);
 }
 

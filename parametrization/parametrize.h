@@ -61,12 +61,13 @@ struct ParametrizationResult {
   double initialize_seconds = 0, optimize_seconds = 0, measure_seconds = 0;
 };
 
-// The start that `options` ask for, as it is optimized from: Tutte's map or the given one.
-// Throws Error(Infeasible) when it is not locally injective or does not meet the pins.
+// The start that `options` ask for: Tutte's map or the given one, u, v per vertex. Throws
+// Error(Unsupported) when the mesh is no disk, Error(Usage) when the given one has the wrong size.
 Vec initial_map(const SurfaceMesh& mesh, const ParametrizationOptions& options);
 
-// Throws Error as initial_map, Error(Unsupported) when the mesh is no disk or a pin names a vertex
-// twice, Error(Usage) when the energy does not support the curvature or options are out of range.
+// Throws Error as initial_map; Error(Infeasible) when the start is not locally injective or does not
+// meet the pins; Error(Unsupported) when a vertex is pinned twice; Error(Usage) when the energy does
+// not support the curvature or options are out of range.
 ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,
                                   const ParametrizationOptions& options, RunRecord& record);
 ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,

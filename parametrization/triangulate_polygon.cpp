@@ -1,4 +1,5 @@
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -30,7 +31,11 @@ double smallest_angle(const Vector2& a, const Vector2& b, const Vector2& c) {
 }
 
 bool contains(const Vector2& a, const Vector2& b, const Vector2& c, const Vector2& p) {
-  return cross(b - a, p - a) >= 0 && cross(c - b, p - b) >= 0 && cross(a - c, p - c) >= 0;
+  // A corner on an edge counts, whatever rounding makes of it.
+  const double slack =
+      -1e-12 * std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+  return cross(b - a, p - a) >= slack && cross(c - b, p - b) >= slack &&
+         cross(a - c, p - c) >= slack;
 }
 
 }  // namespace

@@ -52,7 +52,9 @@ inline Rational multinomial(const MultiIndex& m) {
   return factorial(m[0] + m[1] + m[2]) / (factorial(m[0]) * factorial(m[1]) * factorial(m[2]));
 }
 
-inline Rational power(const Rational& x, int e) { return e == 0 ? Rational(1) : x * power(x, e - 1); }
+inline Rational power(const Rational& x, int e) {
+  return e == 0 ? Rational(1) : x * power(x, e - 1);
+}
 
 struct ExactPoint {
   Rational a, b, c;  // barycentric, a + b + c = 1
@@ -126,7 +128,8 @@ inline Vec linear_map(const BezierTriangleSpace& space, const Points2& uv) {
 
 inline Points2 flat(const Points3& p) { return p.leftCols<2>(); }
 
-inline Vector2 map_point(const BezierTriangleSpace& space, VecIn x, Index f, const Barycentric& xi) {
+inline Vector2 map_point(const BezierTriangleSpace& space, VecIn x, Index f,
+                         const Barycentric& xi) {
   const Vec b = bernstein_values(space.degree(), xi);
   Vector2 p(0, 0);
   for (int l = 0; l < b.size(); ++l) p += b[l] * x.segment<2>(2 * space.cells()(f, l));

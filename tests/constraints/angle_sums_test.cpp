@@ -107,7 +107,8 @@ TEST(AngleSums, AreMeasuredBetweenTangents) {
 
 TEST(AngleSums, DoNotRestrictSteps) {
   const Fan fan(5, 1, true, 1);
-  const StepBound b = AngleSums(fan.space, AngleSums::Vertices::Interior).max_step(fan.x, fan.x, 0.7);
+  const StepBound b =
+      AngleSums(fan.space, AngleSums::Vertices::Interior).max_step(fan.x, fan.x, 0.7);
   EXPECT_EQ(b.step, 0.7);
   EXPECT_TRUE(b.blocking.empty());
 }

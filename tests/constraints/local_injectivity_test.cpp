@@ -15,9 +15,11 @@ using test::Random;
 using test::Rational;
 
 // Exact determinant by reference coordinates at a rational point of face f.
-Rational exact_det(const BezierTriangleSpace& space, const Vec& x, Index f, const test::ExactPoint& p) {
+Rational exact_det(const BezierTriangleSpace& space, const Vec& x, Index f,
+                   const test::ExactPoint& p) {
   const int n = space.degree();
-  const TriangleIndices &ix = TriangleIndices::of_degree(n), &low = TriangleIndices::of_degree(n - 1);
+  const TriangleIndices &ix = TriangleIndices::of_degree(n),
+                        &low = TriangleIndices::of_degree(n - 1);
   Rational d[2][2];
   for (int direction = 0; direction < 2; ++direction)
     for (int c = 0; c < 2; ++c) {
@@ -25,8 +27,9 @@ Rational exact_det(const BezierTriangleSpace& space, const Vec& x, Index f, cons
       std::vector<Rational> derivative;
       for (int l = 0; l < low.count(); ++l) {
         const auto [i, j, k] = low.multi(l);
-        derivative.push_back(n * (at(direction == 0 ? ix.local(i + 1, j, k) : ix.local(i, j + 1, k)) -
-                                  at(ix.local(i, j, k + 1))));
+        derivative.push_back(n *
+                             (at(direction == 0 ? ix.local(i + 1, j, k) : ix.local(i, j + 1, k)) -
+                              at(ix.local(i, j, k + 1))));
       }
       d[direction][c] = test::evaluate(n - 1, derivative, p);
     }
@@ -50,8 +53,9 @@ class Injectivity : public testing::TestWithParam<int> {
     for (Index f = 0; f < space_->element_count(); ++f)
       for (int i = 0; i <= m; ++i)
         for (int j = 0; j <= m - i; ++j)
-          lowest = std::min(lowest, exact_det(*space_, x, f, {Rational(i, m), Rational(j, m),
-                                                              Rational(m - i - j, m)}));
+          lowest = std::min(
+              lowest,
+              exact_det(*space_, x, f, {Rational(i, m), Rational(j, m), Rational(m - i - j, m)}));
     return lowest;
   }
 
@@ -100,7 +104,8 @@ TEST_P(Injectivity, VerdictsOnRandomMapsAreNeverWrong) {
 
 TEST_P(Injectivity, InvertedElementsAreListed) {
   Vec x = x_;
-  // Mirror face 7 by exchanging its local corner positions: only maps of its own and neighbours change.
+  // Mirror face 7 by exchanging its local corner positions: only maps of its own and neighbours
+  // change.
   const Index a = mesh_.faces(7, 0);
   x.segment<2>(2 * a) += 3 * (x.segment<2>(2 * mesh_.faces(7, 1)) - x.segment<2>(2 * a)) +
                          3 * (x.segment<2>(2 * mesh_.faces(7, 2)) - x.segment<2>(2 * a));
@@ -149,7 +154,8 @@ TEST_P(Injectivity, StepsReachTheLimit) {
     for (const Index f : bound.blocking)
       for (int i = 0; i <= 30; ++i)
         for (int j = 0; j <= 30 - i; ++j)
-          lowest = std::min(lowest, test::det_at(*space_, x, f, Barycentric(i, j, 30 - i - j) / 30));
+          lowest =
+              std::min(lowest, test::det_at(*space_, x, f, Barycentric(i, j, 30 - i - j) / 30));
     EXPECT_LT(lowest, 0.01);
   }
 }

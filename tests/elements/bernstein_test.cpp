@@ -19,14 +19,36 @@ TEST(TriangleIndices, VtkOrder) {
       {{0, 0, 0}},
       {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
       {{2, 0, 0}, {0, 2, 0}, {0, 0, 2}, {1, 1, 0}, {0, 1, 1}, {1, 0, 1}},
-      {{3, 0, 0}, {0, 3, 0}, {0, 0, 3}, {2, 1, 0}, {1, 2, 0}, {0, 2, 1}, {0, 1, 2}, {1, 0, 2},
-       {2, 0, 1}, {1, 1, 1}},
-      {{4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {3, 1, 0}, {2, 2, 0}, {1, 3, 0}, {0, 3, 1}, {0, 2, 2},
-       {0, 1, 3}, {1, 0, 3}, {2, 0, 2}, {3, 0, 1}, {2, 1, 1}, {1, 2, 1}, {1, 1, 2}}};
+      {{3, 0, 0},
+       {0, 3, 0},
+       {0, 0, 3},
+       {2, 1, 0},
+       {1, 2, 0},
+       {0, 2, 1},
+       {0, 1, 2},
+       {1, 0, 2},
+       {2, 0, 1},
+       {1, 1, 1}},
+      {{4, 0, 0},
+       {0, 4, 0},
+       {0, 0, 4},
+       {3, 1, 0},
+       {2, 2, 0},
+       {1, 3, 0},
+       {0, 3, 1},
+       {0, 2, 2},
+       {0, 1, 3},
+       {1, 0, 3},
+       {2, 0, 2},
+       {3, 0, 1},
+       {2, 1, 1},
+       {1, 2, 1},
+       {1, 1, 2}}};
   for (std::size_t n = 0; n < expected.size(); ++n) {
     const TriangleIndices& ix = TriangleIndices::of_degree(static_cast<int>(n));
     ASSERT_EQ(ix.count(), static_cast<int>(expected[n].size()));
-    for (int l = 0; l < ix.count(); ++l) EXPECT_EQ(ix.multi(l), expected[n][static_cast<std::size_t>(l)]);
+    for (int l = 0; l < ix.count(); ++l)
+      EXPECT_EQ(ix.multi(l), expected[n][static_cast<std::size_t>(l)]);
   }
   EXPECT_EQ(TriangleIndices::of_degree(6).multi(18), (MultiIndex{4, 1, 1}));
   EXPECT_EQ(TriangleIndices::of_degree(6).multi(27), (MultiIndex{2, 2, 2}));
@@ -58,8 +80,10 @@ TEST(TriangleIndices, LookupEdgesAndMultinomials) {
 TEST(TriangleIndices, DegreeFromControlPoints) {
   int n = 0;
   for (int count = 1; count <= 231; ++count) {
-    if (count == control_point_count(n)) EXPECT_EQ(degree_from_control_points(count), n++);
-    else EXPECT_EQ(degree_from_control_points(count), -1);
+    if (count == control_point_count(n))
+      EXPECT_EQ(degree_from_control_points(count), n++);
+    else
+      EXPECT_EQ(degree_from_control_points(count), -1);
   }
   EXPECT_EQ(n, 21);
 }
@@ -171,7 +195,8 @@ TEST(BernsteinProduct, IsThePointwiseProduct) {
   Random random(6);
   for (int m = 0; m <= 8; ++m)
     for (int n = 0; n <= 8; ++n) {
-      const Vec a = random.vector(control_point_count(m)), b = random.vector(control_point_count(n));
+      const Vec a = random.vector(control_point_count(m)),
+                b = random.vector(control_point_count(n));
       const Vec p = multiply(m, a, n, b);
       ASSERT_EQ(p.size(), control_point_count(m + n));
       EXPECT_LE((p - multiply(n, b, m, a)).norm(), 1e-14 * p.norm());

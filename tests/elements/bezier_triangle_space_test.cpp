@@ -65,7 +65,8 @@ TEST_P(Space, NeighboursShareEdgePointsInReversedOrder) {
   std::set<Index> boundary, inner_edge_points;
   for (const auto& [edge, sides] : edges_of(mesh_.faces)) {
     const auto at = [&](std::size_t side, int s) {
-      return space_.cells()(sides[side].first, ix.edge(sides[side].second)[static_cast<std::size_t>(s)]);
+      return space_.cells()(sides[side].first,
+                            ix.edge(sides[side].second)[static_cast<std::size_t>(s)]);
     };
     for (int s = 0; s <= n(); ++s) {
       if (sides.size() == 1) boundary.insert(at(0, s));
@@ -110,7 +111,8 @@ TEST_P(Space, AffineMapsAreReproduced) {
     Vector2 p(0, 0);
     for (int k = 0; k < 3; ++k) p += xi[k] * flat.row(mesh_.faces(f, k)).transpose();
     EXPECT_LE((test::map_point(space_, x, f, xi) - (a * p + t)).norm(), 1e-14 * 40);
-    EXPECT_NEAR(test::det_at(space_, x, f, xi), 6.5 * test::rest_determinants(mesh_)[f], 1e-13 * 40);
+    EXPECT_NEAR(test::det_at(space_, x, f, xi), 6.5 * test::rest_determinants(mesh_)[f],
+                1e-13 * 40);
     EXPECT_EQ(space_.certify(f, x, 2).result, Positivity::Certified);
   }
 }
@@ -125,7 +127,8 @@ TEST_P(Space, ElevationKeepsTheMap) {
   EXPECT_EQ(y.head(2 * space_.vertex_count()), x.head(2 * space_.vertex_count()));
   for (Index f = 0; f < space_.element_count(); ++f) {
     const Barycentric xi = random.barycentric();
-    EXPECT_LE((test::map_point(space_, x, f, xi) - test::map_point(higher, y, f, xi)).norm(), 1e-14);
+    EXPECT_LE((test::map_point(space_, x, f, xi) - test::map_point(higher, y, f, xi)).norm(),
+              1e-14);
     EXPECT_NEAR(test::det_at(space_, x, f, xi), test::det_at(higher, y, f, xi), 1e-12);
   }
 }
@@ -168,8 +171,10 @@ TEST(FlatTriangles, FrameAndMeasure) {
     EXPECT_EQ(j(1, 0), 0);  // e0 = p0 - p2 along x
     for (int a = 0; a < 2; ++a)
       for (int b = 0; b < 2; ++b) {
-        const Vector3 u = mesh.positions.row(mesh.faces(f, a)) - mesh.positions.row(mesh.faces(f, 2));
-        const Vector3 v = mesh.positions.row(mesh.faces(f, b)) - mesh.positions.row(mesh.faces(f, 2));
+        const Vector3 u =
+            mesh.positions.row(mesh.faces(f, a)) - mesh.positions.row(mesh.faces(f, 2));
+        const Vector3 v =
+            mesh.positions.row(mesh.faces(f, b)) - mesh.positions.row(mesh.faces(f, 2));
         EXPECT_NEAR(j.col(a).dot(j.col(b)), u.dot(v), 1e-13);  // an isometry of the plane of f
       }
   }

@@ -39,11 +39,13 @@ TEST_P(Bisect, ChildrenAreTheParentOnItsHalves) {
     // plus lives on (M, P0, P1), minus on (M, P2, P0), M = (P1 + P2) / 2.
     const ExactPoint in_plus{p.b, half_a + p.c, half_a}, in_minus{p.c, half_a, half_a + p.b};
     EXPECT_EQ(test::evaluate(n, rationals(plus), p), test::evaluate(n, rationals(parent), in_plus));
-    EXPECT_EQ(test::evaluate(n, rationals(minus), p), test::evaluate(n, rationals(parent), in_minus));
+    EXPECT_EQ(test::evaluate(n, rationals(minus), p),
+              test::evaluate(n, rationals(parent), in_minus));
   }
 }
 
-// certify_positive() adds 1.01 n u max|a| per level: one ulp of the largest coefficient per average.
+// certify_positive() adds 1.01 n u max|a| per level: one ulp of the largest coefficient per
+// average.
 TEST_P(Bisect, RoundingStaysBelowTheClaim) {
   const int n = GetParam();
   const auto size = static_cast<std::size_t>(control_point_count(n));

@@ -38,13 +38,15 @@ TEST_P(Table, Shapes) {
 // Derivatives by the table's directions, D by 1 per node.
 Eigen::MatrixXd directional(const ContractionTable& t, Index l) {
   Eigen::MatrixXd d = Eigen::MatrixXd::Zero(t.nodes, t.directions.rows());
-  for (const GradientEntry& e : t.gradient) d(e.node, e.direction) += e.coefficient * t.first(l, e.first);
+  for (const GradientEntry& e : t.gradient)
+    d(e.node, e.direction) += e.coefficient * t.first(l, e.first);
   return d;
 }
 
 TEST_P(Table, GradientsAreRecombinedFirstRows) {
   for (Index l = 0; l < rule_.size(); ++l) {
-    const Eigen::MatrixXd g = directional(table_, l) * table_.directions;  // by reference coordinates
+    const Eigen::MatrixXd g =
+        directional(table_, l) * table_.directions;  // by reference coordinates
     EXPECT_LE((g - bernstein_gradients(n(), rule_.points.row(l))).norm(), 1e-12 * n());
   }
 }

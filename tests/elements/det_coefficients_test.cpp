@@ -19,7 +19,8 @@ int count_of(int n) { return 2 * control_point_count(n); }
 // [MC20] Sec. 5.2 with the factor of method.md E6:
 // d_ijk = (n!)^2 / nh! sum_{r+s=ijk} C(i,r1) C(j,r2) C(k,r3) (D0u_r D1v_s - D1u_r D0v_s).
 std::vector<Rational> exact_det(int n, const Control& c) {
-  const TriangleIndices &ix = TriangleIndices::of_degree(n), &low = TriangleIndices::of_degree(n - 1),
+  const TriangleIndices &ix = TriangleIndices::of_degree(n),
+                        &low = TriangleIndices::of_degree(n - 1),
                         &det = TriangleIndices::of_degree(2 * n - 2);
   const auto coordinate = [&](int i, int j, int k, int d) {
     return Rational(c[static_cast<std::size_t>(2 * ix.local(i, j, k) + d)]);
@@ -41,8 +42,9 @@ std::vector<Rational> exact_det(int n, const Control& c) {
       const MultiIndex& r = low.multi(l);
       const MultiIndex s{m[0] - r[0], m[1] - r[1], m[2] - r[2]};
       if (s[0] < 0 || s[1] < 0 || s[2] < 0) continue;
-      sum += binomial(m[0], r[0]) * binomial(m[1], r[1]) * binomial(m[2], r[2]) *
-             (difference(r, 0, 0) * difference(s, 1, 1) - difference(r, 1, 0) * difference(s, 0, 1));
+      sum +=
+          binomial(m[0], r[0]) * binomial(m[1], r[1]) * binomial(m[2], r[2]) *
+          (difference(r, 0, 0) * difference(s, 1, 1) - difference(r, 1, 0) * difference(s, 0, 1));
     }
     out.push_back(factor * sum);
   }
@@ -51,17 +53,20 @@ std::vector<Rational> exact_det(int n, const Control& c) {
 
 // The same polynomial pointwise: derivative of the map in direction a, by barycentric differences.
 Rational exact_det_at(int n, const Control& c, const test::ExactPoint& p) {
-  const TriangleIndices &ix = TriangleIndices::of_degree(n), &low = TriangleIndices::of_degree(n - 1);
+  const TriangleIndices &ix = TriangleIndices::of_degree(n),
+                        &low = TriangleIndices::of_degree(n - 1);
   Rational d[2][2];
   for (int direction = 0; direction < 2; ++direction)
     for (int x = 0; x < 2; ++x) {
       std::vector<Rational> derivative;
       for (int l = 0; l < low.count(); ++l) {
         const auto [i, j, k] = low.multi(l);
-        const auto at = [&](int local) { return Rational(c[static_cast<std::size_t>(2 * local + x)]); };
-        derivative.push_back(
-            n * (at(direction == 0 ? ix.local(i + 1, j, k) : ix.local(i, j + 1, k)) -
-                 at(ix.local(i, j, k + 1))));
+        const auto at = [&](int local) {
+          return Rational(c[static_cast<std::size_t>(2 * local + x)]);
+        };
+        derivative.push_back(n *
+                             (at(direction == 0 ? ix.local(i + 1, j, k) : ix.local(i, j + 1, k)) -
+                              at(ix.local(i, j, k + 1))));
       }
       d[direction][x] = test::evaluate(n - 1, derivative, p);
     }
@@ -129,8 +134,8 @@ void expect_bounds(const std::vector<Rational>& expected, const std::vector<doub
   for (std::size_t t = 0; t < out.size(); ++t) {
     const Rational off = abs(expected[t] - Rational(out[t]));
     EXPECT_TRUE(off <= Rational(error[t]))
-        << what << ", coefficient " << t << ": off by " << static_cast<double>(off)
-        << ", claimed " << error[t] << ", value " << out[t];
+        << what << ", coefficient " << t << ": off by " << static_cast<double>(off) << ", claimed "
+        << error[t] << ", value " << out[t];
   }
 }
 
@@ -139,7 +144,8 @@ TEST_P(Det, ErrorBoundsHold) {
   std::vector<double> out(size()), error(size());
   for (int trial = 0; trial < 12; ++trial) {
     const double height = std::pow(10.0, -1.4 * trial);
-    const Control c = trial == 0 ? random_control(random, n()) : nearly_degenerate(random, n(), height);
+    const Control c =
+        trial == 0 ? random_control(random, n()) : nearly_degenerate(random, n(), height);
     const std::vector<Rational> expected = exact_det(n(), c);
     det().at_with_error(c.data(), out.data(), error.data());
     expect_bounds(expected, out, error, "double");

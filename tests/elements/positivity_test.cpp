@@ -19,8 +19,8 @@ Rational sampled_minimum(int n, const std::vector<double>& c, int m) {
   Rational lowest = q[0];
   for (int i = 0; i <= m; ++i)
     for (int j = 0; j <= m - i; ++j)
-      lowest = std::min(lowest, test::evaluate(n, q, {Rational(i, m), Rational(j, m),
-                                                      Rational(m - i - j, m)}));
+      lowest = std::min(
+          lowest, test::evaluate(n, q, {Rational(i, m), Rational(j, m), Rational(m - i - j, m)}));
   return lowest;
 }
 
@@ -168,7 +168,8 @@ double minimum_at(int n, const Line& line, double t) {
   constexpr int kFine = 24;
   for (int i = 0; i <= kFine; ++i)
     for (int j = 0; j <= kFine - i; ++j)
-      lowest = std::min(lowest, bernstein_values(n, Barycentric(i, j, kFine - i - j) / kFine).dot(c));
+      lowest =
+          std::min(lowest, bernstein_values(n, Barycentric(i, j, kFine - i - j) / kFine).dot(c));
   return lowest;
 }
 
@@ -209,15 +210,15 @@ TEST(LargestStep, ExactRoots) {
   };
   EXPECT_EQ(step(1, 0, 0, 3), 3);
   EXPECT_DOUBLE_EQ(step(1, -2, 0, 3), 0.5);
-  EXPECT_DOUBLE_EQ(step(2, 0, -8, 3), 0.5);           // root from the quadratic term alone
-  EXPECT_DOUBLE_EQ(step(6, -5, 1, 10), 2);            // the smaller of 2 and 3
+  EXPECT_DOUBLE_EQ(step(2, 0, -8, 3), 0.5);  // root from the quadratic term alone
+  EXPECT_DOUBLE_EQ(step(6, -5, 1, 10), 2);   // the smaller of 2 and 3
   EXPECT_EQ(step(6, -5, 1, 1.5), 1.5);
-  EXPECT_EQ(step(1, -1, 1, 10), 10);                  // no real root
-  EXPECT_EQ(step(6, 5, 1, 10), 10);                   // both roots negative
-  EXPECT_DOUBLE_EQ(step(1, -2, 1, 10), 1);            // a double root is a zero
-  EXPECT_DOUBLE_EQ(step(1e-30, -1, 1, 10), 1e-30);    // no cancellation
+  EXPECT_EQ(step(1, -1, 1, 10), 10);                // no real root
+  EXPECT_EQ(step(6, 5, 1, 10), 10);                 // both roots negative
+  EXPECT_DOUBLE_EQ(step(1, -2, 1, 10), 1);          // a double root is a zero
+  EXPECT_DOUBLE_EQ(step(1e-30, -1, 1, 10), 1e-30);  // no cancellation
   EXPECT_DOUBLE_EQ(step(1, 1, -1e-20, 1e30), 1e20);
-  EXPECT_DOUBLE_EQ(step(1e-18, 1, -1, 10), 1);        // a triangle of relative area 1e-18
+  EXPECT_DOUBLE_EQ(step(1e-18, 1, -1, 10), 1);  // a triangle of relative area 1e-18
   EXPECT_DOUBLE_EQ(step(1e-13, 1, -1, 10), 1 + 1e-13);
   EXPECT_EQ(step(0, 1, 1, 10), 0);
   EXPECT_EQ(step(-1, 5, 0, 10), 0);

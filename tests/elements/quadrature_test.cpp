@@ -89,7 +89,8 @@ TEST(Quadrature, RadonIsExactForDegreeFive) {
 }
 
 TEST(Quadrature, CompositeKeepsExactnessAndConverges) {
-  const double fine_error = std::abs(mean(composite_rule(radon_rule(), 6), 6, 0, 0) - exact_mean(6, 0, 0));
+  const double fine_error =
+      std::abs(mean(composite_rule(radon_rule(), 6), 6, 0, 0) - exact_mean(6, 0, 0));
   const double coarse_error = std::abs(mean(radon_rule(), 6, 0, 0) - exact_mean(6, 0, 0));
   EXPECT_LT(fine_error, coarse_error / 1000);
   for (const int m : {1, 2, 3, 7}) {

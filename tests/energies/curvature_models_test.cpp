@@ -34,15 +34,20 @@ std::vector<Case> cases() {
     if (j.norm() > 1e-2 && j.norm() < 100 && test::norm_alpha(j) > 1e-3) moderate.push_back(j);
   const test::Triangles t(positive.size()), m(moderate.size());
   const std::vector<Quadrature> rule{lattice_rule(1)};
-  const auto sd = [](const Eigen::Matrix2d& j) { return test::oracle(test::direct_symmetric_dirichlet, j); };
+  const auto sd = [](const Eigen::Matrix2d& j) {
+    return test::oracle(test::direct_symmetric_dirichlet, j);
+  };
   const auto mips = [](const Eigen::Matrix2d& j) { return test::oracle(test::direct_mips, j); };
   const auto arap = [](const Eigen::Matrix2d& j) { return test::oracle(test::direct_arap, j); };
   return {
-      {"symmetric Dirichlet, dispatched", make_symmetric_dirichlet(t.space, t.rest, rule), sd, positive, true},
+      {"symmetric Dirichlet, dispatched", make_symmetric_dirichlet(t.space, t.rest, rule), sd,
+       positive, true},
       {"symmetric Dirichlet, spectral",
-       make_energy(t.space, t.rest, test::spectral_symmetric_dirichlet(), rule), sd, positive, true},
+       make_energy(t.space, t.rest, test::spectral_symmetric_dirichlet(), rule), sd, positive,
+       true},
       {"MIPS", make_energy(t.space, t.rest, test::mips(), rule), mips, positive, false},
-      {"MIPS, spectral", make_energy(t.space, t.rest, test::spectral_mips(), rule), mips, positive, false},
+      {"MIPS, spectral", make_energy(t.space, t.rest, test::spectral_mips(), rule), mips, positive,
+       false},
       {"ARAP", make_energy(m.space, m.rest, test::arap(), rule), arap, moderate, true},
   };
 }
@@ -89,8 +94,8 @@ TEST(CurvatureModels, ModelsArePositiveSemidefinite) {
   });
 }
 
-// The claim of method.md section 5: clamping coefficients in the (alpha, beta) frame is clamping the
-// eigenvalues of the exact 4x4 Hessian.
+// The claim of method.md section 5: clamping coefficients in the (alpha, beta) frame is clamping
+// the eigenvalues of the exact 4x4 Hessian.
 TEST(CurvatureModels, ProjectionIsEigenvalueClamping) {
   for_each([](const Case& c) {
     const auto models = test::point_models(*c.term, c.jacobians, Curvature::Projected);
@@ -147,8 +152,10 @@ TEST(CurvatureModels, PaperMajorizerIsEquationA1) {
     const test::Vector4 x(j(0, 0), j(0, 1), j(1, 0), j(1, 1));
     const Vector2 ah = (p * x) / a, bh = (q * x) / b;
     const Eigen::RowVector4d da = ah.transpose() * p, db = bh.transpose() * q;
-    const Matrix4 hess_a = p.transpose() * (Eigen::Matrix2d::Identity() - ah * ah.transpose()) * p / a;
-    const Matrix4 hess_b = q.transpose() * (Eigen::Matrix2d::Identity() - bh * bh.transpose()) * q / b;
+    const Matrix4 hess_a =
+        p.transpose() * (Eigen::Matrix2d::Identity() - ah * ah.transpose()) * p / a;
+    const Matrix4 hess_b =
+        q.transpose() * (Eigen::Matrix2d::Identity() - bh * bh.transpose()) * q / b;
     const double S = a + b, s = j.determinant() / S;
     const double hS = 2 * (S - std::pow(S, -3)), hs = 2 * (s - std::pow(s, -3));
     const Eigen::RowVector4d dS = da + db, ds = da - db;
@@ -164,8 +171,8 @@ TEST(CurvatureModels, PaperMajorizerIsEquationA1) {
   EXPECT_GT(compared, 120);
 }
 
-// What a majorizer of this family is for: h' is convex in the linearized arguments, so H' bounds the
-// exact Hessian at the same point (sampled; N1: not a global upper bound).
+// What a majorizer of this family is for: h' is convex in the linearized arguments, so H' bounds
+// the exact Hessian at the same point (sampled; N1: not a global upper bound).
 TEST(CurvatureModels, MajorizerBoundsTheHessianInRandomDirections) {
   test::Random random(1);
   for_each([&](const Case& c) {

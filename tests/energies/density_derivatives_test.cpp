@@ -14,7 +14,9 @@ constexpr double kUnit = std::numeric_limits<double>::epsilon();
 
 // Forms in x = A^2 and y = B^2 lose what det = x - y cancels, up to the power at which det enters
 // (det^-4 in second derivatives).
-double invariant_tolerance(const Eigen::Matrix2d& j) { return 1e-14 + 16 * kUnit * test::cancellation(j); }
+double invariant_tolerance(const Eigen::Matrix2d& j) {
+  return 1e-14 + 16 * kUnit * test::cancellation(j);
+}
 
 // Forms in S and s divide k_B by B: k_B = h_S - h_s has lost A / B of its digits. Below B = 1e-5 A
 // the library takes k_BB for k_B / B, with an error of (B / A)^2 k_BBBB / 6.
@@ -35,9 +37,8 @@ void expect_derivatives(const Density& density, const Direct& direct, const Jaco
     const PointModel o = test::oracle(direct, jacobians[e]);
     const double tol = tolerance(jacobians[e]);
     const double size = jacobians[e].norm();
-    SCOPED_TRACE(testing::Message() << "A = " << test::norm_alpha(jacobians[e])
-                                    << ", B = " << test::norm_beta(jacobians[e])
-                                    << ", tolerance " << tol);
+    SCOPED_TRACE(testing::Message() << "A = " << test::norm_alpha(jacobians[e]) << ", B = "
+                                    << test::norm_beta(jacobians[e]) << ", tolerance " << tol);
     EXPECT_NEAR(models[e].value, o.value, tol * (std::abs(o.value) + value_offset));
     // Where the gradient vanishes (isometries) its terms do not: compare with curvature times J.
     EXPECT_LE((models[e].gradient - o.gradient).norm(),
@@ -72,7 +73,8 @@ TEST(DensityDerivatives, Arap) {
     const double a = test::norm_alpha(j), b = test::norm_beta(j);
     // k_A is a sum of terms of size 1 + A + B, k_B a difference of such.
     const double size = (1 + a + b);
-    return 1e-13 + 64 * kUnit * size / std::min(1.0, a) * (1 + b / a) + 64 * kUnit * size / std::max(b, 1e-5 * a);
+    return 1e-13 + 64 * kUnit * size / std::min(1.0, a) * (1 + b / a) +
+           64 * kUnit * size / std::max(b, 1e-5 * a);
   };
   Jacobians jacobians;
   for (const Eigen::Matrix2d& j : test::all_jacobians())
@@ -85,8 +87,8 @@ TEST(DensityDerivatives, SimilaritiesAreExact) {
   Jacobians similar;
   for (const double scale : {0.5, 1.0, 1.25})
     for (const double angle : {0.0, 0.7, 2.5})
-      similar.push_back(test::from_parts(scale * Vector2(std::cos(angle), std::sin(angle)),
-                                         Vector2(0, 0)));
+      similar.push_back(
+          test::from_parts(scale * Vector2(std::cos(angle), std::sin(angle)), Vector2(0, 0)));
   expect_derivatives(symmetric_dirichlet_density(), test::direct_symmetric_dirichlet, similar,
                      [](const auto&) { return 1e-14; });
   Jacobians exactly_similar{Eigen::Matrix2d::Identity(), 0.5 * Eigen::Matrix2d::Identity()};
@@ -101,7 +103,8 @@ TEST(DensityDerivatives, SpectralAndInvariantFormsAgree) {
   const Jacobians jacobians = test::injective_jacobians();
   const test::Triangles t(jacobians.size());
   const auto a = make_energy(t.space, t.rest, symmetric_dirichlet_density(), {lattice_rule(1)});
-  const auto b = make_energy(t.space, t.rest, test::spectral_symmetric_dirichlet(), {lattice_rule(1)});
+  const auto b =
+      make_energy(t.space, t.rest, test::spectral_symmetric_dirichlet(), {lattice_rule(1)});
   for (const Curvature c : {Curvature::Exact, Curvature::Projected, Curvature::Majorizer}) {
     const auto ma = test::point_models(*a, jacobians, c), mb = test::point_models(*b, jacobians, c);
     for (std::size_t e = 0; e < jacobians.size(); ++e) {
@@ -119,14 +122,16 @@ TEST(DensityDerivatives, SpectralAndInvariantFormsAgree) {
 // tails of batches (counts that no vector width divides).
 TEST(DensityDerivatives, InstructionSetsAgree) {
   Jacobians jacobians = test::injective_jacobians();
-  for (const std::size_t count : {jacobians.size(), std::size_t(131), std::size_t(13), std::size_t(1)}) {
+  for (const std::size_t count :
+       {jacobians.size(), std::size_t(131), std::size_t(13), std::size_t(1)}) {
     jacobians.resize(count);
     const test::Triangles t(count);
     const auto here = make_energy(t.space, t.rest, symmetric_dirichlet_density(), {radon_rule()});
     const auto best = make_symmetric_dirichlet(t.space, t.rest, {radon_rule()});
     EXPECT_EQ(here->name(), best->name());
     for (const Curvature c : {Curvature::Exact, Curvature::Projected, Curvature::PaperMajorizer}) {
-      const auto a = test::point_models(*here, jacobians, c), b = test::point_models(*best, jacobians, c);
+      const auto a = test::point_models(*here, jacobians, c),
+                 b = test::point_models(*best, jacobians, c);
       for (std::size_t e = 0; e < count; ++e) {
         const double tol = 1e-13 + 16 * kUnit * test::cancellation(jacobians[e]);
         EXPECT_NEAR(a[e].value, b[e].value, tol * a[e].value);
@@ -144,7 +149,8 @@ TEST(DensityDerivatives, ValuesAndLocalSystemsAgree) {
   const auto check = [&](const EnergyTerm& term) {
     const auto m = test::element_models(term, test::corners_of(jacobians), Curvature::Projected);
     for (std::size_t e = 0; e < jacobians.size(); ++e)
-      EXPECT_NEAR(m.values[e], m.f[e], (1e-15 + kUnit * test::cancellation(jacobians[e])) * 16 * m.values[e]);
+      EXPECT_NEAR(m.values[e], m.f[e],
+                  (1e-15 + kUnit * test::cancellation(jacobians[e])) * 16 * m.values[e]);
   };
   check(*make_symmetric_dirichlet(t.space, t.rest, {radon_rule()}));
   check(*make_energy(t.space, t.rest, test::spectral_mips(), {radon_rule()}));

@@ -53,8 +53,8 @@ inline Vec corners_of(const std::vector<Eigen::Matrix2d>& jacobians) {
 
 // Elements 0..count-1 of a term, 128 at a time; Hessians unpacked.
 struct ElementModels {
-  std::vector<double> values;   // from values()
-  std::vector<double> f;        // from local()
+  std::vector<double> values;  // from values()
+  std::vector<double> f;       // from local()
   std::vector<Vec> gradients;
   std::vector<Eigen::MatrixXd> hessians;
 };

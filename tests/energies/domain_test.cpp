@@ -39,12 +39,22 @@ std::vector<double> values(const EnergyTerm& term, const Jacobians& jacobians) {
 }
 
 TEST(Domain, InfiniteOutsideNeverNaN) {
-  const Jacobians outside{
-      matrix(1, 0, 0, -1),      matrix(0, 1, 1, 0),   matrix(0, 0, 0, 0),   matrix(1, 2, 2, 4),
-      matrix(-3, 0, 0, 1e-9),   matrix(1, 1, 1, 1),   matrix(kNaN, 0, 0, 1), matrix(1, kNaN, 0, 1),
-      matrix(1, 0, 0, kNaN),    matrix(kInfinity, 0, 0, 1), matrix(1, 0, 0, -kInfinity),
-      matrix(kInfinity, 0, 0, kInfinity), matrix(-kInfinity, 0, 0, -kInfinity),
-      matrix(0, kInfinity, -kInfinity, 0), matrix(1e200, 0, 0, -1e200), matrix(1e-200, 0, 0, 1e-200)};
+  const Jacobians outside{matrix(1, 0, 0, -1),
+                          matrix(0, 1, 1, 0),
+                          matrix(0, 0, 0, 0),
+                          matrix(1, 2, 2, 4),
+                          matrix(-3, 0, 0, 1e-9),
+                          matrix(1, 1, 1, 1),
+                          matrix(kNaN, 0, 0, 1),
+                          matrix(1, kNaN, 0, 1),
+                          matrix(1, 0, 0, kNaN),
+                          matrix(kInfinity, 0, 0, 1),
+                          matrix(1, 0, 0, -kInfinity),
+                          matrix(kInfinity, 0, 0, kInfinity),
+                          matrix(-kInfinity, 0, 0, -kInfinity),
+                          matrix(0, kInfinity, -kInfinity, 0),
+                          matrix(1e200, 0, 0, -1e200),
+                          matrix(1e-200, 0, 0, 1e-200)};
   for (const auto& term : barriers(outside.size())) {
     SCOPED_TRACE(term->name());
     const std::vector<double> f = values(*term, outside);
@@ -91,7 +101,8 @@ TEST(Domain, OneBadPointMakesTheElementInfinite) {
   EXPECT_NEAR(f, 0.5 * 4, 1e-14);
   x.segment<2>(2 * space->cells()(0, 3)) = Vector2(-0.01, 0.6);  // det < 0 at a corner only
   ASSERT_LT(test::det_at(*space, x, 0, Barycentric(0, 1, 0)) *
-                test::det_at(*space, x, 0, Barycentric::Constant(1.0 / 3)), 0);
+                test::det_at(*space, x, 0, Barycentric::Constant(1.0 / 3)),
+            0);
   term->values(x, Chunk{0, {&e, 1}}, {}, workspace, {&f, 1});
   EXPECT_EQ(f, kInfinity);
 }
@@ -102,25 +113,26 @@ TEST(Domain, ReflectionsHaveFiniteDerivatives) {
   const Jacobians j{matrix(1, 0, 0, -1), matrix(0, 2, 2, 0), matrix(0.5, 0.25, 0.25, -0.5),
                     matrix(0, 0, 0, 0)};
   const test::Triangles t(j.size());
-  const auto quadratic = make_energy(
-      t.space, t.rest,
-      invariant("asap", Domain::Everywhere, Convexity::Convex,
-                [](const auto& x, const auto& y) { return 4.0 * y + 0.0 * x; }),
-      {lattice_rule(1)});
+  const auto quadratic =
+      make_energy(t.space, t.rest,
+                  invariant("asap", Domain::Everywhere, Convexity::Convex,
+                            [](const auto& x, const auto& y) { return 4.0 * y + 0.0 * x; }),
+                  {lattice_rule(1)});
   const auto from_singular_values =
       make_energy(t.space, t.rest,
                   spectral("asap", Domain::Everywhere, Convexity::Convex,
                            [](auto S, auto s) { return (S - s) * (S - s); }),
                   {lattice_rule(1)});
-  const auto general = make_energy(
-      t.space, t.rest,
-      invariant("asap", Domain::Everywhere, Convexity::Unknown,
-                [](const auto& x, const auto& y) { return 4.0 * y + 0.0 * x; }),
-      {lattice_rule(1)});
+  const auto general =
+      make_energy(t.space, t.rest,
+                  invariant("asap", Domain::Everywhere, Convexity::Unknown,
+                            [](const auto& x, const auto& y) { return 4.0 * y + 0.0 * x; }),
+                  {lattice_rule(1)});
   const auto direct = [](const test::Jet& a, const test::Jet& b, const test::Jet& c,
                          const test::Jet& d) { return (a - d) * (a - d) + (b + c) * (b + c); };
   for (const auto& [name, term] : {std::pair("invariant", quadratic),
-                                   {"spectral", from_singular_values}, {"unknown", general}})
+                                   {"spectral", from_singular_values},
+                                   {"unknown", general}})
     for (const Curvature c : {Curvature::Exact, Curvature::Projected}) {
       SCOPED_TRACE(testing::Message() << name << ", model " << static_cast<int>(c));
       const auto models = test::point_models(*term, j, c);

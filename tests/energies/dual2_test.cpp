@@ -13,7 +13,8 @@ namespace {
 using D = Dual2<double, 2>;
 
 void expect_equal(const D& f, double v, Vector2 g, double xx, double xy, double yy) {
-  const double tol = 1e-14 * (1 + std::abs(v) + g.norm() + std::abs(xx) + std::abs(xy) + std::abs(yy));
+  const double tol =
+      1e-14 * (1 + std::abs(v) + g.norm() + std::abs(xx) + std::abs(xy) + std::abs(yy));
   EXPECT_NEAR(f.v, v, tol);
   EXPECT_NEAR(f.d[0], g[0], tol);
   EXPECT_NEAR(f.d[1], g[1], tol);

@@ -27,8 +27,8 @@ struct Fixture {
   Vec x;
 };
 
-// sum_t A_t (|J|^2 + |J^-1|^2) by edge vectors, no rest frame: |J|^2 = tr(G^-1 U), with Gram matrices
-// G of the surface's and U of the plane's edges.
+// sum_t A_t (|J|^2 + |J^-1|^2) by edge vectors, no rest frame: |J|^2 = tr(G^-1 U), with Gram
+// matrices G of the surface's and U of the plane's edges.
 double direct_symmetric_dirichlet(const test::Mesh& mesh, const Vec& x) {
   double sum = 0;
   for (Index f = 0; f < mesh.faces.rows(); ++f) {
@@ -36,11 +36,13 @@ double direct_symmetric_dirichlet(const test::Mesh& mesh, const Vec& x) {
     Eigen::Matrix2d plane;
     for (int k = 0; k < 2; ++k) {
       surface.col(k) =
-          (mesh.positions.row(mesh.faces(f, k + 1)) - mesh.positions.row(mesh.faces(f, 0))).transpose();
+          (mesh.positions.row(mesh.faces(f, k + 1)) - mesh.positions.row(mesh.faces(f, 0)))
+              .transpose();
       plane.col(k) = x.segment<2>(2 * mesh.faces(f, k + 1)) - x.segment<2>(2 * mesh.faces(f, 0));
     }
     const Eigen::Matrix2d g = surface.transpose() * surface, u = plane.transpose() * plane;
-    sum += 0.5 * std::sqrt(g.determinant()) * ((g.inverse() * u).trace() + (u.inverse() * g).trace());
+    sum +=
+        0.5 * std::sqrt(g.determinant()) * ((g.inverse() * u).trace() + (u.inverse() * g).trace());
   }
   return sum;
 }
@@ -64,7 +66,8 @@ TEST(EnergyAssembly, IsometriesHaveEnergyFour) {
         ProblemBuilder(2 * space->node_count()).add(term, 1 / rest.measure.sum()).build();
     Points2 uv = test::flat(mesh.positions);
     EXPECT_NEAR(Evaluator(problem).value(test::linear_map(*space, uv)), 4, 4e-14);
-    const Eigen::Matrix2d turn = test::from_parts(Vector2(std::cos(1.1), std::sin(1.1)), Vector2(0, 0));
+    const Eigen::Matrix2d turn =
+        test::from_parts(Vector2(std::cos(1.1), std::sin(1.1)), Vector2(0, 0));
     uv = ((uv * turn.transpose()).rowwise() + Eigen::RowVector2d(2, -3)).eval();
     const Vec x = test::linear_map(*space, uv);
     EXPECT_NEAR(Evaluator(problem).value(x), 4, 4e-13);
@@ -87,7 +90,8 @@ template <class F>
 auto difference(const F& f, const Vec& x, const Vec& d, double h) {
   using Result = std::decay_t<decltype(f(x))>;
   const Result r = (8.0 * (f(Vec(x + h * d)) - f(Vec(x - h * d))) -
-                    (f(Vec(x + 2 * h * d)) - f(Vec(x - 2 * h * d)))) / (12 * h);
+                    (f(Vec(x + 2 * h * d)) - f(Vec(x - 2 * h * d)))) /
+                   (12 * h);
   return r;
 }
 
@@ -112,7 +116,8 @@ void expect_consistent(const Fixture& s, const std::shared_ptr<const EnergyTerm>
   for (Index c = 0; c < p.size; ++c)
     for (Index k = p.column_starts[static_cast<std::size_t>(c)];
          k < p.column_starts[static_cast<std::size_t>(c) + 1]; ++k)
-      h(p.rows[static_cast<std::size_t>(k)], c) = h(c, p.rows[static_cast<std::size_t>(k)]) = values[k];
+      h(p.rows[static_cast<std::size_t>(k)], c) = h(c, p.rows[static_cast<std::size_t>(k)]) =
+          values[k];
   const auto value = [&](const Vec& x) { return evaluator.value(x); };
   const auto gradient = [&](const Vec& x) {
     Vec out, unused;
@@ -123,7 +128,8 @@ void expect_consistent(const Fixture& s, const std::shared_ptr<const EnergyTerm>
   for (Index i = 0; i < p.size; i += 3) {  // single unknowns find what averages hide
     const Vec d = Vec::Unit(p.size, i);
     EXPECT_NEAR(difference(value, s.x, d, 2e-4), g[i], 1e-8 * g.norm()) << "unknown " << i;
-    EXPECT_LE((difference(gradient, s.x, d, 2e-4) - h.col(i)).norm(), 1e-8 * h.norm()) << "column " << i;
+    EXPECT_LE((difference(gradient, s.x, d, 2e-4) - h.col(i)).norm(), 1e-8 * h.norm())
+        << "column " << i;
   }
   // Translations cost nothing.
   Vec shift = Vec::Zero(p.size);
@@ -176,7 +182,8 @@ TEST_P(Assembled, ElementModelsArePositiveSemidefinite) {
            make_symmetric_dirichlet(s.space, s.rest, rules),
            make_energy(s.space, s.rest, test::mips(), rules),
            make_energy(s.space, s.rest, test::arap(), rules)})
-    for (const Curvature c : {Curvature::Projected, Curvature::Majorizer, Curvature::PaperMajorizer}) {
+    for (const Curvature c :
+         {Curvature::Projected, Curvature::Majorizer, Curvature::PaperMajorizer}) {
       if (!term->supports(c)) continue;
       for (const Eigen::MatrixXd& h : test::element_models(*term, s.x, c).hessians)
         EXPECT_GE(test::smallest_eigenvalue(h), -1e-12 * h.trace()) << term->name();

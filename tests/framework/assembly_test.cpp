@@ -93,7 +93,8 @@ TEST_P(Assembly, Unconstrained) {
 TEST_P(Assembly, ManyChunks) {
   Random random(2);
   const int block = GetParam();
-  const auto term = std::make_shared<const QuadraticTerm>(test::band_stencils(300, 4, block), random);
+  const auto term =
+      std::make_shared<const QuadraticTerm>(test::band_stencils(300, 4, block), random);
   const Problem problem = ProblemBuilder(303 * block).add(term, 1.0).build();
   EXPECT_GT(problem.plan(0).chunk_count(), 2);
   expect_matches_dense(problem, {term}, random);
@@ -124,8 +125,8 @@ TEST_P(Assembly, SeveralTermsWeightsAndRules) {
   const int block = GetParam();
   const auto a = std::make_shared<const QuadraticTerm>(
       test::random_stencils(random, 200, 3, 20, block), random);
-  const auto b =
-      std::make_shared<const QuadraticTerm>(test::random_stencils(random, 9, 2, 20 * block, 1), random);
+  const auto b = std::make_shared<const QuadraticTerm>(
+      test::random_stencils(random, 9, 2, 20 * block, 1), random);
   TermState state;
   state.weight = 0.5;
   state.element_weight = random.vector(200, 0, 2);

@@ -53,7 +53,8 @@ class Cholmod : public testing::TestWithParam<std::tuple<Factorization, Ordering
 TEST_P(Cholmod, SolvesPositiveDefiniteSystems) {
   Random random(1);
   const auto solver = make();
-  for (const auto& [nodes, block] : {std::pair(1, 1), {1, 2}, {2, 1}, {20, 2}, {300, 1}, {150, 2}}) {
+  for (const auto& [nodes, block] :
+       {std::pair(1, 1), {1, 2}, {2, 1}, {20, 2}, {300, 1}, {150, 2}}) {
     const Matrix m = random_matrix(random, nodes, block, 60);
     solver->analyze(m.pattern);
     ASSERT_EQ(solver->factorize(m.values, 0), FactorStatus::Ok) << nodes << ' ' << block;

@@ -145,8 +145,8 @@ TEST_F(Threads, ChunksOfOneColourShareNoReducedUnknown) {
       for (const Index e : problem.plan(0).chunk(c).elements)
         for (Index k = 0; k < s.nodes.cols(); ++k)
           for (int b = 0; b < s.block; ++b)
-            for (auto q = z.begin(s.block * s.nodes(e, k) + b); q != z.end(s.block * s.nodes(e, k) + b);
-                 ++q)
+            for (auto q = z.begin(s.block * s.nodes(e, k) + b);
+                 q != z.end(s.block * s.nodes(e, k) + b); ++q)
               own.insert(q->reduced);
       for (const Index u : own) shared += !unknowns.insert(u).second;
     }

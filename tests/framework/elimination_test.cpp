@@ -103,8 +103,8 @@ System deficient_system(Random& random, Index unknowns, int independent, int tot
   for (int r = 0; r < total; ++r) {
     std::vector<long> row(static_cast<std::size_t>(unknowns), 0);
     for (const auto& b : basis)
-      if (const long c = r < independent ? (&b == &basis[static_cast<std::size_t>(r)])
-                                         : random.integer(-1, 1);
+      if (const long c =
+              r < independent ? (&b == &basis[static_cast<std::size_t>(r)]) : random.integer(-1, 1);
           c != 0)
         for (std::size_t i = 0; i < row.size(); ++i) row[i] += c * b[i];
     double rhs = 0;

@@ -25,7 +25,8 @@ struct Scalar {
 
 class Chain final : public EnergyTerm {
  public:
-  Chain(Index count, Scalar phi) : phi_(std::move(phi)), stencils_(test::band_stencils(count, 1, 1)) {}
+  Chain(Index count, Scalar phi)
+      : phi_(std::move(phi)), stencils_(test::band_stencils(count, 1, 1)) {}
   std::string_view name() const override { return "chain"; }
   const Stencils& stencils() const override { return stencils_; }
   bool supports(Curvature) const override { return true; }
@@ -50,8 +51,7 @@ class Chain final : public EnergyTerm {
 
 Scalar double_well() {
   return {[](double t) { return (t * t - 1) * (t * t - 1) + 1; },
-          [](double t) { return 4 * t * (t * t - 1); },
-          [](double t) { return 12 * t * t - 4; }};
+          [](double t) { return 4 * t * (t * t - 1); }, [](double t) { return 12 * t * t - 4; }};
 }
 
 Scalar parabola(double minimum, double offset) {
@@ -123,7 +123,8 @@ TEST(Newton, SolvesAQuadraticInOneStep) {
 }
 
 TEST(Newton, EnergiesDecreaseAndRecordsAgree) {
-  const Problem problem = ProblemBuilder(5).add(std::make_shared<const Chain>(5, double_well()), 1).build();
+  const Problem problem =
+      ProblemBuilder(5).add(std::make_shared<const Chain>(5, double_well()), 1).build();
   Vec y0(5);
   y0 << 0.3, -0.7, 3, 0.6, -1.5;
   double previous = Evaluator(problem).value(y0);
@@ -147,7 +148,8 @@ TEST(Newton, EnergiesDecreaseAndRecordsAgree) {
 
 // Curvature is negative at the start: the shift is recorded and the iteration gets away.
 TEST(Newton, ShiftsIndefiniteHessians) {
-  const Problem problem = ProblemBuilder(2).add(std::make_shared<const Chain>(2, double_well()), 1).build();
+  const Problem problem =
+      ProblemBuilder(2).add(std::make_shared<const Chain>(2, double_well()), 1).build();
   const SolveResult r = NewtonMinimizer(options()).minimize(problem, Vector2(0.5, 2.0), {});
   ASSERT_EQ(r.status, Status::Converged) << r.message;
   EXPECT_GT(r.iterations.at(0).shift, 0);
@@ -156,7 +158,8 @@ TEST(Newton, ShiftsIndefiniteHessians) {
 
 // The whole Hessian is negative: a shift of one mean diagonal is not enough.
 TEST(Newton, ShiftsNegativeDefiniteHessians) {
-  const Problem problem = ProblemBuilder(1).add(std::make_shared<const Chain>(1, double_well()), 1).build();
+  const Problem problem =
+      ProblemBuilder(1).add(std::make_shared<const Chain>(1, double_well()), 1).build();
   const SolveResult r = NewtonMinimizer(options()).minimize(problem, Vec::Constant(1, 0.1), {});
   EXPECT_EQ(r.status, Status::Converged) << r.message;
 }
@@ -210,21 +213,23 @@ TEST(Newton, BlockedStepsStall) {
 TEST(Newton, StopsAtTheIterationLimit) {
   NewtonOptions o = options();
   o.stopping.max_iterations = 2;
-  const Problem problem = ProblemBuilder(1).add(std::make_shared<const Chain>(1, double_well()), 1).build();
+  const Problem problem =
+      ProblemBuilder(1).add(std::make_shared<const Chain>(1, double_well()), 1).build();
   const SolveResult r = NewtonMinimizer(o).minimize(problem, Vec::Constant(1, 30), {});
   EXPECT_EQ(r.status, Status::MaxIterations);
   EXPECT_EQ(r.iterations.size(), 2u);
 }
 
 TEST(Newton, ObserversStopIt) {
-  const Problem problem = ProblemBuilder(1).add(std::make_shared<const Chain>(1, double_well()), 1).build();
-  for (const auto& [directive, status] :
-       {std::pair(Directive::TimeLimit, Status::TimeLimit),
-        {Directive::Interrupt, Status::Interrupted}}) {
+  const Problem problem =
+      ProblemBuilder(1).add(std::make_shared<const Chain>(1, double_well()), 1).build();
+  for (const auto& [directive, status] : {std::pair(Directive::TimeLimit, Status::TimeLimit),
+                                          {Directive::Interrupt, Status::Interrupted}}) {
     const auto observer = [d = directive](const IterationRecord& r, const Vec&) {
       return r.iteration == 2 ? d : Directive::Continue;
     };
-    const SolveResult r = NewtonMinimizer(options()).minimize(problem, Vec::Constant(1, 30), observer);
+    const SolveResult r =
+        NewtonMinimizer(options()).minimize(problem, Vec::Constant(1, 30), observer);
     EXPECT_EQ(r.status, status);
     EXPECT_EQ(r.iterations.size(), 2u);
     EXPECT_EQ(r.energy, Evaluator(problem).value(r.y));
@@ -242,7 +247,8 @@ TEST(Newton, InfeasibleStarts) {
 
   const Scalar barrier{[](double t) { return t > 0 ? t - std::log(t) : kInfinity; },
                        [](double t) { return 1 - 1 / t; }, [](double t) { return 1 / (t * t); }};
-  const Problem domain = ProblemBuilder(1).add(std::make_shared<const Chain>(1, barrier), 1).build();
+  const Problem domain =
+      ProblemBuilder(1).add(std::make_shared<const Chain>(1, barrier), 1).build();
   EXPECT_EQ(NewtonMinimizer(options()).minimize(domain, Vec::Constant(1, -1), {}).status,
             Status::Infeasible);
   r = NewtonMinimizer(options()).minimize(domain, Vec::Constant(1, 1e-6), {});
@@ -263,7 +269,8 @@ TEST(Newton, WithoutUnknownsThereIsNothingToDo) {
 }
 
 TEST(Newton, StartingAtTheMinimumTakesNoStep) {
-  const Problem problem = ProblemBuilder(1).add(std::make_shared<const Chain>(1, parabola(2, 1)), 1).build();
+  const Problem problem =
+      ProblemBuilder(1).add(std::make_shared<const Chain>(1, parabola(2, 1)), 1).build();
   const SolveResult r = NewtonMinimizer(options()).minimize(problem, Vec::Constant(1, 2), {});
   EXPECT_EQ(r.status, Status::Converged);
   EXPECT_TRUE(r.iterations.empty());
@@ -328,7 +335,8 @@ TEST(Newton, MinimaOfEnergyZeroConverge) {
 TEST(Newton, NumericalBreakdownIsAStatus) {
   const Scalar broken{[](double t) { return t; }, [](double) { return 1.0; },
                       [](double) { return std::nan(""); }};
-  const Problem problem = ProblemBuilder(1).add(std::make_shared<const Chain>(1, broken), 1).build();
+  const Problem problem =
+      ProblemBuilder(1).add(std::make_shared<const Chain>(1, broken), 1).build();
   const SolveResult r = NewtonMinimizer(options()).minimize(problem, Vec::Constant(1, 2), {});
   EXPECT_EQ(r.status, Status::Failed);
   EXPECT_EQ(r.y[0], 2);
