@@ -58,7 +58,8 @@ struct SolveResult {
 //     for a second time, the exact Hessian having been given another chance in between; steps with
 //     the exact Hessian do not count, they converge quadratically to the decrement rule
 //   idle: small step, or a certified step below stall_step, in stall_iterations successive
-//     iterations: Converged if -g.p <= stall_decrement |E_{k-1}|, else Stalled
+//     iterations: Converged if -g.p <= stall_decrement |E_{k-1}|, else Stalled, and the result is the
+//     last point reached by a step of at least anchor_step: what follows it led into a corner
 //   no step decreases the energy: Converged or Stalled by the same bound on -g.p.
 struct StoppingRules {
   double relative_decrease = 1e-6;
@@ -67,6 +68,7 @@ struct StoppingRules {
   double stall_decrement = 1e-4;
   int stall_iterations = 3;
   double stall_step = 1e-3;
+  double anchor_step = 0.1;
   int max_iterations = 1000;
 };
 

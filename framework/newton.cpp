@@ -244,6 +244,8 @@ SolveResult run(NewtonStepper& stepper, Vec y0, const StoppingRules& rules,
 
   int idle = 0;
   bool polished = false;
+  Vec anchor = result.y;  // last point from which a good part of the step was possible
+  double anchor_energy = result.energy;
   for (int k = 1; k <= rules.max_iterations; ++k) {
     const double scale = std::abs(result.energy);
     NewtonStepper::Step step = stepper.step(result.y, result.energy);
@@ -268,9 +270,16 @@ SolveResult run(NewtonStepper& stepper, Vec y0, const StoppingRules& rules,
       polished = true;
     }
     idle = small_decrease || step.record.step_bound < rules.stall_step ? idle + 1 : 0;
-    if (idle >= rules.stall_iterations)
-      return near ? finish(Status::Converged, "relative decrease")
-                  : finish(Status::Stalled, "held at the limit of the feasible set");
+    if (idle >= rules.stall_iterations) {
+      if (near) return finish(Status::Converged, "relative decrease");
+      result.y = anchor;
+      result.energy = anchor_energy;
+      return finish(Status::Stalled, "held at the limit of the feasible set");
+    }
+    if (idle == 0 && step.record.step_bound >= rules.anchor_step) {
+      anchor = result.y;
+      anchor_energy = result.energy;
+    }
     if (directive == Directive::TimeLimit) return finish(Status::TimeLimit, "time limit");
     if (directive == Directive::Interrupt) return finish(Status::Interrupted, "interrupted");
   }

@@ -24,7 +24,7 @@ struct NewtonOptions {
   double exact_below = 1e-4;
   StoppingRules stopping;
   double armijo = 1e-4;            // accept s when E(s) <= E(0) + armijo * s * g.p
-  double boundary_fraction = 0.95; // of the largest certified step is used, when that is the limit
+  double boundary_fraction = 0.9;  // of the largest certified step is used, when that is the limit
   double largest_growth = 4;       // of the step per trial, while the energy asks for more
   double smallest_step = 1e-14;    // give up below
   std::function<std::unique_ptr<LinearSolver>()> linear_solver = [] {

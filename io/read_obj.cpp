@@ -93,10 +93,18 @@ class ObjReader {
   }
 
   void keep_directive() {
-    std::string text(cursor_.whole_line());
-    for (std::size_t i = text.find('\n'); i != std::string::npos; i = text.find('\n')) {
-      const std::size_t backslash = text.rfind('\\', i);
-      text.replace(backslash, i + 1 - backslash, " ");
+    // A continued line becomes one line: backslash, what follows it and the line end are a space.
+    std::string text;
+    for (std::string_view rest = cursor_.whole_line(); !rest.empty();) {
+      const std::size_t end = rest.find('\n');
+      const std::string_view line = rest.substr(0, end);
+      if (end == std::string_view::npos) {
+        text += line;
+        break;
+      }
+      text += line.substr(0, line.rfind('\\'));
+      text += ' ';
+      rest.remove_prefix(end + 1);
     }
     mesh_.directives.emplace_back(static_cast<Index>(mesh_.polygons.size()), std::move(text));
   }

@@ -43,7 +43,7 @@ struct ParametrizationOptions {
   std::optional<Vec> initial;                      // u, v per vertex; none: Tutte's map
   int quadrature_points = 0;                       // lattice points per triangle; 0: our own rule
   double tolerance = 1e-6;                         // relative energy decrease per iteration
-  double elevation_tolerance = 1e-2;                            // the degree is raised below this decrease
+  double elevation_tolerance = 1e-4;                            // the degree is raised below this decrease
   int injectivity_depth = 5;                       // of bisection; deeper when a run is held back
 };
 
