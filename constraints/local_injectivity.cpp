@@ -16,7 +16,7 @@ constexpr double kTwoPi = 2 * std::numbers::pi;
 
 LocalInjectivity::LocalInjectivity(std::shared_ptr<const ElementSpace> space, Vec rest_det,
                                    int max_depth)
-    : space_(std::move(space)), rest_det_(std::move(rest_det)), max_depth_(max_depth) {}
+    : space_(std::move(space)), rest_det_(std::move(rest_det)), max_depth_(std::min(max_depth, kMaxDepth)) {}
 
 Vec LocalInjectivity::lower_bounds(VecIn x) const {
   const Index count = space_->element_count();
@@ -27,7 +27,7 @@ Vec LocalInjectivity::lower_bounds(VecIn x) const {
     const bool proven = proof.result == Positivity::Certified;
     bounds[e] = (proven ? proof.lower_bound : std::min(proof.lower_bound, 0.0)) / rest_det_[e];
     if (proven)
-      depth_counts_[static_cast<std::size_t>(std::min(proof.depth, 63))].fetch_add(
+      depth_counts_[static_cast<std::size_t>(std::min(proof.depth, kMaxDepth))].fetch_add(
           1, std::memory_order_relaxed);
   }
   return bounds;

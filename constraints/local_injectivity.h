@@ -19,6 +19,7 @@ namespace majorant {
 class LocalInjectivity final : public FeasibilityChecker {
  public:
   static constexpr int kDefaultDepth = 5;
+  static constexpr int kMaxDepth = 63;  // deeper is taken as this
   // rest_det: #E determinants of the rest shapes (twice the areas), to make margins dimensionless.
   LocalInjectivity(std::shared_ptr<const ElementSpace> space, Vec rest_det,
                    int max_depth = kDefaultDepth);
@@ -36,7 +37,7 @@ class LocalInjectivity final : public FeasibilityChecker {
   std::shared_ptr<const ElementSpace> space_;
   Vec rest_det_;
   int max_depth_;
-  mutable std::array<std::atomic<long>, 64> depth_counts_{};
+  mutable std::array<std::atomic<long>, kMaxDepth + 1> depth_counts_{};
 };
 
 // Sum of sector angles (radians) at each vertex, between the tangents of the map at the corners.

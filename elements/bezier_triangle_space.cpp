@@ -1,6 +1,8 @@
 #include "majorant/elements/bezier_triangle_space.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <tuple>
 
@@ -126,6 +128,8 @@ PositivityProof BezierTriangleSpace::certify(Index e, VecIn x, int max_depth) co
   const DetCoefficients& det = DetCoefficients::of_degree(degree_);
   double c[kMaxLocal], d[kMaxDet], error[kMaxDet];
   gather(e, x, c);
+  if (!std::all_of(c, c + 2 * nodes_per_element(), [](double v) { return std::isfinite(v); }))
+    return {Positivity::Violated, -std::numeric_limits<double>::infinity(), 0};
   const auto prove = [&] {
     return certify_positive(det.det_degree(), d, *std::max_element(error, error + det.count()),
                             max_depth);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace majorant {
 namespace {
@@ -18,7 +19,8 @@ double first_root(double a, double b, double c, double s) {
   const double discriminant = b * b - 4 * a * c;
   if (!(discriminant >= 0)) return discriminant < 0 ? s : 0;
   const double root = std::sqrt(discriminant);
-  // The smaller positive root is 2a / (-b + sqrt(disc)) when that is positive.
+  // The smaller positive root, in the form without cancellation. With b > 0 only c < 0 gets here.
+  if (b > 0) return std::min(s, (b + root) / (-2 * c));
   const double denominator = root - b;
   if (!(denominator > 0)) return s;
   return std::min(s, 2 * a / denominator);
@@ -39,8 +41,8 @@ DetCoefficients::DetCoefficients(int n) : degree_(n) {
     for (int s = 0; s < low.count(); ++s) {
       const MultiIndex &u = low.multi(r), &v = low.multi(s);
       const int t = det.local(u[0] + v[0], u[1] + v[1], u[2] + v[2]);
-      products_.push_back(
-          {r, s, t, n * n * low.multinomial(r) * low.multinomial(s) / det.multinomial(t)});
+      const double numerator = n * n * low.multinomial(r) * low.multinomial(s);
+      products_.push_back({r, s, t, numerator / det.multinomial(t), numerator, det.multinomial(t)});
     }
 }
 
@@ -99,14 +101,18 @@ void DetCoefficients::with_error(const double* c, double unit, double* out, doub
     const Real v0 = Real(c[2 * b.plus0 + 1]) - Real(c[2 * b.plus2 + 1]);
     const Real v1 = Real(c[2 * b.plus1 + 1]) - Real(c[2 * b.plus2 + 1]);
     const auto t = static_cast<std::size_t>(m.target);
-    sum[t] += Real(m.weight) * (u0 * v1 - u1 * v0);
-    size[t] += Real(m.weight) * (magnitude(u0 * v1) + magnitude(u1 * v0));
+    Real weight = Real(m.weight);
+    if constexpr (!std::is_same_v<Real, double>) weight = Real(m.numerator) / Real(m.denominator);
+    sum[t] += weight * (u0 * v1 - u1 * v0);
+    size[t] += weight * (magnitude(u0 * v1) + magnitude(u1 * v0));
   }
   const double roundings = 8.0 + static_cast<double>(differences_.size());
+  // Products (and the rounding of quadruple sums to double) may underflow.
+  const double underflow = 1024 * roundings * std::numeric_limits<double>::denorm_min();
   for (std::size_t t = 0; t < sum.size(); ++t) {
     out[t] = static_cast<double>(sum[t]);
     error[t] = 1.01 * roundings * unit * static_cast<double>(size[t]) +
-               2 * kUnit * std::abs(out[t]) * (unit < kUnit ? 1 : 0);
+               (unit < kUnit ? 2 * kUnit * std::abs(out[t]) : 0) + underflow;
   }
 }
 
@@ -121,7 +127,10 @@ void DetCoefficients::at_with_error_quad(const double* c, double* out, double* e
 PositivityProof certify_positive(int n, const double* coefficients, double error, int max_depth) {
   const int count = control_point_count(n);
   PositivityProof proof;
-  proof.lower_bound = *std::min_element(coefficients, coefficients + count) - error;
+  double lowest = coefficients[0];  // or NaN, which min_element would step over
+  for (int k = 1; k < count; ++k)
+    if (coefficients[k] < lowest || std::isnan(coefficients[k])) lowest = coefficients[k];
+  proof.lower_bound = lowest - error;
   if (proof.lower_bound > 0) {
     proof.result = Positivity::Certified;
     return proof;

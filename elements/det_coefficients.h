@@ -32,7 +32,8 @@ class DetCoefficients {
   // One product (D0u_r D1v_s - D1u_r D0v_s) of coefficient `target`.
   struct Product {
     int r, s, target;
-    double weight;
+    double weight;                  // numerator / denominator, rounded
+    double numerator, denominator;  // integers
   };
   // Differences by direction: D0 = c[plus0] - c[plus2], D1 = c[plus1] - c[plus2].
   struct Difference {

@@ -65,7 +65,8 @@ Batch<Arch> inside_domain(const Density& density, const Batch<Arch>& f, const Ba
                           const Batch<Arch>& y) {
   using B = Batch<Arch>;
   const B infinity(std::numeric_limits<double>::infinity());
-  if (density.domain() == Domain::PositiveDeterminant) return xsimd::select(x > y, f, infinity);
+  if (density.domain() == Domain::PositiveDeterminant)
+    return xsimd::select((x > y) && (f == f), f, infinity);
   return xsimd::select(f == f, f, infinity);
 }
 

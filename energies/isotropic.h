@@ -24,6 +24,9 @@ enum class Domain { PositiveDeterminant, Everywhere };
 // be found out from code, and without it Curvature::Majorizer is refused.
 enum class Convexity { Convex, Unknown };
 
+// A below which quotients by A stop growing: its inverse cube is finite.
+inline constexpr double kSmallestA = 1e-75;
+
 template <class T>
 struct IsotropicJet {
   T f, ga, gb, caa, cab, cbb;
@@ -55,7 +58,8 @@ template <class T>
 CurvatureCoefficients<T> convex_projection(const IsotropicJet<T>& j, const T& x) {
   using namespace scalar_math;
   const T negative = min(j.ga, T(0.0));
-  return {j.ga - negative, j.gb, j.caa + negative / x, j.cab, j.cbb};
+  return {j.ga - negative, j.gb, j.caa + negative / max(x, T(kSmallestA * kSmallestA)), j.cab,
+          j.cbb};
 }
 
 // Eigenvalues of the 2x2 radial block and of both perpendicular directions clamped at 0.

@@ -77,7 +77,7 @@ class SpectralDensity {
     const T kA = h.d[0] + h.d[1], kB = h.d[0] - h.d[1];
     const T sum = h.hess(0, 0) + h.hess(1, 1), twice = T(2.0) * h.hess(1, 0);
     const T kAA = sum + twice, kBB = sum - twice, kAB = h.hess(0, 0) - h.hess(1, 1);
-    const T tiny(std::numeric_limits<double>::min()), small = T(1e-5) * a;
+    const T tiny(kSmallestA), small = T(1e-5) * a;
     const T safe_a = max(a, tiny), safe_b = max(b, max(small, tiny));
     IsotropicJet<T> j;
     j.f = h.v;

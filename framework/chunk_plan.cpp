@@ -14,7 +14,8 @@ struct NodeToElements {
   explicit NodeToElements(const Cells& nodes) {
     const Index count = nodes.size() ? nodes.maxCoeff() + 1 : 0;
     starts.assign(static_cast<std::size_t>(count) + 1, 0);
-    for (Index k = 0; k < nodes.size(); ++k) ++starts[static_cast<std::size_t>(nodes.data()[k]) + 1];
+    for (Index k = 0; k < nodes.size(); ++k)
+      ++starts[static_cast<std::size_t>(nodes.data()[k]) + 1];
     for (std::size_t k = 1; k < starts.size(); ++k) starts[k] += starts[k - 1];
     elements.resize(static_cast<std::size_t>(nodes.size()));
     std::vector<std::size_t> at(starts.begin(), starts.end() - (starts.empty() ? 0 : 1));
@@ -52,7 +53,48 @@ std::vector<Index> local_order(const Cells& nodes) {
 
 }  // namespace
 
+// Greedy: the lowest colour that no chunk sharing anything has. Colours are bits of a mask per
+// shared thing; should 64 not suffice, the remaining chunks get a colour each.
+template <class Touched>
+void ChunkPlan::colour(Index count, const Touched& touched) {
+  std::vector<std::uint64_t> used(static_cast<std::size_t>(count));
+  for (Index c = 0; c < chunk_count(); ++c) {
+    std::uint64_t taken = 0;
+    for (const Index e : chunk(c).elements)
+      touched(e, [&](Index k) { taken |= used[static_cast<std::size_t>(k)]; });
+    const auto lowest = static_cast<std::size_t>(std::countr_one(taken));
+    if (lowest >= 64) {
+      colours_.push_back({c});
+      continue;
+    }
+    if (colours_.size() <= lowest) colours_.resize(lowest + 1);
+    colours_[lowest].push_back(c);
+    for (const Index e : chunk(c).elements)
+      touched(e, [&](Index k) { used[static_cast<std::size_t>(k)] |= std::uint64_t(1) << lowest; });
+  }
+}
+
 ChunkPlan::ChunkPlan(const Stencils& stencils, const std::vector<RuleId>& element_rule) {
+  make_chunks(stencils, element_rule);
+  const Cells& nodes = stencils.nodes;
+  colour(nodes.size() ? nodes.maxCoeff() + 1 : 0, [&](Index e, const auto& visit) {
+    for (Index k = 0; k < nodes.cols(); ++k) visit(nodes(e, k));
+  });
+}
+
+ChunkPlan::ChunkPlan(const Stencils& stencils, const std::vector<RuleId>& element_rule,
+                     const Elimination& elimination) {
+  make_chunks(stencils, element_rule);
+  colour(elimination.reduced_size(), [&](Index e, const auto& visit) {
+    for (Index k = 0; k < stencils.nodes.cols(); ++k)
+      for (int c = 0; c < stencils.block; ++c) {
+        const Index x = stencils.block * stencils.nodes(e, k) + c;
+        for (auto q = elimination.begin(x); q != elimination.end(x); ++q) visit(q->reduced);
+      }
+  });
+}
+
+void ChunkPlan::make_chunks(const Stencils& stencils, const std::vector<RuleId>& element_rule) {
   const auto rule = [&](Index e) {
     return element_rule.empty() ? 0 : element_rule[static_cast<std::size_t>(e)];
   };
@@ -68,29 +110,6 @@ ChunkPlan::ChunkPlan(const Stencils& stencils, const std::vector<RuleId>& elemen
     rules_.push_back(rule(elements_[k]));
     starts_.push_back(end);
     k = end;
-  }
-  colour(stencils);
-}
-
-// Greedy: the lowest colour that no chunk sharing a node has. Colours are bits of a mask per node;
-// should 64 not suffice, the remaining chunks get a colour each.
-void ChunkPlan::colour(const Stencils& stencils) {
-  const Cells& nodes = stencils.nodes;
-  std::vector<std::uint64_t> used(nodes.size() ? static_cast<std::size_t>(nodes.maxCoeff()) + 1 : 0);
-  for (Index c = 0; c < chunk_count(); ++c) {
-    std::uint64_t taken = 0;
-    for (const Index e : chunk(c).elements)
-      for (Index k = 0; k < nodes.cols(); ++k) taken |= used[static_cast<std::size_t>(nodes(e, k))];
-    const auto lowest = static_cast<std::size_t>(std::countr_one(taken));
-    if (lowest >= 64) {
-      colours_.push_back({c});
-      continue;
-    }
-    if (colours_.size() <= lowest) colours_.resize(lowest + 1);
-    colours_[lowest].push_back(c);
-    for (const Index e : chunk(c).elements)
-      for (Index k = 0; k < nodes.cols(); ++k)
-        used[static_cast<std::size_t>(nodes(e, k))] |= std::uint64_t(1) << lowest;
   }
 }
 

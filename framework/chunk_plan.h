@@ -5,13 +5,18 @@
 
 #include <vector>
 
+#include "majorant/framework/elimination.h"
 #include "majorant/framework/energy_term.h"
 
 namespace majorant {
 
 class ChunkPlan {
  public:
+  // Chunks of one colour share no node.
   ChunkPlan(const Stencils& stencils, const std::vector<RuleId>& element_rule);
+  // Chunks of one colour share no reduced unknown.
+  ChunkPlan(const Stencils& stencils, const std::vector<RuleId>& element_rule,
+            const Elimination& elimination);
 
   Index chunk_count() const { return static_cast<Index>(rules_.size()); }
   Chunk chunk(Index c) const {
@@ -23,7 +28,10 @@ class ChunkPlan {
   const std::vector<std::vector<Index>>& colours() const { return colours_; }
 
  private:
-  void colour(const Stencils& stencils);
+  void make_chunks(const Stencils& stencils, const std::vector<RuleId>& element_rule);
+  // touched(e, visit) calls visit(k) for everything that element e shares, 0 <= k < count.
+  template <class Touched>
+  void colour(Index count, const Touched& touched);
   std::vector<Index> elements_;
   std::vector<std::size_t> starts_;
   std::vector<RuleId> rules_;

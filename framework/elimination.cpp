@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <stdexcept>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -136,6 +137,11 @@ class Eliminator {
 }  // namespace
 
 Elimination::Elimination(Index full_size, const ConstraintRows& rows) {
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    for (auto e = rows.begin(r); e != rows.end(r); ++e)
+      if (e->unknown < 0 || e->unknown >= full_size)
+        throw std::invalid_argument(fmt::format("constraint row '{}': unknown {} of {}",
+                                                rows.label(r), e->unknown, full_size));
   const Eliminator eliminator(rows);
   const auto& solved = eliminator.solved();
   std::vector<Index> reduced(static_cast<std::size_t>(full_size), -1);

@@ -69,7 +69,8 @@ double Evaluator::value(VecIn y) {
     const Vec f = element_values(problem_.term(k), state, plan, x_);
     for (Index c = 0; c < plan.chunk_count(); ++c) {
       double sum = 0;
-      for (const Index e : plan.chunk(c).elements) sum += weight(state, e) * f[e];
+      for (const Index e : plan.chunk(c).elements)
+        if (const double w = weight(state, e); w != 0) sum += w * f[e];
       total += sum;
     }
   }
@@ -116,6 +117,7 @@ void Evaluator::assemble(std::size_t k, Curvature curvature, Vec& gradient, Vec&
       for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
         const Index e = chunk.elements[p];
         const double w = weight(state, e);
+        if (w == 0) continue;
         sum += w * local.value[p];
         slots.add_gradient(e, local, static_cast<int>(p), w, gradient.data());
         slots.add_hessian(e, local, static_cast<int>(p), w, hessian_values.data());

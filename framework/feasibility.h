@@ -19,7 +19,7 @@ struct Verdict {
 
 struct StepBound {
   double step = 0;               // largest certified step
-  std::vector<Index> blocking;   // elements that admit no more than `step` (empty if unrestricted)
+  std::vector<Index> blocking;   // elements that admit at most twice as much; empty: unrestricted
 };
 
 class FeasibilityChecker {

@@ -242,12 +242,14 @@ SolveResult run(NewtonStepper& stepper, Vec y0, const StoppingRules& rules,
   if (!std::isfinite(result.energy))
     return finish(Status::Infeasible, "the start lies outside the energy's domain");
 
+  // An energy that vanishes at its minimum has no relative scale there.
+  const double smallest_scale = 1e-14 * std::abs(result.energy);
   int idle = 0;
   bool polished = false;
   Vec anchor = result.y;  // last point from which a good part of the step was possible
   double anchor_energy = result.energy;
   for (int k = 1; k <= rules.max_iterations; ++k) {
-    const double scale = std::abs(result.energy);
+    const double scale = std::max(std::abs(result.energy), smallest_scale);
     NewtonStepper::Step step = stepper.step(result.y, result.energy);
     step.record.iteration = k;
     result.newton_decrement = step.record.newton_decrement;

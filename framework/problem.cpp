@@ -14,11 +14,13 @@ bool Problem::supports(Curvature curvature) const {
 }
 
 Problem Problem::with(std::vector<TermState> states) const {
+  if (states.size() != states_.size())
+    throw std::invalid_argument("Problem::with: one state per term is needed");
   Problem other = *this;
   for (std::size_t k = 0; k < states.size(); ++k)
     if (states[k].element_rule != states_[k].element_rule)
-      other.plans_[k] =
-          std::make_shared<const ChunkPlan>(term(k).stencils(), states[k].element_rule);
+      other.plans_[k] = std::make_shared<const ChunkPlan>(term(k).stencils(),
+                                                          states[k].element_rule, elimination());
   other.states_ = std::move(states);
   return other;
 }
@@ -67,7 +69,7 @@ Problem ProblemBuilder::build() const {
   Problem problem;
   for (std::size_t k = 0; k < terms_.size(); ++k)
     problem.plans_.push_back(
-        std::make_shared<const ChunkPlan>(*stencils[k], states_[k].element_rule));
+        std::make_shared<const ChunkPlan>(*stencils[k], states_[k].element_rule, elimination));
   problem.states_ = states_;
   problem.structure_ = std::make_shared<const Problem::Structure>(Problem::Structure{
       terms_, checkers_, std::move(elimination), std::move(pattern), std::move(slots)});

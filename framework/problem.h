@@ -41,7 +41,7 @@ class Problem {
   bool supports(Curvature curvature) const;
 
   // The same problem with other states: pattern, slots and (in a solver) the symbolic factor stay
-  // valid. `states` has term_count() entries.
+  // valid. Throws std::invalid_argument unless there are term_count() states.
   Problem with(std::vector<TermState> states) const;
   // Whether a factorization analysed for `other` fits this problem.
   bool same_structure(const Problem& other) const { return structure_ == other.structure_; }
@@ -74,7 +74,8 @@ class ProblemBuilder {
   ProblemBuilder& add(const Constraint& constraint);  // rows are copied
   ProblemBuilder& add(std::shared_ptr<const FeasibilityChecker> checker);
   // Eliminates the constraints and fixes the pattern. Throws Error(Unsupported) when the
-  // constraints contradict each other, std::invalid_argument when a stencil leaves the unknowns.
+  // constraints contradict each other, std::invalid_argument when one leaves the unknowns (add()
+  // does so for a stencil).
   Problem build() const;
 
  private:
