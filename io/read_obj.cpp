@@ -103,7 +103,7 @@ class ObjReader {
         break;
       }
       text += line.substr(0, line.rfind('\\'));
-      text += ' ';
+      text.push_back(' ');
       rest.remove_prefix(end + 1);
     }
     mesh_.directives.emplace_back(static_cast<Index>(mesh_.polygons.size()), std::move(text));
