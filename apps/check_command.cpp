@@ -12,8 +12,8 @@
 #include "apps/outputs.h"
 #include "apps/report.h"
 #include "majorant/energies/symmetric_dirichlet.h"
-#include "majorant/io/read_mesh.h"
 #include "majorant/io/read_map.h"
+#include "majorant/io/read_mesh.h"
 #include "majorant/parametrization/initial_map.h"
 
 namespace majorant::app {
@@ -56,8 +56,9 @@ void check_flat(const MapFile& file, Findings& findings) {
                 file.points.row(file.cells(c, k));
       worst = std::max(worst, (flat - file.points.row(file.cells(c, l))).norm());
     }
-  findings.require(worst <= kClose * extent(file.points),
-                   fmt::format("surface control points are off their flat triangles by {:g}", worst));
+  findings.require(
+      worst <= kClose * extent(file.points),
+      fmt::format("surface control points are off their flat triangles by {:g}", worst));
 }
 
 void check_surface(const MapFile& file, const std::string& path, Findings& findings) {
@@ -69,7 +70,8 @@ void check_surface(const MapFile& file, const std::string& path, Findings& findi
   for (Index c = 0; c < file.cells.rows(); ++c) {
     const Index face = file.input_face[c];
     if (face < 0 || static_cast<std::size_t>(face) >= surface.polygons.size())
-      return findings.require(false, fmt::format("cell {} names face {} the surface lacks", c, face));
+      return findings.require(false,
+                              fmt::format("cell {} names face {} the surface lacks", c, face));
     const auto& polygon = surface.polygons[static_cast<std::size_t>(face)];
     ++cells_of[static_cast<std::size_t>(face)];
     for (int k = 0; k < 3; ++k) {
@@ -79,14 +81,17 @@ void check_surface(const MapFile& file, const std::string& path, Findings& findi
           (surface.positions[static_cast<std::size_t>(v)].transpose() - file.points.row(point))
                   .norm() <= kClose * size;
       if (!same)
-        return findings.require(false, fmt::format("cell {}: corner {} is not where the surface has "
-                                                   "it", c, k));
+        return findings.require(false,
+                                fmt::format("cell {}: corner {} is not where the surface has "
+                                            "it",
+                                            c, k));
     }
   }
   for (std::size_t f = 0; f < cells_of.size(); ++f)
     if (cells_of[f] + 2 != surface.polygons[f].size())
-      return findings.require(false, fmt::format("face {} of the surface is mapped by {} cells, not {}",
-                                                 f + 1, cells_of[f], surface.polygons[f].size() - 2));
+      return findings.require(
+          false, fmt::format("face {} of the surface is mapped by {} cells, not {}", f + 1,
+                             cells_of[f], surface.polygons[f].size() - 2));
 }
 
 // A map that claims no seams has one point for every vertex of the input.
@@ -94,8 +99,10 @@ void check_cuts(const MapFile& file, Findings& findings) {
   std::unordered_set<Index> seen;
   for (const Index v : file.input_vertex)
     if (v >= 0 && !seen.insert(v).second)
-      return findings.require(false, fmt::format("the map is not continuous: vertex {} of the input "
-                                                 "has several points", v));
+      return findings.require(false,
+                              fmt::format("the map is not continuous: vertex {} of the input "
+                                          "has several points",
+                                          v));
 }
 
 // Nodes of the map by vertex of the input mesh.
@@ -125,8 +132,9 @@ void check_fixed_boundary(const MapFile& file, const BezierMap& map, const Json&
   if (claims.value("init", "tutte") == "tutte") {
     start = tutte_map(map.mesh());
   } else if (request.surface.empty()) {
-    return findings.require(false, "the boundary is that of texture coordinates: give the input with "
-                                   "--surface to check it");
+    return findings.require(false,
+                            "the boundary is that of texture coordinates: give the input with "
+                            "--surface to check it");
   } else {
     const SurfaceMesh input = SurfaceMesh::from_polygons(read_mesh(request.surface));
     const Vec texture = texture_map(input);
@@ -142,7 +150,8 @@ void check_fixed_boundary(const MapFile& file, const BezierMap& map, const Json&
   double worst = 0;
   for (const Index node : map.space().boundary_nodes())
     worst = std::max(worst, (map.control_points().segment<2>(2 * node) -
-                             initial.control_points().segment<2>(2 * node)).norm());
+                             initial.control_points().segment<2>(2 * node))
+                                .norm());
   findings.require(worst <= kClose * map.control_points().cwiseAbs().maxCoeff(),
                    fmt::format("the boundary is off the initial map's by {:g}", worst));
 }
@@ -151,14 +160,15 @@ void check_arrays(const MapFile& file, const MapMeasures& measures, Findings& fi
   for (Index f = 0; f < file.distortion.size(); ++f)
     if (!(std::abs(file.distortion[f] - measures.face_value[f]) <=
           kEnergyClose * (measures.face_value[f] + measures.value))) {
-      findings.require(false, fmt::format("cell {}: distortion {:.6g} is claimed, {:.6g} is found", f,
-                                          file.distortion[f], measures.face_value[f]));
+      findings.require(false, fmt::format("cell {}: distortion {:.6g} is claimed, {:.6g} is found",
+                                          f, file.distortion[f], measures.face_value[f]));
       break;
     }
   for (Index f = 0; f < file.min_det.size(); ++f)
     if (!(file.min_det[f] <= measures.min_det[f] * (1 + kClose))) {
-      findings.require(false, fmt::format("cell {}: det J >= {:.6g} is claimed, only {:.6g} is proven",
-                                          f, file.min_det[f], measures.min_det[f]));
+      findings.require(false,
+                       fmt::format("cell {}: det J >= {:.6g} is claimed, only {:.6g} is proven", f,
+                                   file.min_det[f], measures.min_det[f]));
       break;
     }
 }
@@ -169,9 +179,9 @@ void check_claims(const MapFile& file, const BezierMap& map, const MapMeasures& 
   try {
     const double value = claims.value("value", measures.value);
     if (claims.value("energy", "symmetric-dirichlet") == "symmetric-dirichlet")
-      findings.require(std::abs(value - measures.value) <= kEnergyClose * std::abs(measures.value),
-                       fmt::format("energy {:.9g} is claimed, {:.9g} is found", value,
-                                   measures.value));
+      findings.require(
+          std::abs(value - measures.value) <= kEnergyClose * std::abs(measures.value),
+          fmt::format("energy {:.9g} is claimed, {:.9g} is found", value, measures.value));
     findings.require(claims.value("degree", file.degree) == file.degree,
                      fmt::format("degree {} is not the one claimed", file.degree));
     if (!claims.value("seams", false)) check_cuts(file, findings);

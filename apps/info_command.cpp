@@ -28,9 +28,10 @@ int info(const Request& request) {
   try {
     const SurfaceMesh mesh = SurfaceMesh::from_polygons(polygons);
     const Topology& t = mesh.topology();
-    fmt::print("triangles: {}\ncomponents: {}\nboundary loops: {}\nEuler characteristic: {}\n"
-               "area: {:.10g}\n",
-               t.faces, t.components, t.boundary_loops, t.euler_characteristic(), mesh.area());
+    fmt::print(
+        "triangles: {}\ncomponents: {}\nboundary loops: {}\nEuler characteristic: {}\n"
+        "area: {:.10g}\n",
+        t.faces, t.components, t.boundary_loops, t.euler_characteristic(), mesh.area());
     report["input"] = input_section(polygons, mesh);
     for (const auto& repair : report["input"]["repairs"])
       fmt::print("note: {}\n", repair.get<std::string>());

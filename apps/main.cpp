@@ -16,24 +16,32 @@ namespace majorant::app {
 
 ExitCode exit_code(ErrorKind kind) {
   switch (kind) {
-    case ErrorKind::Usage: return kUsage;
-    case ErrorKind::Unreadable: return kUnreadable;
+    case ErrorKind::Usage:
+      return kUsage;
+    case ErrorKind::Unreadable:
+      return kUnreadable;
     case ErrorKind::Unsupported:
-    case ErrorKind::Infeasible: return kUnsupported;
-    case ErrorKind::Invalid: return kInvalid;
+    case ErrorKind::Infeasible:
+      return kUnsupported;
+    case ErrorKind::Invalid:
+      return kInvalid;
   }
   return kInternal;
 }
 
 ExitCode exit_code(Status status) {
   switch (status) {
-    case Status::Converged: return kSuccess;
+    case Status::Converged:
+      return kSuccess;
     case Status::MaxIterations:
     case Status::TimeLimit:
     case Status::Interrupted:
-    case Status::Stalled: return kLimit;
-    case Status::Infeasible: return kUnsupported;
-    case Status::Failed: return kInvalid;
+    case Status::Stalled:
+      return kLimit;
+    case Status::Infeasible:
+      return kUnsupported;
+    case Status::Failed:
+      return kInvalid;
   }
   return kInternal;
 }
@@ -54,14 +62,16 @@ void CommonOptions::apply() const {
 namespace {
 
 int run(int argc, char** argv) {
-  CLI::App app{"majorant: low-distortion, injective, piecewise polynomial maps of surfaces onto the "
-               "plane",
-               "majorant"};
+  CLI::App app{
+      "majorant: low-distortion, injective, piecewise polynomial maps of surfaces onto the "
+      "plane",
+      "majorant"};
   app.set_version_flag("--version", "majorant " MAJORANT_VERSION);
   app.require_subcommand(1);
-  app.footer("Example: majorant parametrize bunny.obj -o bunny.vtu -o bunny.svg --degree 3\n"
-             "Exit codes: 0 valid, 1 usage, 2 unreadable input, 3 unsupported input, 4 stopped by a "
-             "limit,\n            5 invalid result, 6 internal error.");
+  app.footer(
+      "Example: majorant parametrize bunny.obj -o bunny.vtu -o bunny.svg --degree 3\n"
+      "Exit codes: 0 valid, 1 usage, 2 unreadable input, 3 unsupported input, 4 stopped by a "
+      "limit,\n            5 invalid result, 6 internal error.");
   Action action;
   add_parametrize(app, &action);
   add_check(app, &action);

@@ -24,8 +24,9 @@ void require_writable(const std::vector<std::string>& paths,
   for (const std::string& path : paths) {
     const std::string e = extension(path);
     if (std::find(allowed.begin(), allowed.end(), e) == allowed.end())
-      throw Error(ErrorKind::Usage, fmt::format("{}: cannot write files of type '{}'; use one of {}",
-                                                path, e, fmt::join(allowed, " ")));
+      throw Error(ErrorKind::Usage,
+                  fmt::format("{}: cannot write files of type '{}'; use one of {}", path, e,
+                              fmt::join(allowed, " ")));
     const auto directory = std::filesystem::path(path).parent_path();
     if (!directory.empty() && !std::filesystem::is_directory(directory))
       throw Error(ErrorKind::Usage,

@@ -23,12 +23,11 @@ namespace {
 
 const std::map<std::string, EnergyFactory> kEnergies{
     {"symmetric-dirichlet", make_symmetric_dirichlet}};
-const std::map<std::string, Curvature> kCurvatures{
-    {"projected", Curvature::Projected},
-    {"majorizer", Curvature::Majorizer},
-    {"paper-majorizer", Curvature::PaperMajorizer},
-    {"reweighted", Curvature::Reweighted},
-    {"exact", Curvature::Exact}};
+const std::map<std::string, Curvature> kCurvatures{{"projected", Curvature::Projected},
+                                                   {"majorizer", Curvature::Majorizer},
+                                                   {"paper-majorizer", Curvature::PaperMajorizer},
+                                                   {"reweighted", Curvature::Reweighted},
+                                                   {"exact", Curvature::Exact}};
 
 // Everything the user can say, as said.
 struct Request {
@@ -54,8 +53,7 @@ class Job {
   explicit Job(Request request) : request_(std::move(request)) {}
 
   int run() {
-    if (!request_.positional_output.empty())
-      request_.outputs.push_back(request_.positional_output);
+    if (!request_.positional_output.empty()) request_.outputs.push_back(request_.positional_output);
     if (request_.outputs.empty())
       throw Error(ErrorKind::Usage, "no output file; add -o OUT.vtu (or .obj .svg .json .csv)");
     require_writable(request_.outputs, {".vtu", ".obj", ".svg", ".json", ".csv"});
@@ -105,19 +103,24 @@ class Job {
     for (const Handle& h : read_handles(request_.pins, count)) {
       const Index vertex = mesh_->find_input_vertex(h.vertex);
       if (vertex < 0)
-        throw Error(ErrorKind::Unsupported,
-                    fmt::format("{}: vertex {} belongs to no face; pin another", request_.pins,
-                                h.vertex));
+        throw Error(
+            ErrorKind::Unsupported,
+            fmt::format("{}: vertex {} belongs to no face; pin another", request_.pins, h.vertex));
       options_.pins.push_back({vertex, h.target});
     }
   }
 
   Json options_section() const {
-    return {{"degree", request_.degree},       {"energy", request_.energy},
-            {"boundary", request_.boundary},   {"init", request_.init},
-            {"curvature", request_.curvature}, {"boundary_angles", request_.boundary_angles},
-            {"elevation", request_.elevation}, {"quadrature", request_.quadrature},
-            {"tolerance", request_.tolerance}, {"max_iterations", request_.max_iterations},
+    return {{"degree", request_.degree},
+            {"energy", request_.energy},
+            {"boundary", request_.boundary},
+            {"init", request_.init},
+            {"curvature", request_.curvature},
+            {"boundary_angles", request_.boundary_angles},
+            {"elevation", request_.elevation},
+            {"quadrature", request_.quadrature},
+            {"tolerance", request_.tolerance},
+            {"max_iterations", request_.max_iterations},
             {"pins", request_.pins}};
   }
 
@@ -207,7 +210,8 @@ class Job {
                  result_.message);
       return;
     }
-    fmt::print(stderr, "{}: {} after {} iterations, {} {:.6f} (start {:.6g}), degree {}, {:.2f} s\n",
+    fmt::print(stderr,
+               "{}: {} after {} iterations, {} {:.6f} (start {:.6g}), degree {}, {:.2f} s\n",
                request_.input, name(result_.status), record.trace().size(), request_.energy,
                result_.measures.value, result_.initial_value, request_.degree, seconds());
   }
@@ -257,8 +261,9 @@ void add_parametrize(CLI::App& app, Action* run) {
       ->check(CLI::Range(1, 20));
   verb.add_flag("--normalize", r.normalize, "scale the result into the unit square");
   r.common.add_to(verb);
-  verb.footer("Example: majorant parametrize bunny.obj -o bunny.vtu -o bunny.svg --degree 3 "
-              "--report bunny.json");
+  verb.footer(
+      "Example: majorant parametrize bunny.obj -o bunny.vtu -o bunny.svg --degree 3 "
+      "--report bunny.json");
   verb.callback([request, run] { *run = [request] { return Job(*request).run(); }; });
 }
 

@@ -23,8 +23,7 @@ std::string line(const TraceEntry& e) {
 
 RunRecord::Progress make_progress(const CommonOptions& options) {
   if (options.quiet) return {};
-  if (options.verbose)
-    return [](const TraceEntry& e) { fmt::print(stderr, "{}\n", line(e)); };
+  if (options.verbose) return [](const TraceEntry& e) { fmt::print(stderr, "{}\n", line(e)); };
   if (isatty(STDERR_FILENO))
     return [](const TraceEntry& e) { fmt::print(stderr, "\r\x1b[K{}", line(e)); };
   return [degree = 0](const TraceEntry& e) mutable {

@@ -12,17 +12,19 @@ namespace majorant::app {
 Json input_section(const PolygonMesh& polygons, const SurfaceMesh& mesh) {
   const Topology& t = mesh.topology();
   Json repairs = Json::array();
-  const auto unused =
-      static_cast<Index>(polygons.positions.size()) - mesh.vertex_count();
+  const auto unused = static_cast<Index>(polygons.positions.size()) - mesh.vertex_count();
   if (unused > 0) repairs.push_back(fmt::format("{} unreferenced vertices left out", unused));
   if (mesh.face_count() != static_cast<Index>(polygons.polygons.size()))
     repairs.push_back(fmt::format("{} polygons triangulated into {} faces",
                                   polygons.polygons.size(), mesh.face_count()));
-  return {{"file", polygons.file},       {"vertices", t.vertices},
-          {"faces", t.faces},            {"components", t.components},
+  return {{"file", polygons.file},
+          {"vertices", t.vertices},
+          {"faces", t.faces},
+          {"components", t.components},
           {"boundary_loops", t.boundary_loops},
           {"euler_characteristic", t.euler_characteristic()},
-          {"area", mesh.area()},         {"repairs", repairs}};
+          {"area", mesh.area()},
+          {"repairs", repairs}};
 }
 
 Json measures_section(const BezierMap& map, const MapMeasures& m, const std::string& energy) {

@@ -29,8 +29,7 @@ void linearize(benchmark::State& state) {
   Evaluator evaluator(b.problem);
   const Vec y = b.problem.reduce(b.x);
   Vec g, h;
-  for (auto _ : state)
-    benchmark::DoNotOptimize(evaluator.linearize(y, Curvature::Projected, g, h));
+  for (auto _ : state) benchmark::DoNotOptimize(evaluator.linearize(y, Curvature::Projected, g, h));
 }
 
 void certify(benchmark::State& state) {

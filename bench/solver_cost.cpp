@@ -27,8 +27,9 @@ double best_milliseconds(int repeats, const F& f) {
   for (int k = 0; k < repeats; ++k) {
     const auto start = std::chrono::steady_clock::now();
     f();
-    best = std::min(best, std::chrono::duration<double, std::milli>(
-                              std::chrono::steady_clock::now() - start).count());
+    best = std::min(
+        best, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+                  .count());
   }
   return best;
 }
@@ -48,8 +49,8 @@ double report_costs(const BenchProblem& b, const std::string& label) {
   Evaluator evaluator(b.problem);
   const Vec y = b.problem.reduce(b.x);
   Vec g, h, p;
-  const double assembly = best_milliseconds(
-      9, [&] { evaluator.linearize(y, Curvature::Projected, g, h); });
+  const double assembly =
+      best_milliseconds(9, [&] { evaluator.linearize(y, Curvature::Projected, g, h); });
   std::string line = fmt::format("| {} | {} | {:.2f} |", label, b.problem.size(), assembly);
   double best = std::numeric_limits<double>::infinity();
   for (const Variant& v : kVariants) {

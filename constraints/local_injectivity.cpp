@@ -16,7 +16,9 @@ constexpr double kTwoPi = 2 * std::numbers::pi;
 
 LocalInjectivity::LocalInjectivity(std::shared_ptr<const ElementSpace> space, Vec rest_det,
                                    int max_depth)
-    : space_(std::move(space)), rest_det_(std::move(rest_det)), max_depth_(std::min(max_depth, kMaxDepth)) {}
+    : space_(std::move(space)),
+      rest_det_(std::move(rest_det)),
+      max_depth_(std::min(max_depth, kMaxDepth)) {}
 
 Vec LocalInjectivity::lower_bounds(VecIn x) const {
   const Index count = space_->element_count();
@@ -55,9 +57,8 @@ StepBound LocalInjectivity::max_step(VecIn x, VecIn d, double s) const {
   std::vector<Index> limiting;
   for (Index e = 0; e < count; ++e)
     if (quick[e] < s) limiting.push_back(e);
-  std::sort(limiting.begin(), limiting.end(), [&](Index a, Index b) {
-    return quick[a] != quick[b] ? quick[a] < quick[b] : a < b;
-  });
+  std::sort(limiting.begin(), limiting.end(),
+            [&](Index a, Index b) { return quick[a] != quick[b] ? quick[a] < quick[b] : a < b; });
   StepBound bound{s, {}};
   for (const Index e : limiting) {
     if (quick[e] >= bound.step) continue;
@@ -90,9 +91,9 @@ Vec vertex_angle_sums(const BezierTriangleSpace& space, VecIn x) {
     for (int k = 0; k < 3; ++k) {
       const Vector2 corner = point(e, k);
       const Vector2 a = point(e, ix.edge(k)[1]) - corner;
-      const Vector2 b = point(e, ix.edge((k + 2) % 3)[static_cast<std::size_t>(space.degree()) - 1]) - corner;
-      sums[space.cells()(e, k)] +=
-          std::abs(std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)));
+      const Vector2 b =
+          point(e, ix.edge((k + 2) % 3)[static_cast<std::size_t>(space.degree()) - 1]) - corner;
+      sums[space.cells()(e, k)] += std::abs(std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)));
     }
   return sums;
 }

@@ -43,8 +43,7 @@ TriangleIndices::TriangleIndices(int n) : degree_(n) {
   for (int l = 0; l < count(); ++l) {
     const auto [i, j, k] = multi(l);
     lookup_[static_cast<std::size_t>(i * (n + 1) + j)] = l;
-    multinomial_.push_back(
-        std::round(factorial(n) / (factorial(i) * factorial(j) * factorial(k))));
+    multinomial_.push_back(std::round(factorial(n) / (factorial(i) * factorial(j) * factorial(k))));
   }
   for (int s = 0; s <= n; ++s) {
     edges_[0].push_back(local(n - s, s, 0));

@@ -109,8 +109,8 @@ ContractionTable BezierTriangleSpace::tabulate(const Quadrature& rule) const {
           if (r < 0 || s < 0) continue;
           const MultiIndex &u = low.multi(r), &v = low.multi(s);
           const int m = product.local(u[0] + v[0], u[1] + v[1], u[2] + v[2]);
-          t.hessian.push_back({a, b, m, n * n * low.multinomial(r) * low.multinomial(s) /
-                                            product.multinomial(m)});
+          t.hessian.push_back(
+              {a, b, m, n * n * low.multinomial(r) * low.multinomial(s) / product.multinomial(m)});
         }
       t.pair_starts.push_back(static_cast<int>(t.hessian.size()));
     }
@@ -141,8 +141,7 @@ PositivityProof BezierTriangleSpace::certify(Index e, VecIn x, int max_depth) co
   return prove();
 }
 
-double BezierTriangleSpace::largest_step(Index e, VecIn x, VecIn d, double s,
-                                         int max_depth) const {
+double BezierTriangleSpace::largest_step(Index e, VecIn x, VecIn d, double s, int max_depth) const {
   const DetCoefficients& det = DetCoefficients::of_degree(degree_);
   double cx[kMaxLocal], cd[kMaxLocal], p[3][kMaxDet];
   gather(e, x, cx);

@@ -2,7 +2,8 @@
 //
 // Control points are shared by the faces around a vertex or an edge, so every assignment of
 // positions is a C0 map; cuts are edges of the mesh that faces do not share. Nodes are numbered:
-// vertices, then edges (n-1 each, from the smaller to the larger vertex), then faces. [MC20] Sec. 4.
+// vertices, then edges (n-1 each, from the smaller to the larger vertex), then faces. [MC20]
+// Sec. 4.
 #pragma once
 
 #include <span>

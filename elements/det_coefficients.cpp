@@ -34,8 +34,7 @@ DetCoefficients::DetCoefficients(int n) : degree_(n) {
   const TriangleIndices& det = TriangleIndices::of_degree(2 * n - 2);
   for (int r = 0; r < low.count(); ++r) {
     const auto [i, j, k] = low.multi(r);
-    differences_.push_back(
-        {ix.local(i + 1, j, k), ix.local(i, j + 1, k), ix.local(i, j, k + 1)});
+    differences_.push_back({ix.local(i + 1, j, k), ix.local(i, j + 1, k), ix.local(i, j, k + 1)});
   }
   for (int r = 0; r < low.count(); ++r)
     for (int s = 0; s < low.count(); ++s) {
@@ -81,8 +80,7 @@ void DetCoefficients::along_line(const double* c, const double* d, double* out0,
   for (const Product& m : products_) {
     const Pair &pr = p[m.r], &ps = p[m.s], &qr = q[m.r], &qs = q[m.s];
     out0[m.target] += m.weight * (pr.u0 * ps.v1 - pr.u1 * ps.v0);
-    out1[m.target] +=
-        m.weight * (pr.u0 * qs.v1 + qr.u0 * ps.v1 - pr.u1 * qs.v0 - qr.u1 * ps.v0);
+    out1[m.target] += m.weight * (pr.u0 * qs.v1 + qr.u0 * ps.v1 - pr.u1 * qs.v0 - qr.u1 * ps.v0);
     out2[m.target] += m.weight * (qr.u0 * qs.v1 - qr.u1 * qs.v0);
   }
 }
@@ -152,8 +150,7 @@ PositivityProof certify_positive(int n, const double* coefficients, double error
   const PositivityProof b = certify_positive(n, minus.data(), child_error, max_depth - 1);
   proof.result = b.result;
   proof.depth = std::max(a.depth, b.depth) + 1;
-  if (b.result == Positivity::Certified)
-    proof.lower_bound = std::min(a.lower_bound, b.lower_bound);
+  if (b.result == Positivity::Certified) proof.lower_bound = std::min(a.lower_bound, b.lower_bound);
   return proof;
 }
 

@@ -22,8 +22,7 @@ class DetCoefficients {
   // c: 2 numbers per control point; out: count() coefficients.
   void at(const double* c, double* out) const;
   // Coefficients of det J(c + s d) = out0 + s out1 + s^2 out2.
-  void along_line(const double* c, const double* d, double* out0, double* out1,
-                  double* out2) const;
+  void along_line(const double* c, const double* d, double* out0, double* out1, double* out2) const;
   // Coefficients and a rigorous bound of the absolute error of each, for finite c without overflow.
   void at_with_error(const double* c, double* out, double* error) const;
   // The same in quadruple precision, rounded to double; error bounds accordingly smaller.

@@ -1,8 +1,8 @@
 // Elements turn geometry into tables.
 //
 // A space numbers the nodes of its cells, tabulates what the contraction of energies/ needs on a
-// quadrature rule, and proves that det J is positive, at a map and along a line of maps. Nothing above
-// this layer knows what a basis function is. To write a new element: docs/architecture.md.
+// quadrature rule, and proves that det J is positive, at a map and along a line of maps. Nothing
+// above this layer knows what a basis function is. To write a new element: docs/architecture.md.
 #pragma once
 
 #include <memory>
@@ -23,10 +23,10 @@ namespace majorant {
 //   d_a B_i d_b B_j = sum_m H[i,a,j,b,m] moment_m  (`hessian` list, `moment` table)
 // so the sums over quadrature points are moments, and basis pairs appear only afterwards.
 struct ContractionTable {
-  int nodes = 0;                    // per element
+  int nodes = 0;  // per element
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>
-      directions;                   // D by reference dimension: gamma_a
-  Vec weights;                      // L
+      directions;  // D by reference dimension: gamma_a
+  Vec weights;     // L
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> first;   // L by N1
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> moment;  // L by Nm
   std::vector<GradientEntry> gradient;

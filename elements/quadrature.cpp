@@ -49,9 +49,7 @@ std::vector<Triangle> subdivide(const Triangle& t, int m) {
   return out;
 }
 
-Triangle reference() {
-  return {Barycentric::UnitX(), Barycentric::UnitY(), Barycentric::UnitZ()};
-}
+Triangle reference() { return {Barycentric::UnitX(), Barycentric::UnitY(), Barycentric::UnitZ()}; }
 
 bool touches_corner(const Triangle& t) {
   return t.a.maxCoeff() == 1.0 || t.b.maxCoeff() == 1.0 || t.c.maxCoeff() == 1.0;
@@ -91,9 +89,7 @@ Quadrature radon_rule() {
   return builder.build();
 }
 
-Quadrature composite_rule(const Quadrature& rule, int m) {
-  return corner_graded_rule(rule, m, 0);
-}
+Quadrature composite_rule(const Quadrature& rule, int m) { return corner_graded_rule(rule, m, 0); }
 
 Quadrature corner_graded_rule(const Quadrature& rule, int m, int levels) {
   RuleBuilder builder;

@@ -1,4 +1,5 @@
-// The one contraction: density of the Jacobian + element tables -> local value, gradient, curvature.
+// The one contraction: density of the Jacobian + element tables -> local value, gradient,
+// curvature.
 //
 // Batches of elements side by side in SIMD registers. Per quadrature point only alpha and beta, the
 // density's jet and ten curvature entries appear; sums over points are moments (method.md section
@@ -43,7 +44,7 @@ struct Frame {
       const GradientEntry& e = t.gradient[q];
       const B u = load(c.x + 2 * e.node * ChunkView::stride) * B(0.5 * e.coefficient);
       const B v = load(c.x + (2 * e.node + 1) * ChunkView::stride) * B(0.5 * e.coefficient);
-      const B *d = direction[e.direction];
+      const B* d = direction[e.direction];
       B* zk = z + 4 * e.first;
       const B ud0 = u * d[0], ud1 = u * d[1], vd0 = v * d[0], vd1 = v * d[1];
       zk[0] += ud0 + vd1;
@@ -113,10 +114,14 @@ template <class Arch>
 void to_directions(const Frame<Arch>& frame, int directions, const Batch<Arch>* k, Batch<Arch>* s) {
   using B = Batch<Arch>;
   const B q = frame.measure * B(0.25);
-  const B aa = q * (k[A00] + k[C00] + k[C00] + k[B00]), dd = q * (k[A00] - k[C00] - k[C00] + k[B00]);
-  const B bb = q * (k[A11] - k[C11] - k[C11] + k[B11]), cc = q * (k[A11] + k[C11] + k[C11] + k[B11]);
-  const B ab = q * (k[C01] - k[C10] + k[B01] - k[A01]), cd = q * (k[A01] - k[C10] + k[C01] - k[B01]);
-  const B ac = q * (k[A01] + k[C01] + k[C10] + k[B01]), bd = q * (k[C10] + k[C01] - k[A01] - k[B01]);
+  const B aa = q * (k[A00] + k[C00] + k[C00] + k[B00]),
+          dd = q * (k[A00] - k[C00] - k[C00] + k[B00]);
+  const B bb = q * (k[A11] - k[C11] - k[C11] + k[B11]),
+          cc = q * (k[A11] + k[C11] + k[C11] + k[B11]);
+  const B ab = q * (k[C01] - k[C10] + k[B01] - k[A01]),
+          cd = q * (k[A01] - k[C10] + k[C01] - k[B01]);
+  const B ac = q * (k[A01] + k[C01] + k[C10] + k[B01]),
+          bd = q * (k[C10] + k[C01] - k[A01] - k[B01]);
   const B ad = q * (k[A00] - k[B00]), bc = q * (k[B11] - k[A11]);
   const B blocks[3][4] = {{aa, ab, ab, bb}, {ac, ad, bc, bd}, {cc, cd, cd, dd}};
   for (int p = 0; p < 3; ++p)
@@ -138,7 +143,7 @@ void write_gradient(const Frame<Arch>& frame, const ContractionView& t, const Ba
   for (int q = 0; q < t.gradient_count; ++q) {
     const GradientEntry& e = t.gradient[q];
     const B* gz = g + 4 * e.first;
-    const B *d = frame.direction[e.direction];
+    const B* d = frame.direction[e.direction];
     const B scale = frame.measure * B(0.5 * e.coefficient);
     const B ga = gz[0] + gz[2], gd = gz[0] - gz[2], gb = gz[3] - gz[1], gc = gz[3] + gz[1];
     double* u = out + 2 * e.node * ChunkView::stride + at;
@@ -177,8 +182,7 @@ void write_hessian(const ContractionView& t, const Batch<Arch>* s, double* out, 
 
 template <class Arch, class Density, class Model>
 void local_with(const Density& density, const Model& model, const ContractionView& t,
-                const ChunkView& c, double* scratch, double* f, double* gradient,
-                double* hessian) {
+                const ChunkView& c, double* scratch, double* f, double* gradient, double* hessian) {
   using B = Batch<Arch>;
   B* z_control = reinterpret_cast<B*>(scratch);
   B* g = z_control + 4 * t.first_count;
@@ -243,10 +247,13 @@ bool supports(const void* object, Curvature curvature) {
   const bool convex = static_cast<const Density*>(object)->convexity() == Convexity::Convex;
   switch (curvature) {
     case Curvature::Projected:
-    case Curvature::Exact: return true;
+    case Curvature::Exact:
+      return true;
     case Curvature::Majorizer:
-    case Curvature::PaperMajorizer: return convex;
-    case Curvature::Reweighted: return false;
+    case Curvature::PaperMajorizer:
+      return convex;
+    case Curvature::Reweighted:
+      return false;
   }
   return false;
 }
@@ -260,7 +267,8 @@ int scratch_size(const ContractionView& t) {
 
 template <class Arch, class Density>
 DensityKernels make_kernels() {
-  return {&supports<Arch, Density>, &values<Arch, Density>, &local<Arch, Density>, &scratch_size<Arch>};
+  return {&supports<Arch, Density>, &values<Arch, Density>, &local<Arch, Density>,
+          &scratch_size<Arch>};
 }
 
 }  // namespace majorant::kernel

@@ -61,8 +61,8 @@ ContractionView DensityTerm::Rule::view() const {
   return v;
 }
 
-DensityTerm::Gathered DensityTerm::gather(VecIn x, const Chunk& chunk,
-                                          const ContractionView& table, Workspace& w) const {
+DensityTerm::Gathered DensityTerm::gather(VecIn x, const Chunk& chunk, const ContractionView& table,
+                                          Workspace& w) const {
   constexpr int stride = ChunkView::stride;
   const int rows = stencils_.local_size();
   const auto count = static_cast<int>(chunk.elements.size());

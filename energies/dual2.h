@@ -21,11 +21,7 @@ struct Dual2 {
 
   Dual2() = default;
   Dual2(double value) : v(value) { clear(); }
-  explicit Dual2(const T& value)
-    requires(!std::is_same_v<T, double>)
-      : v(value) {
-    clear();
-  }
+  explicit Dual2(const T& value) requires(!std::is_same_v<T, double>) : v(value) { clear(); }
   static Dual2 variable(const T& value, int index) {
     Dual2 x{value};
     x.d[static_cast<std::size_t>(index)] = T(1.0);
@@ -75,9 +71,18 @@ struct Dual2 {
     return a.chain(i, -i2, T(2.0) * i2 * i);
   }
   friend Dual2 operator/(const Dual2& a, const Dual2& b) { return a * inverse(b); }
-  friend Dual2 operator+(Dual2 a, double b) { a.v += T(b); return a; }
-  friend Dual2 operator+(double b, Dual2 a) { a.v += T(b); return a; }
-  friend Dual2 operator-(Dual2 a, double b) { a.v -= T(b); return a; }
+  friend Dual2 operator+(Dual2 a, double b) {
+    a.v += T(b);
+    return a;
+  }
+  friend Dual2 operator+(double b, Dual2 a) {
+    a.v += T(b);
+    return a;
+  }
+  friend Dual2 operator-(Dual2 a, double b) {
+    a.v -= T(b);
+    return a;
+  }
   friend Dual2 operator-(double b, const Dual2& a) { return -a + b; }
   friend Dual2 operator*(Dual2 a, double b) { return a *= b; }
   friend Dual2 operator*(double b, Dual2 a) { return a *= b; }

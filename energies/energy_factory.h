@@ -9,7 +9,8 @@
 
 namespace majorant {
 
-// Value of the term = sum over elements of measure * mean density. Example: make_symmetric_dirichlet.
+// Value of the term = sum over elements of measure * mean density. Example:
+// make_symmetric_dirichlet.
 using EnergyFactory = std::function<std::shared_ptr<const DensityTerm>(
     std::shared_ptr<const ElementSpace> space, const RestShapes& rest,
     const std::vector<Quadrature>& rules)>;

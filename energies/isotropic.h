@@ -20,8 +20,8 @@
 namespace majorant {
 
 enum class Domain { PositiveDeterminant, Everywhere };
-// Convex: k(A, B) = h(A+B, A-B) is convex in (A, B) and increasing in B. A declared trait; it cannot
-// be found out from code, and without it Curvature::Majorizer is refused.
+// Convex: k(A, B) = h(A+B, A-B) is convex in (A, B) and increasing in B. A declared trait; it
+// cannot be found out from code, and without it Curvature::Majorizer is refused.
 enum class Convexity { Convex, Unknown };
 
 // A below which quotients by A stop growing: its inverse cube is finite.
@@ -74,7 +74,8 @@ CurvatureCoefficients<T> general_projection(const IsotropicJet<T>& j, const T& x
   const T radius = sqrt(half * half + q * q);
   const T low = mean - radius, high = mean + radius;
   const T low_kept = max(low, zero);
-  const T ratio = select(radius > zero, (max(high, zero) - low_kept) / max(radius + radius, tiny), zero);
+  const T ratio =
+      select(radius > zero, (max(high, zero) - low_kept) / max(radius + radius, tiny), zero);
   const T pp = low_kept + ratio * (p - low), rr = low_kept + ratio * (r - low), qq = ratio * q;
   CurvatureCoefficients<T> c;
   c.pa = max(j.ga, zero);

@@ -22,10 +22,9 @@ std::shared_ptr<const DensityTerm> make_energy(std::shared_ptr<const ElementSpac
                                                const RestShapes& rest, Density density,
                                                const std::vector<Quadrature>& rules) {
   std::string name(density.name());
-  return std::make_shared<const DensityTerm>(
-      std::move(name), std::move(space), rest, rules,
-      std::make_shared<const Density>(std::move(density)),
-      kernel::make_kernels<xsimd::default_arch, Density>());
+  return std::make_shared<const DensityTerm>(std::move(name), std::move(space), rest, rules,
+                                             std::make_shared<const Density>(std::move(density)),
+                                             kernel::make_kernels<xsimd::default_arch, Density>());
 }
 
 }  // namespace majorant

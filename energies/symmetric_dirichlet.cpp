@@ -27,10 +27,9 @@ DensityKernels best_kernels() {
 std::shared_ptr<const DensityTerm> make_symmetric_dirichlet(
     std::shared_ptr<const ElementSpace> space, const RestShapes& rest,
     const std::vector<Quadrature>& rules) {
-  return std::make_shared<const DensityTerm>("symmetric-dirichlet", std::move(space), rest, rules,
-                                             std::make_shared<const Density>(
-                                                 symmetric_dirichlet_density()),
-                                             best_kernels());
+  return std::make_shared<const DensityTerm>(
+      "symmetric-dirichlet", std::move(space), rest, rules,
+      std::make_shared<const Density>(symmetric_dirichlet_density()), best_kernels());
 }
 
 }  // namespace majorant

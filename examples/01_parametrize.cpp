@@ -18,7 +18,8 @@ int main(int, char** argv) {
   options.degree = 3;
   ParametrizationResult result = parametrize(mesh, options);
   // 3. Use the map.
-  std::cout << name(result.status) << ", energy " << result.measures.value << ", centre of face 0 at "
+  std::cout << name(result.status) << ", energy " << result.measures.value
+            << ", centre of face 0 at "
             << result.map->evaluate(0, {1 / 3., 1 / 3., 1 / 3.}).transpose() << "\n";
   write_vtu(argv[2], to_map_file(*result.map));
   return result.measures.locally_injective ? 0 : 1;

@@ -1,5 +1,6 @@
 // An energy of one's own, written as a function of the singular values and put into the solver
-// without touching the library: here symmetric ARAP, (S - 1)^2 + (s - 1)^2 + (1/S - 1)^2 + (1/s - 1)^2.
+// without touching the library: here symmetric ARAP, (S - 1)^2 + (s - 1)^2 + (1/S - 1)^2 + (1/s -
+// 1)^2.
 //
 // Sample run:
 //   example_02_custom_energy meshes/cap.obj cap.vtu

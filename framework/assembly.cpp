@@ -147,7 +147,8 @@ void SlotTable::add_gradient(Index element, const LocalSystem& local, int p, dou
   }
   const Index* reduced = reduced_.data() + at(element) * at(local_size_);
   for (int i = 0; i < local_size_; ++i)
-    if (reduced[i] >= 0) gradient[reduced[i]] += factor * local.gradient[i * LocalSystem::stride + p];
+    if (reduced[i] >= 0)
+      gradient[reduced[i]] += factor * local.gradient[i * LocalSystem::stride + p];
 }
 
 }  // namespace majorant

@@ -1,5 +1,5 @@
-// Where local Hessian entries go in the reduced matrix: computed once, so that assembly is a loop of
-// additions into the values of a fixed pattern. The tables already contain Z of x = Z y + c.
+// Where local Hessian entries go in the reduced matrix: computed once, so that assembly is a loop
+// of additions into the values of a fixed pattern. The tables already contain Z of x = Z y + c.
 #pragma once
 
 #include <vector>
@@ -10,8 +10,9 @@
 
 namespace majorant {
 
-// Slots of one term. An element whose unknowns are all free or fixed (every row of Z has at most one
-// entry, equal to 1) takes the direct path; any other element has a list of weighted contributions.
+// Slots of one term. An element whose unknowns are all free or fixed (every row of Z has at most
+// one entry, equal to 1) takes the direct path; any other element has a list of weighted
+// contributions.
 class SlotTable {
  public:
   SlotTable(const Stencils& stencils, const Elimination& elimination, const SparsePattern& pattern);
@@ -25,7 +26,7 @@ class SlotTable {
 
  private:
   struct Contribution {
-    int local;            // packed local entry
+    int local;  // packed local entry
     Index slot;
     double coefficient;
   };
@@ -37,9 +38,9 @@ class SlotTable {
                      const SparsePattern& pattern);
 
   int local_size_, packed_size_;
-  std::vector<Index> direct_;        // #E by packed_size: slot, or -1 for dropped entries
-  std::vector<Index> reduced_;       // #E by local_size: reduced unknown, or -1
-  std::vector<Index> general_of_;    // #E: index into the general lists, or -1
+  std::vector<Index> direct_;      // #E by packed_size: slot, or -1 for dropped entries
+  std::vector<Index> reduced_;     // #E by local_size: reduced unknown, or -1
+  std::vector<Index> general_of_;  // #E: index into the general lists, or -1
   std::vector<std::vector<Contribution>> general_;
   std::vector<std::vector<std::pair<int, Target>>> general_gradient_;
 };

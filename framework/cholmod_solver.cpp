@@ -142,14 +142,14 @@ cholmod_factor* CholmodSolver::analyze_with(const char* name,
   common_.method[0].ordering = CHOLMOD_GIVEN;
   common_.postorder = 1;
   cholmod_sparse matrix = view(nullptr);
-  cholmod_factor* factor = cholmod_analyze_p(
-      &matrix, const_cast<Index*>(permutation.data()), nullptr, 0, &common_);
+  cholmod_factor* factor =
+      cholmod_analyze_p(&matrix, const_cast<Index*>(permutation.data()), nullptr, 0, &common_);
   if (!factor) throw std::bad_alloc();
   operations_ = common_.fl;
   factor_nonzeros_ = common_.lnz;
   description_ = fmt::format("{}, {}, {:.3g} factor nonzeros, {:.3g} operations",
-                             factor->is_super ? "supernodal" : "simplicial", name,
-                             factor_nonzeros_, operations_);
+                             factor->is_super ? "supernodal" : "simplicial", name, factor_nonzeros_,
+                             operations_);
   return factor;
 }
 
@@ -163,8 +163,7 @@ void CholmodSolver::analyze(const SparsePattern& pattern) {
   std::vector<Index> order(static_cast<std::size_t>(graph.blocks));
   if (ordering_ != Ordering::Metis && cholmod_amd(&blocks, nullptr, 0, order.data(), &common_))
     factor_ = analyze_with("AMD", lift(order, pattern));
-  if (ordering_ != Ordering::Amd &&
-      cholmod_metis(&blocks, nullptr, 0, 1, order.data(), &common_)) {
+  if (ordering_ != Ordering::Amd && cholmod_metis(&blocks, nullptr, 0, 1, order.data(), &common_)) {
     const double amd_operations = operations_;
     const std::string amd_description = description_;
     cholmod_factor* metis = analyze_with("METIS", lift(order, pattern));

@@ -11,7 +11,7 @@ enum class Curvature {
   Majorizer,       // composite majorizer in the (alpha, beta) frame, method.md section 5
   PaperMajorizer,  // [MC20] Eq. 11 with its sign corrected
   Exact,
-  Reweighted,      // SLIM's proxy [RPPSH17]
+  Reweighted,  // SLIM's proxy [RPPSH17]
 };
 
 }  // namespace majorant

@@ -25,9 +25,8 @@ class ElementProbe {
     const Stencils& s = term.stencils();
     for (Index k = 0; k < s.nodes.cols(); ++k)
       for (int c = 0; c < s.block; ++c) unknowns_.push_back(s.block * s.nodes(element, k) + c);
-    chunk_.rule = state.element_rule.empty()
-                      ? 0
-                      : state.element_rule[static_cast<std::size_t>(element)];
+    chunk_.rule =
+        state.element_rule.empty() ? 0 : state.element_rule[static_cast<std::size_t>(element)];
     chunk_.elements = element_;
   }
 

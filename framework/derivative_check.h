@@ -18,7 +18,7 @@ namespace majorant {
 
 struct DerivativeMismatch {
   Index element;
-  std::string block;      // "gradient[3]", "hessian(4, 1)", "curvature projected"
+  std::string block;  // "gradient[3]", "hessian(4, 1)", "curvature projected"
   double computed, expected;
 };
 

@@ -87,8 +87,10 @@ class Eliminator {
     row.constant = -rows_.rhs(r);
     for (auto e = rows_.begin(r); e != rows_.end(r); ++e) {
       Expression term;
-      if (auto known = solved_.find(e->unknown); known != solved_.end()) term = known->second;
-      else term.terms.emplace(e->unknown, Rational(1));
+      if (auto known = solved_.find(e->unknown); known != solved_.end())
+        term = known->second;
+      else
+        term.terms.emplace(e->unknown, Rational(1));
       row.add(term, Rational(e->coefficient));
     }
     if (row.terms.empty()) return check_redundant(r, row.constant);
@@ -131,7 +133,8 @@ class Eliminator {
   const ConstraintRows& rows_;
   double scale_ = 0;
   std::unordered_map<Index, Expression> solved_;
-  std::unordered_map<Index, std::unordered_set<Index>> users_;  // free unknown -> solved that use it
+  std::unordered_map<Index, std::unordered_set<Index>>
+      users_;  // free unknown -> solved that use it
 };
 
 }  // namespace

@@ -36,9 +36,9 @@ class Elimination {
   // The full unknown that reduced unknown j is.
   Index full_index(Index j) const { return free_[static_cast<size_t>(j)]; }
 
-  void expand(VecIn y, Vec& x) const;                   // x = Z y + c
-  void expand_direction(VecIn dy, Vec& dx) const;       // dx = Z dy
-  void restrict_gradient(VecIn gx, Vec& gy) const;      // gy = Z^T gx
+  void expand(VecIn y, Vec& x) const;               // x = Z y + c
+  void expand_direction(VecIn dy, Vec& dx) const;   // dx = Z dy
+  void restrict_gradient(VecIn gx, Vec& gy) const;  // gy = Z^T gx
   // y with Z y + c closest in the free unknowns, and the largest |x - (Z y + c)|.
   Vec reduce(VecIn x, double* residual) const;
 

@@ -12,9 +12,10 @@
 //     void local(VecIn x, const Chunk&, Curvature, const TermState&, Workspace&, LocalSystem&) ...
 //   };
 //
-// A term is immutable and thread-safe: the evaluator calls it for different chunks at the same time,
-// each call with its own Workspace and output. What changes between steps is in TermState, which the
-// term receives by argument. check_derivatives() (derivative_check.h) tests an implementation.
+// A term is immutable and thread-safe: the evaluator calls it for different chunks at the same
+// time, each call with its own Workspace and output. What changes between steps is in TermState,
+// which the term receives by argument. check_derivatives() (derivative_check.h) tests an
+// implementation.
 #pragma once
 
 #include <cstddef>
@@ -48,10 +49,10 @@ struct Chunk {
 
 // What may change between steps without changing unknowns or sparsity pattern.
 struct TermState {
-  double weight = 1.0;             // of the whole term
-  Vec element_weight;              // #E factors, empty = all 1
+  double weight = 1.0;               // of the whole term
+  Vec element_weight;                // #E factors, empty = all 1
   std::vector<RuleId> element_rule;  // #E, empty = all 0
-  Vec parameters;                  // the term's own scalars (annealed epsilon, say); usually empty
+  Vec parameters;  // the term's own scalars (annealed epsilon, say); usually empty
 };
 
 // Scratch memory of one thread: grows, never shrinks, contents undefined.

@@ -1,4 +1,5 @@
-// Errors at set-up: one exception type with a kind, so that a program can turn it into an exit code.
+// Errors at set-up: one exception type with a kind, so that a program can turn it into an exit
+// code.
 //
 //   throw Error(ErrorKind::Unsupported, "mesh.obj: edge (4, 7) has 3 faces; split it");
 //

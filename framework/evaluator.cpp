@@ -41,8 +41,7 @@ Evaluator::~Evaluator() = default;
 
 void Evaluator::reset(const Problem& problem) { problem_ = problem; }
 
-Vec element_values(const EnergyTerm& term, const TermState& state, const ChunkPlan& plan,
-                   VecIn x) {
+Vec element_values(const EnergyTerm& term, const TermState& state, const ChunkPlan& plan, VecIn x) {
   Vec f(term.stencils().element_count());
 #pragma omp parallel if (plan.chunk_count() >= kParallelChunks)
   {

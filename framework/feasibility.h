@@ -18,8 +18,8 @@ struct Verdict {
 };
 
 struct StepBound {
-  double step = 0;               // largest certified step
-  std::vector<Index> blocking;   // elements that admit at most twice as much; empty: unrestricted
+  double step = 0;              // largest certified step
+  std::vector<Index> blocking;  // elements that admit at most twice as much; empty: unrestricted
 };
 
 class FeasibilityChecker {

@@ -30,7 +30,7 @@ enum class Factorization { Automatic, Supernodal, Simplicial };
 enum class Ordering { Best, Amd, Metis };  // Best: the one with fewer operations
 
 // CHOLMOD [CDHR08], on one thread. Throws std::bad_alloc when the analysis runs out of memory.
-std::unique_ptr<LinearSolver> make_cholmod_solver(Factorization factorization = Factorization::Automatic,
-                                                  Ordering ordering = Ordering::Best);
+std::unique_ptr<LinearSolver> make_cholmod_solver(
+    Factorization factorization = Factorization::Automatic, Ordering ordering = Ordering::Best);
 
 }  // namespace majorant

@@ -10,27 +10,27 @@
 namespace majorant {
 
 enum class Status {
-  Converged,       // a stopping formula holds
+  Converged,  // a stopping formula holds
   MaxIterations,
-  TimeLimit,       // an observer said so
-  Interrupted,     // an observer said so
-  Stalled,         // no step decreases the energy inside the feasible set, far from a minimum
-  Infeasible,      // the start violates a checker or lies outside an energy's domain
-  Failed,          // numerical breakdown: no factorization, no finite energy
+  TimeLimit,    // an observer said so
+  Interrupted,  // an observer said so
+  Stalled,      // no step decreases the energy inside the feasible set, far from a minimum
+  Infeasible,   // the start violates a checker or lies outside an energy's domain
+  Failed,       // numerical breakdown: no factorization, no finite energy
 };
 std::string_view name(Status status);  // "converged", "max_iterations", ... as interface.md has it
 
 struct IterationRecord {
-  int iteration = 0;              // 1-based
-  double energy = 0;              // after the step
-  double relative_decrease = 0;   // (E_before - E_after) / |E_before|
-  double step = 0;                // accepted multiple of the Newton direction
-  double step_bound = 0;          // largest certified multiple
-  double gradient_norm = 0;       // before the step, reduced unknowns, Euclidean
-  double newton_decrement = 0;    // -g . p, an energy; before the step
-  double shift = 0;               // added to the Hessian's diagonal
+  int iteration = 0;                           // 1-based
+  double energy = 0;                           // after the step
+  double relative_decrease = 0;                // (E_before - E_after) / |E_before|
+  double step = 0;                             // accepted multiple of the Newton direction
+  double step_bound = 0;                       // largest certified multiple
+  double gradient_norm = 0;                    // before the step, reduced unknowns, Euclidean
+  double newton_decrement = 0;                 // -g . p, an energy; before the step
+  double shift = 0;                            // added to the Hessian's diagonal
   Curvature curvature = Curvature::Projected;  // model that gave the direction
-  int trials = 0;                 // energy evaluations of the line search
+  int trials = 0;                              // energy evaluations of the line search
   struct Seconds {
     double assemble = 0, factorize = 0, solve = 0, line_search = 0;
   } seconds;
@@ -46,20 +46,20 @@ struct SolveResult {
   std::string message;
   Vec y;
   double energy = 0;
-  double newton_decrement = 0;              // of the last step, an energy
+  double newton_decrement = 0;  // of the last step, an energy
   std::vector<IterationRecord> iterations;
-  std::vector<Index> blocking;              // elements that limited the last step
+  std::vector<Index> blocking;  // elements that limited the last step
 };
 
 // Stopping formulas, with E_k the energy after iteration k, p the Newton direction, g the gradient:
-//   decrement:   -g.p <= decrement |E_{k-1}|                                Converged, no step taken
-//   small step:  E_{k-1} - E_k <= relative_decrease |E_{k-1}|
+//   decrement:   -g.p <= decrement |E_{k-1}|                                Converged, no step
+//   taken small step:  E_{k-1} - E_k <= relative_decrease |E_{k-1}|
 //     and -g.p <= tail_factor relative_decrease |E_{k-1}|                   Converged
 //     for a second time, the exact Hessian having been given another chance in between; steps with
 //     the exact Hessian do not count, they converge quadratically to the decrement rule
 //   idle: small step, or a certified step below stall_step, in stall_iterations successive
-//     iterations: Converged if -g.p <= stall_decrement |E_{k-1}|, else Stalled, and the result is the
-//     last point reached by a step of at least anchor_step: what follows it led into a corner
+//     iterations: Converged if -g.p <= stall_decrement |E_{k-1}|, else Stalled, and the result is
+//     the last point reached by a step of at least anchor_step: what follows it led into a corner
 //   no step decreases the energy: Converged or Stalled by the same bound on -g.p.
 struct StoppingRules {
   double relative_decrease = 1e-6;

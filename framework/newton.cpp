@@ -26,13 +26,20 @@ class Lap {
 
 std::string_view name(Status status) {
   switch (status) {
-    case Status::Converged: return "converged";
-    case Status::MaxIterations: return "max_iterations";
-    case Status::TimeLimit: return "time_limit";
-    case Status::Interrupted: return "interrupted";
-    case Status::Stalled: return "stalled";
-    case Status::Infeasible: return "infeasible";
-    case Status::Failed: return "failed";
+    case Status::Converged:
+      return "converged";
+    case Status::MaxIterations:
+      return "max_iterations";
+    case Status::TimeLimit:
+      return "time_limit";
+    case Status::Interrupted:
+      return "interrupted";
+    case Status::Stalled:
+      return "stalled";
+    case Status::Infeasible:
+      return "infeasible";
+    case Status::Failed:
+      return "failed";
   }
   return "failed";
 }
@@ -45,8 +52,13 @@ class NewtonStepper::LineSearch {
  public:
   LineSearch(Evaluator& evaluator, const NewtonOptions& options, const Vec& y, const Vec& p,
              double energy, double decrement)
-      : evaluator_(evaluator), options_(options), y_(y), p_(p), energy_(energy),
-        decrement_(decrement), x_(evaluator.problem().expand(y)) {
+      : evaluator_(evaluator),
+        options_(options),
+        y_(y),
+        p_(p),
+        energy_(energy),
+        decrement_(decrement),
+        x_(evaluator.problem().expand(y)) {
     evaluator.problem().elimination().expand_direction(p, d_);
   }
 

@@ -39,8 +39,7 @@ ProblemBuilder& ProblemBuilder::add(std::shared_ptr<const EnergyTerm> term, doub
 
 ProblemBuilder& ProblemBuilder::add(std::shared_ptr<const EnergyTerm> term, TermState state) {
   const Stencils& s = term->stencils();
-  if (s.nodes.size() &&
-      (s.nodes.minCoeff() < 0 || s.block * (s.nodes.maxCoeff() + 1) > full_size_))
+  if (s.nodes.size() && (s.nodes.minCoeff() < 0 || s.block * (s.nodes.maxCoeff() + 1) > full_size_))
     throw std::invalid_argument(
         fmt::format("term '{}': a stencil leaves the {} unknowns", term->name(), full_size_));
   terms_.push_back(std::move(term));

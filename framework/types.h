@@ -5,7 +5,7 @@
 
 namespace majorant {
 
-using Index = int;                            // sparse patterns, numbering; 32 bits on purpose
+using Index = int;  // sparse patterns, numbering; 32 bits on purpose
 using Vec = Eigen::VectorXd;
 using VecIn = Eigen::Ref<const Eigen::VectorXd>;
 using Vector2 = Eigen::Vector2d;

@@ -41,7 +41,8 @@ MapFile to_map_file(const BezierMap& map) {
 
 MapFile to_map_file(const PolygonMesh& textured) {
   if (textured.polygon_texcoords.size() != textured.polygons.size())
-    throw Error(ErrorKind::Unreadable, textured.file + ": not every corner has texture coordinates");
+    throw Error(ErrorKind::Unreadable,
+                textured.file + ": not every corner has texture coordinates");
   MapFile file;
   std::map<std::pair<Index, Index>, Index> point_of;  // (vertex, texture coordinate)
   std::vector<std::array<Index, 3>> cells;
@@ -55,9 +56,9 @@ MapFile to_map_file(const PolygonMesh& textured) {
                               textured.file, p + 1));
     std::array<Index, 3> cell{};
     for (std::size_t k = 0; k < 3; ++k)
-      cell[k] = point_of
-                    .emplace(std::pair(corners[k], texture[k]), static_cast<Index>(point_of.size()))
-                    .first->second;
+      cell[k] =
+          point_of.emplace(std::pair(corners[k], texture[k]), static_cast<Index>(point_of.size()))
+              .first->second;
     cells.push_back(cell);
     faces.push_back(static_cast<Index>(p));
   }
@@ -84,8 +85,8 @@ BezierMap to_bezier_map(const MapFile& file, const std::string& name) {
   for (Index c = 0; c < file.cells.rows(); ++c)
     polygons.polygons.push_back({file.cells(c, 0), file.cells(c, 1), file.cells(c, 2)});
   auto mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(polygons));
-  auto space = std::make_shared<const BezierTriangleSpace>(mesh->faces(), mesh->vertex_count(),
-                                                           file.degree);
+  auto space =
+      std::make_shared<const BezierTriangleSpace>(mesh->faces(), mesh->vertex_count(), file.degree);
   std::vector<Index> point_of(static_cast<std::size_t>(space->node_count()), -1);
   Vec x(2 * space->node_count());
   for (Index c = 0; c < file.cells.rows(); ++c)

@@ -16,14 +16,14 @@ namespace majorant {
 
 struct MapFile {
   int degree = 1;
-  Points3 points;                 // #N by 3, control points of the flat surface triangles
-  Points2 uv;                     // #N by 2, control points of the map
-  Cells cells;                    // #F by (n+1)(n+2)/2, point numbers in VTK order
-  Eigen::VectorXi input_vertex;   // #N, vertex of the input mesh, -1 where there is none
-  Eigen::VectorXi input_face;     // #F, face (polygon) of the input mesh, 0-based
-  Vec distortion;                 // #F, mean density; may be empty
-  Vec min_det;                    // #F, certified lower bound of det J; may be empty
-  std::string claims;             // JSON object, what the file promises; may be empty
+  Points3 points;                // #N by 3, control points of the flat surface triangles
+  Points2 uv;                    // #N by 2, control points of the map
+  Cells cells;                   // #F by (n+1)(n+2)/2, point numbers in VTK order
+  Eigen::VectorXi input_vertex;  // #N, vertex of the input mesh, -1 where there is none
+  Eigen::VectorXi input_face;    // #F, face (polygon) of the input mesh, 0-based
+  Vec distortion;                // #F, mean density; may be empty
+  Vec min_det;                   // #F, certified lower bound of det J; may be empty
+  std::string claims;            // JSON object, what the file promises; may be empty
 };
 
 // Distortion, min_det and claims are left empty.

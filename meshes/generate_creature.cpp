@@ -1,6 +1,7 @@
 // The demo creature (creature_shape.h), meshed and cut open to a disk.
 //
-//   g++ -std=c++20 -O2 -I/usr/include/eigen3 generate_creature.cpp -o generate_creature -lgmp -lmpfr
+//   g++ -std=c++20 -O2 -I/usr/include/eigen3 generate_creature.cpp -o generate_creature -lgmp
+//   -lmpfr
 //   ./generate_creature creature.obj             # about 2000 faces
 //   ./generate_creature creature_700.obj 700     # the same animal, coarser; 600 is the least
 //

@@ -14,8 +14,7 @@ BezierMap::BezierMap(std::shared_ptr<const SurfaceMesh> mesh,
 }
 
 BezierMap BezierMap::linear(std::shared_ptr<const SurfaceMesh> mesh, Vec uv) {
-  auto space =
-      std::make_shared<const BezierTriangleSpace>(mesh->faces(), mesh->vertex_count(), 1);
+  auto space = std::make_shared<const BezierTriangleSpace>(mesh->faces(), mesh->vertex_count(), 1);
   return BezierMap(std::move(mesh), std::move(space), std::move(uv));
 }
 
@@ -29,8 +28,7 @@ Vector2 BezierMap::evaluate(Index face, const Barycentric& xi) const {
 Eigen::Matrix2d BezierMap::jacobian(Index face, const Barycentric& xi) const {
   const Eigen::MatrixX2d g = bernstein_gradients(degree(), xi);
   Eigen::Matrix2d j = Eigen::Matrix2d::Zero();
-  for (Index k = 0; k < g.rows(); ++k)
-    j += x_.segment<2>(2 * space_->cells()(face, k)) * g.row(k);
+  for (Index k = 0; k < g.rows(); ++k) j += x_.segment<2>(2 * space_->cells()(face, k)) * g.row(k);
   return j * flat_triangles(mesh_->positions(), mesh_->faces().row(face)).inverse.front();
 }
 
@@ -57,8 +55,8 @@ Points2 BezierMap::sample(const std::vector<Barycentric>& points) const {
 }
 
 BezierMap BezierMap::elevated() const {
-  auto higher = std::make_shared<const BezierTriangleSpace>(
-      mesh_->faces(), mesh_->vertex_count(), degree() + 1);
+  auto higher = std::make_shared<const BezierTriangleSpace>(mesh_->faces(), mesh_->vertex_count(),
+                                                            degree() + 1);
   Vec x = space_->elevate(x_, *higher);
   return BezierMap(mesh_, std::move(higher), std::move(x));
 }
@@ -91,7 +89,8 @@ BezierMap::Refinement BezierMap::refine(int k) const {
     for (int i = 0; i < k; ++i)
       for (int j = 0; j < k - i; ++j) {
         r.triangles.row(t++) << node(i + 1, j), node(i, j + 1), node(i, j);
-        if (i + j < k - 1) r.triangles.row(t++) << node(i, j + 1), node(i + 1, j), node(i + 1, j + 1);
+        if (i + j < k - 1)
+          r.triangles.row(t++) << node(i, j + 1), node(i + 1, j), node(i + 1, j + 1);
       }
   }
   return r;

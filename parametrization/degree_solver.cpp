@@ -12,10 +12,10 @@
 namespace majorant {
 namespace {
 
-constexpr double kExcludedWeight = 1e-6;   // method.md section 9   // method.md section 9
+constexpr double kExcludedWeight = 1e-6;  // method.md section 9   // method.md section 9
 constexpr int kExcludedIterations = 10;
-constexpr double kSoftStart = 1e5;         // mean density
-constexpr int kDeepest = 13;               // bisections, when the asked depth holds a run back
+constexpr double kSoftStart = 1e5;  // mean density
+constexpr int kDeepest = 13;        // bisections, when the asked depth holds a run back
 constexpr int kStallRounds = 60;
 constexpr int kAccuracyRounds = 3;
 constexpr double kQuadratureError = 3e-5;  // of the energy, all elements together
@@ -53,7 +53,8 @@ DegreeSolver::DegreeSolver(const Setup& setup, std::shared_ptr<const BezierTrian
 Problem DegreeSolver::build_problem() const {
   if (!term_->supports(setup_.options.curvature))
     throw Error(ErrorKind::Usage, fmt::format("energy '{}' does not support this curvature model; "
-                                              "use the projected Hessian", term_->name()));
+                                              "use the projected Hessian",
+                                              term_->name()));
   ProblemBuilder builder(2 * space_->node_count());
   builder.add(term_, 1.0 / setup_.rest.measure.sum());
   builder.add(injectivity_);
@@ -139,8 +140,7 @@ bool DegreeSolver::deepen() {
   if (depth_ >= kDeepest) return false;
   depth_ = std::min(depth_ + 4, kDeepest);
   depth_counts_ = injectivity_depth_counts();
-  injectivity_ =
-      std::make_shared<const LocalInjectivity>(space_, 2 * setup_.rest.measure, depth_);
+  injectivity_ = std::make_shared<const LocalInjectivity>(space_, 2 * setup_.rest.measure, depth_);
   const TermState state = problem_.state(0);
   problem_ = build_problem().with({state});
   stepper_.reset(problem_);

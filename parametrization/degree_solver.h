@@ -18,9 +18,9 @@ namespace majorant {
 class DegreeSolver {
  public:
   struct Setup {
-    RestShapes rest;                  // normalised
-    ParametrizationOptions options;   // options.initial unused
-    std::vector<FixedPoint> pins;     // vertices, normalised positions
+    RestShapes rest;                 // normalised
+    ParametrizationOptions options;  // options.initial unused
+    std::vector<FixedPoint> pins;    // vertices, normalised positions
   };
 
   // x: start, 2 numbers per node of `space`, normalised, locally injective.
@@ -58,8 +58,8 @@ class DegreeSolver {
   int depth_;
   std::shared_ptr<const LocalInjectivity> injectivity_;
   std::vector<long> depth_counts_;  // of checkers replaced by deeper ones
-  std::vector<RuleId> level_;   // by element
-  Vec element_weight_;          // 1, or less where temporarily excluded
+  std::vector<RuleId> level_;       // by element
+  Vec element_weight_;              // 1, or less where temporarily excluded
   Problem problem_;
   NewtonStepper stepper_;
 };

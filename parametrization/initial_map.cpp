@@ -19,9 +19,9 @@ void place_boundary(const SurfaceMesh& mesh, Vec& x) {
   const double radius = std::sqrt(mesh.area() / std::numbers::pi);
   std::vector<double> arc{0.0};
   for (std::size_t k = 0; k < loop.size(); ++k)
-    arc.push_back(arc.back() + (mesh.positions().row(loop[(k + 1) % loop.size()]) -
-                                mesh.positions().row(loop[k]))
-                                   .norm());
+    arc.push_back(
+        arc.back() +
+        (mesh.positions().row(loop[(k + 1) % loop.size()]) - mesh.positions().row(loop[k])).norm());
   for (std::size_t k = 0; k < loop.size(); ++k) {
     const double angle = 2 * std::numbers::pi * arc[k] / arc.back();
     x[2 * loop[k]] = radius * std::cos(angle);
@@ -88,8 +88,9 @@ Vec tutte_map(const SurfaceMesh& mesh) {
   solver->analyze(laplacian.pattern);
   if (solver->factorize(laplacian.values, 0.0) != FactorStatus::Ok)
     throw Error(ErrorKind::Infeasible,
-                mesh.file() + ": the Laplacian of the initial map cannot be factorized; check the "
-                              "mesh with `majorant info`");
+                mesh.file() +
+                    ": the Laplacian of the initial map cannot be factorized; check the "
+                    "mesh with `majorant info`");
   Vec u, v;
   solver->solve(laplacian.rhs_u, u);
   solver->solve(laplacian.rhs_v, v);

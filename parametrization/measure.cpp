@@ -12,9 +12,9 @@
 namespace majorant {
 namespace {
 
-constexpr double kAgreement = 1e-6;    // of the total, spread over the elements
-constexpr int kProofDepth = 16;        // of bisection: proofs need not be cheap here
-constexpr int kSamples = 8;            // extremes are sampled at the points (i,j,k)/8
+constexpr double kAgreement = 1e-6;  // of the total, spread over the elements
+constexpr int kProofDepth = 16;      // of bisection: proofs need not be cheap here
+constexpr int kSamples = 8;          // extremes are sampled at the points (i,j,k)/8
 
 Vec values_on(const DensityTerm& term, const std::vector<RuleId>& rules, VecIn x) {
   TermState state;
@@ -40,7 +40,8 @@ Quadrature single_point(const Barycentric& xi) {
 void sample_extremes(const BezierMap& map, const RestShapes& rest, const EnergyFactory& energy,
                      MapMeasures& m) {
   const std::vector<Barycentric> points =
-      map.degree() == 1 ? std::vector<Barycentric>{Barycentric::Constant(1.0 / 3)} : sample_points();
+      map.degree() == 1 ? std::vector<Barycentric>{Barycentric::Constant(1.0 / 3)}
+                        : sample_points();
   std::vector<Quadrature> rules;
   for (const Barycentric& xi : points) rules.push_back(single_point(xi));
   const auto term = energy(map.shared_space(), rest, rules);
@@ -94,8 +95,9 @@ MapMeasures measure(const BezierMap& map, const EnergyFactory& energy) {
   sample_extremes(map, rest, energy, m);
   m.min_det = LocalInjectivity(map.shared_space(), 2 * rest.measure, kProofDepth)
                   .lower_bounds(map.control_points());
-  const bool interior_ok =
-      AngleSums(map.shared_space(), AngleSums::Vertices::Interior).check(map.control_points()).feasible;
+  const bool interior_ok = AngleSums(map.shared_space(), AngleSums::Vertices::Interior)
+                               .check(map.control_points())
+                               .feasible;
   m.locally_injective = interior_ok && m.min_det.minCoeff() > 0;
   const Vec sums = vertex_angle_sums(map.space(), map.control_points());
   for (const auto& loop : map.mesh().boundary_loops())

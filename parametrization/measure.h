@@ -7,14 +7,14 @@
 namespace majorant {
 
 struct MapMeasures {
-  double value = 0;            // mean density over the surface, good to 1e-5 relative
-  Vec face_value;              // #F mean density of each face
-  double max_density = 0;      // sampled
+  double value = 0;                     // mean density over the surface, good to 1e-5 relative
+  Vec face_value;                       // #F mean density of each face
+  double max_density = 0;               // sampled
   double sigma_max = 0, sigma_min = 0;  // sampled extreme singular values
-  Vec min_det;                 // #F certified lower bound of det J (<= 0: not proven positive)
-  bool locally_injective = false;       // all min_det > 0 and interior angle sums 2 pi
-  double max_boundary_angle = 0;        // radians, largest sector sum at a boundary vertex
-  Index boundary_over_full_turn = 0;    // boundary vertices whose sum exceeds 2 pi
+  Vec min_det;                     // #F certified lower bound of det J (<= 0: not proven positive)
+  bool locally_injective = false;  // all min_det > 0 and interior angle sums 2 pi
+  double max_boundary_angle = 0;   // radians, largest sector sum at a boundary vertex
+  Index boundary_over_full_turn = 0;  // boundary vertices whose sum exceeds 2 pi
 };
 
 // Mean density and #F mean densities, adaptively: elements are refined until two successive rules

@@ -25,7 +25,9 @@ constexpr double kDegenerateHeight = 1e-12;
 // Shortest edges must span this many units in the last place of the largest coordinate.
 constexpr double kUsableUlps = 1e8;
 
-const Vector3& at(const PolygonMesh& m, Index v) { return m.positions[static_cast<std::size_t>(v)]; }
+const Vector3& at(const PolygonMesh& m, Index v) {
+  return m.positions[static_cast<std::size_t>(v)];
+}
 
 class UnionFind {
  public:

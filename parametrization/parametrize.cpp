@@ -41,12 +41,12 @@ std::vector<FixedPoint> place_pins(const SurfaceMesh& mesh, const Parametrizatio
     const Vector2 target = pin.target.value_or(here);
     const double distance = (target - here).norm();
     if (distance > tolerance)
-      throw Error(ErrorKind::Infeasible,
-                  fmt::format("{}: the pin of vertex {} is {:.6g} away from the initial map ({}, {}); "
-                              "hold it there with \"target\": \"initial\", start from a map that "
-                              "meets the pins with --init input, or use soft handles",
-                              mesh.file(), mesh.input_vertex(pin.vertex), distance, here.x(),
-                              here.y()));
+      throw Error(
+          ErrorKind::Infeasible,
+          fmt::format("{}: the pin of vertex {} is {:.6g} away from the initial map ({}, {}); "
+                      "hold it there with \"target\": \"initial\", start from a map that "
+                      "meets the pins with --init input, or use soft handles",
+                      mesh.file(), mesh.input_vertex(pin.vertex), distance, here.x(), here.y()));
     if (std::any_of(points.begin(), points.end(),
                     [&](const FixedPoint& p) { return p.node == pin.vertex; }))
       throw Error(ErrorKind::Unsupported, fmt::format("{}: vertex {} is pinned twice; pin it once",
@@ -62,15 +62,15 @@ std::vector<FixedPoint> place_pins(const SurfaceMesh& mesh, const Parametrizatio
 
 void require_injective(const BezierMap& map, const std::string& what) {
   const RestShapes rest = flat_triangles(map.mesh().positions(), map.mesh().faces());
-  const Verdict faces = LocalInjectivity(map.shared_space(), 2 * rest.measure)
-                            .check(map.control_points());
+  const Verdict faces =
+      LocalInjectivity(map.shared_space(), 2 * rest.measure).check(map.control_points());
   if (!faces.feasible)
-    throw Error(ErrorKind::Infeasible,
-                fmt::format("{}: the {} is not injective: face {} ({} in all) is not positively "
-                            "oriented; give another start with --init",
-                            map.mesh().file(), what,
-                            map.mesh().input_face(faces.blocking.front()) + 1,
-                            faces.blocking.size()));
+    throw Error(
+        ErrorKind::Infeasible,
+        fmt::format("{}: the {} is not injective: face {} ({} in all) is not positively "
+                    "oriented; give another start with --init",
+                    map.mesh().file(), what, map.mesh().input_face(faces.blocking.front()) + 1,
+                    faces.blocking.size()));
   const Verdict vertices =
       AngleSums(map.shared_space(), AngleSums::Vertices::Interior).check(map.control_points());
   if (!vertices.feasible)
@@ -95,7 +95,9 @@ Vec moved(Vec x, const Vector2& by) {
 class Run {
  public:
   Run(const BezierMap& start, const ParametrizationOptions& options, RunRecord& record)
-      : options_(options), record_(record), scale_(normalizing_scale(start.mesh())),
+      : options_(options),
+        record_(record),
+        scale_(normalizing_scale(start.mesh())),
         origin_(needs_gauge(options) ? Vector2(start.control_points().head<2>())
                                      : Vector2(Vector2::Zero())),
         map_(start.shared_mesh(), start.shared_space(),
@@ -116,8 +118,8 @@ class Run {
       if (last || options_.elevation == Elevation::Incremental) {
         DegreeSolver solver(setup_, map_.shared_space(), map_.control_points());
         solver.soften_start(record_);
-        solved = last ? solver.finish(record_)
-                      : solver.approach(options_.elevation_tolerance, record_);
+        solved =
+            last ? solver.finish(record_) : solver.approach(options_.elevation_tolerance, record_);
         map_ = BezierMap(map_.shared_mesh(), map_.shared_space(), solver.x());
         account(solver);
         if (limited(solved.status)) break;
@@ -130,9 +132,7 @@ class Run {
   }
 
  private:
-  static bool limited(Status s) {
-    return s != Status::Converged && s != Status::Stalled;
-  }
+  static bool limited(Status s) { return s != Status::Converged && s != Status::Stalled; }
 
   void account(const DegreeSolver& solver) {
     const std::vector<long> counts = solver.injectivity_depth_counts();

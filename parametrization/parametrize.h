@@ -23,38 +23,38 @@
 
 namespace majorant {
 
-enum class BoundaryCondition { Free, Fixed };      // Fixed: the initial map's boundary stays
-enum class BoundaryAngles { Free, AtMostFullTurn }; // sector sums at boundary vertices
+enum class BoundaryCondition { Free, Fixed };        // Fixed: the initial map's boundary stays
+enum class BoundaryAngles { Free, AtMostFullTurn };  // sector sums at boundary vertices
 enum class Elevation { Incremental, Direct };
 
 struct Pin {
-  Index vertex;                    // of the mesh
-  std::optional<Vector2> target;   // model units; none: where the initial map has the vertex
+  Index vertex;                   // of the mesh
+  std::optional<Vector2> target;  // model units; none: where the initial map has the vertex
 };
 
 struct ParametrizationOptions {
-  int degree = 3;                                  // 1..8
+  int degree = 3;  // 1..8
   EnergyFactory energy = make_symmetric_dirichlet;
   Curvature curvature = Curvature::Projected;
   BoundaryCondition boundary = BoundaryCondition::Free;
   BoundaryAngles boundary_angles = BoundaryAngles::Free;
   Elevation elevation = Elevation::Incremental;
   std::vector<Pin> pins;
-  std::optional<Vec> initial;                      // u, v per vertex; none: Tutte's map
-  int quadrature_points = 0;                       // lattice points per triangle; 0: our own rule
-  double tolerance = 1e-6;                         // relative energy decrease per iteration
-  double elevation_tolerance = 1e-4;                            // the degree is raised below this decrease
-  int injectivity_depth = 5;                       // of bisection; deeper when a run is held back
+  std::optional<Vec> initial;         // u, v per vertex; none: Tutte's map
+  int quadrature_points = 0;          // lattice points per triangle; 0: our own rule
+  double tolerance = 1e-6;            // relative energy decrease per iteration
+  double elevation_tolerance = 1e-4;  // the degree is raised below this decrease
+  int injectivity_depth = 5;          // of bisection; deeper when a run is held back
 };
 
 struct ParametrizationResult {
   Status status = Status::Failed;
   std::string message;
-  std::optional<BezierMap> map;       // absent only when status is Infeasible or Failed
-  double initial_value = 0;           // mean density of the start
-  double value_quadrature = 0;        // the optimizer's own energy at the end
-  double newton_decrement = 0;        // relative to the energy
-  double constraint_residual = 0;     // model units
+  std::optional<BezierMap> map;    // absent only when status is Infeasible or Failed
+  double initial_value = 0;        // mean density of the start
+  double value_quadrature = 0;     // the optimizer's own energy at the end
+  double newton_decrement = 0;     // relative to the energy
+  double constraint_residual = 0;  // model units
   Index variables = 0;
   MapMeasures measures;
   std::vector<long> injectivity_tests;  // elements certified, by bisection depth
@@ -65,9 +65,9 @@ struct ParametrizationResult {
 // Error(Unsupported) when the mesh is no disk, Error(Usage) when the given one has the wrong size.
 Vec initial_map(const SurfaceMesh& mesh, const ParametrizationOptions& options);
 
-// Throws Error as initial_map; Error(Infeasible) when the start is not locally injective or does not
-// meet the pins; Error(Unsupported) when a vertex is pinned twice; Error(Usage) when the energy does
-// not support the curvature or options are out of range.
+// Throws Error as initial_map; Error(Infeasible) when the start is not locally injective or does
+// not meet the pins; Error(Unsupported) when a vertex is pinned twice; Error(Usage) when the energy
+// does not support the curvature or options are out of range.
 ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,
                                   const ParametrizationOptions& options, RunRecord& record);
 ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,

@@ -12,19 +12,20 @@
 namespace majorant {
 
 struct PolygonMesh {
-  std::string file;                         // for messages; may be empty
-  std::vector<Vector3> positions;           // #V, model units
-  std::vector<std::vector<Index>> polygons; // #P lists of >= 3 vertex indices, 0-based
-  std::vector<long> polygon_lines;          // #P line (or record) numbers, 1-based; may be empty
+  std::string file;                          // for messages; may be empty
+  std::vector<Vector3> positions;            // #V, model units
+  std::vector<std::vector<Index>> polygons;  // #P lists of >= 3 vertex indices, 0-based
+  std::vector<long> polygon_lines;           // #P line (or record) numbers, 1-based; may be empty
 
-  std::vector<Vector2> texcoords;                      // #T; may be empty
-  std::vector<std::vector<Index>> polygon_texcoords;   // #P lists parallel to polygons, or empty;
-                                                       // a polygon without vt has an empty list
+  std::vector<Vector2> texcoords;                     // #T; may be empty
+  std::vector<std::vector<Index>> polygon_texcoords;  // #P lists parallel to polygons, or empty;
+                                                      // a polygon without vt has an empty list
 
   // OBJ only: what an OBJ writer gives back unchanged.
   std::vector<Vector3> normals;
-  std::vector<std::vector<Index>> polygon_normals;          // like polygon_texcoords
-  std::vector<std::pair<Index, std::string>> directives;    // (polygon it precedes, line): o g s usemtl mtllib
+  std::vector<std::vector<Index>> polygon_normals;  // like polygon_texcoords
+  std::vector<std::pair<Index, std::string>>
+      directives;  // (polygon it precedes, line): o g s usemtl mtllib
 };
 
 }  // namespace majorant

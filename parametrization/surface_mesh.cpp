@@ -69,7 +69,8 @@ SurfaceMesh SurfaceMesh::from_polygons(const PolygonMesh& input) {
       if (!textured) continue;
       const auto& corners = input.polygon_texcoords[static_cast<std::size_t>(list.polygon[t])];
       const Index vt = corners[static_cast<std::size_t>(list.corners[t][c])];
-      mesh.corner_texcoords_.row(f).segment<2>(2 * k) = input.texcoords[static_cast<std::size_t>(vt)];
+      mesh.corner_texcoords_.row(f).segment<2>(2 * k) =
+          input.texcoords[static_cast<std::size_t>(vt)];
     }
   mesh.build_connectivity();
   return mesh;
@@ -122,19 +123,20 @@ void SurfaceMesh::require_disk() const {
   const auto refuse = [&](const std::string& what) {
     throw Error(ErrorKind::Unsupported, fmt::format("{}: {}", file_, what));
   };
-  const Index genus_twice =
-      2 - topology_.boundary_loops - topology_.euler_characteristic();
+  const Index genus_twice = 2 - topology_.boundary_loops - topology_.euler_characteristic();
   if (topology_.boundary_loops == 0)
     refuse(fmt::format("the surface is closed (genus {}, no boundary); cut it open to a disk",
                        genus_twice / 2));
   if (topology_.boundary_loops > 1)
-    refuse(fmt::format("the surface has {} boundary loops (a second one passes vertex {}); close "
-                       "the holes or cut it open to a disk",
-                       topology_.boundary_loops, input_vertex(boundary_loops_[1].front()) + 1));
+    refuse(
+        fmt::format("the surface has {} boundary loops (a second one passes vertex {}); close "
+                    "the holes or cut it open to a disk",
+                    topology_.boundary_loops, input_vertex(boundary_loops_[1].front()) + 1));
   if (topology_.euler_characteristic() != 1)
-    refuse(fmt::format("the surface has genus {} (one boundary loop, Euler characteristic {}); cut "
-                       "it open to a disk",
-                       genus_twice / 2, topology_.euler_characteristic()));
+    refuse(
+        fmt::format("the surface has genus {} (one boundary loop, Euler characteristic {}); cut "
+                    "it open to a disk",
+                    genus_twice / 2, topology_.euler_characteristic()));
 }
 
 Index SurfaceMesh::find_input_vertex(Index input) const {

@@ -160,8 +160,10 @@ TEST(BezierMap, IsContinuousAcrossEdges) {
           if (faces(f, a) == faces(g, (b + 1) % 3) && faces(f, (a + 1) % 3) == faces(g, b))
             for (const double t : {0.0, 0.3, 0.8, 1.0}) {
               ++shared;
-              const Barycentric xi = (1 - t) * Barycentric::Unit(a) + t * Barycentric::Unit((a + 1) % 3);
-              const Barycentric eta = (1 - t) * Barycentric::Unit((b + 1) % 3) + t * Barycentric::Unit(b);
+              const Barycentric xi =
+                  (1 - t) * Barycentric::Unit(a) + t * Barycentric::Unit((a + 1) % 3);
+              const Barycentric eta =
+                  (1 - t) * Barycentric::Unit((b + 1) % 3) + t * Barycentric::Unit(b);
               EXPECT_LT((map.evaluate(f, xi) - map.evaluate(g, eta)).norm(), 1e-14);
             }
   EXPECT_EQ(shared, 4 * 8);  // eight inner edges
@@ -207,7 +209,8 @@ TEST(BezierMap, RefinementSharesPointsAndReproducesTheMap) {
           system << corners, Eigen::RowVector3d::Ones();
           Eigen::Vector4d rhs;
           rhs << q[c], 1;
-          const Barycentric xi = (system.transpose() * system).inverse() * (system.transpose() * rhs);
+          const Barycentric xi =
+              (system.transpose() * system).inverse() * (system.transpose() * rhs);
           EXPECT_LT((system * xi - rhs).norm(), 1e-10) << "not on face " << f;
           EXPECT_LT((map.evaluate(f, xi) - r.uv.row(r.triangles(s, c)).transpose()).norm(), 1e-9);
         }

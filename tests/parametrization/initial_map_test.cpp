@@ -27,14 +27,15 @@ void expect_tutte(const SurfaceMesh& mesh) {
   // Arc length: the angle of every boundary vertex is its share of the loop's length.
   double length = 0, arc = 0;
   for (std::size_t k = 0; k < loop.size(); ++k)
-    length += (mesh.positions().row(loop[(k + 1) % loop.size()]) - mesh.positions().row(loop[k]))
-                  .norm();
+    length +=
+        (mesh.positions().row(loop[(k + 1) % loop.size()]) - mesh.positions().row(loop[k])).norm();
   std::set<Index> boundary(loop.begin(), loop.end());
   for (std::size_t k = 0; k < loop.size(); ++k) {
     const double angle = 2 * kPi * arc / length;
     const Vector2 expected = radius * Vector2(std::cos(angle), std::sin(angle));
     EXPECT_LT((uv_at(uv, loop[k]) - expected).norm(), 1e-12 * radius) << "vertex " << loop[k];
-    arc += (mesh.positions().row(loop[(k + 1) % loop.size()]) - mesh.positions().row(loop[k])).norm();
+    arc +=
+        (mesh.positions().row(loop[(k + 1) % loop.size()]) - mesh.positions().row(loop[k])).norm();
   }
 
   std::vector<std::set<Index>> neighbours(at(mesh.vertex_count()));

@@ -95,9 +95,8 @@ TEST(Measure, AnIsometricFlatteningIsWorthFour) {
 TEST(Measure, AnAffineMapIsWorthItsDensity) {
   const auto mesh = surface(grid(3));
   const BezierMap map = elevated_to(
-      BezierMap::linear(mesh, uv_of(*mesh, [](const Vector3& p) {
-                          return Vector2(2 * p.x(), 0.5 * p.y());
-                        })),
+      BezierMap::linear(
+          mesh, uv_of(*mesh, [](const Vector3& p) { return Vector2(2 * p.x(), 0.5 * p.y()); })),
       3);
   const MapMeasures m = measure(map, make_symmetric_dirichlet);
   EXPECT_NEAR(m.value, 4 + 0.25 + 0.25 + 4, 1e-11);
@@ -247,7 +246,8 @@ void expect_rule(const Quadrature& q, const char* what) {
   EXPECT_GE(q.points.minCoeff(), -1e-15) << what;
   EXPECT_LT((q.points.rowwise().sum().array() - 1).abs().maxCoeff(), 1e-14) << what;
   // Linear functions exactly, and the same for every corner.
-  for (int c = 0; c < 3; ++c) EXPECT_NEAR(integral(q, c == 0, c == 1, c == 2), 1.0 / 3, 1e-11) << what;
+  for (int c = 0; c < 3; ++c)
+    EXPECT_NEAR(integral(q, c == 0, c == 1, c == 2), 1.0 / 3, 1e-11) << what;
   EXPECT_NEAR(integral(q, 2, 1, 0), integral(q, 0, 2, 1), 1e-11) << what;
   EXPECT_NEAR(integral(q, 2, 1, 0), integral(q, 1, 2, 0), 1e-11) << what;
 }
@@ -257,7 +257,8 @@ void expect_exact_to_degree_5(const Quadrature& q) {
     for (int j = 0; j <= 5 - i; ++j)
       for (int k = 0; k <= 5 - i - j; ++k)
         EXPECT_NEAR(integral(q, i, j, k),
-                    2 * factorial(i) * factorial(j) * factorial(k) / factorial(i + j + k + 2), 1e-11);
+                    2 * factorial(i) * factorial(j) * factorial(k) / factorial(i + j + k + 2),
+                    1e-11);
 }
 
 bool has_corner(const Quadrature& q) {
@@ -302,8 +303,8 @@ TEST(QuadratureLadder, LinearMapsNeedOnePoint) {
 }
 
 TEST(QuadratureLadder, LatticeHasAtLeastThePointsAskedFor) {
-  for (const auto& [asked, given] : std::vector<std::pair<int, int>>{{1, 1}, {2, 3}, {3, 3}, {36, 36},
-                                                                     {37, 45}, {78, 78}, {5050, 5050}}) {
+  for (const auto& [asked, given] : std::vector<std::pair<int, int>>{
+           {1, 1}, {2, 3}, {3, 3}, {36, 36}, {37, 45}, {78, 78}, {5050, 5050}}) {
     const QuadratureLadder ladder = optimizer_ladder(3, asked);
     EXPECT_EQ(ladder.plain[0].size(), given) << asked;
     EXPECT_NEAR(ladder.plain[0].weights.maxCoeff(), 1.0 / given, 1e-14);  // equal weights

@@ -1,7 +1,7 @@
 // Every defect is refused as Unsupported, in one line that names file, place and what is wrong.
-#include "parametrization/parametrization_test_helpers.h"
-
 #include <algorithm>
+
+#include "parametrization/parametrization_test_helpers.h"
 
 namespace majorant {
 namespace {
@@ -29,8 +29,8 @@ TEST(MeshValidation, AcceptsAllFacesReversed) {
 }
 
 TEST(MeshValidation, RefusesCollinearCorners) {
-  const PolygonMesh mesh = polygon_mesh({{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {1, 0, 0}},
-                                        {{0, 1, 2}, {0, 3, 1}});
+  const PolygonMesh mesh =
+      polygon_mesh({{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {1, 0, 0}}, {{0, 1, 2}, {0, 3, 1}});
   expect_contains(refusal(mesh), {"inline.obj:102: face 2", "zero area", "1, 4, 2"});
 }
 
@@ -214,9 +214,9 @@ TEST(MeshValidation, RefusesThePublicBadMeshes) {
     });
     expect_contains(message, {name});
   }
-  for (const char* name : {"tiny_1e-9", "slivers_1e6", "negative_indices", "quads_and_polygons",
-                           "crlf", "unreferenced_vertices", "all_reversed", "single_triangle",
-                           "syntax_zoo"})
+  for (const char* name :
+       {"tiny_1e-9", "slivers_1e6", "negative_indices", "quads_and_polygons", "crlf",
+        "unreferenced_vertices", "all_reversed", "single_triangle", "syntax_zoo"})
     EXPECT_NO_THROW(
         SurfaceMesh::from_polygons(read_mesh((folder / (std::string(name) + ".obj")).string()))
             .require_disk())

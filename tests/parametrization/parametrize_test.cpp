@@ -1,5 +1,5 @@
-// The whole run: convergence, what boundaries, pins and limits promise, options that must not change
-// the result.
+// The whole run: convergence, what boundaries, pins and limits promise, options that must not
+// change the result.
 #include "majorant/parametrization/parametrize.h"
 
 #include <atomic>
@@ -347,8 +347,9 @@ TEST(Parametrize, InterruptionGivesAValidMapOfTheDegree) {
   for (const std::size_t after : {std::size_t(0), std::size_t(3)}) {
     std::atomic<bool> interrupt{after == 0};
     std::size_t calls = 0;
-    RunRecord record(INFINITY, std::numeric_limits<int>::max(), &interrupt,
-                     [&](const TraceEntry&) { if (++calls >= after) interrupt = true; });
+    RunRecord record(INFINITY, std::numeric_limits<int>::max(), &interrupt, [&](const TraceEntry&) {
+      if (++calls >= after) interrupt = true;
+    });
     const ParametrizationResult result = parametrize(mesh, degree(4), record);
     EXPECT_EQ(result.status, Status::Interrupted);
     expect_valid(result, 4);

@@ -1,10 +1,10 @@
 // Polygons become triangles, the file's numbers are kept, boundary loops run with the faces.
-#include "parametrization/parametrization_test_helpers.h"
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <numeric>
 #include <set>
+
+#include "parametrization/parametrization_test_helpers.h"
 
 namespace majorant {
 namespace {
@@ -39,8 +39,8 @@ void expect_triangulates(const std::vector<Vector2>& polygon, const char* name) 
         double sum = 0;
         std::set<int> used;
         for (const auto& t : triangles) {
-          const double part = signed_area(corners[at(t[0])], corners[at(t[1])], corners[at(t[2])],
-                                          normal);
+          const double part =
+              signed_area(corners[at(t[0])], corners[at(t[1])], corners[at(t[2])], normal);
           EXPECT_GT(part, 1e-9 * area) << name << ", start " << start << ", reversed " << reversed;
           sum += part;
           used.insert(t.begin(), t.end());
@@ -70,8 +70,8 @@ TEST(TriangulatePolygon, Concave) {
     star.push_back({r * std::cos(2 * kPi * k / 10), r * std::sin(2 * kPi * k / 10)});
   }
   expect_triangulates(star, "star");
-  expect_triangulates({{0, 0}, {4, 0}, {4, 4}, {1, 4}, {1, 2}, {2, 2}, {2, 3}, {3, 3}, {3, 1}, {0, 1}},
-                      "spiral");
+  expect_triangulates(
+      {{0, 0}, {4, 0}, {4, 4}, {1, 4}, {1, 2}, {2, 2}, {2, 3}, {3, 3}, {3, 1}, {0, 1}}, "spiral");
 }
 
 // A corner on the line between its neighbours must not become an empty ear.
@@ -84,8 +84,7 @@ TEST(TriangulatePolygon, StraightCorners) {
 }
 
 TEST(TriangulatePolygon, TakesTheBetterDiagonalOfAQuad) {
-  const auto triangles =
-      triangulate_polygon({{0, 0, 0}, {1, -0.2, 0}, {2, 0, 0}, {1, 0.2, 0}});
+  const auto triangles = triangulate_polygon({{0, 0, 0}, {1, -0.2, 0}, {2, 0, 0}, {1, 0.2, 0}});
   ASSERT_EQ(triangles.size(), 2u);
   for (const auto& t : triangles) {  // the short diagonal 1 - 3 is in both
     EXPECT_NE(std::find(t.begin(), t.end(), 1), t.end());
@@ -94,9 +93,9 @@ TEST(TriangulatePolygon, TakesTheBetterDiagonalOfAQuad) {
 }
 
 TEST(SurfaceMesh, LeavesOutUnreferencedVerticesAndRemembersNumbers) {
-  PolygonMesh input = polygon_mesh(
-      {{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {7, 7, 7}, {1, 1, 0}, {0, 1, 0}, {8, 8, 8}},
-      {{1, 2, 4}, {1, 4, 5}});
+  PolygonMesh input =
+      polygon_mesh({{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {7, 7, 7}, {1, 1, 0}, {0, 1, 0}, {8, 8, 8}},
+                   {{1, 2, 4}, {1, 4, 5}});
   const SurfaceMesh mesh = SurfaceMesh::from_polygons(input);
   ASSERT_EQ(mesh.vertex_count(), 4);
   const std::vector<Index> expected{1, 2, 4, 5};
