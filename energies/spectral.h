@@ -19,6 +19,8 @@
 
 namespace majorant {
 
+// The two classes repeat their traits on purpose: a common base would be inline code shared by kernels
+// of different instruction sets.
 template <class H>
 class InvariantDensity {
  public:
