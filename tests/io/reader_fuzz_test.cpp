@@ -131,7 +131,7 @@ TEST_P(ReaderFuzz, RandomDamage) {
         default:
           damaged.insert(at, damaged.substr(below(damaged.size()), below(20)));
       }
-      if (damaged.empty()) damaged = "x";
+      if (damaged.empty()) damaged.assign(1, 'x');
     }
     survives(damaged);
   }
