@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace majorant {
@@ -21,6 +22,11 @@ class Lap {
  private:
   Clock::time_point last_ = Clock::now();
 };
+
+// value / |energy|, 0 / 0 = 0: energies may vanish at their minimum.
+double relative_to(double energy, double value) {
+  return value / std::max(std::abs(energy), std::numeric_limits<double>::min());
+}
 
 }  // namespace
 
@@ -159,7 +165,7 @@ NewtonStepper::Step NewtonStepper::step(Vec& y, double& energy) {
   r.gradient_norm = gradient_.norm();
   r.newton_decrement = -gradient_.dot(p);
   if (!p.allFinite() || !(r.newton_decrement >= 0)) return step;
-  relative_decrement_ = r.newton_decrement / std::abs(energy);
+  relative_decrement_ = relative_to(energy, r.newton_decrement);
   if (relative_decrement_ <= options_.stopping.decrement) {
     step.outcome = Outcome::AtMinimum;
     return step;
@@ -169,7 +175,7 @@ NewtonStepper::Step NewtonStepper::step(Vec& y, double& energy) {
   r.trials = search.trials();
   if (step.outcome == Outcome::Moved) {
     r.step = search.step();
-    r.relative_decrease = (energy - search.energy()) / std::abs(energy);
+    r.relative_decrease = relative_to(energy, energy - search.energy());
     r.energy = energy = search.energy();
     y += r.step * p;
   }
@@ -195,7 +201,8 @@ bool NewtonStepper::try_exact(const Vec& y, IterationRecord& record) {
   Lap lap;
   evaluator_.linearize(y, Curvature::Exact, gradient_, hessian_);
   record.seconds.assemble += lap();
-  record.shift = 1.5 * std::max(0.0, -y.dot(gradient_)) / y.squaredNorm();
+  const double size = y.squaredNorm();
+  record.shift = size > 0 ? 1.5 * std::max(0.0, -y.dot(gradient_)) / size : 0.0;
   const FactorStatus status = solver_->factorize(hessian_, record.shift);
   record.seconds.factorize += lap();
   record.curvature = Curvature::Exact;

@@ -332,6 +332,17 @@ TEST(Newton, MinimaOfEnergyZeroConverge) {
   }
 }
 
+// Energy, gradient and point all exactly zero: every ratio of the stopping rules is 0 / 0 there.
+TEST(Newton, AStartAtAMinimumOfEnergyZeroConvergesAtOnce) {
+  const Scalar square{[](double t) { return t * t; }, [](double t) { return 2 * t; },
+                      [](double) { return 2.0; }};
+  const Problem problem =
+      ProblemBuilder(1).add(std::make_shared<const Chain>(1, square), 1).build();
+  const SolveResult r = NewtonMinimizer(options()).minimize(problem, Vec::Zero(1), {});
+  EXPECT_EQ(r.status, Status::Converged) << r.message;
+  EXPECT_TRUE(r.iterations.empty());
+}
+
 TEST(Newton, NumericalBreakdownIsAStatus) {
   const Scalar broken{[](double t) { return t; }, [](double) { return 1.0; },
                       [](double) { return std::nan(""); }};
