@@ -33,6 +33,7 @@ class BezierTriangleSpace final : public ElementSpace {
 
   int degree() const { return degree_; }
   int reference_dim() const override { return 2; }
+  double reference_measure() const override { return 0.5; }
   const Cells& cells() const override { return numbering_.cells; }
   Index node_count() const override { return numbering_.node_count; }
   Index vertex_count() const { return vertex_count_; }

@@ -38,8 +38,9 @@ struct ContractionTable {
 class ElementSpace {
  public:
   virtual ~ElementSpace() = default;
-  virtual int reference_dim() const = 0;
-  // Global node numbers, #E by nodes per element; one 2D point each.
+  virtual int reference_dim() const = 0;         // D: 2 for triangles and quads, 3 for tetrahedra
+  virtual double reference_measure() const = 0;  // of the reference element: 1/2, 1, 1/6
+  // Global node numbers, #E by nodes per element; one point each.
   virtual const Cells& cells() const = 0;
   virtual Index node_count() const = 0;
   Index element_count() const { return static_cast<Index>(cells().rows()); }
@@ -47,24 +48,13 @@ class ElementSpace {
 
   virtual ContractionTable tabulate(const Quadrature& rule) const = 0;
 
-  // Proof that det J > 0 on element e of the map x (2 numbers per node), by bisection of its
+  // Proof that det J > 0 on element e of the map x (D numbers per node), by bisection of its
   // Bernstein coefficients down to max_depth, rounding errors included. det J is by reference
-  // coordinates: divide by the rest shape's (twice the area of a triangle) for det of the map.
+  // coordinates: divide by the rest shape's for det of the map.
   virtual PositivityProof certify(Index e, VecIn x, int max_depth) const = 0;
   // Largest s' <= s such that det J of x + t d is positive on element e for all 0 <= t < s'. In
   // floating point, without the error bounds of certify(): certify the end point.
   virtual double largest_step(Index e, VecIn x, VecIn d, double s, int max_depth) const = 0;
 };
-
-// What a map is measured against: per element the inverse Jacobian M of the rest shape (reference
-// coordinates -> local orthonormal frame), J = (d uv / d reference) M, and its measure (area).
-struct RestShapes {
-  std::vector<Eigen::Matrix2d> inverse;  // #E
-  Vec measure;                           // #E, model units squared
-};
-
-// Rest shapes of flat triangles: positions #V by 3, faces #F by 3. Frame: e0 = p0 - p2 along x.
-// [MC20] Eq. 5 and 6.
-RestShapes flat_triangles(const Points3& positions, const Cells& faces);
 
 }  // namespace majorant

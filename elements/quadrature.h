@@ -1,7 +1,7 @@
-// Quadrature rules on the triangle: barycentric points and weights that add to 1.
+// Quadrature rules: points of a reference element and weights that add to 1.
 //
-// All rules are symmetric under permutations of the corners, so results do not depend on where a
-// face starts. Rules here have positive weights.
+// Points of simplices are barycentric. All triangle rules are symmetric under permutations of the
+// corners, so results do not depend on where a face starts. Rules here have positive weights.
 #pragma once
 
 #include "majorant/elements/bernstein.h"
@@ -9,8 +9,9 @@
 namespace majorant {
 
 struct Quadrature {
-  Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor> points;  // #L by 3, rows add to 1
-  Vec weights;                                                       // #L, add to 1
+  // #L by coordinates: 3 or 4 barycentric ones that add to 1, or D of a cube.
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> points;
+  Vec weights;  // #L, add to 1
   Index size() const { return static_cast<Index>(weights.size()); }
 };
 

@@ -23,7 +23,7 @@ DensityTerm::DensityTerm(std::string name, std::shared_ptr<const ElementSpace> s
   stencils_.block = 2;
   rest_.resize(5, space_->element_count());
   for (Index e = 0; e < space_->element_count(); ++e) {
-    const Eigen::Matrix2d& m = rest.inverse[static_cast<std::size_t>(e)];
+    const auto m = rest.inverse_of(e);
     rest_.col(e) << m(0, 0), m(0, 1), m(1, 0), m(1, 1), rest.measure[e];
   }
   for (const Quadrature& q : rules) {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "majorant/elements/element_space.h"
+#include "majorant/elements/rest_shapes.h"
 #include "majorant/energies/contraction.h"
 #include "majorant/framework/energy_term.h"
 

@@ -56,7 +56,7 @@ void sample_extremes(const BezierMap& map, const RestShapes& rest, const EnergyF
       Eigen::Matrix2d j = Eigen::Matrix2d::Zero();
       for (Index q = 0; q < g.rows(); ++q)
         j += map.control_points().segment<2>(2 * map.space().cells()(f, q)) * g.row(q);
-      j *= rest.inverse[static_cast<std::size_t>(f)];
+      j *= rest.inverse_of(f);
       const double alpha = 0.5 * std::hypot(j(0, 0) + j(1, 1), j(1, 0) - j(0, 1));
       const double beta = 0.5 * std::hypot(j(0, 0) - j(1, 1), j(1, 0) + j(0, 1));
       m.sigma_max = std::max(m.sigma_max, alpha + beta);

@@ -1,6 +1,7 @@
 // What a finished map is worth: energies from a rule fine enough to be trusted, extremes, proofs.
 #pragma once
 
+#include "majorant/elements/rest_shapes.h"
 #include "majorant/energies/energy_factory.h"
 #include "majorant/parametrization/bezier_map.h"
 

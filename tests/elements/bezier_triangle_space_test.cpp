@@ -1,5 +1,6 @@
 // Numbering of shared control points: counts, continuity, elevation.
 #include "majorant/elements/bezier_triangle_space.h"
+#include "majorant/elements/rest_shapes.h"
 
 #include <gtest/gtest.h>
 
@@ -165,7 +166,7 @@ TEST(FlatTriangles, FrameAndMeasure) {
   const RestShapes rest = flat_triangles(mesh.positions, mesh.faces);
   const Vec det = test::rest_determinants(mesh);
   for (Index f = 0; f < mesh.faces.rows(); ++f) {
-    const Eigen::Matrix2d j = rest.inverse[static_cast<std::size_t>(f)].inverse();
+    const Eigen::Matrix2d j = rest.inverse_of(f).inverse();
     EXPECT_NEAR(j.determinant(), det[f], 1e-13);
     EXPECT_NEAR(rest.measure[f], det[f] / 2, 1e-13);
     EXPECT_EQ(j(1, 0), 0);  // e0 = p0 - p2 along x

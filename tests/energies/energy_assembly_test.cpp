@@ -169,7 +169,7 @@ TEST_P(Assembled, ValueIsTheQuadratureSum) {
       const Eigen::MatrixX2d g = bernstein_gradients(GetParam(), rule.points.row(l));
       Eigen::Matrix2d d = Eigen::Matrix2d::Zero();
       for (int k = 0; k < g.rows(); ++k) d += s.x.segment<2>(2 * s.space->cells()(e, k)) * g.row(k);
-      const Eigen::Matrix2d j = d * s.rest.inverse[static_cast<std::size_t>(e)];
+      const Eigen::Matrix2d j = d * s.rest.inverse_of(e);
       sum += rule.weights[l] * s.rest.measure[e] * (j.squaredNorm() + j.inverse().squaredNorm());
     }
   EXPECT_NEAR(Evaluator(problem).value(s.x), sum, 1e-12 * sum);

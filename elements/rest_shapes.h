@@ -1,0 +1,48 @@
+// What a map is measured against: the shapes of the elements at rest.
+//
+//   auto rest = flat_triangles(mesh.positions(), mesh.faces());     // a surface of flat triangles
+//   auto rest = curved_shapes(space, positions, rule);              // nodes of any element space
+//
+// J = (d image / d reference) M, M the inverse Jacobian of the rest shape (reference coordinates ->
+// orthonormal frame of the rest shape).
+#pragma once
+
+#include "majorant/elements/element_space.h"
+
+namespace majorant {
+
+using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+struct RestShapes {
+  int dim = 2;        // D, the reference dimension
+  RowMatrix inverse;  // #E by D^2: M row by row, constant on each element; no rows: see nodes
+  Vec measure;        // #E: area or volume, model units
+  RowMatrix nodes;    // #N by d >= D: rest position of every node, where M varies; else no rows
+  bool curved() const { return nodes.rows() > 0; }
+
+  // M of element e as a D by D matrix; only where it is constant.
+  Eigen::Map<const RowMatrix> inverse_of(Index e) const {
+    return {inverse.row(e).data(), dim, dim};
+  }
+};
+
+// Flat simplices, one per row of D+1 vertex numbers: triangles in the plane or in space (D = 2),
+// tetrahedra in space (D = 3). positions: #V by d. Where d = D the frame is that of the positions,
+// else e0 = p0 - p2 along the first axis ([MC20] Eq. 5 and 6).
+RestShapes flat_simplices(const RowMatrix& positions, const Cells& cells);
+
+// flat_simplices of triangles in space: positions #V by 3, faces #F by 3.
+RestShapes flat_triangles(const Points3& positions, const Cells& faces);
+
+// Rest shapes that are themselves images of the reference element: positions #N by d of the space's
+// nodes, d >= D. `rule` integrates the measures. Where d > D, frames are made from the tangents by
+// Gram-Schmidt, the first tangent along the first axis.
+RestShapes curved_shapes(const ElementSpace& space, const RowMatrix& positions,
+                         const Quadrature& rule);
+
+// M (D by D) and det of the rest shape of element e at every point of a tabulated rule; `first` row
+// by row: D^2 + 1 numbers per point. Points where the rest shape is degenerate give inf or NaN.
+RowMatrix tabulate_rest(const RestShapes& rest, const ElementSpace& space,
+                        const ContractionTable& table, Index e);
+
+}  // namespace majorant
