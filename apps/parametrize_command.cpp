@@ -5,48 +5,30 @@
 #include <chrono>
 #include <cstdio>
 #include <limits>
-#include <map>
 #include <memory>
 
 #include "apps/command.h"
+#include "apps/energy_option.h"
+#include "apps/map_request.h"
 #include "apps/outputs.h"
 #include "apps/progress.h"
 #include "apps/report.h"
 #include "majorant/framework/evaluator.h"
-#include "majorant/io/read_handles.h"
-#include "majorant/io/read_mesh.h"
-#include "majorant/parametrization/initial_map.h"
 #include "majorant/parametrization/parametrize.h"
 
 namespace majorant::app {
 namespace {
 
-const std::map<std::string, EnergyFactory> kEnergies{
-    {"symmetric-dirichlet", make_symmetric_dirichlet}};
-const std::map<std::string, Curvature> kCurvatures{{"projected", Curvature::Projected},
-                                                   {"majorizer", Curvature::Majorizer},
-                                                   {"paper-majorizer", Curvature::PaperMajorizer},
-                                                   {"reweighted", Curvature::Reweighted},
-                                                   {"exact", Curvature::Exact}};
-
 // Everything the user can say, as said.
 struct Request {
   CommonOptions common;
-  std::string input, positional_output, energy = "symmetric-dirichlet", boundary = "free",
-                                        init = "tutte", curvature = "projected",
-                                        elevation = "incremental", pins;
+  MapRequest map;
+  std::string positional_output, elevation = "incremental";
   std::vector<std::string> outputs;
-  int degree = 3, quadrature = 0, max_iterations = 1000, refine = 0;
+  int max_iterations = 1000, refine = 0;
   double tolerance = 1e-6, time_limit = std::numeric_limits<double>::infinity();
-  bool boundary_angles = false, normalize = false;
+  bool normalize = false;
 };
-
-template <class T>
-std::vector<std::string> keys(const std::map<std::string, T>& table) {
-  std::vector<std::string> names;
-  for (const auto& entry : table) names.push_back(entry.first);
-  return names;
-}
 
 class Job {
  public:
@@ -58,15 +40,15 @@ class Job {
       throw Error(ErrorKind::Usage, "no output file; add -o OUT.vtu (or .obj .svg .json .csv)");
     require_writable(request_.outputs, {".vtu", ".obj", ".svg", ".json", ".csv"});
     if (!request_.common.report.empty()) require_writable({request_.common.report}, {".json"});
-    if (request_.normalize && !request_.pins.empty())
-      throw Error(ErrorKind::Usage, "--normalize moves pinned points; leave one of the two out");
+    if (request_.normalize && !(request_.map.pins.empty() && request_.map.handles.empty()))
+      throw Error(ErrorKind::Usage, "--normalize moves pins and handles; leave one of the two out");
     if (!(request_.time_limit >= 0))
       throw Error(ErrorKind::Usage, "--time-limit is not a number of seconds");
     request_.common.apply();
     read();
     RunRecord record(request_.time_limit, request_.max_iterations, interruption_flag(),
                      make_progress(request_.common));
-    result_ = parametrize(mesh_, options_, record);
+    result_ = parametrize(in_.mesh, in_.options, record);
     finish_progress(request_.common);
     const double written = seconds();
     if (result_.status != Status::Failed && result_.map) write(record);
@@ -82,60 +64,33 @@ class Job {
   }
 
   void read() {
-    polygons_ = read_mesh(request_.input);
-    mesh_ = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(polygons_));
-    options_.degree = request_.degree;
-    options_.energy = kEnergies.at(request_.energy);
-    options_.curvature = kCurvatures.at(request_.curvature);
-    if (request_.boundary == "fixed") options_.boundary = BoundaryCondition::Fixed;
-    if (request_.boundary_angles) options_.boundary_angles = BoundaryAngles::AtMostFullTurn;
-    if (request_.elevation == "direct") options_.elevation = Elevation::Direct;
-    options_.quadrature_points = request_.quadrature;
-    options_.tolerance = request_.tolerance;
-    mesh_->require_disk();
-    if (request_.init == "input") options_.initial = texture_map(*mesh_);
-    if (!request_.pins.empty()) read_pins();
+    in_ = read_input(request_.map);
+    if (request_.elevation == "direct") in_.options.elevation = Elevation::Direct;
+    in_.options.tolerance = request_.tolerance;
     read_seconds_ = seconds();
   }
 
-  void read_pins() {
-    const auto count = static_cast<Index>(polygons_.positions.size());
-    for (const Handle& h : read_handles(request_.pins, count)) {
-      const Index vertex = mesh_->find_input_vertex(h.vertex);
-      if (vertex < 0)
-        throw Error(
-            ErrorKind::Unsupported,
-            fmt::format("{}: vertex {} belongs to no face; pin another", request_.pins, h.vertex));
-      options_.pins.push_back({vertex, h.target});
-    }
-  }
-
   Json options_section() const {
-    return {{"degree", request_.degree},
-            {"energy", request_.energy},
-            {"boundary", request_.boundary},
-            {"init", request_.init},
-            {"curvature", request_.curvature},
-            {"boundary_angles", request_.boundary_angles},
-            {"elevation", request_.elevation},
-            {"quadrature", request_.quadrature},
-            {"tolerance", request_.tolerance},
-            {"max_iterations", request_.max_iterations},
-            {"pins", request_.pins}};
+    Json options = request_.map.to_json();
+    options["elevation"] = request_.elevation;
+    options["tolerance"] = request_.tolerance;
+    options["max_iterations"] = request_.max_iterations;
+    return options;
   }
 
   std::string claims() const {
     Json pins = Json::array();
-    for (const Pin& pin : options_.pins) {
+    for (const Pin& pin : in_.options.pins) {
       const Vector2 uv = result_.map->control_points().segment<2>(2 * pin.vertex);
-      pins.push_back({{"vertex", mesh_->input_vertex(pin.vertex)}, {"target", {uv.x(), uv.y()}}});
+      pins.push_back(
+          {{"vertex", in_.mesh->input_vertex(pin.vertex)}, {"target", {uv.x(), uv.y()}}});
     }
     return Json{{"version", MAJORANT_VERSION},
-                {"degree", request_.degree},
-                {"energy", request_.energy},
+                {"degree", request_.map.degree},
+                {"energy", request_.map.energy},
                 {"value", result_.measures.value},
-                {"boundary", request_.boundary},
-                {"init", request_.init},
+                {"boundary", request_.map.boundary},
+                {"init", request_.map.init},
                 {"seams", false},
                 {"bijective", false},
                 {"normalized", normalization_},
@@ -152,7 +107,7 @@ class Job {
     file.claims = claims();
     for (const std::string& path : request_.outputs) {
       if (extension(path) == ".csv") write_trace(path, record.trace());
-      write_map(path, file, &polygons_, request_.refine);
+      write_map(path, file, &in_.polygons, request_.refine);
     }
   }
 
@@ -172,19 +127,20 @@ class Job {
     if (paths.empty()) return;
     Json result = nullptr;
     if (result_.map) {
-      result = measures_section(*result_.map, result_.measures, request_.energy);
+      result = measures_section(*result_.map, result_.measures, request_.map.energy);
       result["variables"] = result_.variables;
       result["initial_value"] = result_.initial_value;
       result["value_quadrature"] = result_.value_quadrature;
       result["newton_decrement"] = result_.newton_decrement;
       result["constraint_residual"] = result_.constraint_residual;
+      result["handle_distance"] = result_.handle_distance;
     }
     const Json report{{"schema_version", 1},
                       {"version", MAJORANT_VERSION},
                       {"command", "parametrize"},
                       {"status", name(result_.status)},
                       {"message", result_.message},
-                      {"input", input_section(polygons_, *mesh_)},
+                      {"input", input_section(in_.polygons, *in_.mesh)},
                       {"options", options_section()},
                       {"result", result},
                       {"iterations", iterations_section(record.trace())},
@@ -206,22 +162,20 @@ class Job {
     const bool failed = result_.status == Status::Failed;
     if (request_.common.quiet && !failed) return;
     if (failed) {
-      fmt::print(stderr, "majorant: {}: no valid result ({}); nothing written\n", request_.input,
-                 result_.message);
+      fmt::print(stderr, "majorant: {}: no valid result ({}); nothing written\n",
+                 request_.map.input, result_.message);
       return;
     }
     fmt::print(stderr,
                "{}: {} after {} iterations, {} {:.6f} (start {:.6g}), degree {}, {:.2f} s\n",
-               request_.input, name(result_.status), record.trace().size(), request_.energy,
-               result_.measures.value, result_.initial_value, request_.degree, seconds());
+               request_.map.input, name(result_.status), record.trace().size(), request_.map.energy,
+               result_.measures.value, result_.initial_value, request_.map.degree, seconds());
   }
 
   Request request_;
   Json normalization_ = nullptr;  // uv in the file = (uv - origin) / size
-  ParametrizationOptions options_;
+  MapInput in_;
   ParametrizationResult result_;
-  PolygonMesh polygons_;
-  std::shared_ptr<const SurfaceMesh> mesh_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   double read_seconds_ = 0, write_seconds_ = 0;
 };
@@ -233,25 +187,12 @@ void add_parametrize(CLI::App& app, Action* run) {
   CLI::App& verb = *app.add_subcommand(
       "parametrize", "map a surface mesh onto the plane, injectively and with low distortion");
   Request& r = *request;
-  verb.add_option("input", r.input, "mesh: .obj .off .ply .stl .vtu")->required();
+  r.map.add_to(verb);
   verb.add_option("output", r.positional_output, "output file, same as -o");
   verb.add_option("-o,--output", r.outputs, "output: .vtu .obj .svg .json .csv, repeatable")
       ->allow_extra_args(false);
-  verb.add_option("--degree", r.degree, "polynomial degree, 1..8 (3)")->check(CLI::Range(1, 8));
-  verb.add_option("--energy", r.energy, "distortion")->check(CLI::IsMember(keys(kEnergies)));
-  verb.add_option("--boundary", r.boundary, "free, or fixed where the initial map has it")
-      ->check(CLI::IsMember({"free", "fixed"}));
-  verb.add_option("--init", r.init, "tutte, or input: the file's texture coordinates")
-      ->check(CLI::IsMember({"tutte", "input"}));
-  verb.add_option("--pins", r.pins, "hard point constraints, JSON")->type_name("FILE");
-  verb.add_option("--curvature", r.curvature, "second-order model")
-      ->check(CLI::IsMember(keys(kCurvatures)));
-  verb.add_flag("--boundary-angles", r.boundary_angles,
-                "hold sector sums <= 360 degrees at boundary vertices");
   verb.add_option("--elevation", r.elevation, "how the degree is reached")
       ->check(CLI::IsMember({"incremental", "direct"}));
-  verb.add_option("--quadrature", r.quadrature, "lattice points per triangle (default: own rule)")
-      ->check(CLI::Range(1, 10000));
   verb.add_option("--tolerance", r.tolerance, "relative energy decrease to stop at (1e-6)")
       ->check(CLI::PositiveNumber);
   verb.add_option("--max-iterations", r.max_iterations, "(1000)")->check(CLI::NonNegativeNumber);
@@ -261,9 +202,9 @@ void add_parametrize(CLI::App& app, Action* run) {
       ->check(CLI::Range(1, 20));
   verb.add_flag("--normalize", r.normalize, "scale the result into the unit square");
   r.common.add_to(verb);
-  verb.footer(
-      "Example: majorant parametrize bunny.obj -o bunny.vtu -o bunny.svg --degree 3 "
-      "--report bunny.json");
+  verb.footer(energy_help() +
+              "Example: majorant parametrize bunny.obj -o bunny.vtu -o bunny.svg --degree 3 "
+              "--report bunny.json");
   verb.callback([request, run] { *run = [request] { return Job(*request).run(); }; });
 }
 

@@ -6,7 +6,7 @@
 
 #include "majorant/constraints/fixed_points.h"
 #include "majorant/constraints/local_injectivity.h"
-#include "majorant/energies/symmetric_dirichlet.h"
+#include "majorant/energies/named_energies.h"
 #include "majorant/framework/newton.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/parametrization/initial_map.h"
@@ -34,7 +34,7 @@ struct BenchProblem {
     const RestShapes rest = flat_triangles(mesh->positions(), mesh->faces());
     injectivity = std::make_shared<const LocalInjectivity>(space, 2 * rest.measure);
     ProblemBuilder builder(2 * space->node_count());
-    builder.add(make_symmetric_dirichlet(space, rest, optimizer_ladder(degree, 0).guarded),
+    builder.add(symmetric_dirichlet()(space, rest, optimizer_ladder(degree, 0).guarded),
                 1.0 / mesh->area());
     builder.add(injectivity);
     builder.add(FixedPoints::at({0}, x));

@@ -1,22 +1,23 @@
-# Kernels for x86-64 beyond the baseline: the same source compiled per instruction set, chosen at run
-# time (energies/symmetric_dirichlet.cpp). Elsewhere the baseline kernel is used.
+# Kernels of the built-in densities: one source compiled for the baseline and, on x86-64, for wider
+# instruction sets; chosen at run time (energies/named_energies.cpp).
+set(sets baseline)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  list(APPEND sets avx2 avx512)
   set(flags_avx2 -mavx2 -mfma)
   set(flags_avx512 -mavx512f -mavx512dq -mavx512bw -mavx512cd -mavx512vl -mfma)
-  foreach(set avx2 avx512)
-    add_library(majorant_kernels_${set} OBJECT
-                ${PROJECT_SOURCE_DIR}/energies/kernels/symmetric_dirichlet_kernels.cpp)
-    target_link_libraries(majorant_kernels_${set} PRIVATE majorant_elements XsimdHeaders::XsimdHeaders)
-    target_include_directories(majorant_kernels_${set}
-                               PRIVATE ${PROJECT_BINARY_DIR}/include/energies)
-    # g++ 12 warns of its own _mm512_undefined_pd (GCC bug 105593).
-    target_compile_options(majorant_kernels_${set} PRIVATE ${flags_${set}} -Wall -Wextra
-                           $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized -Wno-uninitialized>)
-    target_compile_definitions(majorant_kernels_${set}
-      PRIVATE MAJORANT_KERNEL_NAME=symmetric_dirichlet_kernels_${set})
-    set_target_properties(majorant_kernels_${set} PROPERTIES POSITION_INDEPENDENT_CODE ON
-                                                             CXX_EXTENSIONS OFF)
-    target_sources(majorant_energies PRIVATE $<TARGET_OBJECTS:majorant_kernels_${set}>)
-  endforeach()
   target_compile_definitions(majorant_energies PRIVATE MAJORANT_X86_KERNELS)
 endif()
+foreach(set ${sets})
+  add_library(majorant_kernels_${set} OBJECT
+              ${PROJECT_SOURCE_DIR}/energies/kernels/builtin_kernels.cpp)
+  target_link_libraries(majorant_kernels_${set} PRIVATE majorant_elements XsimdHeaders::XsimdHeaders)
+  target_include_directories(majorant_kernels_${set} PRIVATE ${PROJECT_BINARY_DIR}/include/energies)
+  # g++ 12 warns of its own _mm512_undefined_pd (GCC bug 105593).
+  target_compile_options(majorant_kernels_${set} PRIVATE ${flags_${set}} -Wall -Wextra
+                         $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized -Wno-uninitialized>)
+  target_compile_definitions(majorant_kernels_${set}
+                             PRIVATE MAJORANT_KERNEL_NAME=builtin_kernels_${set})
+  set_target_properties(majorant_kernels_${set} PROPERTIES POSITION_INDEPENDENT_CODE ON
+                                                           CXX_EXTENSIONS OFF)
+  target_sources(majorant_energies PRIVATE $<TARGET_OBJECTS:majorant_kernels_${set}>)
+endforeach()

@@ -9,27 +9,32 @@ namespace majorant {
 
 static_assert(ChunkView::stride == Chunk::kMaxSize && ChunkView::stride == LocalSystem::stride);
 
-DensityTerm::DensityTerm(std::string name, std::shared_ptr<const ElementSpace> space,
+DensityTerm::DensityTerm(DensityTraits traits, std::shared_ptr<const ElementSpace> space,
                          const RestShapes& rest, const std::vector<Quadrature>& rules,
                          std::shared_ptr<const void> density, const DensityKernels& kernels)
-    : name_(std::move(name)),
+    : traits_(std::move(traits)),
+      rest_(rest),
       space_(std::move(space)),
       density_(std::move(density)),
       kernels_(kernels) {
   if (rules.empty()) throw std::invalid_argument("DensityTerm: no quadrature rule");
-  if (rest.measure.size() != space_->element_count())
+  if (rest.measure.size() != space_->element_count() ||
+      (rest.curved() ? rest.nodes.rows() != space_->node_count()
+                     : rest.inverse.rows() != space_->element_count()))
     throw std::invalid_argument("DensityTerm: rest shapes do not fit the space");
+  if (kernels.dims != space_->reference_dim() || rest.dim != space_->reference_dim())
+    throw std::invalid_argument("DensityTerm: the density is for elements of another dimension");
   stencils_.nodes = space_->cells();
-  stencils_.block = 2;
-  rest_.resize(5, space_->element_count());
-  for (Index e = 0; e < space_->element_count(); ++e) {
-    const auto m = rest.inverse_of(e);
-    rest_.col(e) << m(0, 0), m(0, 1), m(1, 0), m(1, 1), rest.measure[e];
-  }
+  stencils_.block = kernels.rows;
   for (const Quadrature& q : rules) {
     rules_.push_back(std::make_unique<Rule>());
     rules_.back()->quadrature = q;
   }
+}
+
+bool DensityTerm::supports(Curvature curvature) const {
+  const auto& all = traits_.curvatures;
+  return std::find(all.begin(), all.end(), curvature) != all.end();
 }
 
 const DensityTerm::Rule& DensityTerm::rule(RuleId id) const {
@@ -38,8 +43,19 @@ const DensityTerm::Rule& DensityTerm::rule(RuleId id) const {
     r.table = space_->tabulate(r.quadrature);
     r.weighted_first = r.table.weights.asDiagonal() * r.table.first;
     r.weighted_moment = r.table.weights.asDiagonal() * r.table.moment;
+    if (rest_.curved()) tabulate_curved(r);
   });
   return r;
+}
+
+void DensityTerm::tabulate_curved(Rule& r) const {
+  const Index count = space_->element_count();
+  r.rest.resize(count, r.table.weights.size() * (rest_.dim * rest_.dim + 1));
+  for (Index e = 0; e < count; ++e) {
+    RowMatrix rest = tabulate_rest(rest_, *space_, r.table, e);
+    rest.rightCols(1) *= space_->reference_measure();
+    r.rest.row(e) = Eigen::Map<const Eigen::RowVectorXd>(rest.data(), rest.size());
+  }
 }
 
 ContractionView DensityTerm::Rule::view() const {
@@ -61,33 +77,41 @@ ContractionView DensityTerm::Rule::view() const {
   return v;
 }
 
-DensityTerm::Gathered DensityTerm::gather(VecIn x, const Chunk& chunk, const ContractionView& table,
-                                          Workspace& w) const {
+DensityTerm::Gathered DensityTerm::gather(VecIn x, const Chunk& chunk, const Rule& rule,
+                                          const ContractionView& table, Workspace& w) const {
   constexpr int stride = ChunkView::stride;
-  const int rows = stencils_.local_size();
+  const int block = stencils_.block, rows = stencils_.local_size();
+  const int per_point = rest_.dim * rest_.dim + 1;
+  const int rest_rows = rest_.curved() ? per_point * table.points : per_point;
   const auto count = static_cast<int>(chunk.elements.size());
-  const auto total = static_cast<std::size_t>((rows + 6) * stride + kernels_.scratch_size(table));
+  const auto total =
+      static_cast<std::size_t>((rows + rest_rows + 1) * stride + kernels_.scratch_size(table));
   double* memory = w.reserve(total);
   double* rest = memory + rows * stride;
+  double* values = rest + rest_rows * stride;
   const int padded = (count + 7) / 8 * 8;
   for (int p = 0; p < padded; ++p) {
     const Index e = chunk.elements[static_cast<std::size_t>(std::min(p, count - 1))];
-    for (int k = 0; k < rows / 2; ++k) {
-      const Index node = stencils_.nodes(e, k);
-      memory[2 * k * stride + p] = x[2 * node];
-      memory[(2 * k + 1) * stride + p] = x[2 * node + 1];
+    for (int k = 0; k < rows / block; ++k)
+      for (int c = 0; c < block; ++c)
+        memory[(block * k + c) * stride + p] = x[block * stencils_.nodes(e, k) + c];
+    if (rest_.curved()) {
+      for (int k = 0; k < rest_rows; ++k) rest[k * stride + p] = rule.rest(e, k);
+    } else {
+      for (int k = 0; k < per_point - 1; ++k) rest[k * stride + p] = rest_.inverse(e, k);
+      rest[(per_point - 1) * stride + p] = rest_.measure[e];
     }
-    for (int k = 0; k < 5; ++k) rest[k * stride + p] = rest_(k, e);
   }
-  double* values = rest + 5 * stride;
-  return {{count, memory, rest}, values + stride, values};
+  const ChunkView view{count, memory, rest, rest_.curved() ? per_point : 0};
+  return {view, values + stride, values};
 }
 
 void DensityTerm::values(VecIn x, const Chunk& chunk, const TermState&, Workspace& workspace,
                          std::span<double> f) const {
   if (chunk.elements.empty()) return;
-  const ContractionView table = rule(chunk.rule).view();
-  const Gathered g = gather(x, chunk, table, workspace);
+  const Rule& tables = rule(chunk.rule);
+  const ContractionView table = tables.view();
+  const Gathered g = gather(x, chunk, tables, table, workspace);
   kernels_.values(density_.get(), table, g.chunk, g.scratch, g.values);
   std::copy_n(g.values, chunk.elements.size(), f.begin());
 }
@@ -95,8 +119,9 @@ void DensityTerm::values(VecIn x, const Chunk& chunk, const TermState&, Workspac
 void DensityTerm::local(VecIn x, const Chunk& chunk, Curvature curvature, const TermState&,
                         Workspace& workspace, LocalSystem& out) const {
   if (chunk.elements.empty()) return;
-  const ContractionView table = rule(chunk.rule).view();
-  const Gathered g = gather(x, chunk, table, workspace);
+  const Rule& tables = rule(chunk.rule);
+  const ContractionView table = tables.view();
+  const Gathered g = gather(x, chunk, tables, table, workspace);
   kernels_.local(density_.get(), table, g.chunk, curvature, g.scratch, out.value, out.gradient,
                  out.hessian);
 }

@@ -14,26 +14,32 @@
 
 namespace majorant {
 
+// What a term must know of its density.
+struct DensityTraits {
+  std::string name;
+  std::vector<Curvature> curvatures;  // supported
+};
+
 class DensityTerm final : public EnergyTerm {
  public:
   // `density` is what `kernels` expect; `rules` are numbered by RuleId. Throws
-  // std::invalid_argument when there is no rule or the rest shapes do not fit the space.
-  DensityTerm(std::string name, std::shared_ptr<const ElementSpace> space, const RestShapes& rest,
-              const std::vector<Quadrature>& rules, std::shared_ptr<const void> density,
-              const DensityKernels& kernels);
+  // std::invalid_argument when there is no rule, the rest shapes do not fit the space, or the
+  // density's Jacobian has not the element's dimension.
+  DensityTerm(DensityTraits traits, std::shared_ptr<const ElementSpace> space,
+              const RestShapes& rest, const std::vector<Quadrature>& rules,
+              std::shared_ptr<const void> density, const DensityKernels& kernels);
 
-  std::string_view name() const override { return name_; }
+  std::string_view name() const override { return traits_.name; }
   const Stencils& stencils() const override { return stencils_; }
-  bool supports(Curvature curvature) const override {
-    return kernels_.supports(density_.get(), curvature);
-  }
+  bool supports(Curvature curvature) const override;
+  // f = measure * mean density of each element.
   void values(VecIn x, const Chunk& chunk, const TermState& state, Workspace& workspace,
               std::span<double> f) const override;
   void local(VecIn x, const Chunk& chunk, Curvature curvature, const TermState& state,
              Workspace& workspace, LocalSystem& out) const override;
 
   // Area (or volume) of each element's rest shape, #E.
-  Vec measures() const { return rest_.row(4).transpose(); }
+  const Vec& measures() const { return rest_.measure; }
 
  private:
   // Tables of one rule, built when first used: fine rules are large and rarely needed.
@@ -42,19 +48,22 @@ class DensityTerm final : public EnergyTerm {
     std::once_flag built;
     ContractionTable table;
     decltype(ContractionTable::first) weighted_first, weighted_moment;
+    RowMatrix rest;  // curved: #E by (D^2 + 1) L, inverse and measure point by point
     ContractionView view() const;
   };
   const Rule& rule(RuleId id) const;
+  void tabulate_curved(Rule& rule) const;
   struct Gathered {
     ChunkView chunk;
     double* scratch;
     double* values;  // kMaxSize, aligned
   };
-  Gathered gather(VecIn x, const Chunk& chunk, const ContractionView& table, Workspace& w) const;
+  Gathered gather(VecIn x, const Chunk& chunk, const Rule& rule, const ContractionView& table,
+                  Workspace& w) const;
 
-  std::string name_;
+  DensityTraits traits_;
   Stencils stencils_;
-  Eigen::Matrix<double, 5, Eigen::Dynamic> rest_;  // inverse (row by row), measure
+  RestShapes rest_;
   std::shared_ptr<const ElementSpace> space_;
   std::vector<std::unique_ptr<Rule>> rules_;
   std::shared_ptr<const void> density_;

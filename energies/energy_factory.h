@@ -1,4 +1,4 @@
-// An energy that can be put on any space and rules: what drivers take as "the energy".
+// Energies that can be put on any space and rules: what drivers take as "the energy".
 #pragma once
 
 #include <functional>
@@ -9,10 +9,17 @@
 
 namespace majorant {
 
-// Value of the term = sum over elements of measure * mean density. Example:
-// make_symmetric_dirichlet.
+// Value of the term = sum over elements of measure * mean density. Made by energy_factory() of
+// make_energy.h, or taken from named_energies.h.
 using EnergyFactory = std::function<std::shared_ptr<const DensityTerm>(
     std::shared_ptr<const ElementSpace> space, const RestShapes& rest,
     const std::vector<Quadrature>& rules)>;
+
+// sum of weight * energy.
+struct WeightedEnergy {
+  EnergyFactory make;
+  double weight = 1.0;
+};
+using EnergySum = std::vector<WeightedEnergy>;
 
 }  // namespace majorant

@@ -1,4 +1,5 @@
-// Isotropic densities in the (alpha, beta) frame: no SVD, one formula for every curvature model.
+// Isotropic planar densities in the (alpha, beta) frame: no SVD, one formula for every curvature
+// model.
 //
 // J = [[a, b], [c, d]] splits into a similarity alpha = (a+d, c-b)/2 and an anti-similarity
 // beta = (a-d, b+c)/2; with A = |alpha|, B = |beta| the signed singular values are Sigma = A + B,
@@ -16,13 +17,25 @@
 #include <limits>
 
 #include "majorant/energies/dual2.h"
+#include "majorant/energies/point_model.h"
+#include "majorant/framework/curvature.h"
 
 namespace majorant {
 
 enum class Domain { PositiveDeterminant, Everywhere };
-// Convex: k(A, B) = h(A+B, A-B) is convex in (A, B) and increasing in B. A declared trait; it
-// cannot be found out from code, and without it Curvature::Majorizer is refused.
+// Convex: k(A, B) = h(A+B, A-B) is convex in (A, B), that is h in (Sigma, sigma), and increasing in
+// B.
 enum class Convexity { Convex, Unknown };
+// Separable: h = p(Sigma) + p(sigma) with p'(t) (t - 1) >= 0, what SLIM's weights need.
+enum class Reweighting { Separable, Refused };
+
+// What a density declares about itself; it cannot be found out from code. Without Convex the
+// majorizers are refused, without Separable reweighting is.
+struct Traits {
+  Domain domain = Domain::PositiveDeterminant;
+  Convexity convexity = Convexity::Unknown;
+  Reweighting reweighting = Reweighting::Refused;
+};
 
 // A below which quotients by A stop growing: its inverse cube is finite.
 inline constexpr double kSmallestA = 1e-75;
@@ -45,6 +58,7 @@ inline double select(bool c, double a, double b) { return c ? a : b; }
 inline double max(double a, double b) { return a > b ? a : b; }
 inline double min(double a, double b) { return a < b ? a : b; }
 inline double sqrt(double a) { return std::sqrt(a); }
+inline double abs(double a) { return std::fabs(a); }
 }  // namespace scalar_math
 
 template <class T>
@@ -92,18 +106,66 @@ CurvatureCoefficients<T> general_projection(const IsotropicJet<T>& j, const T& x
 template <class T>
 CurvatureCoefficients<T> paper_majorizer(const IsotropicJet<T>& j, const T& x, const T& y) {
   using namespace scalar_math;
-  const T zero(0.0), guard = T(1e-7) * sqrt(x);
-  const T a = sqrt(x), b = max(sqrt(y), guard);
+  const T zero(0.0), sx = max(x, T(kSmallestA * kSmallestA)), guard = T(1e-7) * sqrt(sx);
+  const T a = sqrt(sx), b = max(sqrt(y), guard);
   const T kA = j.ga * a, kB = j.gb * b;
   const T hS = T(0.5) * (kA + kB), hs = T(0.5) * (kA - kB);
   CurvatureCoefficients<T> c;
   c.pa = (max(hS, zero) + max(hs, zero)) / a;
   c.pb = (max(hS, zero) - min(hs, zero)) / b;
-  c.qa = j.caa + (j.ga - c.pa) / x;
+  c.qa = j.caa + (j.ga - c.pa) / sx;
   c.qab = j.cab;
   // Radial entry k_BB; where B is guarded beta carries no direction.
   c.qb = select(y > guard * guard, j.cbb + (j.gb - c.pb) / max(y, guard * guard), zero);
   return c;
+}
+
+// z = (alpha0, alpha1, beta0, beta1) -> packed curvature in z.
+template <class T>
+void write_curvature(const CurvatureCoefficients<T>& c, const T (&z)[4], PointModel<T, 4>& m) {
+  const T qa0 = c.qa * z[0], qa1 = c.qa * z[1], qb0 = c.qb * z[2], qb1 = c.qb * z[3];
+  const T qc0 = c.qab * z[0], qc1 = c.qab * z[1];
+  m.k[0] = c.pa + qa0 * z[0];
+  m.k[1] = qa1 * z[0];
+  m.k[2] = c.pa + qa1 * z[1];
+  m.k[3] = qc0 * z[2];
+  m.k[4] = qc1 * z[2];
+  m.k[5] = c.pb + qb0 * z[2];
+  m.k[6] = qc0 * z[3];
+  m.k[7] = qc1 * z[3];
+  m.k[8] = qb1 * z[2];
+  m.k[9] = c.pb + qb1 * z[3];
+}
+
+// SLIM's proxy [RPPSH17] Eq. 12: 2 tr(dJ^T W^2 dJ), W^2 = U diag(w(Sigma), w(sigma)) U^T with
+// w(t) = p'(t) / (2 (t - 1)), at t = 1 its limit p''(1) / 2. U turns by half the angle of
+// alpha beta (as complex numbers), so no SVD is needed:
+//   4 m (|d alpha|^2 + |d beta|^2) + 8 d Re(conj(u) d alpha d beta),  u = alpha beta / |alpha
+//   beta|,
+// m and d half the sum and half the difference of the weights.
+template <class T>
+void write_reweighted(const IsotropicJet<T>& j, const T& x, const T& y, const T (&z)[4],
+                      PointModel<T, 4>& m) {
+  using namespace scalar_math;
+  const T zero(0.0), tiny(kSmallestA), near(1e-6);
+  const T a = sqrt(x), b = sqrt(y), kA = j.ga * a, kB = j.gb * b;
+  const T kAA = j.ga + j.caa * x, kBB = j.gb + j.cbb * y, kAB = j.cab * a * b;
+  const auto weight = [&](const T& excess, const T& slope, const T& curvature) {
+    const T safe = select(abs(excess) > near, excess, T(1.0));
+    return max(T(0.5) * select(abs(excess) > near, slope / safe, curvature), zero);
+  };
+  const T half(0.5), quarter(0.25);
+  const T w0 = weight(a + b - T(1.0), half * (kA + kB), quarter * (kAA + kAB + kAB + kBB));
+  const T w1 = weight(a - b - T(1.0), half * (kA - kB), quarter * (kAA - kAB - kAB + kBB));
+  const T mean = T(2.0) * (w0 + w1), difference = T(2.0) * (w0 - w1) / max(a * b, tiny);
+  const T u0 = difference * (z[0] * z[2] - z[1] * z[3]);
+  const T u1 = difference * (z[0] * z[3] + z[1] * z[2]);
+  m.k[0] = m.k[2] = m.k[5] = m.k[9] = mean;
+  m.k[1] = m.k[8] = zero;
+  m.k[3] = u0;   // d alpha0 d beta0
+  m.k[4] = u1;   // d alpha1 d beta0
+  m.k[6] = u1;   // d alpha0 d beta1
+  m.k[7] = -u0;  // d alpha1 d beta1
 }
 
 }  // namespace majorant

@@ -1,10 +1,14 @@
 // From a density of the Jacobian to an energy term: the usual way to add an energy.
 //
-//   auto energy = make_energy(space, rest, spectral("my-energy", Domain::PositiveDeterminant,
-//       Convexity::Unknown, [](auto S, auto s) { return S / s + s / S; }), {rule});
+//   auto energy = make_energy(space, rest, spectral("my-energy",
+//       [](auto S, auto s) { return S / s + s / S; }), {rule});
 //   builder.add(energy, 1.0 / rest.measure.sum());       // a mean over the surface
 //
-// The kernel is compiled where make_energy is called, for the instruction set of that file.
+// Drivers that build spaces and rules themselves take an EnergyFactory instead:
+//
+//   options.energy = {{energy_factory(spectral(...)), 1.0}};
+//
+// The kernel is compiled where these are called, for the instruction set of that file.
 #pragma once
 
 #include <memory>
@@ -12,19 +16,42 @@
 #include <vector>
 
 #include "majorant/energies/contraction_kernel.h"
+#include "majorant/energies/density.h"
 #include "majorant/energies/density_term.h"
+#include "majorant/energies/energy_factory.h"
 #include "majorant/energies/spectral.h"
 
 namespace majorant {
+
+// With kernels compiled elsewhere. Throws std::invalid_argument as DensityTerm does.
+template <class Density>
+std::shared_ptr<const DensityTerm> make_energy(std::shared_ptr<const ElementSpace> space,
+                                               const RestShapes& rest, Density density,
+                                               const std::vector<Quadrature>& rules,
+                                               const DensityKernels& kernels) {
+  DensityTraits traits{std::string(density.name()), {}};
+  for (const Curvature c : kCurvatures)
+    if (density.supports(c)) traits.curvatures.push_back(c);
+  return std::make_shared<const DensityTerm>(std::move(traits), std::move(space), rest, rules,
+                                             std::make_shared<const Density>(std::move(density)),
+                                             kernels);
+}
 
 template <class Density>
 std::shared_ptr<const DensityTerm> make_energy(std::shared_ptr<const ElementSpace> space,
                                                const RestShapes& rest, Density density,
                                                const std::vector<Quadrature>& rules) {
-  std::string name(density.name());
-  return std::make_shared<const DensityTerm>(std::move(name), std::move(space), rest, rules,
-                                             std::make_shared<const Density>(std::move(density)),
-                                             kernel::make_kernels<xsimd::default_arch, Density>());
+  return make_energy(std::move(space), rest, std::move(density), rules,
+                     kernel::make_kernels<xsimd::default_arch, Density>());
+}
+
+template <class Density>
+EnergyFactory energy_factory(Density density) {
+  return
+      [density = std::move(density)](std::shared_ptr<const ElementSpace> space,
+                                     const RestShapes& rest, const std::vector<Quadrature>& rules) {
+        return make_energy(std::move(space), rest, density, rules);
+      };
 }
 
 }  // namespace majorant

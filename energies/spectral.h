@@ -1,16 +1,16 @@
 // Isotropic energies from one line of code.
 //
-//   auto sd = spectral("symmetric-dirichlet", Domain::PositiveDeterminant, Convexity::Convex,
+//   auto sd = spectral("symmetric-dirichlet",
 //       [](auto S, auto s) { return S * S + s * s + 1.0 / (S * S) + 1.0 / (s * s); });
 //   builder.add(make_energy(space, rest_shapes, sd, rules), 1.0 / area);
 //
 // `spectral` takes h(Sigma, sigma), sigma signed; `invariant` takes k(x, y) of x = |alpha|^2,
 // y = |beta|^2 and is cheaper and exact at similarities (no square roots): prefer it where the
 // density is smooth in x and y. Both are differentiated by Dual2. h must be even under B -> -B,
-// that is symmetric in its arguments.
+// that is symmetric in its arguments. For densities that are not isotropic, or not planar, see
+// density.h.
 #pragma once
 
-#include <limits>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -19,51 +19,159 @@
 
 namespace majorant {
 
-// The two classes repeat their traits on purpose: a common base would be inline code shared by kernels
-// of different instruction sets.
-template <class H>
-class InvariantDensity {
+// No majorant(x, y) known. A majorant m >= 0 is what makes exact Hessian + m |d alpha|^2 a
+// majorizer where k is not convex; a declared fact, like Traits.
+struct NoMajorant {};
+
+namespace detail {
+
+// The curvature of an isotropic density from its jet.
+template <Curvature C, class Majorant, class T>
+void write_model(const Traits& traits, const Majorant& majorant, const IsotropicJet<T>& j,
+                 const T& x, const T& y, const T (&z)[4], PointModel<T, 4>& m) {
+  m.f = j.f;
+  m.g[0] = j.ga * z[0];
+  m.g[1] = j.ga * z[1];
+  m.g[2] = j.gb * z[2];
+  m.g[3] = j.gb * z[3];
+  const bool convex = traits.convexity == Convexity::Convex;
+  if constexpr (C == Curvature::Exact) {
+    write_curvature(exact_coefficients(j), z, m);
+  } else if constexpr (C == Curvature::PaperMajorizer) {
+    write_curvature(paper_majorizer(j, x, y), z, m);
+  } else if constexpr (C == Curvature::Reweighted) {
+    write_reweighted(j, x, y, z, m);
+  } else if constexpr (C == Curvature::Majorizer && !std::is_same_v<Majorant, NoMajorant>) {
+    CurvatureCoefficients<T> c = exact_coefficients(j);
+    c.pa = c.pa + majorant(x, y);
+    write_curvature(c, z, m);
+  } else {  // for convex k, Projected and Majorizer agree
+    write_curvature(convex ? convex_projection(j, x) : general_projection(j, x, y), z, m);
+  }
+}
+
+}  // namespace detail
+
+// What both forms share: J in the coordinates z = (alpha, beta), traits, curvature models.
+// `Derived` supplies value(x, y) and jet(x, y).
+template <class Derived, class Majorant>
+class IsotropicDensity {
  public:
-  InvariantDensity(std::string name, Domain domain, Convexity convexity, H h)
-      : h_(std::move(h)), name_(std::move(name)), domain_(domain), convexity_(convexity) {}
+  static constexpr int rows = 2, dims = 2;  // of J
+  const Traits traits;                      // public: kernels must not call shared functions
+
   std::string_view name() const { return name_; }
-  Domain domain() const { return domain_; }
-  Convexity convexity() const { return convexity_; }
+  bool supports(Curvature curvature) const {
+    const bool convex = traits.convexity == Convexity::Convex;
+    if (curvature == Curvature::Majorizer) return convex || !std::is_same_v<Majorant, NoMajorant>;
+    if (curvature == Curvature::PaperMajorizer) return convex;
+    if (curvature == Curvature::Reweighted) return traits.reweighting == Reweighting::Separable;
+    return true;
+  }
 
   template <class T>
-  T value(const T& x, const T& y) const {
-    return h_(x, y);
+  T value(const T (&z)[4]) const {
+    const T x = z[0] * z[0] + z[1] * z[1], y = z[2] * z[2] + z[3] * z[3];
+    return inside_domain(derived().value_of(x, y), x, y);
+  }
+  template <Curvature C, class T>
+  void model(const T (&z)[4], PointModel<T, 4>& m) const {
+    const T x = z[0] * z[0] + z[1] * z[1], y = z[2] * z[2] + z[3] * z[3];
+    IsotropicJet<T> j = derived().jet(x, y);
+    j.f = inside_domain(j.f, x, y);
+    detail::write_model<C>(traits, majorant_, j, x, y, z, m);
+  }
+
+  // J = (a, b, c, d) row by row -> z, and back for gradients and packed curvatures.
+  template <class T>
+  static void to_coordinates(const T (&J)[4], T (&z)[4]) {
+    const T half(0.5);
+    z[0] = half * (J[0] + J[3]);
+    z[1] = half * (J[2] - J[1]);
+    z[2] = half * (J[0] - J[3]);
+    z[3] = half * (J[1] + J[2]);
   }
   template <class T>
+  static void gradient_to_jacobian(const T* g, T* out) {
+    const T half(0.5);
+    out[0] = half * (g[0] + g[2]);
+    out[1] = half * (g[3] - g[1]);
+    out[2] = half * (g[3] + g[1]);
+    out[3] = half * (g[0] - g[2]);
+  }
+  template <class T>
+  static void curvature_to_jacobian(const T* k, T* out) {
+    enum { A00, A01, A11, C00, C10, B00, C01, C11, B01, B11 };
+    const T q(0.25);
+    out[0] = q * (k[A00] + k[C00] + k[C00] + k[B00]);  // aa
+    out[1] = q * (k[C01] - k[C10] + k[B01] - k[A01]);  // ba
+    out[2] = q * (k[A11] - k[C11] - k[C11] + k[B11]);  // bb
+    out[3] = q * (k[A01] + k[C01] + k[C10] + k[B01]);  // ca
+    out[4] = q * (k[B11] - k[A11]);                    // cb
+    out[5] = q * (k[A11] + k[C11] + k[C11] + k[B11]);  // cc
+    out[6] = q * (k[A00] - k[B00]);                    // da
+    out[7] = q * (k[C10] + k[C01] - k[A01] - k[B01]);  // db
+    out[8] = q * (k[A01] - k[C10] + k[C01] - k[B01]);  // dc
+    out[9] = q * (k[A00] - k[C00] - k[C00] + k[B00]);  // dd
+  }
+
+ protected:
+  IsotropicDensity(std::string name, const Traits& t, Majorant majorant)
+      : traits(t), majorant_(std::move(majorant)), name_(std::move(name)) {}
+
+ private:
+  const Derived& derived() const { return static_cast<const Derived&>(*this); }
+  template <class T>
+  T inside_domain(const T& f, const T& x, const T& y) const {
+    using namespace scalar_math;
+    const T infinity(std::numeric_limits<double>::infinity());
+    if (traits.domain == Domain::PositiveDeterminant)
+      return select((x > y) && (f == f), f, infinity);
+    return select(f == f, f, infinity);
+  }
+  Majorant majorant_;
+  std::string name_;
+};
+
+template <class K, class Majorant = NoMajorant>
+class InvariantDensity final : public IsotropicDensity<InvariantDensity<K, Majorant>, Majorant> {
+ public:
+  InvariantDensity(std::string name, K k, const Traits& t, Majorant majorant = {})
+      : IsotropicDensity<InvariantDensity, Majorant>(std::move(name), t, std::move(majorant)),
+        k_(std::move(k)) {}
+
+  template <class T>
+  T value_of(const T& x, const T& y) const {
+    return k_(x, y);
+  }
+  // Square roots and logarithms of x have no derivatives at 0: x is kept off it.
+  template <class T>
   IsotropicJet<T> jet(const T& x, const T& y) const {
-    const auto variables = dual2_variables<T>(x, y);
-    const Dual2<T, 2> k = h_(variables[0], variables[1]);
+    using namespace scalar_math;
+    const auto [vx, vy] = dual2_variables<T>(max(x, T(kSmallestA * kSmallestA)), y);
+    const Dual2<T, 2> k = k_(vx, vy);
+    const T two(2.0), four(4.0);
     return {k.v,
-            T(2.0) * k.d[0],
-            T(2.0) * k.d[1],
-            T(4.0) * k.hess(0, 0),
-            T(4.0) * k.hess(1, 0),
-            T(4.0) * k.hess(1, 1)};
+            two * k.d[0],
+            two * k.d[1],
+            four * k.hess(0, 0),
+            four * k.hess(1, 0),
+            four * k.hess(1, 1)};
   }
 
  private:
-  H h_;
-  std::string name_;
-  Domain domain_;
-  Convexity convexity_;
+  K k_;
 };
 
-template <class H>
-class SpectralDensity {
+template <class H, class Majorant = NoMajorant>
+class SpectralDensity final : public IsotropicDensity<SpectralDensity<H, Majorant>, Majorant> {
  public:
-  SpectralDensity(std::string name, Domain domain, Convexity convexity, H h)
-      : h_(std::move(h)), name_(std::move(name)), domain_(domain), convexity_(convexity) {}
-  std::string_view name() const { return name_; }
-  Domain domain() const { return domain_; }
-  Convexity convexity() const { return convexity_; }
+  SpectralDensity(std::string name, H h, const Traits& t, Majorant majorant = {})
+      : IsotropicDensity<SpectralDensity, Majorant>(std::move(name), t, std::move(majorant)),
+        h_(std::move(h)) {}
 
   template <class T>
-  T value(const T& x, const T& y) const {
+  T value_of(const T& x, const T& y) const {
     using namespace scalar_math;
     const T a = sqrt(x), b = sqrt(y);
     return h_(a + b, a - b);
@@ -94,19 +202,18 @@ class SpectralDensity {
 
  private:
   H h_;
-  std::string name_;
-  Domain domain_;
-  Convexity convexity_;
 };
 
-template <class H>
-InvariantDensity<H> invariant(std::string name, Domain domain, Convexity convexity, H h) {
-  return {std::move(name), domain, convexity, std::move(h)};
+template <class K, class Majorant = NoMajorant>
+InvariantDensity<K, Majorant> invariant(std::string name, K k, const Traits& traits = {},
+                                        Majorant majorant = {}) {
+  return {std::move(name), std::move(k), traits, std::move(majorant)};
 }
 
-template <class H>
-SpectralDensity<H> spectral(std::string name, Domain domain, Convexity convexity, H h) {
-  return {std::move(name), domain, convexity, std::move(h)};
+template <class H, class Majorant = NoMajorant>
+SpectralDensity<H, Majorant> spectral(std::string name, H h, const Traits& traits = {},
+                                      Majorant majorant = {}) {
+  return {std::move(name), std::move(h), traits, std::move(majorant)};
 }
 
 }  // namespace majorant

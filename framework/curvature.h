@@ -13,5 +13,8 @@ enum class Curvature {
   Exact,
   Reweighted,  // SLIM's proxy [RPPSH17]
 };
+inline constexpr Curvature kCurvatures[] = {Curvature::Projected, Curvature::Majorizer,
+                                            Curvature::PaperMajorizer, Curvature::Exact,
+                                            Curvature::Reweighted};
 
 }  // namespace majorant

@@ -7,12 +7,13 @@
 #include <limits>
 #include <numeric>
 
+#include "majorant/framework/curvature_name.h"
 #include "majorant/framework/error.h"
 
 namespace majorant {
 namespace {
 
-constexpr double kExcludedWeight = 1e-6;  // method.md section 9   // method.md section 9
+constexpr double kExcludedWeight = 1e-6;  // method.md section 9
 constexpr int kExcludedIterations = 10;
 constexpr double kSoftStart = 1e5;  // mean density
 constexpr int kDeepest = 13;        // bisections, when the asked depth holds a run back
@@ -41,33 +42,31 @@ DegreeSolver::DegreeSolver(const Setup& setup, std::shared_ptr<const BezierTrian
       x_(std::move(x)),
       start_(x_),
       ladder_(optimizer_ladder(space_->degree(), setup.options.quadrature_points)),
-      term_(setup.options.energy(space_, setup.rest, all_rules(ladder_))),
+      terms_(energy_terms(setup.map, space_, all_rules(ladder_))),
       depth_(setup.options.injectivity_depth),
       injectivity_(
-          std::make_shared<const LocalInjectivity>(space_, 2 * setup.rest.measure, depth_)),
+          std::make_shared<const LocalInjectivity>(space_, 2 * setup.map.rest.measure, depth_)),
       level_(static_cast<std::size_t>(space_->element_count()), 0),
       element_weight_(Vec::Ones(space_->element_count())),
       problem_(build_problem()),
       stepper_(problem_, newton_options(setup.options)) {}
 
-Problem DegreeSolver::build_problem() const {
-  if (!term_->supports(setup_.options.curvature))
-    throw Error(ErrorKind::Usage, fmt::format("energy '{}' does not support this curvature model; "
-                                              "use the projected Hessian",
-                                              term_->name()));
-  ProblemBuilder builder(2 * space_->node_count());
-  builder.add(term_, 1.0 / setup_.rest.measure.sum());
-  builder.add(injectivity_);
-  if (setup_.options.boundary_angles == BoundaryAngles::AtMostFullTurn)
-    builder.add(std::make_shared<const AngleSums>(space_, AngleSums::Vertices::Boundary));
-  if (setup_.options.boundary == BoundaryCondition::Fixed)
-    builder.add(FixedPoints::at(space_->boundary_nodes(), start_));
-  if (!setup_.pins.empty()) {
-    builder.add(FixedPoints(setup_.pins));
-  } else if (setup_.options.boundary == BoundaryCondition::Free) {
-    builder.add(FixedPoints::at({0}, start_));  // translations are the null space (method.md N3)
+void DegreeSolver::require_curvature() const {
+  const Curvature asked = setup_.options.curvature;
+  for (const auto& term : terms_) {
+    if (term->supports(asked)) continue;
+    std::vector<std::string_view> known;
+    for (const Curvature c : kCurvatures)
+      if (term->supports(c)) known.push_back(name(c));
+    throw Error(ErrorKind::Usage,
+                fmt::format("energy '{}' has no curvature model '{}'; use one of {}", term->name(),
+                            name(asked), fmt::join(known, " ")));
   }
-  return builder.build();
+}
+
+Problem DegreeSolver::build_problem() const {
+  require_curvature();
+  return map_problem(setup_.map, space_, start_, terms_, injectivity_);
 }
 
 double DegreeSolver::constraint_residual() const {
@@ -89,16 +88,14 @@ SolveResult DegreeSolver::run_once(const StoppingRules& rules, RunRecord& record
 // each step on the reweighted energy decreases sum A sqrt(density).
 void DegreeSolver::soften_start(RunRecord& record) {
   const Observer observe = record.observer(space_->degree());
-  const ChunkPlan& plan = problem_.plan(0);
+  const Vec& measure = setup_.map.rest.measure;
   Vec y = problem_.reduce(x_);
   bool go_on = true;
   while (go_on && record.iterations_left() > 0) {
-    const Vec density = element_values(*term_, problem_.state(0), plan, problem_.expand(y))
-                            .cwiseQuotient(setup_.rest.measure);
-    if (density.dot(setup_.rest.measure) < kSoftStart * setup_.rest.measure.sum()) break;
-    TermState state = problem_.state(0);
-    state.element_weight = density.cwiseSqrt().cwiseInverse();
-    stepper_.reset(problem_.with({state}));
+    const Vec energy_of = energy_by_face(setup_.map, terms_, level_, problem_.expand(y));
+    if (!(energy_of.sum() >= kSoftStart * measure.sum()) || !energy_of.allFinite()) break;
+    const Vec weight = energy_of.cwiseQuotient(measure).cwiseSqrt().cwiseInverse();
+    stepper_.reset(problem_.with(energy_states(setup_.map, problem_, level_, weight)));
     double energy = stepper_.evaluator().value(y);
     const NewtonStepper::Step step = stepper_.step(y, energy);
     if (step.outcome != NewtonStepper::Outcome::Moved) break;
@@ -140,10 +137,10 @@ bool DegreeSolver::deepen() {
   if (depth_ >= kDeepest) return false;
   depth_ = std::min(depth_ + 4, kDeepest);
   depth_counts_ = injectivity_depth_counts();
-  injectivity_ = std::make_shared<const LocalInjectivity>(space_, 2 * setup_.rest.measure, depth_);
-  const TermState state = problem_.state(0);
-  problem_ = build_problem().with({state});
-  stepper_.reset(problem_);
+  injectivity_ =
+      std::make_shared<const LocalInjectivity>(space_, 2 * setup_.map.rest.measure, depth_);
+  problem_ = build_problem();
+  apply_state();
   return true;
 }
 
@@ -154,10 +151,7 @@ std::vector<long> DegreeSolver::injectivity_depth_counts() const {
 }
 
 void DegreeSolver::apply_state() {
-  TermState state = problem_.state(0);
-  state.element_rule = level_;
-  state.element_weight = element_weight_;
-  problem_ = problem_.with({state});
+  problem_ = problem_.with(energy_states(setup_.map, problem_, level_, element_weight_));
   stepper_.reset(problem_);
 }
 
@@ -177,11 +171,9 @@ bool DegreeSolver::climb(const std::vector<Index>& elements) {
 bool DegreeSolver::climb_inaccurate() {
   if (ladder_.top() == 0 || setup_.options.quadrature_points > 0) return false;
   const auto plain = [&](int above) {
-    TermState state;
-    state.element_rule = level_;
-    for (RuleId& rule : state.element_rule)
-      rule = std::min(rule + above, ladder_.top()) + ladder_.top() + 1;
-    return element_values(*term_, state, ChunkPlan(term_->stencils(), state.element_rule), x_);
+    std::vector<RuleId> rules = level_;
+    for (RuleId& rule : rules) rule = std::min(rule + above, ladder_.top()) + ladder_.top() + 1;
+    return energy_by_face(setup_.map, terms_, rules, x_);
   };
   const Vec now = plain(0);
   const Vec error = (plain(1) - now).cwiseAbs();
@@ -191,7 +183,7 @@ bool DegreeSolver::climb_inaccurate() {
   double left = error.sum();
   std::vector<Index> worst;
   for (const Index e : order) {
-    if (left <= kQuadratureError * now.sum()) break;
+    if (left <= kQuadratureError * now.cwiseAbs().sum()) break;
     left -= error[e];
     worst.push_back(e);
   }

@@ -7,9 +7,8 @@
 #include <memory>
 #include <vector>
 
-#include "majorant/constraints/fixed_points.h"
-#include "majorant/constraints/local_injectivity.h"
 #include "majorant/framework/newton.h"
+#include "majorant/parametrization/map_problem.h"
 #include "majorant/parametrization/parametrize.h"
 #include "majorant/parametrization/quadrature_ladder.h"
 
@@ -18,12 +17,12 @@ namespace majorant {
 class DegreeSolver {
  public:
   struct Setup {
-    RestShapes rest;                 // normalised
-    ParametrizationOptions options;  // options.initial unused
-    std::vector<FixedPoint> pins;    // vertices, normalised positions
+    MapSpecification map;            // normalised
+    ParametrizationOptions options;  // how to solve: curvature, tolerance, quadrature, depth
   };
 
-  // x: start, 2 numbers per node of `space`, normalised, locally injective.
+  // x: start, 2 numbers per node of `space`, normalised, locally injective. Throws Error(Usage)
+  // when an energy does not support the curvature.
   DegreeSolver(const Setup& setup, std::shared_ptr<const BezierTriangleSpace> space, Vec x);
 
   // For a start of enormous energy (a Tutte map with nearly collapsed triangles): steps on
@@ -42,6 +41,7 @@ class DegreeSolver {
   std::vector<long> injectivity_depth_counts() const;
 
  private:
+  void require_curvature() const;
   Problem build_problem() const;
   SolveResult run_once(const StoppingRules& rules, RunRecord& record);
   bool deepen();
@@ -54,7 +54,7 @@ class DegreeSolver {
   std::shared_ptr<const BezierTriangleSpace> space_;
   Vec x_, start_;
   QuadratureLadder ladder_;
-  std::shared_ptr<const DensityTerm> term_;
+  DensityTerms terms_;
   int depth_;
   std::shared_ptr<const LocalInjectivity> injectivity_;
   std::vector<long> depth_counts_;  // of checkers replaced by deeper ones

@@ -16,11 +16,30 @@ constexpr double kAgreement = 1e-6;  // of the total, spread over the elements
 constexpr int kProofDepth = 16;      // of bisection: proofs need not be cheap here
 constexpr int kSamples = 8;          // extremes are sampled at the points (i,j,k)/8
 
-Vec values_on(const DensityTerm& term, const std::vector<RuleId>& rules, VecIn x) {
-  TermState state;
-  state.element_rule = rules;
-  return element_values(term, state, ChunkPlan(term.stencils(), rules), x);
-}
+// A weighted sum of energies on the same rules.
+class Measured {
+ public:
+  Measured(const EnergySum& energy, const BezierMap& map, const RestShapes& rest,
+           const std::vector<Quadrature>& rules)
+      : energy_(energy), x_(map.control_points()) {
+    for (const WeightedEnergy& e : energy)
+      terms_.push_back(e.make(map.shared_space(), rest, rules));
+  }
+  Vec values(const std::vector<RuleId>& rules) const {
+    TermState state;
+    state.element_rule = rules;
+    const ChunkPlan plan(terms_.front()->stencils(), rules);
+    Vec sum = Vec::Zero(static_cast<Index>(rules.size()));
+    for (std::size_t k = 0; k < terms_.size(); ++k)
+      sum += energy_[k].weight * element_values(*terms_[k], state, plan, x_);
+    return sum;
+  }
+
+ private:
+  const EnergySum& energy_;
+  VecIn x_;
+  std::vector<std::shared_ptr<const DensityTerm>> terms_;
+};
 
 std::vector<Barycentric> sample_points() {
   std::vector<Barycentric> points;
@@ -37,19 +56,20 @@ Quadrature single_point(const Barycentric& xi) {
   return q;
 }
 
-void sample_extremes(const BezierMap& map, const RestShapes& rest, const EnergyFactory& energy,
+void sample_extremes(const BezierMap& map, const RestShapes& rest, const EnergySum& energy,
                      MapMeasures& m) {
   const std::vector<Barycentric> points =
       map.degree() == 1 ? std::vector<Barycentric>{Barycentric::Constant(1.0 / 3)}
                         : sample_points();
   std::vector<Quadrature> rules;
   for (const Barycentric& xi : points) rules.push_back(single_point(xi));
-  const auto term = energy(map.shared_space(), rest, rules);
+  const Measured measured(energy, map, rest, rules);
   m.sigma_min = std::numeric_limits<double>::infinity();
+  m.max_density = -m.sigma_min;
   for (std::size_t k = 0; k < points.size(); ++k) {
     const std::vector<RuleId> rule(static_cast<std::size_t>(rest.measure.size()),
                                    static_cast<RuleId>(k));
-    const Vec density = values_on(*term, rule, map.control_points()).cwiseQuotient(rest.measure);
+    const Vec density = measured.values(rule).cwiseQuotient(rest.measure);
     m.max_density = std::max(m.max_density, density.maxCoeff());
     const Eigen::MatrixX2d g = bernstein_gradients(map.degree(), points[k]);
     for (Index f = 0; f < rest.measure.size(); ++f) {
@@ -67,18 +87,18 @@ void sample_extremes(const BezierMap& map, const RestShapes& rest, const EnergyF
 
 }  // namespace
 
-double mean_density(const BezierMap& map, const RestShapes& rest, const EnergyFactory& energy,
+double mean_density(const BezierMap& map, const RestShapes& rest, const EnergySum& energy,
                     Vec& face_value) {
   const std::vector<Quadrature> ladder = measuring_rules(map.degree());
-  const auto term = energy(map.shared_space(), rest, ladder);
+  const Measured measured(energy, map, rest, ladder);
   const Index faces = rest.measure.size();
   std::vector<RuleId> level(static_cast<std::size_t>(faces), 0);
-  Vec values = values_on(*term, level, map.control_points());
+  Vec values = measured.values(level);
   std::vector<char> open(static_cast<std::size_t>(faces), 1);
   for (std::size_t top = 1; top < ladder.size(); ++top) {
     for (std::size_t f = 0; f < level.size(); ++f)
       if (open[f]) level[f] = static_cast<RuleId>(top);
-    const Vec finer = values_on(*term, level, map.control_points());
+    const Vec finer = measured.values(level);
     const double bound = kAgreement * std::abs(finer.sum()) / static_cast<double>(faces);
     for (Index f = 0; f < faces; ++f)
       if (std::abs(finer[f] - values[f]) <= bound) open[static_cast<std::size_t>(f)] = 0;
@@ -88,7 +108,7 @@ double mean_density(const BezierMap& map, const RestShapes& rest, const EnergyFa
   return values.sum() / rest.measure.sum();
 }
 
-MapMeasures measure(const BezierMap& map, const EnergyFactory& energy) {
+MapMeasures measure(const BezierMap& map, const EnergySum& energy) {
   MapMeasures m;
   const RestShapes rest = flat_triangles(map.mesh().positions(), map.mesh().faces());
   m.value = mean_density(map, rest, energy, m.face_value);

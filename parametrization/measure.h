@@ -8,7 +8,7 @@
 namespace majorant {
 
 struct MapMeasures {
-  double value = 0;                     // mean density over the surface, good to 1e-5 relative
+  double value = 0;                     // mean of the energy's density, good to 1e-5 relative
   Vec face_value;                       // #F mean density of each face
   double max_density = 0;               // sampled
   double sigma_max = 0, sigma_min = 0;  // sampled extreme singular values
@@ -20,9 +20,9 @@ struct MapMeasures {
 
 // Mean density and #F mean densities, adaptively: elements are refined until two successive rules
 // agree to 1e-6 of the total.
-double mean_density(const BezierMap& map, const RestShapes& rest, const EnergyFactory& energy,
+double mean_density(const BezierMap& map, const RestShapes& rest, const EnergySum& energy,
                     Vec& face_value);
 
-MapMeasures measure(const BezierMap& map, const EnergyFactory& energy);
+MapMeasures measure(const BezierMap& map, const EnergySum& energy);
 
 }  // namespace majorant

@@ -25,6 +25,44 @@ void require_valid(const ParametrizationOptions& o) {
     refuse(fmt::format("degree {} is not one of 1..{}", o.degree, BezierTriangleSpace::kMaxDegree));
   if (!(o.tolerance > 0)) refuse("the tolerance must be positive");
   if (o.quadrature_points < 0) refuse("the number of quadrature points must not be negative");
+  if (o.energy.empty()) refuse("no energy is given");
+  for (const WeightedEnergy& e : o.energy)
+    if (!(e.weight > 0)) refuse("weights of energies must be positive");
+  if (!(o.handle_weight > 0)) refuse("the weight of soft handles must be positive");
+}
+
+void require_face_weights(const SurfaceMesh& mesh, const Vec& weights) {
+  if (weights.size() == 0) return;
+  if (weights.size() != mesh.face_count() || !(weights.minCoeff() > 0) || !weights.allFinite())
+    throw Error(ErrorKind::Usage,
+                mesh.file() + ": face weights must be one positive number for each face");
+}
+
+void require_vertex(const SurfaceMesh& mesh, const Pin& pin) {
+  if (pin.vertex < 0 || pin.vertex >= mesh.vertex_count())
+    throw Error(ErrorKind::Usage,
+                fmt::format("{}: pinned vertex {} does not exist", mesh.file(), pin.vertex));
+}
+
+bool contains(const std::vector<FixedPoint>& points, Index node) {
+  return std::any_of(points.begin(), points.end(),
+                     [&](const FixedPoint& p) { return p.node == node; });
+}
+
+// Soft handles may be anywhere.
+std::vector<FixedPoint> place_handles(const SurfaceMesh& mesh, const std::vector<Pin>& handles,
+                                      const std::vector<FixedPoint>& pins, const Vec& start) {
+  std::vector<FixedPoint> points;
+  for (const Pin& handle : handles) {
+    require_vertex(mesh, handle);
+    if (contains(points, handle.vertex) || contains(pins, handle.vertex))
+      throw Error(ErrorKind::Unsupported,
+                  fmt::format("{}: vertex {} has two handles, or a pin and a handle; keep one",
+                              mesh.file(), mesh.input_vertex(handle.vertex)));
+    const Vector2 here = start.segment<2>(2 * handle.vertex);
+    points.push_back({handle.vertex, handle.target.value_or(here)});
+  }
+  return points;
 }
 
 // Pins as fixed points: a target must be where the start has the vertex, up to rounding, because
@@ -34,9 +72,7 @@ std::vector<FixedPoint> place_pins(const SurfaceMesh& mesh, const Parametrizatio
   const double tolerance = 1e-9 * start.cwiseAbs().maxCoeff();
   std::vector<FixedPoint> points;
   for (const Pin& pin : options.pins) {
-    if (pin.vertex < 0 || pin.vertex >= mesh.vertex_count())
-      throw Error(ErrorKind::Usage,
-                  fmt::format("{}: pinned vertex {} does not exist", mesh.file(), pin.vertex));
+    require_vertex(mesh, pin);
     const Vector2 here = start.segment<2>(2 * pin.vertex);
     const Vector2 target = pin.target.value_or(here);
     const double distance = (target - here).norm();
@@ -47,8 +83,7 @@ std::vector<FixedPoint> place_pins(const SurfaceMesh& mesh, const Parametrizatio
                       "hold it there with \"target\": \"initial\", start from a map that "
                       "meets the pins with --init input, or use soft handles",
                       mesh.file(), mesh.input_vertex(pin.vertex), distance, here.x(), here.y()));
-    if (std::any_of(points.begin(), points.end(),
-                    [&](const FixedPoint& p) { return p.node == pin.vertex; }))
+    if (contains(points, pin.vertex))
       throw Error(ErrorKind::Unsupported, fmt::format("{}: vertex {} is pinned twice; pin it once",
                                                       mesh.file(), mesh.input_vertex(pin.vertex)));
     // A fixed boundary already says the same, up to rounding.
@@ -83,7 +118,8 @@ void require_injective(const BezierMap& map, const std::string& what) {
 
 // Translations are free when nothing holds the map; then vertex 0 is held, at the origin.
 bool needs_gauge(const ParametrizationOptions& options) {
-  return options.boundary == BoundaryCondition::Free && options.pins.empty();
+  return options.boundary == BoundaryCondition::Free && options.pins.empty() &&
+         options.handles.empty();
 }
 
 Vec moved(Vec x, const Vector2& by) {
@@ -102,16 +138,25 @@ class Run {
                                      : Vector2(Vector2::Zero())),
         map_(start.shared_mesh(), start.shared_space(),
              moved(start.control_points(), -origin_) * scale_) {
-    setup_.rest = flat_triangles(start.mesh().positions() * scale_, start.mesh().faces());
+    MapSpecification& map = setup_.map;
+    map.rest = flat_triangles(start.mesh().positions() * scale_, start.mesh().faces());
+    map.energy = options.energy;
+    map.face_weight = options.face_weight;
+    map.boundary = options.boundary;
+    map.boundary_angles = options.boundary_angles;
+    map.pins = place_pins(start.mesh(), options, start.control_points());
+    map.handles = place_handles(start.mesh(), options.handles, map.pins, start.control_points());
+    for (FixedPoint& p : map.pins) p.position *= scale_;
+    for (FixedPoint& p : map.handles) p.position *= scale_;
+    map.handle_weight = options.handle_weight;
     setup_.options = options;
-    setup_.pins = place_pins(start.mesh(), options, start.control_points());
-    for (FixedPoint& p : setup_.pins) p.position *= scale_;
   }
 
   ParametrizationResult solve() {
     const double started = record_.seconds();
     Vec unused;
-    result_.initial_value = mean_density(map_, setup_.rest, options_.energy, unused);
+    result_.initial_value = mean_density(map_, setup_.map.rest, options_.energy, unused);
+    if (!std::isfinite(result_.initial_value)) enter_domain();
     SolveResult solved;
     for (;;) {
       const bool last = map_.degree() == options_.degree;
@@ -132,6 +177,18 @@ class Run {
   }
 
  private:
+  // Energies that overflow at the start (exponentials of a Tutte map) begin where the symmetric
+  // Dirichlet energy, finite on every injective map, has led at degree 1.
+  void enter_domain() {
+    DegreeSolver::Setup gentle = setup_;
+    gentle.map.energy = {{symmetric_dirichlet(), 1.0}};
+    gentle.options.curvature = Curvature::Projected;
+    DegreeSolver solver(gentle, map_.shared_space(), map_.control_points());
+    solver.soften_start(record_);
+    solver.approach(options_.elevation_tolerance, record_);
+    map_ = BezierMap(map_.shared_mesh(), map_.shared_space(), solver.x());
+  }
+
   static bool limited(Status s) { return s != Status::Converged && s != Status::Stalled; }
 
   void account(const DegreeSolver& solver) {
@@ -141,6 +198,11 @@ class Run {
     for (std::size_t k = 0; k < counts.size(); ++k) result_.injectivity_tests[k] += counts[k];
     result_.variables = solver.variables();
     result_.constraint_residual = solver.constraint_residual() / scale_;
+    result_.handle_distance = 0;
+    for (const FixedPoint& h : setup_.map.handles)
+      result_.handle_distance =
+          std::max(result_.handle_distance,
+                   (solver.x().segment<2>(2 * h.node) - h.position).norm() / scale_);
   }
 
   // A run that a limit ended below the degree asked for is elevated all the same: valid, and of
@@ -183,6 +245,7 @@ Vec initial_map(const SurfaceMesh& mesh, const ParametrizationOptions& options) 
 ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,
                                   const ParametrizationOptions& options, RunRecord& record) {
   require_valid(options);
+  require_face_weights(*mesh, options.face_weight);
   const double started = record.seconds();
   const BezierMap start = BezierMap::linear(mesh, initial_map(*mesh, options));
   require_injective(start, "initial map");

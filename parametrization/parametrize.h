@@ -14,17 +14,15 @@
 #include <string>
 #include <vector>
 
-#include "majorant/energies/energy_factory.h"
-#include "majorant/energies/symmetric_dirichlet.h"
+#include "majorant/energies/named_energies.h"
 #include "majorant/framework/curvature.h"
 #include "majorant/parametrization/bezier_map.h"
+#include "majorant/parametrization/map_problem.h"
 #include "majorant/parametrization/measure.h"
 #include "majorant/parametrization/run_record.h"
 
 namespace majorant {
 
-enum class BoundaryCondition { Free, Fixed };        // Fixed: the initial map's boundary stays
-enum class BoundaryAngles { Free, AtMostFullTurn };  // sector sums at boundary vertices
 enum class Elevation { Incremental, Direct };
 
 struct Pin {
@@ -34,12 +32,15 @@ struct Pin {
 
 struct ParametrizationOptions {
   int degree = 3;  // 1..8
-  EnergyFactory energy = make_symmetric_dirichlet;
+  EnergySum energy{{symmetric_dirichlet(), 1.0}};
+  Vec face_weight;  // #F positive factors of the energy's density, empty = all 1
   Curvature curvature = Curvature::Projected;
   BoundaryCondition boundary = BoundaryCondition::Free;
   BoundaryAngles boundary_angles = BoundaryAngles::Free;
   Elevation elevation = Elevation::Incremental;
-  std::vector<Pin> pins;
+  std::vector<Pin> pins;              // hard
+  std::vector<Pin> handles;           // soft
+  double handle_weight = 1e3;         // w: mean density + w * sum |x - target|^2 / area
   std::optional<Vec> initial;         // u, v per vertex; none: Tutte's map
   int quadrature_points = 0;          // lattice points per triangle; 0: our own rule
   double tolerance = 1e-6;            // relative energy decrease per iteration
@@ -55,6 +56,7 @@ struct ParametrizationResult {
   double value_quadrature = 0;     // the optimizer's own energy at the end
   double newton_decrement = 0;     // relative to the energy
   double constraint_residual = 0;  // model units
+  double handle_distance = 0;      // largest distance of a soft handle from its target, model units
   Index variables = 0;
   MapMeasures measures;
   std::vector<long> injectivity_tests;  // elements certified, by bisection depth
@@ -66,8 +68,8 @@ struct ParametrizationResult {
 Vec initial_map(const SurfaceMesh& mesh, const ParametrizationOptions& options);
 
 // Throws Error as initial_map; Error(Infeasible) when the start is not locally injective or does
-// not meet the pins; Error(Unsupported) when a vertex is pinned twice; Error(Usage) when the energy
-// does not support the curvature or options are out of range.
+// not meet the pins; Error(Unsupported) when a vertex is pinned twice or pinned and a handle;
+// Error(Usage) when the energy does not support the curvature or options are out of range.
 ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,
                                   const ParametrizationOptions& options, RunRecord& record);
 ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,

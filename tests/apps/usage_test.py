@@ -41,7 +41,7 @@ class Usage(CommandTest):
             ['parametrize', mesh, '-o', out, '--boundary', 'loose'],
             ['parametrize', mesh, '-o', out, '--init', 'random'],
             ['parametrize', mesh, '-o', out, '--curvature', 'newton'],
-            ['parametrize', mesh, '-o', out, '--curvature', 'reweighted'],
+            ['parametrize', mesh, '-o', out, '--energy', 'mips', '--curvature', 'reweighted'],
             ['parametrize', mesh, '-o', out, '--elevation', 'sideways'],
             ['parametrize', mesh, '-o', out, '--quadrature', '0'],
             ['parametrize', mesh, '-o', out, '--tolerance', '0'],

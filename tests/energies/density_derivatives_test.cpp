@@ -127,7 +127,7 @@ TEST(DensityDerivatives, InstructionSetsAgree) {
     jacobians.resize(count);
     const test::Triangles t(count);
     const auto here = make_energy(t.space, t.rest, symmetric_dirichlet_density(), {radon_rule()});
-    const auto best = make_symmetric_dirichlet(t.space, t.rest, {radon_rule()});
+    const auto best = symmetric_dirichlet()(t.space, t.rest, {radon_rule()});
     EXPECT_EQ(here->name(), best->name());
     for (const Curvature c : {Curvature::Exact, Curvature::Projected, Curvature::PaperMajorizer}) {
       const auto a = test::point_models(*here, jacobians, c),
@@ -152,7 +152,7 @@ TEST(DensityDerivatives, ValuesAndLocalSystemsAgree) {
       EXPECT_NEAR(m.values[e], m.f[e],
                   (1e-15 + kUnit * test::cancellation(jacobians[e])) * 16 * m.values[e]);
   };
-  check(*make_symmetric_dirichlet(t.space, t.rest, {radon_rule()}));
+  check(*symmetric_dirichlet()(t.space, t.rest, {radon_rule()}));
   check(*make_energy(t.space, t.rest, test::spectral_mips(), {radon_rule()}));
 }
 

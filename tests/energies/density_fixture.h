@@ -9,8 +9,9 @@
 #include <numeric>
 #include <vector>
 
+#include "majorant/energies/builtin_densities.h"
 #include "majorant/energies/make_energy.h"
-#include "majorant/energies/symmetric_dirichlet.h"
+#include "majorant/energies/named_energies.h"
 #include "support.h"
 
 namespace majorant::test {
@@ -146,20 +147,22 @@ inline Jet direct_arap(const Jet& a, const Jet& b, const Jet& c, const Jet& d) {
 }
 
 inline auto spectral_symmetric_dirichlet() {
-  return spectral("sd", Domain::PositiveDeterminant, Convexity::Convex,
-                  [](auto S, auto s) { return S * S + s * s + 1.0 / (S * S) + 1.0 / (s * s); });
+  return spectral("sd",
+                  [](auto S, auto s) { return S * S + s * s + 1.0 / (S * S) + 1.0 / (s * s); },
+                  {Domain::PositiveDeterminant, Convexity::Convex});
 }
 inline auto mips() {
-  return invariant("mips", Domain::PositiveDeterminant, Convexity::Unknown,
-                   [](const auto& x, const auto& y) { return 2.0 * (x + y) / (x - y); });
+  return invariant("mips", [](const auto& x, const auto& y) { return 2.0 * (x + y) / (x - y); },
+                   {Domain::PositiveDeterminant, Convexity::Unknown});
 }
 inline auto spectral_mips() {
-  return spectral("mips", Domain::PositiveDeterminant, Convexity::Unknown,
-                  [](auto S, auto s) { return S / s + s / S; });
+  return spectral("mips", [](auto S, auto s) { return S / s + s / S; },
+                  {Domain::PositiveDeterminant, Convexity::Unknown});
 }
 inline auto arap() {
-  return spectral("arap", Domain::Everywhere, Convexity::Convex,
-                  [](auto S, auto s) { return (S - 1.0) * (S - 1.0) + (s - 1.0) * (s - 1.0); });
+  return spectral("arap",
+                  [](auto S, auto s) { return (S - 1.0) * (S - 1.0) + (s - 1.0) * (s - 1.0); },
+                  {Domain::Everywhere, Convexity::Convex});
 }
 
 inline Eigen::Matrix2d from_parts(const Vector2& alpha, const Vector2& beta) {

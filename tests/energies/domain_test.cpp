@@ -20,7 +20,7 @@ Eigen::Matrix2d matrix(double a, double b, double c, double d) {
 std::vector<std::shared_ptr<const EnergyTerm>> barriers(std::size_t count) {
   const test::Triangles t(count);
   const std::vector<Quadrature> rule{lattice_rule(1)};
-  return {make_symmetric_dirichlet(t.space, t.rest, rule),
+  return {symmetric_dirichlet()(t.space, t.rest, rule),
           make_energy(t.space, t.rest, symmetric_dirichlet_density(), rule),
           make_energy(t.space, t.rest, test::spectral_symmetric_dirichlet(), rule),
           make_energy(t.space, t.rest, test::mips(), rule),
@@ -91,8 +91,8 @@ TEST(Domain, OneBadPointMakesTheElementInfinite) {
   Points3 positions(3, 3);
   positions << 1, 0, 0, 0, 1, 0, 0, 0, 0;
   const auto space = std::make_shared<const BezierTriangleSpace>(face, 3, 2);
-  const auto term = make_symmetric_dirichlet(space, flat_triangles(positions, face),
-                                             {guarded_rule(lattice_rule(4), 1, 1e-3)});
+  const auto term = symmetric_dirichlet()(space, flat_triangles(positions, face),
+                                          {guarded_rule(lattice_rule(4), 1, 1e-3)});
   Vec x = test::linear_map(*space, test::flat(positions));
   const Index e = 0;
   double f = 0;
@@ -115,18 +115,18 @@ TEST(Domain, ReflectionsHaveFiniteDerivatives) {
   const test::Triangles t(j.size());
   const auto quadratic =
       make_energy(t.space, t.rest,
-                  invariant("asap", Domain::Everywhere, Convexity::Convex,
-                            [](const auto& x, const auto& y) { return 4.0 * y + 0.0 * x; }),
+                  invariant("asap", [](const auto& x, const auto& y) { return 4.0 * y + 0.0 * x; },
+                            {Domain::Everywhere, Convexity::Convex}),
                   {lattice_rule(1)});
   const auto from_singular_values =
       make_energy(t.space, t.rest,
-                  spectral("asap", Domain::Everywhere, Convexity::Convex,
-                           [](auto S, auto s) { return (S - s) * (S - s); }),
+                  spectral("asap", [](auto S, auto s) { return (S - s) * (S - s); },
+                           {Domain::Everywhere, Convexity::Convex}),
                   {lattice_rule(1)});
   const auto general =
       make_energy(t.space, t.rest,
-                  invariant("asap", Domain::Everywhere, Convexity::Unknown,
-                            [](const auto& x, const auto& y) { return 4.0 * y + 0.0 * x; }),
+                  invariant("asap", [](const auto& x, const auto& y) { return 4.0 * y + 0.0 * x; },
+                            {Domain::Everywhere, Convexity::Unknown}),
                   {lattice_rule(1)});
   const auto direct = [](const test::Jet& a, const test::Jet& b, const test::Jet& c,
                          const test::Jet& d) { return (a - d) * (a - d) + (b + c) * (b + c); };

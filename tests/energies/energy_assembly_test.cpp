@@ -49,7 +49,7 @@ double direct_symmetric_dirichlet(const test::Mesh& mesh, const Vec& x) {
 
 TEST(EnergyAssembly, LinearMapsMatchTheDirectFormula) {
   const Fixture s(1);
-  const auto term = make_symmetric_dirichlet(s.space, s.rest, {lattice_rule(1)});
+  const auto term = symmetric_dirichlet()(s.space, s.rest, {lattice_rule(1)});
   const Problem problem = ProblemBuilder(s.x.size()).add(term, 1).build();
   const double expected = direct_symmetric_dirichlet(s.mesh, s.x);
   EXPECT_NEAR(Evaluator(problem).value(s.x), expected, 1e-12 * expected);
@@ -60,7 +60,7 @@ TEST(EnergyAssembly, IsometriesHaveEnergyFour) {
     const test::Mesh mesh = test::grid(4, 4);  // half squares: exact in doubles
     const auto space = std::make_shared<const BezierTriangleSpace>(mesh.faces, 25, degree);
     const RestShapes rest = flat_triangles(mesh.positions, mesh.faces);
-    const auto term = make_symmetric_dirichlet(
+    const auto term = symmetric_dirichlet()(
         space, rest, {guarded_rule(composite_rule(radon_rule(), 2), 1, 1e-3)});
     const Problem problem =
         ProblemBuilder(2 * space->node_count()).add(term, 1 / rest.measure.sum()).build();
@@ -79,7 +79,7 @@ TEST(EnergyAssembly, IsometriesHaveEnergyFour) {
   }
   // To the last bit where no rounding occurs.
   const test::Triangles t(1);
-  const auto term = make_symmetric_dirichlet(t.space, t.rest, {lattice_rule(1)});
+  const auto term = symmetric_dirichlet()(t.space, t.rest, {lattice_rule(1)});
   for (const Eigen::Matrix2d& j : {test::from_parts(Vector2(1, 0), Vector2(0, 0)),
                                    test::from_parts(Vector2(0, -1), Vector2(0, 0))})
     EXPECT_EQ(test::point_models(*term, {j}, Curvature::Exact)[0].value, 4.0);
@@ -144,7 +144,7 @@ void expect_consistent(const Fixture& s, const std::shared_ptr<const EnergyTerm>
 
 TEST_P(Assembled, SymmetricDirichlet) {
   const Fixture s(GetParam());
-  expect_consistent(s, make_symmetric_dirichlet(s.space, s.rest, {radon_rule()}));
+  expect_consistent(s, symmetric_dirichlet()(s.space, s.rest, {radon_rule()}));
 }
 
 TEST_P(Assembled, SpectralMips) {
@@ -161,7 +161,7 @@ TEST_P(Assembled, Arap) {
 TEST_P(Assembled, ValueIsTheQuadratureSum) {
   const Fixture s(GetParam());
   const Quadrature rule = composite_rule(radon_rule(), 2);
-  const auto term = make_symmetric_dirichlet(s.space, s.rest, {rule});
+  const auto term = symmetric_dirichlet()(s.space, s.rest, {rule});
   const Problem problem = ProblemBuilder(s.x.size()).add(term, 1).build();
   double sum = 0;
   for (Index e = 0; e < s.space->element_count(); ++e)
@@ -179,7 +179,7 @@ TEST_P(Assembled, ElementModelsArePositiveSemidefinite) {
   const Fixture s(GetParam());
   const std::vector<Quadrature> rules{radon_rule()};
   for (const auto& term : std::vector<std::shared_ptr<const EnergyTerm>>{
-           make_symmetric_dirichlet(s.space, s.rest, rules),
+           symmetric_dirichlet()(s.space, s.rest, rules),
            make_energy(s.space, s.rest, test::mips(), rules),
            make_energy(s.space, s.rest, test::arap(), rules)})
     for (const Curvature c :
@@ -194,12 +194,12 @@ TEST_P(Assembled, ElementModelsArePositiveSemidefinite) {
 TEST_P(Assembled, RulesPerElement) {
   const Fixture s(GetParam());
   const std::vector<Quadrature> rules{lattice_rule(2), radon_rule(), lattice_rule(5)};
-  const auto term = make_symmetric_dirichlet(s.space, s.rest, rules);
+  const auto term = symmetric_dirichlet()(s.space, s.rest, rules);
   TermState state;
   double expected = 0;
   std::vector<Vec> by_rule;
   for (const Quadrature& q : rules) {
-    const auto single = make_symmetric_dirichlet(s.space, s.rest, {q});
+    const auto single = symmetric_dirichlet()(s.space, s.rest, {q});
     by_rule.push_back(element_values(*single, {}, ChunkPlan(single->stencils(), {}), s.x));
   }
   for (Index e = 0; e < s.space->element_count(); ++e) {
@@ -214,10 +214,10 @@ INSTANTIATE_TEST_SUITE_P(Degrees, Assembled, testing::Range(1, 5));
 
 TEST(EnergyAssembly, SetUpErrors) {
   const Fixture s(1);
-  EXPECT_THROW(make_symmetric_dirichlet(s.space, s.rest, {}), std::invalid_argument);
+  EXPECT_THROW(symmetric_dirichlet()(s.space, s.rest, {}), std::invalid_argument);
   RestShapes fewer = s.rest;
   fewer.measure.conservativeResize(3);
-  EXPECT_THROW(make_symmetric_dirichlet(s.space, fewer, {radon_rule()}), std::invalid_argument);
+  EXPECT_THROW(symmetric_dirichlet()(s.space, fewer, {radon_rule()}), std::invalid_argument);
 }
 
 }  // namespace

@@ -104,18 +104,9 @@ TEST(Parametrize, EveryCurvatureReachesTheSameEnergy) {
 
 TEST(Parametrize, RefusesACurvatureTheEnergyDoesNotHave) {
   ParametrizationOptions options = degree(2);
-  options.curvature = Curvature::Reweighted;
-  expect_contains(
-      error_message(ErrorKind::Usage, [&] { parametrize(surface(grid(3, bumpy)), options); }),
-      {"symmetric-dirichlet", "curvature"});
-  // Not known to be convex: no majorizer.
-  options.energy = [](std::shared_ptr<const ElementSpace> space, const RestShapes& rest,
-                      const std::vector<Quadrature>& rules) {
-    return make_energy(std::move(space), rest,
-                       spectral("test-mips", Domain::PositiveDeterminant, Convexity::Unknown,
-                                [](auto S, auto s) { return S / s + s / S; }),
-                       rules);
-  };
+  // Nothing declared: no majorizer, no reweighting.
+  options.energy = {
+      {energy_factory(spectral("test-mips", [](auto S, auto s) { return S / s + s / S; }))}};
   for (const Curvature curvature :
        {Curvature::Majorizer, Curvature::PaperMajorizer, Curvature::Reweighted}) {
     options.curvature = curvature;

@@ -1,0 +1,79 @@
+#include "apps/energy_option.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <vector>
+
+#include "majorant/framework/error.h"
+
+namespace majorant::app {
+namespace {
+
+[[noreturn]] void refuse(const std::string& expression, const std::string& problem) {
+  throw Error(ErrorKind::Usage, fmt::format("--energy '{}': {}", expression, problem));
+}
+
+// A leading "number*" is taken off `text`; 1 when there is none.
+double take_weight(std::string& text, const std::string& expression) {
+  const std::size_t star = text.find('*');
+  if (star == std::string::npos) return 1.0;
+  double weight = 0;
+  const char* end = text.data() + star;
+  const auto [stop, error] = std::from_chars(text.data(), end, weight);
+  if (error != std::errc() || stop != end || !(weight > 0) || !std::isfinite(weight))
+    refuse(expression, fmt::format("'{}' is not a positive number", text.substr(0, star)));
+  text.erase(0, star + 1);
+  return weight;
+}
+
+std::vector<std::string> summands(std::string text) {
+  std::erase_if(text, [](unsigned char c) { return std::isspace(c); });
+  std::vector<std::string> out(1);
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    // The sign of an exponent, 1e+3, is not a sum.
+    const bool exponent = k >= 2 && (text[k - 1] == 'e' || text[k - 1] == 'E') &&
+                          std::isdigit(static_cast<unsigned char>(text[k - 2]));
+    if (text[k] == '+' && !exponent)
+      out.emplace_back();
+    else
+      out.back() += text[k];
+  }
+  return out;
+}
+
+}  // namespace
+
+EnergyChoice parse_energy(const std::string& expression) {
+  EnergyChoice choice{{}, FreeScale::Arbitrary};
+  bool determined = false, collapses = false;
+  for (std::string text : summands(expression)) {
+    const double weight = take_weight(text, expression);
+    const NamedEnergy* energy = find_energy(text);
+    if (!energy) {
+      std::vector<std::string> names;
+      for (const NamedEnergy& e : named_energies()) names.push_back(e.name);
+      refuse(expression, fmt::format("no energy is called '{}'; use {}, or a sum like "
+                                     "'symmetric-dirichlet + 0.1*asap'",
+                                     text, fmt::join(names, ", ")));
+    }
+    choice.sum.push_back({energy->make, weight});
+    determined = determined || energy->free_scale == FreeScale::Determined;
+    collapses = collapses || energy->free_scale == FreeScale::Collapses;
+  }
+  if (collapses) choice.free_scale = FreeScale::Collapses;
+  if (determined) choice.free_scale = FreeScale::Determined;
+  return choice;
+}
+
+std::string energy_help() {
+  std::string text = "Energies (sums such as 'symmetric-dirichlet + 0.1*asap' too):\n";
+  for (const NamedEnergy& e : named_energies())
+    text += fmt::format("  {:<20} {}\n", e.name, e.summary);
+  return text;
+}
+
+}  // namespace majorant::app

@@ -1,0 +1,24 @@
+// --energy: a named energy or a weighted sum of them.
+//
+//   parse_energy("symmetric-dirichlet + 0.1*asap")
+#pragma once
+
+#include <string>
+
+#include "majorant/energies/named_energies.h"
+
+namespace majorant::app {
+
+struct EnergyChoice {
+  EnergySum sum;
+  FreeScale free_scale;  // of the sum
+};
+
+// summands [number *] name, joined by +; space does not matter. Throws Error(Usage) that lists the
+// names when one is unknown, and for weights that are not positive.
+EnergyChoice parse_energy(const std::string& expression);
+
+// "name  formula; facts" lines for --help.
+std::string energy_help();
+
+}  // namespace majorant::app

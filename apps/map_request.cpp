@@ -1,0 +1,108 @@
+#include "apps/map_request.h"
+
+#include <fmt/format.h>
+
+#include "apps/energy_option.h"
+#include "majorant/framework/curvature_name.h"
+#include "majorant/framework/error.h"
+#include "majorant/io/read_face_weights.h"
+#include "majorant/io/read_handles.h"
+#include "majorant/io/read_mesh.h"
+#include "majorant/parametrization/initial_map.h"
+
+namespace majorant::app {
+namespace {
+
+Curvature find_curvature(const std::string& wanted) {
+  for (const Curvature c : kCurvatures)
+    if (name(c) == wanted) return c;
+  throw Error(ErrorKind::Usage, "no curvature model is called '" + wanted + "'");
+}
+
+std::vector<Pin> read_points(const std::string& path, const PolygonMesh& polygons,
+                             const SurfaceMesh& mesh) {
+  std::vector<Pin> points;
+  for (const Handle& h : read_handles(path, static_cast<Index>(polygons.positions.size()))) {
+    const Index vertex = mesh.find_input_vertex(h.vertex);
+    if (vertex < 0)
+      throw Error(ErrorKind::Unsupported,
+                  fmt::format("{}: vertex {} belongs to no face; take another", path, h.vertex));
+    points.push_back({vertex, h.target});
+  }
+  return points;
+}
+
+Vec read_weights(const std::string& path, const PolygonMesh& polygons, const SurfaceMesh& mesh) {
+  const Vec of_polygon = read_face_weights(path, static_cast<Index>(polygons.polygons.size()));
+  Vec weights(mesh.face_count());
+  for (Index f = 0; f < weights.size(); ++f) weights[f] = of_polygon[mesh.input_face(f)];
+  return weights;
+}
+
+void require_scale(const EnergyChoice& energy, const MapRequest& request,
+                   const ParametrizationOptions& options) {
+  if (energy.free_scale != FreeScale::Collapses || options.boundary == BoundaryCondition::Fixed ||
+      options.pins.size() + options.handles.size() >= 2)
+    return;
+  throw Error(ErrorKind::Usage,
+              fmt::format("--energy '{}' is smallest for a map shrunk to a point; hold its scale "
+                          "with --boundary fixed, two pins, or another energy in the sum",
+                          request.energy));
+}
+
+}  // namespace
+
+void MapRequest::add_to(CLI::App& verb) {
+  std::vector<std::string> curvatures;
+  for (const Curvature c : kCurvatures) curvatures.emplace_back(name(c));
+  verb.add_option("input", input, "mesh: .obj .off .ply .stl .vtu")->required();
+  verb.add_option("--degree", degree, "polynomial degree, 1..8 (3)")->check(CLI::Range(1, 8));
+  verb.add_option("--energy", energy, "distortion: a name below, or a weighted sum");
+  verb.add_option("--boundary", boundary, "free, or fixed where the initial map has it")
+      ->check(CLI::IsMember({"free", "fixed"}));
+  verb.add_option("--init", init, "tutte, or input: the file's texture coordinates")
+      ->check(CLI::IsMember({"tutte", "input"}));
+  verb.add_option("--pins", pins, "hard point constraints, JSON")->type_name("FILE");
+  verb.add_option("--handles", handles, "soft point constraints, JSON")->type_name("FILE");
+  verb.add_option("--soft", soft, "weight of soft handles (1000)")->check(CLI::PositiveNumber);
+  verb.add_option("--weights", weights, "a positive factor of the energy for each face, text")
+      ->type_name("FILE");
+  verb.add_option("--curvature", curvature, "second-order model")->check(CLI::IsMember(curvatures));
+  verb.add_flag("--boundary-angles", boundary_angles,
+                "hold sector sums <= 360 degrees at boundary vertices");
+  verb.add_option("--quadrature", quadrature, "lattice points per triangle (default: own rule)")
+      ->check(CLI::Range(1, 10000));
+}
+
+Json MapRequest::to_json() const {
+  return {{"degree", degree},   {"energy", energy},        {"boundary", boundary},
+          {"init", init},       {"curvature", curvature},  {"boundary_angles", boundary_angles},
+          {"pins", pins},       {"handles", handles},      {"soft", soft},
+          {"weights", weights}, {"quadrature", quadrature}};
+}
+
+MapInput read_input(const MapRequest& request) {
+  const EnergyChoice energy = parse_energy(request.energy);
+  MapInput in;
+  in.polygons = read_mesh(request.input);
+  in.mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(in.polygons));
+  ParametrizationOptions& options = in.options;
+  options.degree = request.degree;
+  options.energy = energy.sum;
+  options.curvature = find_curvature(request.curvature);
+  if (request.boundary == "fixed") options.boundary = BoundaryCondition::Fixed;
+  if (request.boundary_angles) options.boundary_angles = BoundaryAngles::AtMostFullTurn;
+  options.quadrature_points = request.quadrature;
+  options.handle_weight = request.soft;
+  in.mesh->require_disk();
+  if (request.init == "input") options.initial = texture_map(*in.mesh);
+  if (!request.pins.empty()) options.pins = read_points(request.pins, in.polygons, *in.mesh);
+  if (!request.handles.empty())
+    options.handles = read_points(request.handles, in.polygons, *in.mesh);
+  if (!request.weights.empty())
+    options.face_weight = read_weights(request.weights, in.polygons, *in.mesh);
+  require_scale(energy, request, options);
+  return in;
+}
+
+}  // namespace majorant::app

@@ -1,0 +1,36 @@
+// What the verbs that optimize a map share: the options that say which map, and reading what they
+// name.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <memory>
+#include <string>
+
+#include "apps/report.h"
+#include "majorant/parametrization/parametrize.h"
+
+namespace majorant::app {
+
+// Everything the user can say of the map, as said.
+struct MapRequest {
+  std::string input, energy = "symmetric-dirichlet", boundary = "free", init = "tutte",
+                     curvature = "projected", pins, handles, weights;
+  int degree = 3, quadrature = 0;
+  double soft = 1e3;
+  bool boundary_angles = false;
+
+  void add_to(CLI::App& verb);
+  Json to_json() const;  // for reports and claims
+};
+
+struct MapInput {
+  PolygonMesh polygons;
+  std::shared_ptr<const SurfaceMesh> mesh;
+  ParametrizationOptions options;
+};
+
+// Reads the files and translates the options. Throws Error as the readers do; Error(Unsupported)
+// when the mesh is no disk, Error(Usage) for energies that collapse.
+MapInput read_input(const MapRequest& request);
+
+}  // namespace majorant::app

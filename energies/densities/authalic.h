@@ -1,0 +1,19 @@
+// Authalic: det J + 1 / det J, 2 where areas are kept. A barrier at det J = 0; says nothing of
+// angles, so its minima are far from unique: combine it with another energy. Not convex in (A, B),
+// not separable. [FLG15] (their delta_area, doubled).
+#pragma once
+
+#include "majorant/energies/spectral.h"
+
+namespace majorant {
+
+inline auto authalic_density() {
+  return invariant("authalic",
+                   [](const auto& x, const auto& y) {
+                     const auto det = x - y;
+                     return det + 1.0 / det;
+                   },
+                   {Domain::PositiveDeterminant, Convexity::Unknown, Reweighting::Refused});
+}
+
+}  // namespace majorant

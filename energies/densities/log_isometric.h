@@ -1,0 +1,19 @@
+// Log-isometric (Hencky strain): log^2 Sigma + log^2 sigma, 0 at isometries, the squared distance
+// to the rotations in the geodesic metric. A barrier at det J = 0, but a weak one. Not convex
+// (log^2 t bends down beyond t = e); separable: p'(t) (t - 1) = 2 log t (t - 1) / t >= 0. [Hen28].
+#pragma once
+
+#include "majorant/energies/spectral.h"
+
+namespace majorant {
+
+inline auto log_isometric_density() {
+  return spectral("log-isometric",
+                  [](const auto& S, const auto& s) {
+                    using std::log;
+                    return log(S) * log(S) + log(s) * log(s);
+                  },
+                  {Domain::PositiveDeterminant, Convexity::Unknown, Reweighting::Separable});
+}
+
+}  // namespace majorant

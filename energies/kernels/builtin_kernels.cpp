@@ -1,0 +1,22 @@
+// Compiled once per instruction set (cmake/kernels.cmake names the function). Nothing here may
+// instantiate inline code that other files share.
+#include "majorant/energies/builtin_densities.h"
+#include "majorant/energies/contraction_kernel.h"
+
+namespace majorant {
+namespace {
+
+template <class... Densities>
+DensityKernels at(int index, const std::tuple<Densities...>*) {
+  const DensityKernels table[] = {kernel::make_kernels<xsimd::default_arch, Densities>()...};
+  return table[index];
+}
+
+}  // namespace
+
+// Of the density with this position in BuiltinDensities.
+DensityKernels MAJORANT_KERNEL_NAME(int index) {
+  return at(index, static_cast<const BuiltinDensities*>(nullptr));
+}
+
+}  // namespace majorant

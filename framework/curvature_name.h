@@ -1,0 +1,12 @@
+// Names of the curvature models, as the command line has them.
+#pragma once
+
+#include <string_view>
+
+#include "majorant/framework/curvature.h"
+
+namespace majorant {
+
+std::string_view name(Curvature curvature);  // "projected", "paper-majorizer", ...
+
+}  // namespace majorant

@@ -1,0 +1,14 @@
+// Weights of faces from a text file: numbers separated by space or line ends, `#` starts a comment.
+#pragma once
+
+#include <string>
+
+#include "majorant/framework/types.h"
+
+namespace majorant {
+
+// face_count positive numbers, in the order of the mesh file's faces. Throws Error(Unreadable),
+// naming the file and the line, for anything else.
+Vec read_face_weights(const std::string& path, Index face_count);
+
+}  // namespace majorant

@@ -1,0 +1,59 @@
+// The optimization problem of a map on one space: what parametrize() minimizes at every degree, and
+// what any other Minimizer can be given instead.
+//
+//   auto terms = energy_terms(spec, space, {rule});
+//   auto injectivity = std::make_shared<const LocalInjectivity>(space, 2 * spec.rest.measure);
+//   Problem problem = map_problem(spec, *space, start, terms, injectivity);
+//   SolveResult r = LbfgsMinimizer().minimize(problem, problem.reduce(start), {});
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "majorant/constraints/fixed_points.h"
+#include "majorant/constraints/local_injectivity.h"
+#include "majorant/energies/energy_factory.h"
+#include "majorant/framework/problem.h"
+
+namespace majorant {
+
+enum class BoundaryCondition { Free, Fixed };        // Fixed: the start's boundary stays
+enum class BoundaryAngles { Free, AtMostFullTurn };  // sector sums at boundary vertices
+
+// What is asked of a map, whatever its degree. Positions in the units of the rest shapes.
+struct MapSpecification {
+  RestShapes rest;
+  EnergySum energy;  // minimized: its mean over the surface
+  Vec face_weight;   // #F factors of the density, empty = all 1
+  BoundaryCondition boundary = BoundaryCondition::Free;
+  BoundaryAngles boundary_angles = BoundaryAngles::Free;
+  std::vector<FixedPoint> pins;     // hard, vertices
+  std::vector<FixedPoint> handles;  // soft, vertices
+  double handle_weight = 1e3;       // w of w * sum |x - target|^2 / area
+};
+
+using DensityTerms = std::vector<std::shared_ptr<const DensityTerm>>;
+
+// One term per summand of spec.energy.
+DensityTerms energy_terms(const MapSpecification& spec,
+                          const std::shared_ptr<const BezierTriangleSpace>& space,
+                          const std::vector<Quadrature>& rules);
+
+// start: 2 numbers per node, whose boundary (where it is fixed) or first node (where nothing else
+// holds the map) stays. Terms 0 .. terms.size() - 1 of the problem are `terms`, with the weights of
+// spec; the penalty of soft handles comes after them.
+Problem map_problem(const MapSpecification& spec,
+                    const std::shared_ptr<const BezierTriangleSpace>& space, VecIn start,
+                    const DensityTerms& terms,
+                    std::shared_ptr<const FeasibilityChecker> injectivity);
+
+// States of the problem's terms with other quadrature rules (#F, empty = all 0) and element weights
+// (#F, on top of spec.face_weight, empty = all 1) for its energies.
+std::vector<TermState> energy_states(const MapSpecification& spec, const Problem& problem,
+                                     const std::vector<RuleId>& rules, const Vec& element_weight);
+
+// #F integrals of the energy over each face, face weights included, handles not.
+Vec energy_by_face(const MapSpecification& spec, const DensityTerms& terms,
+                   const std::vector<RuleId>& rules, VecIn x);
+
+}  // namespace majorant
