@@ -137,8 +137,8 @@ struct Frame {
 };
 
 template <class Arch, class Density>
-void values(const void* object, const ContractionView& t, const ChunkView& c, double* scratch,
-            double* f) {
+[[gnu::flatten]] void values(const void* object, const ContractionView& t, const ChunkView& c,
+                             double* scratch, double* f) {
   using B = Batch<Arch>;
   using F = Frame<Arch, Density>;
   const Density& density = *static_cast<const Density*>(object);
@@ -227,9 +227,11 @@ void write_hessian(const ContractionView& t, const Batch<Arch>* s, double* out, 
     }
 }
 
+// Flattened: the compiler's budget for a file with many densities would leave calls in the loop.
 template <class Arch, class Density, Curvature C>
-void local_with(const Density& density, const ContractionView& t, const ChunkView& c,
-                double* scratch, double* f, double* gradient, double* hessian) {
+[[gnu::flatten]] void local_with(const Density& density, const ContractionView& t,
+                                 const ChunkView& c, double* scratch, double* f, double* gradient,
+                                 double* hessian) {
   using B = Batch<Arch>;
   using F = Frame<Arch, Density>;
   constexpr int N = F::N, kEntries = packed(N);
