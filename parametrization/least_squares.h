@@ -1,0 +1,46 @@
+// Symmetric Dirichlet as nonlinear least squares, by Ceres' Levenberg-Marquardt: a formulation of
+// the same problem that shares neither derivatives, assembly nor solver with the rest. For
+// comparisons; NewtonMinimizer is faster.
+//
+//   |J|^2 + |J^-1|^2 is a sum of eight squares at every quadrature point: the residuals are
+//   sqrt(w A / area) times the entries of J and of J^-1.
+//
+//   LeastSquaresMinimizer lm(space, rest, rule, {});
+//   SolveResult r = lm.minimize(problem, y0, observer);
+#pragma once
+
+#include <memory>
+
+#include "majorant/elements/bezier_triangle_space.h"
+#include "majorant/elements/rest_shapes.h"
+#include "majorant/framework/minimizer.h"
+
+namespace majorant {
+
+struct LeastSquaresOptions {
+  int max_iterations = 1000;
+  double function_tolerance = 1e-12;   // |cost decrease| / cost
+  double gradient_tolerance = 1e-12;   // largest gradient entry
+  double parameter_tolerance = 1e-14;  // |step| / |x|
+};
+
+class LeastSquaresMinimizer final : public Minimizer {
+ public:
+  // rest: constant shapes. Throws std::invalid_argument where they are curved.
+  LeastSquaresMinimizer(std::shared_ptr<const BezierTriangleSpace> space, RestShapes rest,
+                        Quadrature rule, LeastSquaresOptions options);
+
+  // Minimizes the mean symmetric Dirichlet energy on the rule, whatever the terms of `problem` are;
+  // of the problem it takes the fixed unknowns and the checkers. Ceres does not certify paths: a
+  // step that leaves the feasible set ends the solve with Stalled, at the last feasible point.
+  // Throws std::invalid_argument when the constraints do more than fix unknowns.
+  SolveResult minimize(const Problem& problem, Vec y0, const Observer& observer) const override;
+
+ private:
+  std::shared_ptr<const BezierTriangleSpace> space_;
+  RestShapes rest_;
+  Quadrature rule_;
+  LeastSquaresOptions options_;
+};
+
+}  // namespace majorant
