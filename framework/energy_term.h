@@ -71,12 +71,13 @@ class Workspace {
 
 // Values, gradients and packed lower triangles of one chunk, structure of arrays: entry k of the
 // element at position p of the chunk is at [k * stride + p]; Hessian entry (i, j), i >= j, is
-// k = i (i + 1) / 2 + j. Arrays are 64-byte aligned.
+// k = i (i + 1) / 2 + j. Arrays are 64-byte aligned. hessian == nullptr asks for values and
+// gradients only: the curvature argument is ignored then.
 struct LocalSystem {
   static constexpr int stride = Chunk::kMaxSize;
   double* value = nullptr;     // 1 by stride
   double* gradient = nullptr;  // local_size by stride
-  double* hessian = nullptr;   // local_size (local_size + 1) / 2 by stride
+  double* hessian = nullptr;   // local_size (local_size + 1) / 2 by stride, or null
 };
 
 class EnergyTerm {
@@ -91,7 +92,8 @@ class EnergyTerm {
   virtual void values(VecIn x, const Chunk& chunk, const TermState& state, Workspace& workspace,
                       std::span<double> f) const = 0;
 
-  // Values, gradients and curvature. x lies in the domain.
+  // Values, gradients and, unless out.hessian is null, curvature. x lies in the domain. Values and
+  // gradients are the same, up to rounding, with and without it and under every curvature.
   virtual void local(VecIn x, const Chunk& chunk, Curvature curvature, const TermState& state,
                      Workspace& workspace, LocalSystem& out) const = 0;
 };

@@ -79,22 +79,32 @@ double Evaluator::value(VecIn y) {
 double Evaluator::linearize(VecIn y, Curvature curvature, Vec& gradient, Vec& hessian_values) {
   const Timer timer(counters_.linearize_seconds);
   ++counters_.linearizations;
+  hessian_values.setZero(problem_.pattern().nonzeros());
+  return assemble(y, curvature, gradient, &hessian_values);
+}
+
+double Evaluator::gradient(VecIn y, Vec& gradient) {
+  const Timer timer(counters_.gradient_seconds);
+  ++counters_.gradients;
+  return assemble(y, Curvature::Projected, gradient, nullptr);
+}
+
+double Evaluator::assemble(VecIn y, Curvature curvature, Vec& gradient, Vec* hessian_values) {
   problem_.elimination().expand(y, x_);
   gradient.setZero(problem_.size());
-  hessian_values.setZero(problem_.pattern().nonzeros());
   while (scratch_.size() < static_cast<std::size_t>(threads()))
     scratch_.push_back(std::make_unique<Scratch>());
   double total = 0;
   std::vector<double> energies;
   for (std::size_t k = 0; k < problem_.term_count(); ++k) {
-    assemble(k, curvature, gradient, hessian_values, energies);
+    assemble_term(k, curvature, gradient, hessian_values, energies);
     for (const double e : energies) total += e;
   }
   return total;
 }
 
-void Evaluator::assemble(std::size_t k, Curvature curvature, Vec& gradient, Vec& hessian_values,
-                         std::vector<double>& chunk_energies) {
+void Evaluator::assemble_term(std::size_t k, Curvature curvature, Vec& gradient,
+                              Vec* hessian_values, std::vector<double>& chunk_energies) {
   const EnergyTerm& term = problem_.term(k);
   const TermState& state = problem_.state(k);
   const ChunkPlan& plan = problem_.plan(k);
@@ -108,9 +118,10 @@ void Evaluator::assemble(std::size_t k, Curvature curvature, Vec& gradient, Vec&
       Scratch& s = *scratch_[static_cast<std::size_t>(omp_get_thread_num())];
       const Chunk chunk = plan.chunk(colour[q]);
       LocalSystem local;
-      local.value = s.local.reserve((1 + n + n * (n + 1) / 2) * stride);
+      const std::size_t packed = hessian_values ? n * (n + 1) / 2 : 0;
+      local.value = s.local.reserve((1 + n + packed) * stride);
       local.gradient = local.value + stride;
-      local.hessian = local.gradient + n * stride;
+      if (hessian_values) local.hessian = local.gradient + n * stride;
       term.local(x_, chunk, curvature, state, s.kernel, local);
       double sum = 0;
       for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
@@ -119,7 +130,8 @@ void Evaluator::assemble(std::size_t k, Curvature curvature, Vec& gradient, Vec&
         if (w == 0) continue;
         sum += w * local.value[p];
         slots.add_gradient(e, local, static_cast<int>(p), w, gradient.data());
-        slots.add_hessian(e, local, static_cast<int>(p), w, hessian_values.data());
+        if (hessian_values)
+          slots.add_hessian(e, local, static_cast<int>(p), w, hessian_values->data());
       }
       chunk_energies[static_cast<std::size_t>(colour[q])] = sum;
     }

@@ -1,5 +1,11 @@
 // Evaluates a Problem: energy, gradient and curvature in the reduced unknowns.
 //
+//   Evaluator evaluator(problem);
+//   Vec g, h;
+//   double energy = evaluator.value(y);                                 // line searches
+//   energy = evaluator.gradient(y, g);                                  // first-order methods
+//   energy = evaluator.linearize(y, Curvature::Projected, g, h);        // Newton
+//
 // One evaluator per solver: it owns scratch memory, the values of the Hessian's pattern, counters
 // and timers. Results do not depend on the number of threads, to the last bit: chunks are fixed,
 // chunks of one colour touch disjoint unknowns, colours run in order, energies add in chunk order.
@@ -34,16 +40,19 @@ class Evaluator {
   // Energy, gradient and curvature at y, which lies in the domain. The Hessian values are parallel
   // to problem().pattern().rows.
   double linearize(VecIn y, Curvature curvature, Vec& gradient, Vec& hessian_values);
+  // Energy and gradient at y, which lies in the domain: Z^T of the full gradient, size() entries.
+  double gradient(VecIn y, Vec& gradient);
   struct Counters {
-    long values = 0, linearizations = 0;
-    double value_seconds = 0, linearize_seconds = 0;
+    long values = 0, gradients = 0, linearizations = 0;
+    double value_seconds = 0, gradient_seconds = 0, linearize_seconds = 0;
   };
   const Counters& counters() const { return counters_; }
 
  private:
   struct Scratch;
-  void assemble(std::size_t k, Curvature curvature, Vec& gradient, Vec& hessian_values,
-                std::vector<double>& chunk_energies);
+  double assemble(VecIn y, Curvature curvature, Vec& gradient, Vec* hessian_values);
+  void assemble_term(std::size_t k, Curvature curvature, Vec& gradient, Vec* hessian_values,
+                     std::vector<double>& chunk_energies);
 
   Problem problem_;
   Vec x_;

@@ -33,4 +33,18 @@ enum class Ordering { Best, Amd, Metis };  // Best: the one with fewer operation
 std::unique_ptr<LinearSolver> make_cholmod_solver(
     Factorization factorization = Factorization::Automatic, Ordering ordering = Ordering::Best);
 
+// Eigen's simplicial L D L^T with the AMD ordering, on one thread: header-only, no BLAS, the oracle
+// of the tests. Not for large matrices, where the supernodal factorization is several times faster.
+std::unique_ptr<LinearSolver> make_eigen_ldlt_solver();
+
+struct ShiftedFactorization {
+  FactorStatus status = FactorStatus::NotPositiveDefinite;
+  double shift = 0;  // the last one tried
+};
+// Factorizes H + shift * I with the first of the shifts 0, 1e-14 m, 1e-13 m, ..., 1e8 m that makes
+// it positive definite, m the mean of |H_ii|. `solver` has analysed `pattern`; values parallel to
+// pattern.rows. Diagonals that are not finite are NotPositiveDefinite.
+ShiftedFactorization factorize_shifted(LinearSolver& solver, const SparsePattern& pattern,
+                                       const Vec& values);
+
 }  // namespace majorant

@@ -72,6 +72,19 @@ struct StoppingRules {
   int max_iterations = 1000;
 };
 
+// For first-order methods, whose steps are many and small: only the decrement, or the end of what
+// doubles resolve, counts as a minimum; a small certified step alone is no stall, since the metric
+// may belong to a shape far away, and the result of a stall is the last point reached by progress.
+inline StoppingRules first_order_rules() {
+  StoppingRules rules;
+  rules.relative_decrease = 1e-14;
+  rules.stall_decrement = 1e-8;
+  rules.stall_step = 1e-9;
+  rules.anchor_step = 0;
+  rules.max_iterations = 10000;
+  return rules;
+}
+
 class Minimizer {
  public:
   virtual ~Minimizer() = default;

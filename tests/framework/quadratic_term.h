@@ -52,7 +52,7 @@ class QuadraticTerm final : public EnergyTerm {
       const Vec g = s * (hessian(e) * gather(x, e) + gradient(e));
       for (int i = 0, k = 0; i < stencils_.local_size(); ++i) {
         out.gradient[static_cast<std::size_t>(i) * LocalSystem::stride + p] = g[i];
-        for (int j = 0; j <= i; ++j, ++k)
+        for (int j = 0; out.hessian && j <= i; ++j, ++k)
           out.hessian[static_cast<std::size_t>(k) * LocalSystem::stride + p] = s * hessian(e)(i, j);
       }
     }

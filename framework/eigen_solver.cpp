@@ -1,0 +1,57 @@
+#include <fmt/format.h>
+
+#include <Eigen/SparseCholesky>
+#include <cmath>
+
+#include "majorant/framework/linear_solver.h"
+
+namespace majorant {
+namespace {
+
+using Matrix = Eigen::SparseMatrix<double, Eigen::ColMajor, Index>;
+
+class EigenLdltSolver final : public LinearSolver {
+ public:
+  void analyze(const SparsePattern& pattern) override {
+    matrix_ = Eigen::Map<const Matrix>(pattern.size, pattern.size, pattern.nonzeros(),
+                                       pattern.column_starts.data(), pattern.rows.data(),
+                                       Vec::Ones(pattern.nonzeros()).eval().data());
+    if (pattern.size == 0) return;
+    ldlt_.analyzePattern(matrix_);
+  }
+
+  FactorStatus factorize(const Vec& values, double shift) override {
+    if (matrix_.rows() == 0) return FactorStatus::Ok;
+    Eigen::Map<Vec>(matrix_.valuePtr(), matrix_.nonZeros()) = values;
+    ldlt_.setShift(shift);
+    ldlt_.factorize(matrix_);
+    // Eigen stops at pivots that are 0 only: signs and NaN are ours to look at.
+    if (ldlt_.info() != Eigen::Success) return FactorStatus::NotPositiveDefinite;
+    for (const double pivot : Vec(ldlt_.vectorD()))
+      if (!(pivot > 0) || !std::isfinite(pivot)) return FactorStatus::NotPositiveDefinite;
+    return FactorStatus::Ok;
+  }
+
+  void solve(const Vec& r, Vec& p) override {
+    if (r.size() == 0)
+      p.resize(0);
+    else
+      p = ldlt_.solve(r);
+  }
+
+  std::string description() const override {
+    return fmt::format("Eigen LDLT, AMD, {} nonzeros", matrix_.nonZeros());
+  }
+
+ private:
+  Matrix matrix_;  // lower triangle
+  Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Eigen::AMDOrdering<Index>> ldlt_;
+};
+
+}  // namespace
+
+std::unique_ptr<LinearSolver> make_eigen_ldlt_solver() {
+  return std::make_unique<EigenLdltSolver>();
+}
+
+}  // namespace majorant

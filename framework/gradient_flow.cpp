@@ -1,0 +1,59 @@
+#include "majorant/framework/gradient_flow.h"
+
+#include <utility>
+
+#include "majorant/framework/metric.h"
+#include "majorant/framework/stepper.h"
+
+namespace majorant {
+namespace {
+
+class GradientFlowStepper final : public Stepper {
+ public:
+  GradientFlowStepper(const Problem& problem, const GradientFlowOptions& options)
+      : Stepper(problem, options.line_search, options.stopping.decrement),
+        metric_(metric_problem(problem, options.metric), options.curvature,
+                options.linear_solver()) {}
+
+  Step step(Vec& y, double& energy) override {
+    Step step;
+    IterationRecord& r = step.record;
+    r.energy = energy;
+    if (y.size() == 0) {
+      step.outcome = Outcome::AtMinimum;
+      return step;
+    }
+    if (!factorized_) {
+      factorized_ = metric_.factorize(y);
+      r.seconds.assemble = metric_.seconds().assemble;
+      r.seconds.factorize = metric_.seconds().factorize;
+    }
+    r.curvature = metric_.curvature();
+    r.shift = metric_.shift();
+    if (!factorized_) return step;
+    Lap lap;
+    evaluator_.gradient(y, gradient_);
+    r.seconds.assemble += lap();
+    Vec p;
+    metric_.solve(-gradient_, p);
+    r.seconds.solve = lap();
+    descend(p, first_, y, energy, step);
+    if (step.outcome == Outcome::Moved) first_ = r.step;
+    return step;
+  }
+
+ private:
+  Metric metric_;
+  bool factorized_ = false;
+  double first_ = 1;  // the metric knows nothing of the energy's scale: the last step does
+};
+
+}  // namespace
+
+SolveResult GradientFlowMinimizer::minimize(const Problem& problem, Vec y0,
+                                            const Observer& observer) const {
+  GradientFlowStepper stepper(problem, options_);
+  return run(stepper, std::move(y0), options_.stopping, observer);
+}
+
+}  // namespace majorant

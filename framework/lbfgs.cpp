@@ -1,0 +1,125 @@
+#include "majorant/framework/lbfgs.h"
+
+#include <deque>
+#include <utility>
+#include <vector>
+
+#include "majorant/framework/metric.h"
+#include "majorant/framework/stepper.h"
+
+namespace majorant {
+namespace {
+
+// The last pairs s = change of y, q = change of g, and B r for the B that they and a metric define.
+class History {
+ public:
+  History(int capacity, double cautious) : capacity_(capacity), cautious_(cautious) {}
+
+  bool empty() const { return pairs_.empty(); }
+  void clear() { pairs_.clear(); }
+
+  void add(Vec s, Vec q) {
+    const double sq = s.dot(q);
+    if (capacity_ <= 0 || !(sq > cautious_ * s.norm() * q.norm())) return;
+    if (pairs_.size() == static_cast<std::size_t>(capacity_)) pairs_.pop_front();
+    pairs_.push_back({std::move(s), std::move(q), sq});
+  }
+
+  // p = B r by the two loops of [LN89] around p = M^-1 r.
+  void apply(Metric& metric, Vec r, Vec& p) const {
+    std::vector<double> alpha(pairs_.size());
+    for (std::size_t k = pairs_.size(); k-- > 0;) {
+      alpha[k] = pairs_[k].s.dot(r) / pairs_[k].sq;
+      r -= alpha[k] * pairs_[k].q;
+    }
+    metric.solve(r, p);
+    for (std::size_t k = 0; k < pairs_.size(); ++k)
+      p += (alpha[k] - pairs_[k].q.dot(p) / pairs_[k].sq) * pairs_[k].s;
+  }
+
+ private:
+  struct Pair {
+    Vec s, q;
+    double sq;
+  };
+  int capacity_;
+  double cautious_;
+  std::deque<Pair> pairs_;
+};
+
+class LbfgsStepper final : public Stepper {
+ public:
+  LbfgsStepper(const Problem& problem, const LbfgsOptions& options)
+      : Stepper(problem, options.line_search, options.stopping.decrement),
+        metric_(metric_problem(problem, options.metric), options.curvature,
+                options.linear_solver()),
+        metric_every_(options.metric_every),
+        history_(options.history, options.cautious) {}
+
+  Step step(Vec& y, double& energy) override {
+    Step step;
+    step.record.energy = energy;
+    if (y.size() == 0) {
+      step.outcome = Outcome::AtMinimum;
+      return step;
+    }
+    if (!prepare(y, step.record)) return step;
+    bool restarted = history_.empty();
+    direction_step(y, energy, step);
+    while (!restarted && step.outcome != Outcome::Moved && step.outcome != Outcome::AtMinimum) {
+      history_.clear();
+      restarted = true;
+      direction_step(y, energy, step);
+    }
+    return step;
+  }
+
+ private:
+  // Metric, gradient and history at y; false: no metric.
+  bool prepare(const Vec& y, IterationRecord& r) {
+    const bool due = metric_every_ > 0 && age_ == metric_every_;
+    if (!factorized_ || due) {
+      factorized_ = metric_.factorize(y);
+      history_.clear();
+      age_ = 0;
+      r.seconds.assemble = metric_.seconds().assemble;
+      r.seconds.factorize = metric_.seconds().factorize;
+    }
+    r.curvature = metric_.curvature();
+    r.shift = metric_.shift();
+    if (!factorized_) return false;
+    Lap lap;
+    evaluator_.gradient(y, gradient_);
+    if (age_ > 0) history_.add(y - last_y_, gradient_ - last_gradient_);
+    last_y_ = y;
+    last_gradient_ = gradient_;
+    ++age_;
+    r.seconds.assemble += lap();
+    return true;
+  }
+
+  void direction_step(Vec& y, double& energy, Step& step) {
+    Lap lap;
+    Vec p;
+    history_.apply(metric_, -gradient_, p);
+    step.record.seconds.solve += lap();
+    descend(p, 1.0, y, energy, step);
+  }
+
+  Metric metric_;
+  int metric_every_;
+  bool factorized_ = false;
+  int age_ = 0;  // steps since the last factorization
+  History history_;
+  Vec last_y_, last_gradient_;
+};
+
+}  // namespace
+
+SolveResult LbfgsMinimizer::minimize(const Problem& problem, Vec y0,
+                                     const Observer& observer) const {
+  LbfgsStepper stepper(problem, options_);
+  return run(stepper, std::move(y0), options_.stopping, observer);
+}
+
+}  // namespace majorant

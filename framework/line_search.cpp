@@ -1,0 +1,73 @@
+#include "majorant/framework/line_search.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace majorant {
+
+LineSearch::LineSearch(Evaluator& evaluator, const LineSearchOptions& options, const Vec& y,
+                       const Vec& p, double energy, double decrement)
+    : evaluator_(evaluator),
+      options_(options),
+      y_(y),
+      p_(p),
+      energy_(energy),
+      decrement_(decrement),
+      x_(evaluator.problem().expand(y)) {
+  evaluator.problem().elimination().expand_direction(p, d_);
+}
+
+LineSearch::Result LineSearch::find(double first) {
+  bound_ = certified(first);
+  double s = bound_.step < first ? options_.boundary_fraction * bound_.step : first;
+  if (s < options_.smallest_step) return Result::Blocked;
+  while (!accept(s)) {
+    s *= 0.5;
+    if (s < options_.smallest_step) return Result::NoDecrease;
+  }
+  improve();
+  return Result::Accepted;
+}
+
+StepBound LineSearch::certified(double s) const {
+  StepBound bound{s, {}};
+  for (const auto& checker : evaluator_.problem().checkers()) {
+    StepBound b = checker->max_step(x_, d_, bound.step);
+    if (b.step < bound.step) bound = std::move(b);
+  }
+  return bound;
+}
+
+// Whether s passes Armijo and all checkers and beats the best step so far, which it then becomes.
+bool LineSearch::accept(double s) {
+  ++trials_;
+  const Vec candidate = y_ + s * p_;
+  const double trial = evaluator_.value(candidate);
+  if (!(trial <= energy_ - options_.armijo * s * decrement_)) return false;
+  if (best_step_ > 0 && !(trial < best_energy_)) return false;
+  const Vec x = evaluator_.problem().expand(candidate);
+  for (const auto& checker : evaluator_.problem().checkers())
+    if (!checker->check(x).feasible) return false;
+  best_step_ = s;
+  best_energy_ = trial;
+  return true;
+}
+
+void LineSearch::improve() {
+  for (int round = 0; round < 8; ++round) {
+    const double s = best_step_;
+    const double curvature = (best_energy_ - energy_ + decrement_ * s) / (s * s);
+    const double largest = options_.largest_growth * s;
+    double target = curvature > 0 ? std::min(decrement_ / (2 * curvature), largest) : largest;
+    if (target > 1.25 * s) {
+      const double cap = certified(target).step;
+      if (cap < target) target = options_.boundary_fraction * cap;
+      if (target <= 1.25 * s) return;
+    } else if (target > 0.8 * s) {
+      return;
+    }
+    if (!accept(target)) return;
+  }
+}
+
+}  // namespace majorant

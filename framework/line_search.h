@@ -1,0 +1,57 @@
+// The line search of all minimizers: stays inside the feasible set and goes towards the minimum of
+// the line.
+//
+// An acceptable step comes first (certified, Armijo, halving), then the minimum of the parabola
+// through E(0), E'(0) and E(s), as long as that pays. Positive semidefinite models overestimate
+// curvature where they clamp it, and barriers flatten quickly, so steps well above 1 are common far
+// from a minimum and in linearly converging tails; an evaluation costs a fraction of a
+// factorization. No curvature (Wolfe) condition: quasi-Newton methods skip pairs instead.
+#pragma once
+
+#include "majorant/framework/evaluator.h"
+
+namespace majorant {
+
+struct LineSearchOptions {
+  double armijo = 1e-4;            // accept s when E(s) <= E(0) + armijo * s * g.p
+  double boundary_fraction = 0.9;  // of the largest certified step is used, when that is the limit
+  double largest_growth = 4;       // of the step per trial, while the energy asks for more
+  double smallest_step = 1e-14;    // give up below
+};
+
+class LineSearch {
+ public:
+  // Along y + s p from a feasible y, all of size(); energy: E(y); decrement: -g.p >= 0, an energy.
+  // The arguments must outlive the search.
+  LineSearch(Evaluator& evaluator, const LineSearchOptions& options, const Vec& y, const Vec& p,
+             double energy, double decrement);
+
+  enum class Result {
+    Accepted,
+    Blocked,     // the largest certified step is below smallest_step
+    NoDecrease,  // no acceptable step down to smallest_step
+  };
+  // Tries s = first at first, or what is certified of it.
+  Result find(double first);
+
+  double step() const { return best_step_; }         // accepted, 0 if none
+  double energy() const { return best_energy_; }     // there
+  int trials() const { return trials_; }             // evaluations of the energy
+  const StepBound& bound() const { return bound_; }  // largest certified step <= first, what limits
+
+ private:
+  StepBound certified(double s) const;
+  bool accept(double s);
+  void improve();
+
+  Evaluator& evaluator_;
+  const LineSearchOptions& options_;
+  const Vec &y_, &p_;
+  double energy_, decrement_;
+  Vec x_, d_;
+  StepBound bound_;
+  double best_step_ = 0, best_energy_ = 0;
+  int trials_ = 0;
+};
+
+}  // namespace majorant

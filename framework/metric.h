@@ -1,0 +1,51 @@
+// A factored symmetric positive definite matrix M that first-order methods measure steps with: the
+// Hessian of a Problem at a point, under a curvature model.
+//
+//   Metric metric(problem, Curvature::Projected, make_cholmod_solver());
+//   if (metric.factorize(y0)) metric.solve(-g, p);   // p = -M^-1 g
+//
+// Factorized once, used for many directions. Newton's method does not need it (newton.h).
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "majorant/framework/evaluator.h"
+#include "majorant/framework/linear_solver.h"
+
+namespace majorant {
+
+class Metric {
+ public:
+  // Analyses the pattern of `problem`, which has to support `curvature`, else
+  // std::invalid_argument.
+  Metric(const Problem& problem, Curvature curvature, std::unique_ptr<LinearSolver> solver);
+
+  // Assembles the Hessian at y, size() entries, and factorizes it, shifted as little as it takes
+  // (factorize_shifted). false when that fails, then solve() must not be called.
+  bool factorize(VecIn y);
+  // p = M^-1 r, size() entries each; only after factorize() returned true.
+  void solve(const Vec& r, Vec& p) { solver_->solve(r, p); }
+
+  Curvature curvature() const { return curvature_; }
+  double shift() const { return shift_; }  // in M = H + shift I
+  const LinearSolver& linear_solver() const { return *solver_; }
+  struct Seconds {
+    double assemble = 0, factorize = 0;
+  };
+  const Seconds& seconds() const { return seconds_; }  // of the last factorize()
+
+ private:
+  Evaluator evaluator_;
+  Curvature curvature_;
+  std::unique_ptr<LinearSolver> solver_;
+  Vec gradient_, hessian_;
+  double shift_ = 0;
+  Seconds seconds_;
+};
+
+// The problem whose Hessian is the metric: `metric` if there is one, else `problem`. Throws
+// std::invalid_argument unless both have the same full unknowns and the same Z of x = Z y + c.
+const Problem& metric_problem(const Problem& problem, const std::optional<Problem>& metric);
+
+}  // namespace majorant

@@ -1,0 +1,25 @@
+#include "majorant/framework/minimizer.h"
+
+namespace majorant {
+
+std::string_view name(Status status) {
+  switch (status) {
+    case Status::Converged:
+      return "converged";
+    case Status::MaxIterations:
+      return "max_iterations";
+    case Status::TimeLimit:
+      return "time_limit";
+    case Status::Interrupted:
+      return "interrupted";
+    case Status::Stalled:
+      return "stalled";
+    case Status::Infeasible:
+      return "infeasible";
+    case Status::Failed:
+      return "failed";
+  }
+  return "failed";
+}
+
+}  // namespace majorant
