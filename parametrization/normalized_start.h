@@ -1,0 +1,34 @@
+// The start of an optimization in coordinates that suit it: the surface scaled by a power of two to
+// size about 1, exactly undone at the end, so that scaling the input changes nothing but rounding.
+//
+//   NormalizedStart start(BezierMap::linear(mesh, uv), options);
+//   ... minimize from start.map() under start.specification() ...
+//   BezierMap result = start.in_model_units(optimized);
+#pragma once
+
+#include "majorant/parametrization/bezier_map.h"
+#include "majorant/parametrization/map_problem.h"
+#include "majorant/parametrization/parametrize.h"
+
+namespace majorant {
+
+class NormalizedStart {
+ public:
+  // Throws Error(Infeasible) when the start is not locally injective or does not meet the pins,
+  // Error(Unsupported) when a vertex is held twice, Error(Usage) for vertices that do not exist and
+  // face weights that do not fit.
+  NormalizedStart(const BezierMap& start, const ParametrizationOptions& options);
+
+  double scale() const { return scale_; }
+  const BezierMap& map() const { return map_; }  // (uv - origin) * scale
+  const MapSpecification& specification() const { return specification_; }
+  BezierMap in_model_units(const BezierMap& normalized) const;
+
+ private:
+  double scale_;
+  Vector2 origin_;  // model units; where the held vertex of a free map is, else 0
+  BezierMap map_;
+  MapSpecification specification_;
+};
+
+}  // namespace majorant
