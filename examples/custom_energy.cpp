@@ -1,8 +1,8 @@
 // An energy of one's own, written as a function of the singular values, put into the solver without
-// touching the library. Another density of J: see 03_custom_density.cpp.
+// touching the library. Another density of J: see custom_density.cpp.
 //
 // Sample run:
-//   example_02_custom_energy meshes/cap.obj cap.vtu
+//   example_custom_energy meshes/cap.obj cap.vtu
 #include <iostream>
 
 #include "majorant/energies/make_energy.h"

@@ -1,13 +1,14 @@
 // The library in ten lines: flatten a mesh with cubic Bezier triangles.
 //
 // Sample runs:
-//   example_01_parametrize meshes/creature.obj creature.vtu
-//   example_01_parametrize meshes/cap.obj cap.vtu
+//   example_parametrize meshes/creature.obj creature.vtu
+//   example_parametrize meshes/cap.obj cap.vtu
+#include "majorant/parametrization/parametrize.h"
+
 #include <iostream>
 
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/vtu.h"
-#include "majorant/parametrization/parametrize.h"
 
 int main(int, char** argv) {
   using namespace majorant;

@@ -1,0 +1,223 @@
+// majorant compare IN: one problem, many methods.
+//
+// Every method minimizes the same Problem from the same start, on one quadrature rule, without the
+// help that parametrize gives Newton (degree schedule, refined quadrature, ways out of stalls).
+#include <fmt/format.h>
+
+#include <CLI/App.hpp>
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <limits>
+#include <memory>
+
+#include "apps/command.h"
+#include "apps/map_request.h"
+#include "apps/methods.h"
+#include "apps/outputs.h"
+#include "apps/progress.h"
+#include "apps/report.h"
+#include "majorant/framework/evaluator.h"
+#include "majorant/io/comparison_table.h"
+#include "majorant/io/write_comparison.h"
+#include "majorant/parametrization/normalized_start.h"
+#include "majorant/parametrization/quadrature_ladder.h"
+
+namespace majorant::app {
+namespace {
+
+struct Request {
+  CommonOptions common;
+  MapRequest map;
+  std::vector<std::string> outputs, methods;
+  int max_iterations = 1000;
+  double tolerance = 1e-9, time_limit = 60;
+};
+
+// Every point of a run measured in the same way, whatever the method says of itself. The clock
+// stands still while measuring.
+class Stopwatch {
+ public:
+  Stopwatch(const Contest& contest, double time_limit)
+      : evaluator_(contest.problem),
+        injectivity_(contest.space, 2 * contest.specification.rest.measure),
+        time_limit_(time_limit) {}
+
+  void start(const Vec& y) {
+    measure(0, 0, 0, y);
+    resumed_ = Clock::now();
+  }
+  Directive operator()(const IterationRecord& record, const Vec& y) {
+    running_ += std::chrono::duration<double>(Clock::now() - resumed_).count();
+    measure(record.iteration, running_, record.step, y);
+    resumed_ = Clock::now();
+    if (interruption_flag()->load()) return Directive::Interrupt;
+    return running_ > time_limit_ ? Directive::TimeLimit : Directive::Continue;
+  }
+  std::vector<ComparisonPoint> take_points() { return std::move(points_); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void measure(int iteration, double seconds, double step, const Vec& y) {
+    Vec gradient;
+    const double energy = evaluator_.gradient(y, gradient);
+    const double min_det = injectivity_.lower_bounds(evaluator_.problem().expand(y)).minCoeff();
+    points_.push_back({iteration, seconds, energy, gradient.norm(), step, min_det});
+  }
+  Evaluator evaluator_;
+  LocalInjectivity injectivity_;
+  double time_limit_, running_ = 0;
+  Clock::time_point resumed_;
+  std::vector<ComparisonPoint> points_;
+};
+
+std::string processor() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);)
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  return "unknown processor";
+}
+
+Contest make_contest(const Request& request) {
+  const MapInput in = read_input(request.map);
+  const NormalizedStart start(BezierMap::linear(in.mesh, initial_map(*in.mesh, in.options)),
+                              in.options);
+  BezierMap map = start.map();
+  while (map.degree() < request.map.degree) map = map.elevated();
+  Contest c;
+  c.specification = start.specification();
+  c.energy = request.map.energy;
+  c.space = map.shared_space();
+  c.rule = optimizer_ladder(map.degree(), request.map.quadrature).guarded.front();
+  c.injectivity =
+      std::make_shared<const LocalInjectivity>(c.space, 2 * c.specification.rest.measure);
+  c.start = map.control_points();
+  c.problem = map_problem(c.specification, c.space, c.start,
+                          energy_terms(c.specification, c.space, {c.rule}), c.injectivity);
+  c.tolerance = request.tolerance;
+  c.max_iterations = request.max_iterations;
+  return c;
+}
+
+// The methods asked for; without a wish all that fit.
+std::vector<const Method*> choose(const Request& request, const Contest& contest) {
+  std::vector<const Method*> chosen;
+  if (request.methods.empty()) {
+    for (const Method& m : methods())
+      if (m.obstacle(contest).empty()) chosen.push_back(&m);
+    return chosen;
+  }
+  for (const std::string& wanted : request.methods) {
+    const Method* m = find_method(wanted);
+    if (!m) {
+      std::vector<std::string> names;
+      for (const Method& known : methods()) names.push_back(known.name);
+      throw Error(ErrorKind::Usage, fmt::format("no method is called '{}'; use {}", wanted,
+                                                fmt::join(names, ", ")));
+    }
+    if (const std::string why = m->obstacle(contest); !why.empty())
+      throw Error(ErrorKind::Usage, fmt::format("method {}: {}", wanted, why));
+    chosen.push_back(m);
+  }
+  return chosen;
+}
+
+MethodRun race(const Method& method, const Contest& contest, double time_limit) {
+  const Vec y0 = contest.problem.reduce(contest.start);
+  const std::unique_ptr<Minimizer> minimizer = method.make(contest);
+  Stopwatch watch(contest, time_limit);
+  watch.start(y0);
+  const SolveResult result =
+      minimizer->minimize(contest.problem, y0, [&](const IterationRecord& r, const Vec& y) {
+        return watch(r, y);
+      });
+  return {method.name, std::string(name(result.status)), result.message, watch.take_points()};
+}
+
+Json report_of(const Request& request, const Comparison& comparison) {
+  const double best = comparison.best_energy();
+  Json runs = Json::array();
+  for (const MethodRun& run : comparison.runs) {
+    Json within = Json::object();
+    for (const auto& [key, fraction] : {std::pair("0.01", 0.01), {"0.0001", 0.0001}})
+      if (const ComparisonPoint* p = first_within(run, best, fraction))
+        within[key] = {{"iterations", p->iteration}, {"seconds", p->seconds}};
+      else
+        within[key] = nullptr;
+    runs.push_back({{"method", run.method},
+                    {"status", run.status},
+                    {"message", run.message},
+                    {"iterations", run.points.back().iteration},
+                    {"seconds", run.points.back().seconds},
+                    {"energy", run.points.back().energy},
+                    {"gradient_norm", run.points.back().gradient_norm},
+                    {"min_det", run.points.back().min_det},
+                    {"within", within}});
+  }
+  return {{"schema_version", 1},
+          {"version", MAJORANT_VERSION},
+          {"command", "compare"},
+          {"title", comparison.title},
+          {"machine", comparison.machine},
+          {"options", request.map.to_json()},
+          {"best_energy", best},
+          {"methods", runs}};
+}
+
+void write(const Request& request, const Comparison& comparison) {
+  std::vector<std::string> paths = request.outputs;
+  if (!request.common.report.empty()) paths.push_back(request.common.report);
+  for (const std::string& path : paths) {
+    if (extension(path) == ".csv") write_comparison_csv(path, comparison);
+    if (extension(path) == ".html") write_comparison_html(path, comparison);
+    if (extension(path) == ".json") write_json(path, report_of(request, comparison));
+  }
+}
+
+int compare(const Request& request) {
+  require_writable(request.outputs, {".csv", ".html", ".json"});
+  if (!request.common.report.empty()) require_writable({request.common.report}, {".json"});
+  request.common.apply();
+  const Contest contest = make_contest(request);
+  const std::vector<const Method*> chosen = choose(request, contest);
+  Comparison comparison;
+  comparison.title = fmt::format("{}, degree {}, {}, {} boundary, {} unknowns", request.map.input,
+                                 request.map.degree, request.map.energy, request.map.boundary,
+                                 contest.problem.size());
+  comparison.machine = fmt::format("{}, {} threads", processor(), threads());
+  for (const Method* method : chosen) {
+    if (!request.common.quiet) fmt::print(stderr, "{} ...\n", method->name);
+    comparison.runs.push_back(race(*method, contest, request.time_limit));
+    if (interruption_flag()->load()) break;
+  }
+  write(request, comparison);
+  fmt::print("{}", comparison_table(comparison));
+  return interruption_flag()->load() ? kLimit : kSuccess;
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app, Action* run) {
+  auto request = std::make_shared<Request>();
+  Request& r = *request;
+  CLI::App& verb = *app.add_subcommand("compare", "solve one problem with many methods");
+  r.map.add_to(verb);
+  verb.add_option("--methods", r.methods, "names, comma separated (all that fit the energy)")
+      ->delimiter(',');
+  verb.add_option("-o,--output", r.outputs, "output: .csv .html .json, repeatable")
+      ->allow_extra_args(false);
+  verb.add_option("--tolerance", r.tolerance, "relative decrease that ends Newton (1e-9)")
+      ->check(CLI::PositiveNumber);
+  verb.add_option("--max-iterations", r.max_iterations, "of each method (1000)")
+      ->check(CLI::NonNegativeNumber);
+  verb.add_option("--time-limit", r.time_limit, "seconds for each method (60)")
+      ->check(CLI::NonNegativeNumber);
+  r.common.add_to(verb);
+  std::string list = "Methods:\n";
+  for (const Method& m : methods()) list += fmt::format("  {:<24} {}\n", m.name, m.summary);
+  verb.footer(list +
+              "Example: majorant compare bunny.obj --degree 2 --methods newton,lbfgs -o c.html");
+  verb.callback([request, run] { *run = [request] { return compare(*request); }; });
+}
+
+}  // namespace majorant::app
