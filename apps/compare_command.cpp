@@ -60,8 +60,10 @@ class Stopwatch {
   using Clock = std::chrono::steady_clock;
   void measure(int iteration, double seconds, double step, const Vec& y) {
     Vec gradient;
-    const double energy = evaluator_.gradient(y, gradient);
     const double min_det = injectivity_.lower_bounds(evaluator_.problem().expand(y)).minCoeff();
+    // A map that is not certified is no result: it must not become the best.
+    const double infinity = std::numeric_limits<double>::infinity();
+    const double energy = min_det > 0 ? evaluator_.gradient(y, gradient) : infinity;
     points_.push_back({iteration, seconds, energy, gradient.norm(), step, min_det});
   }
   Evaluator evaluator_;
@@ -112,8 +114,8 @@ std::vector<const Method*> choose(const Request& request, const Contest& contest
     if (!m) {
       std::vector<std::string> names;
       for (const Method& known : methods()) names.push_back(known.name);
-      throw Error(ErrorKind::Usage, fmt::format("no method is called '{}'; use {}", wanted,
-                                                fmt::join(names, ", ")));
+      throw Error(ErrorKind::Usage,
+                  fmt::format("no method is called '{}'; use {}", wanted, fmt::join(names, ", ")));
     }
     if (const std::string why = m->obstacle(contest); !why.empty())
       throw Error(ErrorKind::Usage, fmt::format("method {}: {}", wanted, why));
@@ -127,11 +129,10 @@ MethodRun race(const Method& method, const Contest& contest, double time_limit) 
   const std::unique_ptr<Minimizer> minimizer = method.make(contest);
   Stopwatch watch(contest, time_limit);
   watch.start(y0);
-  const SolveResult result =
-      minimizer->minimize(contest.problem, y0, [&](const IterationRecord& r, const Vec& y) {
-        return watch(r, y);
-      });
-  return {method.name, std::string(name(result.status)), result.message, watch.take_points()};
+  const SolveResult result = minimizer->minimize(
+      contest.problem, y0, [&](const IterationRecord& r, const Vec& y) { return watch(r, y); });
+  const std::string message = result.status == Status::Converged ? "" : result.message;
+  return {method.name, std::string(name(result.status)), message, watch.take_points()};
 }
 
 Json report_of(const Request& request, const Comparison& comparison) {
@@ -154,14 +155,10 @@ Json report_of(const Request& request, const Comparison& comparison) {
                     {"min_det", run.points.back().min_det},
                     {"within", within}});
   }
-  return {{"schema_version", 1},
-          {"version", MAJORANT_VERSION},
-          {"command", "compare"},
-          {"title", comparison.title},
-          {"machine", comparison.machine},
-          {"options", request.map.to_json()},
-          {"best_energy", best},
-          {"methods", runs}};
+  return {{"schema_version", 1},           {"version", MAJORANT_VERSION},
+          {"command", "compare"},          {"title", comparison.title},
+          {"machine", comparison.machine}, {"options", request.map.to_json()},
+          {"best_energy", best},           {"methods", runs}};
 }
 
 void write(const Request& request, const Comparison& comparison) {

@@ -19,13 +19,13 @@ using SolverFactory = std::function<std::unique_ptr<LinearSolver>()>;
 
 std::string none(const Contest&) { return {}; }
 
-Method newton(std::string name, std::string summary, Curvature curvature,
-              SolverFactory linear_solver = [] { return make_cholmod_solver(); }) {
+Method newton(
+    std::string name, std::string summary, Curvature curvature,
+    SolverFactory linear_solver = [] { return make_cholmod_solver(); }) {
   const auto obstacle = [curvature](const Contest& c) {
-    return c.problem.supports(curvature)
-               ? std::string()
-               : fmt::format("energy '{}' has no curvature model '{}'", c.energy,
-                             majorant::name(curvature));
+    return c.problem.supports(curvature) ? std::string()
+                                         : fmt::format("energy '{}' has no curvature model '{}'",
+                                                       c.energy, majorant::name(curvature));
   };
   return {std::move(name), std::move(summary), obstacle, [=](const Contest& c) {
             NewtonOptions options;
@@ -40,9 +40,9 @@ Method newton(std::string name, std::string summary, Curvature curvature,
 // The same unknowns with the Dirichlet energy |J|^2, whose Hessian is the Laplacian.
 Problem dirichlet_problem(const Contest& c) {
   MapSpecification spec = c.specification;
-  spec.energy = {{energy_factory(invariant(
-      "dirichlet", [](const auto& x, const auto& y) { return 2.0 * (x + y); },
-      {Domain::Everywhere, Convexity::Convex}))}};
+  spec.energy = {{energy_factory(
+      invariant("dirichlet", [](const auto& x, const auto& y) { return 2.0 * (x + y); },
+                {Domain::Everywhere, Convexity::Convex}))}};
   return map_problem(spec, c.space, c.start, energy_terms(spec, c.space, {c.rule}), c.injectivity);
 }
 
@@ -55,13 +55,13 @@ std::unique_ptr<Minimizer> make_gradient_flow(const Contest& c) {
 
 std::unique_ptr<Minimizer> make_lbfgs(const Contest& c) {
   LbfgsOptions options;
+  options.metric = dirichlet_problem(c);
   options.stopping.max_iterations = c.max_iterations;
   return std::make_unique<LbfgsMinimizer>(options);
 }
 
-std::unique_ptr<Minimizer> make_laplacian_lbfgs(const Contest& c) {
+std::unique_ptr<Minimizer> make_hessian_lbfgs(const Contest& c) {
   LbfgsOptions options;
-  options.metric = dirichlet_problem(c);
   options.stopping.max_iterations = c.max_iterations;
   return std::make_unique<LbfgsMinimizer>(options);
 }
@@ -104,8 +104,8 @@ std::span<const Method> methods() {
              [] { return make_cholmod_solver(Factorization::Simplicial); }),
       newton("newton-eigen", "Newton, Eigen's L D L^T", Curvature::Projected,
              [] { return make_eigen_ldlt_solver(); }),
-      {"lbfgs", "L-BFGS, metric: projected Hessian at the start", none, make_lbfgs},
-      {"lbfgs-laplacian", "L-BFGS, metric: Laplacian", none, make_laplacian_lbfgs},
+      {"lbfgs", "L-BFGS, metric: Laplacian", none, make_lbfgs},
+      {"lbfgs-hessian", "L-BFGS, metric: projected Hessian at the start", none, make_hessian_lbfgs},
       {"gradient-flow", "gradient flow in the Sobolev metric of the Laplacian", none,
        make_gradient_flow},
       ceres_gradient("ceres-lbfgs", "Ceres, L-BFGS", CeresOptions::Method::Lbfgs),
