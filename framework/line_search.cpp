@@ -18,7 +18,7 @@ LineSearch::LineSearch(Evaluator& evaluator, const LineSearchOptions& options, c
 }
 
 LineSearch::Result LineSearch::find(double first) {
-  bound_ = certified(first);
+  bound_ = certified(std::max(1.0, first));
   double s = bound_.step < first ? options_.boundary_fraction * bound_.step : first;
   if (s < options_.smallest_step) return Result::Blocked;
   while (!accept(s)) {

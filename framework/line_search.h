@@ -34,10 +34,12 @@ class LineSearch {
   // Tries s = first at first, or what is certified of it.
   Result find(double first);
 
-  double step() const { return best_step_; }         // accepted, 0 if none
-  double energy() const { return best_energy_; }     // there
-  int trials() const { return trials_; }             // evaluations of the energy
-  const StepBound& bound() const { return bound_; }  // largest certified step <= first, what limits
+  double step() const { return best_step_; }      // accepted, 0 if none
+  double energy() const { return best_energy_; }  // there
+  int trials() const { return trials_; }          // evaluations of the energy
+  const StepBound& bound() const {
+    return bound_;
+  }  // largest certified step <= max(1, first), what limits
 
  private:
   StepBound certified(double s) const;

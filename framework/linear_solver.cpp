@@ -5,7 +5,7 @@
 namespace majorant {
 
 ShiftedFactorization factorize_shifted(LinearSolver& solver, const SparsePattern& pattern,
-                                       const Vec& values) {
+                                       const Vec& values, double smallest_shift) {
   ShiftedFactorization result;
   double diagonal = 0;
   for (Index c = 0; c < pattern.size; ++c)
@@ -17,7 +17,7 @@ ShiftedFactorization factorize_shifted(LinearSolver& solver, const SparsePattern
     result.status = solver.factorize(values, shift);
     result.shift = shift;
     if (result.status != FactorStatus::NotPositiveDefinite) break;
-    shift = shift == 0 ? 1e-14 * diagonal : 10 * shift;
+    shift = shift == 0 ? smallest_shift * diagonal : 10 * shift;
   }
   return result;
 }

@@ -41,10 +41,11 @@ struct ShiftedFactorization {
   FactorStatus status = FactorStatus::NotPositiveDefinite;
   double shift = 0;  // the last one tried
 };
-// Factorizes H + shift * I with the first of the shifts 0, 1e-14 m, 1e-13 m, ..., 1e8 m that makes
-// it positive definite, m the mean of |H_ii|. `solver` has analysed `pattern`; values parallel to
-// pattern.rows. Diagonals that are not finite are NotPositiveDefinite.
+// Factorizes H + shift * I with the first of the shifts 0, a m, 10 a m, 100 a m, ..., 1e22 a m that
+// makes it positive definite, a = smallest_shift, m the mean of |H_ii|. `solver` has analysed
+// `pattern`; values parallel to pattern.rows. Diagonals that are not finite are
+// NotPositiveDefinite.
 ShiftedFactorization factorize_shifted(LinearSolver& solver, const SparsePattern& pattern,
-                                       const Vec& values);
+                                       const Vec& values, double smallest_shift);
 
 }  // namespace majorant

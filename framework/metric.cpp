@@ -9,6 +9,10 @@
 namespace majorant {
 namespace {
 
+// Of the mean diagonal. Newton's method gets away with 1e-14, since its next matrix is another one;
+// a metric that stays would send every step down its near null space.
+constexpr double kSmallestShift = 1e-3;
+
 bool same_z(const Elimination& a, const Elimination& b) {
   if (a.full_size() != b.full_size() || a.reduced_size() != b.reduced_size()) return false;
   const auto equal = [](const Elimination::Entry& p, const Elimination::Entry& q) {
@@ -33,7 +37,7 @@ bool Metric::factorize(VecIn y) {
   evaluator_.linearize(y, curvature_, gradient_, hessian_);
   seconds_.assemble = lap();
   const ShiftedFactorization f =
-      factorize_shifted(*solver_, evaluator_.problem().pattern(), hessian_);
+      factorize_shifted(*solver_, evaluator_.problem().pattern(), hessian_, kSmallestShift);
   shift_ = f.shift;
   seconds_.factorize = lap();
   return f.status == FactorStatus::Ok;

@@ -77,7 +77,7 @@ bool NewtonStepper::factorize(const Vec& y, IterationRecord& record) {
   record.seconds.assemble += lap();
   if (!gradient_.allFinite()) return false;
   const ShiftedFactorization f =
-      factorize_shifted(*solver_, evaluator_.problem().pattern(), hessian_);
+      factorize_shifted(*solver_, evaluator_.problem().pattern(), hessian_, 1e-14);
   record.shift = f.shift;
   record.seconds.factorize += lap();
   return f.status == FactorStatus::Ok;

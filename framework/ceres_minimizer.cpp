@@ -1,0 +1,179 @@
+#include "majorant/framework/ceres_minimizer.h"
+
+#include <ceres/gradient_problem.h>
+#include <ceres/gradient_problem_solver.h>
+#include <glog/logging.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "majorant/framework/stepper.h"
+
+namespace majorant {
+namespace {
+
+using CeresSolver = ceres::GradientProblemSolver;
+
+// What the function and the callback share.
+struct Run {
+  Run(const Problem& problem, const CeresOptions& o, const Observer& watch)
+      : evaluator(problem), options(o), observer(watch) {}
+
+  // Ceres accepted y; step: multiple of its direction.
+  void accept(const Vec& y, double step) {
+    IterationRecord r;
+    r.iteration = static_cast<int>(result.iterations.size()) + 1;
+    r.energy = evaluator.value(y);
+    r.relative_decrease = relative_to(result.energy, result.energy - r.energy);
+    r.step = step;
+    r.gradient_norm = gradient_norm;
+    r.trials = std::exchange(trials, 0);
+    r.seconds.line_search = lap();
+    result.energy = r.energy;
+    result.y = y;
+    result.iterations.push_back(r);
+    cut_short = std::exchange(refused, false);
+    result.blocking = cut_short ? blocking : std::vector<Index>();
+    if (observer) directive = observer(r, y);
+  }
+
+  Evaluator evaluator;
+  const CeresOptions& options;
+  const Observer& observer;
+  SolveResult result;
+  double gradient_norm = 0;  // at result.y
+  int trials = 0;
+  bool refused = false;         // a checker refused a trial point since the last accept()
+  std::vector<Index> blocking;  // elements of the last refusal
+  bool cut_short = false;       // `refused` as of the last accepted step
+  bool started = false;         // Ceres evaluated the start
+  Directive directive = Directive::Continue;
+  Lap lap;
+};
+
+class Function final : public ceres::FirstOrderFunction {
+ public:
+  explicit Function(Run& run) : run_(run) {}
+  int NumParameters() const override { return run_.evaluator.problem().size(); }
+
+  bool Evaluate(const double* parameters, double* cost, double* gradient) const override {
+    const Problem& problem = run_.evaluator.problem();
+    const Eigen::Map<const Vec> y(parameters, problem.size());
+    ++run_.trials;
+    if (!y.allFinite()) return false;
+    const double energy = run_.evaluator.value(y);
+    if (!std::isfinite(energy)) return false;
+    const Vec x = problem.expand(y);
+    for (const auto& checker : problem.checkers())
+      if (Verdict verdict = checker->check(x); !verdict.feasible) {
+        run_.refused = true;
+        run_.blocking = std::move(verdict.blocking);
+        return false;
+      }
+    *cost = run_.options.scale * energy;
+    if (!gradient) return true;
+    Vec g;
+    run_.evaluator.gradient(y, g);
+    Eigen::Map<Vec>(gradient, g.size()) = run_.options.scale * g;
+    return g.allFinite();
+  }
+
+ private:
+  Run& run_;
+};
+
+class Callback final : public ceres::IterationCallback {
+ public:
+  Callback(Run& run, const Vec& y) : run_(run), y_(y) {}
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary& s) override {
+    if (run_.started) run_.accept(y_, s.step_size);
+    run_.started = true;
+    run_.trials = 0;
+    run_.gradient_norm = s.gradient_norm / run_.options.scale;
+    return run_.directive == Directive::Continue ? ceres::SOLVER_CONTINUE : ceres::SOLVER_ABORT;
+  }
+
+ private:
+  Run& run_;
+  const Vec& y_;
+};
+
+// Ceres reports restarts of conjugate gradients to stderr whatever its own options say.
+class SilentLog {
+ public:
+  SilentLog() : level_(FLAGS_minloglevel) { FLAGS_minloglevel = google::GLOG_FATAL; }
+  ~SilentLog() { FLAGS_minloglevel = level_; }
+  SilentLog(const SilentLog&) = delete;
+  SilentLog& operator=(const SilentLog&) = delete;
+
+ private:
+  int level_;
+};
+
+CeresSolver::Options ceres_options(const CeresOptions& o) {
+  CeresSolver::Options c;
+  c.line_search_direction_type =
+      o.method == CeresOptions::Method::Lbfgs ? ceres::LBFGS : ceres::NONLINEAR_CONJUGATE_GRADIENT;
+  c.nonlinear_conjugate_gradient_type = ceres::POLAK_RIBIERE;
+  c.max_lbfgs_rank = o.history;
+  c.use_approximate_eigenvalue_bfgs_scaling = true;
+  c.min_line_search_step_size = 1e-20;  // relative to the largest entry of the direction
+  c.max_num_line_search_step_size_iterations = 60;
+  c.max_num_iterations = o.max_iterations;
+  c.function_tolerance = o.function_tolerance;
+  c.gradient_tolerance = o.gradient_tolerance;
+  c.parameter_tolerance = o.parameter_tolerance;
+  c.logging_type = ceres::SILENT;
+  c.update_state_every_iteration = true;
+  std::string why;
+  if (!c.IsValid(&why)) throw std::invalid_argument("CeresOptions: " + why);
+  if (!(o.scale > 0) || !std::isfinite(o.scale))
+    throw std::invalid_argument("CeresOptions: scale must be positive");
+  return c;
+}
+
+Status status_of(ceres::TerminationType type, Run& run) {
+  if (type == ceres::NO_CONVERGENCE) return Status::MaxIterations;
+  if (type == ceres::USER_FAILURE)
+    return run.directive == Directive::TimeLimit ? Status::TimeLimit : Status::Interrupted;
+  if (type == ceres::FAILURE && !run.started) return Status::Failed;
+  Vec gradient;
+  run.evaluator.gradient(run.result.y, gradient);
+  if (run.options.scale * gradient.lpNorm<Eigen::Infinity>() <= run.options.gradient_tolerance)
+    return Status::Converged;
+  return type == ceres::CONVERGENCE && !run.cut_short ? Status::Converged : Status::Stalled;
+}
+
+}  // namespace
+
+SolveResult CeresMinimizer::minimize(const Problem& problem, Vec y0,
+                                     const Observer& observer) const {
+  CeresSolver::Options options = ceres_options(options_);
+  Run run(problem, options_, observer);
+  run.result.y = std::move(y0);
+  if (!check_start(run.evaluator, run.result)) return std::move(run.result);
+  if (problem.size() == 0) {
+    run.result.status = Status::Converged;
+    run.result.message = "no unknowns";
+    return std::move(run.result);
+  }
+  Vec y = run.result.y;
+  Callback callback(run, y);
+  options.callbacks.push_back(&callback);
+  const ceres::GradientProblem function(new Function(run));  // owned by it
+  CeresSolver::Summary summary;
+  const SilentLog silent;
+  ceres::Solve(options, function, y.data(), &summary);
+  // Ceres calls back after its convergence tests: the last step is still to be told.
+  if (summary.termination_type == ceres::CONVERGENCE && y != run.result.y)
+    run.accept(y, summary.iterations.empty() ? 0 : summary.iterations.back().step_size);
+  if (run.refused) run.result.blocking = run.blocking;
+  run.result.status = status_of(summary.termination_type, run);
+  run.result.message = summary.message;
+  return std::move(run.result);
+}
+
+}  // namespace majorant

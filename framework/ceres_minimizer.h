@@ -1,0 +1,46 @@
+// First-order methods of the Ceres Solver [AMT] on a Problem: L-BFGS and nonlinear conjugate
+// gradients with a Wolfe line search, for comparison and as an independent check.
+//
+//   CeresMinimizer ceres(CeresOptions{.method = CeresOptions::Method::Lbfgs});
+//   SolveResult result = ceres.minimize(problem, y0, observer);
+//
+// Not for maps that must be injective on the way: Ceres sees a failed evaluation where the energy
+// is not finite or a FeasibilityChecker refuses a point and shortens its step, so that all points
+// it accepts pass the checkers, but nothing certifies the paths between them. No metric either:
+// the number of iterations grows with the condition of the Hessian. lbfgs.h has both.
+#pragma once
+
+#include "majorant/framework/minimizer.h"
+
+namespace majorant {
+
+// Stopping formulas, with E_k the energy after iteration k, g_k its gradient there:
+//   |E_k - E_{k-1}| <= function_tolerance |E_{k-1}|,  max_i |g_k,i| <= gradient_tolerance / scale,
+//   |y_k - y_{k-1}| <= parameter_tolerance (|y_k| + parameter_tolerance).
+struct CeresOptions {
+  enum class Method { Lbfgs, NonlinearConjugateGradient };
+  Method method = Method::Lbfgs;
+  int max_iterations = 10000;
+  double function_tolerance = 1e-14;
+  double gradient_tolerance = 1e-10;  // absolute: an energy per unknown, times scale
+  double parameter_tolerance = 1e-14;
+  double scale = 1;  // Ceres minimizes scale * E; 1 / |E_0| makes gradient_tolerance relative
+  int history = 20;  // pairs that L-BFGS keeps
+};
+
+class CeresMinimizer final : public Minimizer {
+ public:
+  explicit CeresMinimizer(CeresOptions options = {}) : options_(options) {}
+  // Throws std::invalid_argument when Ceres refuses the options. Converged: one of the formulas
+  // holds, and no checker cut the last line search short. Stalled: a checker did, or the line
+  // search found nothing. Failed: Ceres gave up elsewhere. The message is that of Ceres.
+  // Records: step in multiples of Ceres' direction; step_bound, newton_decrement and shift are 0,
+  // since nothing is certified and the direction is not known; trials: evaluations, those with
+  // gradients included; seconds.line_search: everything.
+  SolveResult minimize(const Problem& problem, Vec y0, const Observer& observer) const override;
+
+ private:
+  CeresOptions options_;
+};
+
+}  // namespace majorant
