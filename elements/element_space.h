@@ -24,11 +24,10 @@ namespace majorant {
 // so the sums over quadrature points are moments, and basis pairs appear only afterwards.
 struct ContractionTable {
   int nodes = 0;  // per element
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>
-      directions;  // D by reference dimension: gamma_a
-  Vec weights;     // L
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> first;   // L by N1
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> moment;  // L by Nm
+  RowMatrix directions;  // D by reference dimension: gamma_a
+  Vec weights;           // L
+  RowMatrix first;       // L by N1
+  RowMatrix moment;      // L by Nm
   std::vector<GradientEntry> gradient;
   // Entries of node pair (i, j), j <= i, are [pair_starts[p], pair_starts[p+1]), p = i(i+1)/2 + j.
   std::vector<HessianEntry> hessian;
