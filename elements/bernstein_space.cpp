@@ -58,16 +58,18 @@ ContractionTable BernsteinSpace::tabulate(const Quadrature& rule) const {
   return contraction_table(element_, rule);
 }
 
-void BernsteinSpace::gather(Index e, VecIn x, double* local) const {
-  const int dim = element_.dim();
-  for (int k = 0; k < nodes_per_element(); ++k)
-    for (int c = 0; c < dim; ++c) *local++ = x[dim * numbering_.cells(e, k) + c];
+template <class Store>
+void BernsteinSpace::gather(Index e, const Store& store) const {
+  const int dim = element_.dim(), nodes = nodes_per_element();
+  const Index* node = &numbering_.cells(e, 0);
+  for (int k = 0; k < nodes; ++k)
+    for (int c = 0; c < dim; ++c) store(dim * k + c, dim * node[k] + c);
 }
 
 PositivityProof BernsteinSpace::certify(Index e, VecIn x, int max_depth) const {
   const std::size_t size = local_size(*this), count = static_cast<std::size_t>(det_.count());
   Scratch c(size), det(count), error(count);
-  gather(e, x, c.data());
+  gather(e, [at = c.data(), &x](int i, Index k) { at[i] = x[k]; });
   if (!std::all_of(c.data(), c.data() + size, [](double v) { return std::isfinite(v); }))
     return {Positivity::Violated, -std::numeric_limits<double>::infinity(), 0};
   const auto prove = [&] {
@@ -83,11 +85,10 @@ PositivityProof BernsteinSpace::certify(Index e, VecIn x, int max_depth) const {
 
 template <int K>
 double BernsteinSpace::largest_step_in(Index e, VecIn x, VecIn d, double s, int max_depth) const {
-  Scratch cx(local_size(*this)), cd(local_size(*this));
+  SmallBuffer<StepPolynomial<1>, 128> c(local_size(*this));
   SmallBuffer<StepPolynomial<K>, 128> det(static_cast<std::size_t>(det_.count()));
-  gather(e, x, cx.data());
-  gather(e, d, cd.data());
-  det_.along_line(cx.data(), cd.data(), det.data());
+  gather(e, [&, at = c.data()](int i, Index k) { at[i] = {{x[k], d[k]}}; });
+  det_.along_line(c.data(), det.data());
   return largest_positive_step(subdivision_, det.data(), s, max_depth);
 }
 

@@ -38,8 +38,9 @@ class BernsteinSpace : public ElementSpace {
   BernsteinSpace(const BernsteinElement& element, const Cells& cells, Index vertex_count);
 
  private:
-  // D numbers per local node of element e.
-  void gather(Index e, VecIn x, double* local) const;
+  // store(i, k): number i of element e (D per local node) is unknown k.
+  template <class Store>
+  void gather(Index e, const Store& store) const;
   template <int K>
   double largest_step_in(Index e, VecIn x, VecIn d, double s, int max_depth) const;
 

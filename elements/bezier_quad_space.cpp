@@ -33,8 +33,7 @@ BernsteinElement quad(int degree) {
           .factors = {2, 2},
           .lattice = vtk_lattice,
           .derivatives = {{1, 0}, {3, 2}},
-          .bisections = {{0, 1, {0, m, 2, 3}, {m, 1, 2, 3}},
-                         {2, 3, {0, 1, 2, m}, {0, 1, m, 3}}}};
+          .bisections = {{0, 1, {0, m, 2, 3}, {m, 1, 2, 3}}, {2, 3, {0, 1, 2, m}, {0, 1, m, 3}}}};
 }
 
 }  // namespace

@@ -20,8 +20,9 @@ Real magnitude(Real a) {
   return a < 0 ? -a : a;
 }
 
-// Numbers that det J is expanded in: minor(a0, a1, b0, b1) = a0 b1 - a1 b0, product(a, cofactor),
-// and sum += weight * x. A number with the sum of the magnitudes of its terms:
+// Numbers that det J is expanded in: subtract(a, b) of control points, minor(a0, a1, b0, b1) =
+// a0 b1 - a1 b0, product(a, cofactor), and sum += weight * x. A number with the sum of the
+// magnitudes of its terms:
 template <class Real>
 struct Bounded {
   Real value, size;
@@ -43,7 +44,17 @@ void add(Bounded<Real>& sum, Real weight, const Bounded<Real>& x) {
   sum.size += weight * x.size;
 }
 
+template <class Real>
+Real subtract(double a, double b) {
+  return Real(a) - Real(b);
+}
+
 // Polynomials in the step:
+template <class Line>
+Line subtract(const StepPolynomial<1>& a, const StepPolynomial<1>& b) {
+  return {{a.power[0] - b.power[0], a.power[1] - b.power[1]}};
+}
+
 StepPolynomial<2> minor(const StepPolynomial<1>& a0, const StepPolynomial<1>& a1,
                         const StepPolynomial<1>& b0, const StepPolynomial<1>& b1) {
   const auto [p, q] = a0.power;
@@ -64,23 +75,27 @@ void add(StepPolynomial<K>& sum, double weight, const StepPolynomial<K>& x) {
   for (int k = 0; k <= K; ++k) sum.power[k] += weight * x.power[k];
 }
 
-// Sum of weight * f(r, s) over the entries, the weights in the precision of Real.
+// Sum of weight * f(r)(s) over the entries, the weights in the precision of Real.
 template <class Real, class Out, class Function>
 void sum_products(const ProductTable& table, Out* out, const Function& f) {
+  const ProductTable::Entry* e = table.entries().data();
   const ProductTable::Fraction* fraction = table.fractions().data();
-  for (const ProductTable::Entry& e : table.entries())
-    if constexpr (std::is_same_v<Real, double>) {
-      add(out[e.target], e.weight, f(e.r, e.s));
-    } else {
-      add(out[e.target], Real(fraction->numerator) / Real(fraction->denominator), f(e.r, e.s));
-      ++fraction;
-    }
+  for (int r = 0; r < table.rows(); ++r) {
+    const auto of_row = f(r);
+    for (int s = 0; s < table.columns(); ++s, ++e, ++fraction)
+      if constexpr (std::is_same_v<Real, double>)
+        add(out[e->target], e->weight, of_row(s));
+      else
+        add(out[e->target], Real(fraction->numerator) / Real(fraction->denominator), of_row(s));
+  }
 }
 
 template <class Real, class First, class Second>
 void sum_minors(const ProductTable& table, const First* a0, const First* a1, const First* b0,
                 const First* b1, Second* out) {
-  sum_products<Real>(table, out, [&](int r, int s) { return minor(a0[r], a1[r], b0[s], b1[s]); });
+  sum_products<Real>(table, out, [=](int r) {
+    return [=, x0 = a0[r], x1 = a1[r]](int s) { return minor(x0, x1, b0[s], b1[s]); };
+  });
 }
 
 Degrees operator+(Degrees a, const Degrees& b) {
@@ -108,14 +123,14 @@ Degrees det_degrees(const BernsteinElement& element) {
 
 ProductTable::ProductTable(const BernsteinBasis& a, const BernsteinBasis& b,
                            const BernsteinBasis& product, double scale)
-    : target_count_(product.count()) {
+    : rows_(a.count()), columns_(b.count()), target_count_(product.count()) {
   for (int r = 0; r < a.count(); ++r)
     for (int s = 0; s < b.count(); ++s) {
       Exponents e = a.exponents(r);
       for (std::size_t k = 0; k < e.size(); ++k) e[k] += b.exponents(s)[k];
       const int t = product.find(e);
       const double numerator = scale * a.weight(r) * b.weight(s), denominator = product.weight(t);
-      entries_.push_back({r, s, t, numerator / denominator});
+      entries_.push_back({t, numerator / denominator});
       fractions_.push_back({numerator, denominator});
     }
 }
@@ -129,8 +144,8 @@ DetCoefficients::DetCoefficients(const BernsteinElement& element)
     for (const Difference& w : differences(element, d)) differences_.push_back(w);
   const auto basis_of = [&](int d) { return element.basis(derivative_degrees(element, d)); };
   const BernsteinBasis minor_basis = element.basis(minor_degrees(element));
-  minors_ = ProductTable(basis_of(dim_ - 2), basis_of(dim_ - 1), minor_basis,
-                         double(degree_) * degree_);
+  minors_ =
+      ProductTable(basis_of(dim_ - 2), basis_of(dim_ - 1), minor_basis, double(degree_) * degree_);
   if (dim_ == 3) products_ = ProductTable(basis_of(0), minor_basis, basis_, degree_);
   // Rows are directions, or, where these share a basis, components, as in [MC20].
   const bool shared = derivative_degrees(element, 0) == derivative_degrees(element, 1);
@@ -153,19 +168,21 @@ std::vector<DetCoefficients::Difference> DetCoefficients::differences(
 }
 
 // out: by direction, then component, derivative_count_ each.
-template <class First, class Subtract>
-void DetCoefficients::differentiate(First* out, const Subtract& subtract) const {
+template <class Number, class First>
+void DetCoefficients::differentiate(const Number* c, First* out) const {
   const Difference* w = differences_.data();
-  for (int d = 0; d < dim_; ++d, w += derivative_count_)
-    for (int c = 0; c < dim_; ++c)
+  for (int direction = 0; direction < dim_; ++direction, w += derivative_count_)
+    for (int component = 0; component < dim_; ++component)
       for (int r = 0; r < derivative_count_; ++r)
-        *out++ = subtract(dim_ * w[r].plus + c, dim_ * w[r].minus + c);
+        *out++ = subtract<First>(c[dim_ * w[r].plus + component], c[dim_ * w[r].minus + component]);
 }
 
 template <class Real, class First, class Second>
 void DetCoefficients::expand_in_plane(const First* derivatives, Second* out) const {
   std::fill(out, out + count(), Second{});
-  const auto at = [&](int k) { return derivatives + matrix_[static_cast<std::size_t>(k)] * derivative_count_; };
+  const auto at = [&](int k) {
+    return derivatives + matrix_[static_cast<std::size_t>(k)] * derivative_count_;
+  };
   sum_minors<Real>(minors_, at(0), at(1), at(2), at(3), out);
 }
 
@@ -181,8 +198,9 @@ void DetCoefficients::expand_in_space(const First* derivatives, Second* cofactor
     std::fill(cofactor, cofactor + minors_.target_count(), Second{});
     sum_minors<Real>(minors_, at(1, c + 1), at(1, c + 2), at(2, c + 1), at(2, c + 2), cofactor);
     const First* first = at(0, c);
-    sum_products<Real>(products_, out,
-                       [&](int r, int s) { return product(first[r], cofactor[s]); });
+    sum_products<Real>(products_, out, [=](int r) {
+      return [=, x = first[r]](int s) { return product(x, cofactor[s]); };
+    });
   }
 }
 
@@ -192,7 +210,7 @@ void DetCoefficients::expand_in_space(const First* derivatives, Second* cofactor
 template <class Real>
 void DetCoefficients::with_error(const double* c, double unit, double* out, double* error) const {
   SmallBuffer<Real, 256> derivatives(derivative_size());
-  differentiate(derivatives.data(), [&](int i, int j) { return Real(c[i]) - Real(c[j]); });
+  differentiate(c, derivatives.data());
   SmallBuffer<Bounded<Real>, 256> sums(static_cast<std::size_t>(count()));
   double roundings = 8.0 + derivative_count_, underflows = 1;
   if (dim_ == 2) {
@@ -226,19 +244,15 @@ void DetCoefficients::at_with_error_quad(const double* c, double* out, double* e
   with_error<Quad>(c, kQuadUnit, out, error);
 }
 
-void DetCoefficients::along_line(const double* c, const double* d, StepPolynomial<2>* out) const {
+void DetCoefficients::along_line(const StepPolynomial<1>* c, StepPolynomial<2>* out) const {
   SmallBuffer<StepPolynomial<1>, 256> derivatives(derivative_size());
-  differentiate(derivatives.data(), [&](int i, int j) -> StepPolynomial<1> {
-    return {{c[i] - c[j], d[i] - d[j]}};
-  });
+  differentiate(c, derivatives.data());
   expand_in_plane<double>(derivatives.data(), out);
 }
 
-void DetCoefficients::along_line(const double* c, const double* d, StepPolynomial<3>* out) const {
+void DetCoefficients::along_line(const StepPolynomial<1>* c, StepPolynomial<3>* out) const {
   SmallBuffer<StepPolynomial<1>, 256> derivatives(derivative_size());
-  differentiate(derivatives.data(), [&](int i, int j) -> StepPolynomial<1> {
-    return {{c[i] - c[j], d[i] - d[j]}};
-  });
+  differentiate(c, derivatives.data());
   SmallBuffer<StepPolynomial<2>, 128> cofactor(static_cast<std::size_t>(minors_.target_count()));
   expand_in_space<double>(derivatives.data(), cofactor.data(), out);
 }

@@ -13,11 +13,12 @@
 
 namespace majorant {
 
-// The product of two Bernstein polynomials: scale * weight * a_r * b_s on coefficient `target`.
+// The product of two Bernstein polynomials: entry (r, s) adds scale * weight * a_r * b_s to
+// coefficient `target`. Entries are stored by r, then s.
 class ProductTable {
  public:
   struct Entry {
-    int r, s, target;
+    int target;
     double weight;  // numerator / denominator, rounded
   };
   struct Fraction {
@@ -26,12 +27,14 @@ class ProductTable {
   ProductTable() = default;
   ProductTable(const BernsteinBasis& a, const BernsteinBasis& b, const BernsteinBasis& product,
                double scale);
+  int rows() const { return rows_; }
+  int columns() const { return columns_; }
+  int target_count() const { return target_count_; }
   const std::vector<Entry>& entries() const { return entries_; }
   const std::vector<Fraction>& fractions() const { return fractions_; }  // one per entry
-  int target_count() const { return target_count_; }
 
  private:
-  int target_count_ = 0;
+  int rows_ = 0, columns_ = 0, target_count_ = 0;
   std::vector<Entry> entries_;
   std::vector<Fraction> fractions_;
 };
@@ -48,9 +51,9 @@ class DetCoefficients {
   void at_with_error(const double* c, double* out, double* error) const;
   // The same in quadruple precision, rounded to double; error bounds accordingly smaller.
   void at_with_error_quad(const double* c, double* out, double* error) const;
-  // Coefficients of det J(c + t d) as polynomials in t; K is the dimension D.
-  void along_line(const double* c, const double* d, StepPolynomial<2>* out) const;
-  void along_line(const double* c, const double* d, StepPolynomial<3>* out) const;
+  // Coefficients as polynomials of degree D in t for control points that are linear in t.
+  void along_line(const StepPolynomial<1>* c, StepPolynomial<2>* out) const;
+  void along_line(const StepPolynomial<1>* c, StepPolynomial<3>* out) const;
 
  private:
   // Control value of a derivative, without the factor n: c[plus] - c[minus].
@@ -58,8 +61,8 @@ class DetCoefficients {
     int plus, minus;
   };
   static std::vector<Difference> differences(const BernsteinElement& element, int direction);
-  template <class First, class Subtract>
-  void differentiate(First* out, const Subtract& subtract) const;
+  template <class Number, class First>
+  void differentiate(const Number* c, First* out) const;
   template <class Real, class First, class Second>
   void expand_in_plane(const First* derivatives, Second* out) const;
   template <class Real, class First, class Second, class Third>

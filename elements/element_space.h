@@ -23,7 +23,7 @@ namespace majorant {
 //   d_a B_i d_b B_j = sum_m H[i,a,j,b,m] moment_m  (`hessian` list, `moment` table)
 // so the sums over quadrature points are moments, and basis pairs appear only afterwards.
 struct ContractionTable {
-  int nodes = 0;  // per element
+  int nodes = 0;         // per element
   RowMatrix directions;  // D by reference dimension: gamma_a
   Vec weights;           // L
   RowMatrix first;       // L by N1

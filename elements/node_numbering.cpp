@@ -125,17 +125,16 @@ NodeNumbering number_nodes(const NodeLattice& lattice, const Cells& cells, Index
   const std::vector<Side> sides = sorted_sides(lattice, cells);
   std::vector<const Side*> outer;
   for (auto first = sides.begin(); first != sides.end();) {
-    const auto last = std::find_if(first, sides.end(), [&](const Side& s) {
-      return s.shared_key() != first->shared_key();
-    });
+    const auto last = std::find_if(
+        first, sides.end(), [&](const Side& s) { return s.shared_key() != first->shared_key(); });
     const NodeLattice::Part& part = lattice.parts()[first->part];
     const bool facet = !part.closure.empty();
     if (facet && last - first > 2)
-      throw std::invalid_argument(fmt::format(
-          "{}: facet ({}) has {} cells, at most 2 are possible", name,
-          fmt::join(first->vertices.begin(),
-                    first->vertices.begin() + static_cast<long>(first->corners), ", "),
-          last - first));
+      throw std::invalid_argument(
+          fmt::format("{}: facet ({}) has {} cells, at most 2 are possible", name,
+                      fmt::join(first->vertices.begin(),
+                                first->vertices.begin() + static_cast<long>(first->corners), ", "),
+                      last - first));
     if (facet && last - first == 1) outer.push_back(&*first);
     for (auto side = first; side != last; ++side) {
       Index node = out.node_count;

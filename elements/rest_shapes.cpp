@@ -45,9 +45,9 @@ RestShapes flat_simplices(const RowMatrix& positions, const Cells& cells) {
   for (Index e = 0; e < cells.rows(); ++e) {
     Eigen::MatrixXd tangents(positions.cols(), rest.dim);
     for (int k = 0; k < rest.dim; ++k)
-      tangents.col(k) = (positions.row(cells(e, origin == 0 ? k + 1 : k)) -
-                         positions.row(cells(e, origin)))
-                            .transpose();
+      tangents.col(k) =
+          (positions.row(cells(e, origin == 0 ? k + 1 : k)) - positions.row(cells(e, origin)))
+              .transpose();
     rest.measure[e] = invert(tangents, inverse) / factorial;
     rest.inverse.row(e) = Eigen::Map<const Eigen::RowVectorXd>(inverse.data(), inverse.size());
   }

@@ -25,8 +25,8 @@ struct RestShapes {
 };
 
 // Flat simplices, one per row of D+1 vertex numbers: triangles in the plane or in space (D = 2),
-// tetrahedra in space (D = 3), reference coordinates as in their spaces: tangents p0 - p2 and p1 - p2
-// of a triangle, p1 - p0, p2 - p0, p3 - p0 of a tetrahedron. positions: #V by d. Where d = D the
+// tetrahedra in space (D = 3), reference coordinates as in their spaces: tangents p0 - p2 and p1 -
+// p2 of a triangle, p1 - p0, p2 - p0, p3 - p0 of a tetrahedron. positions: #V by d. Where d = D the
 // frame is that of the positions, else p0 - p2 along the first axis ([MC20] Eq. 5 and 6).
 RestShapes flat_simplices(const RowMatrix& positions, const Cells& cells);
 

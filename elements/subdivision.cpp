@@ -16,7 +16,8 @@ Subdivision::Plan Subdivision::plan(const BernsteinBasis& basis, const Step& ste
   const auto a = static_cast<std::size_t>(step.a), b = static_cast<std::size_t>(step.b);
   // Coefficient of a child whose midpoint has exponent l and whose remaining end of the edge has
   // exponent `rest`.
-  const auto child = [&](const std::vector<int>& slots, int end, Exponents parent, int l, int rest) {
+  const auto child = [&](const std::vector<int>& slots, int end, Exponents parent, int l,
+                         int rest) {
     parent[static_cast<std::size_t>(end)] = rest;
     Exponents e{};
     for (std::size_t s = 0; s < slots.size(); ++s)

@@ -27,7 +27,7 @@ class Subdivision {
   // Steps are cycled by depth. Throws std::invalid_argument beyond kMaxDegree.
   Subdivision(const BernsteinBasis& basis, const std::vector<Step>& steps);
 
-  int count() const { return count_; }                         // coefficients
+  int count() const { return count_; }                          // coefficients
   const std::vector<int>& corners() const { return corners_; }  // coefficients that are values
   // Averages that a child's coefficient went through at this depth, for error bounds.
   int levels(int depth) const { return step(depth).levels; }
