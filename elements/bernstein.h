@@ -59,32 +59,4 @@ Eigen::MatrixXd elevation_matrix(int n);
 // Coefficients of the product of two polynomials of degrees m and n, degree m + n.
 Vec multiply(int m, VecIn a, int n, VecIn b);
 
-// Newest-vertex bisection, [MC20] App. E corrected (method.md E8): splits the edge opposite corner
-// 0 at its midpoint M; `plus` is the polynomial on (M, P0, P1), `minus` on (M, P2, P0).
-// a, plus, minus: control_point_count(n) numbers each. T is any type with + and a half().
-template <class T>
-void bisect(int n, const T* a, T* plus, T* minus);
-
-inline double half(double x) { return 0.5 * x; }
-
-template <class T>
-void bisect(int n, const T* a, T* plus, T* minus) {
-  const TriangleIndices& ix = TriangleIndices::of_degree(n);
-  std::array<T, TriangleIndices::kMaxDegree + 1> row{};
-  for (int i = 0; i <= n; ++i) {
-    for (int j = 0; j <= n - i; ++j)
-      row[static_cast<std::size_t>(j)] = a[ix.local(i, j, n - i - j)];
-    plus[ix.local(0, i, n - i)] = row[static_cast<std::size_t>(n - i)];
-    minus[ix.local(0, n - i, i)] = row[0];
-    for (int l = 1; l <= n - i; ++l) {
-      for (int j = 0; j <= n - i - l; ++j) {
-        const auto k = static_cast<std::size_t>(j);
-        row[k] = half(row[k] + row[k + 1]);
-      }
-      plus[ix.local(l, i, n - l - i)] = row[static_cast<std::size_t>(n - i - l)];
-      minus[ix.local(l, n - i - l, i)] = row[0];
-    }
-  }
-}
-
 }  // namespace majorant

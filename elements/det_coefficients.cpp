@@ -5,6 +5,8 @@
 #include <limits>
 #include <type_traits>
 
+#include "majorant/elements/small_buffer.h"
+
 namespace majorant {
 namespace {
 
@@ -13,103 +15,223 @@ __extension__ typedef __float128 Quad;
 constexpr double kUnit = std::numeric_limits<double>::epsilon() / 2;  // 2^-53
 constexpr double kQuadUnit = 0x1p-113;
 
-// First root in (0, s] of a + b t + c t^2 with a > 0; s when there is none.
-double first_root(double a, double b, double c, double s) {
-  if (a + std::min(b, 0.0) * s + std::min(c, 0.0) * s * s > 0) return s;
-  const double discriminant = b * b - 4 * a * c;
-  if (!(discriminant >= 0)) return discriminant < 0 ? s : 0;
-  const double root = std::sqrt(discriminant);
-  // The smaller positive root, in the form without cancellation. With b > 0 only c < 0 gets here.
-  if (b > 0) return std::min(s, (b + root) / (-2 * c));
-  const double denominator = root - b;
-  if (!(denominator > 0)) return s;
-  return std::min(s, 2 * a / denominator);
+template <class Real>
+Real magnitude(Real a) {
+  return a < 0 ? -a : a;
+}
+
+// Numbers that det J is expanded in: subtract(a, b) of control points, minor(a0, a1, b0, b1) =
+// a0 b1 - a1 b0, product(a, cofactor), and sum += weight * x. A number with the sum of the
+// magnitudes of its terms:
+template <class Real>
+struct Bounded {
+  Real value, size;
+};
+
+template <class Real>
+Bounded<Real> minor(Real a0, Real a1, Real b0, Real b1) {
+  return {a0 * b1 - a1 * b0, magnitude(a0 * b1) + magnitude(a1 * b0)};
+}
+
+template <class Real>
+Bounded<Real> product(Real a, const Bounded<Real>& x) {
+  return {a * x.value, magnitude(a) * x.size};
+}
+
+template <class Real>
+void add(Bounded<Real>& sum, Real weight, const Bounded<Real>& x) {
+  sum.value += weight * x.value;
+  sum.size += weight * x.size;
+}
+
+template <class Real>
+Real subtract(double a, double b) {
+  return Real(a) - Real(b);
+}
+
+// Polynomials in the step:
+template <class Line>
+Line subtract(const StepPolynomial<1>& a, const StepPolynomial<1>& b) {
+  return {{a.power[0] - b.power[0], a.power[1] - b.power[1]}};
+}
+
+StepPolynomial<2> minor(const StepPolynomial<1>& a0, const StepPolynomial<1>& a1,
+                        const StepPolynomial<1>& b0, const StepPolynomial<1>& b1) {
+  const auto [p, q] = a0.power;
+  const auto [r, s] = a1.power;
+  const auto [t, u] = b0.power;
+  const auto [v, w] = b1.power;
+  return {{p * v - r * t, p * w + q * v - r * u - s * t, q * w - s * u}};
+}
+
+StepPolynomial<3> product(const StepPolynomial<1>& a, const StepPolynomial<2>& x) {
+  const auto [p, q] = a.power;
+  const auto [u, v, w] = x.power;
+  return {{p * u, p * v + q * u, p * w + q * v, q * w}};
+}
+
+template <int K>
+void add(StepPolynomial<K>& sum, double weight, const StepPolynomial<K>& x) {
+  for (int k = 0; k <= K; ++k) sum.power[k] += weight * x.power[k];
+}
+
+// Sum of weight * f(r)(s) over the entries, the weights in the precision of Real.
+template <class Real, class Out, class Function>
+void sum_products(const ProductTable& table, Out* out, const Function& f) {
+  const ProductTable::Entry* e = table.entries().data();
+  const ProductTable::Fraction* fraction = table.fractions().data();
+  for (int r = 0; r < table.rows(); ++r) {
+    const auto of_row = f(r);
+    for (int s = 0; s < table.columns(); ++s, ++e, ++fraction)
+      if constexpr (std::is_same_v<Real, double>)
+        add(out[e->target], e->weight, of_row(s));
+      else
+        add(out[e->target], Real(fraction->numerator) / Real(fraction->denominator), of_row(s));
+  }
+}
+
+template <class Real, class First, class Second>
+void sum_minors(const ProductTable& table, const First* a0, const First* a1, const First* b0,
+                const First* b1, Second* out) {
+  sum_products<Real>(table, out, [=](int r) {
+    return [=, x0 = a0[r], x1 = a1[r]](int s) { return minor(x0, x1, b0[s], b1[s]); };
+  });
+}
+
+Degrees operator+(Degrees a, const Degrees& b) {
+  for (std::size_t k = 0; k < a.size(); ++k) a[k] += b[k];
+  return a;
+}
+
+Degrees derivative_degrees(const BernsteinElement& element, int direction) {
+  return element.lowered(
+      element.factor_of(element.derivatives[static_cast<std::size_t>(direction)][0]));
+}
+
+// Of the minors of the last two directions.
+Degrees minor_degrees(const BernsteinElement& element) {
+  return derivative_degrees(element, element.dim() - 2) +
+         derivative_degrees(element, element.dim() - 1);
+}
+
+Degrees det_degrees(const BernsteinElement& element) {
+  const Degrees minor = minor_degrees(element);
+  return element.dim() == 2 ? minor : derivative_degrees(element, 0) + minor;
 }
 
 }  // namespace
 
-DetCoefficients::DetCoefficients(int n) : degree_(n) {
-  const TriangleIndices& ix = TriangleIndices::of_degree(n);
-  const TriangleIndices& low = TriangleIndices::of_degree(n - 1);
-  const TriangleIndices& det = TriangleIndices::of_degree(2 * n - 2);
-  for (int r = 0; r < low.count(); ++r) {
-    const auto [i, j, k] = low.multi(r);
-    differences_.push_back({ix.local(i + 1, j, k), ix.local(i, j + 1, k), ix.local(i, j, k + 1)});
-  }
-  for (int r = 0; r < low.count(); ++r)
-    for (int s = 0; s < low.count(); ++s) {
-      const MultiIndex &u = low.multi(r), &v = low.multi(s);
-      const int t = det.local(u[0] + v[0], u[1] + v[1], u[2] + v[2]);
-      const double numerator = n * n * low.multinomial(r) * low.multinomial(s);
-      products_.push_back({r, s, t, numerator / det.multinomial(t), numerator, det.multinomial(t)});
+ProductTable::ProductTable(const BernsteinBasis& a, const BernsteinBasis& b,
+                           const BernsteinBasis& product, double scale)
+    : rows_(a.count()), columns_(b.count()), target_count_(product.count()) {
+  for (int r = 0; r < a.count(); ++r)
+    for (int s = 0; s < b.count(); ++s) {
+      Exponents e = a.exponents(r);
+      for (std::size_t k = 0; k < e.size(); ++k) e[k] += b.exponents(s)[k];
+      const int t = product.find(e);
+      const double numerator = scale * a.weight(r) * b.weight(s), denominator = product.weight(t);
+      entries_.push_back({t, numerator / denominator});
+      fractions_.push_back({numerator, denominator});
     }
 }
 
-const DetCoefficients& DetCoefficients::of_degree(int n) {
-  static const std::vector<DetCoefficients> tables = [] {
-    std::vector<DetCoefficients> all;
-    for (int degree = 1; degree <= kMaxDegree; ++degree) all.push_back(DetCoefficients(degree));
-    return all;
-  }();
-  return tables.at(static_cast<std::size_t>(n - 1));
+DetCoefficients::DetCoefficients(const BernsteinElement& element)
+    : dim_(element.dim()),
+      degree_(element.degree),
+      basis_(element.basis(det_degrees(element))),
+      derivative_count_(static_cast<int>(differences(element, 0).size())) {
+  for (int d = 0; d < dim_; ++d)
+    for (const Difference& w : differences(element, d)) differences_.push_back(w);
+  const auto basis_of = [&](int d) { return element.basis(derivative_degrees(element, d)); };
+  const BernsteinBasis minor_basis = element.basis(minor_degrees(element));
+  minors_ =
+      ProductTable(basis_of(dim_ - 2), basis_of(dim_ - 1), minor_basis, double(degree_) * degree_);
+  if (dim_ == 3) products_ = ProductTable(basis_of(0), minor_basis, basis_, degree_);
+  // Rows are directions, or, where these share a basis, components, as in [MC20].
+  const bool shared = derivative_degrees(element, 0) == derivative_degrees(element, 1);
+  matrix_ = shared ? std::array{0, 2, 1, 3} : std::array{0, 1, 2, 3};
 }
 
-void DetCoefficients::at(const double* c, double* out) const {
-  const std::vector<double> zero(2 * static_cast<std::size_t>(control_point_count(degree_)), 0.0);
-  std::vector<double> unused(2 * static_cast<std::size_t>(count()), 0.0);
-  along_line(c, zero.data(), out, unused.data(), unused.data() + count());
-}
-
-void DetCoefficients::along_line(const double* c, const double* d, double* out0, double* out1,
-                                 double* out2) const {
-  struct Pair {
-    double u0, u1, v0, v1;  // D0 u, D1 u, D0 v, D1 v
+std::vector<DetCoefficients::Difference> DetCoefficients::differences(
+    const BernsteinElement& element, int direction) {
+  const BernsteinBasis nodes = element.basis(element.degrees()),
+                       low = element.basis(derivative_degrees(element, direction));
+  const auto [plus, minus] = element.derivatives[static_cast<std::size_t>(direction)];
+  const auto raised = [&](int k, int coordinate) {
+    Exponents e = low.exponents(k);
+    ++e[static_cast<std::size_t>(coordinate)];
+    return nodes.find(e);
   };
-  Pair p[control_point_count(7)], q[control_point_count(7)];
-  const auto subtract = [](const double* a, const Difference& w) -> Pair {
-    return {a[2 * w.plus0] - a[2 * w.plus2], a[2 * w.plus1] - a[2 * w.plus2],
-            a[2 * w.plus0 + 1] - a[2 * w.plus2 + 1], a[2 * w.plus1 + 1] - a[2 * w.plus2 + 1]};
+  std::vector<Difference> out;
+  for (int k = 0; k < low.count(); ++k) out.push_back({raised(k, plus), raised(k, minus)});
+  return out;
+}
+
+// out: by direction, then component, derivative_count_ each.
+template <class Number, class First>
+void DetCoefficients::differentiate(const Number* c, First* out) const {
+  const Difference* w = differences_.data();
+  for (int direction = 0; direction < dim_; ++direction, w += derivative_count_)
+    for (int component = 0; component < dim_; ++component)
+      for (int r = 0; r < derivative_count_; ++r)
+        *out++ = subtract<First>(c[dim_ * w[r].plus + component], c[dim_ * w[r].minus + component]);
+}
+
+template <class Real, class First, class Second>
+void DetCoefficients::expand_in_plane(const First* derivatives, Second* out) const {
+  std::fill(out, out + count(), Second{});
+  const auto at = [&](int k) {
+    return derivatives + matrix_[static_cast<std::size_t>(k)] * derivative_count_;
   };
-  for (std::size_t r = 0; r < differences_.size(); ++r) {
-    p[r] = subtract(c, differences_[r]);
-    q[r] = subtract(d, differences_[r]);
-  }
-  std::fill(out0, out0 + count(), 0.0);
-  std::fill(out1, out1 + count(), 0.0);
-  std::fill(out2, out2 + count(), 0.0);
-  for (const Product& m : products_) {
-    const Pair &pr = p[m.r], &ps = p[m.s], &qr = q[m.r], &qs = q[m.s];
-    out0[m.target] += m.weight * (pr.u0 * ps.v1 - pr.u1 * ps.v0);
-    out1[m.target] += m.weight * (pr.u0 * qs.v1 + qr.u0 * ps.v1 - pr.u1 * qs.v0 - qr.u1 * ps.v0);
-    out2[m.target] += m.weight * (qr.u0 * qs.v1 - qr.u1 * qs.v0);
+  sum_minors<Real>(minors_, at(0), at(1), at(2), at(3), out);
+}
+
+// det J = D0 . (D1 x D2).
+template <class Real, class First, class Second, class Third>
+void DetCoefficients::expand_in_space(const First* derivatives, Second* cofactor,
+                                      Third* out) const {
+  std::fill(out, out + count(), Third{});
+  const auto at = [&](int direction, int component) {
+    return derivatives + (3 * direction + component % 3) * derivative_count_;
+  };
+  for (int c = 0; c < 3; ++c) {
+    std::fill(cofactor, cofactor + minors_.target_count(), Second{});
+    sum_minors<Real>(minors_, at(1, c + 1), at(1, c + 2), at(2, c + 1), at(2, c + 2), cofactor);
+    const First* first = at(0, c);
+    sum_products<Real>(products_, out, [=](int r) {
+      return [=, x = first[r]](int s) { return product(x, cofactor[s]); };
+    });
   }
 }
 
-// Standard forward analysis: every product of differences carries at most 4 roundings, its weight 2
-// (weights are rationals rounded once), the sum one per term; gamma_k <= 1.01 k u covers them.
+// Standard forward analysis of one term: differences and products carry one rounding each, a weight
+// two (rationals rounded once), the sum one per term; gamma_k <= 1.01 k u covers them. In space:
+// 3 differences, 3 products, 2 weights, sums of at most derivative_count_ and three times as many.
 template <class Real>
 void DetCoefficients::with_error(const double* c, double unit, double* out, double* error) const {
-  std::vector<Real> sum(static_cast<std::size_t>(count()), Real(0)), size(sum);
-  const auto magnitude = [](Real a) { return a < 0 ? -a : a; };
-  for (const Product& m : products_) {
-    const Difference &a = differences_[static_cast<std::size_t>(m.r)],
-                     &b = differences_[static_cast<std::size_t>(m.s)];
-    const Real u0 = Real(c[2 * a.plus0]) - Real(c[2 * a.plus2]);
-    const Real u1 = Real(c[2 * a.plus1]) - Real(c[2 * a.plus2]);
-    const Real v0 = Real(c[2 * b.plus0 + 1]) - Real(c[2 * b.plus2 + 1]);
-    const Real v1 = Real(c[2 * b.plus1 + 1]) - Real(c[2 * b.plus2 + 1]);
-    const auto t = static_cast<std::size_t>(m.target);
-    Real weight = Real(m.weight);
-    if constexpr (!std::is_same_v<Real, double>) weight = Real(m.numerator) / Real(m.denominator);
-    sum[t] += weight * (u0 * v1 - u1 * v0);
-    size[t] += weight * (magnitude(u0 * v1) + magnitude(u1 * v0));
+  SmallBuffer<Real, 256> derivatives(derivative_size());
+  differentiate(c, derivatives.data());
+  SmallBuffer<Bounded<Real>, 256> sums(static_cast<std::size_t>(count()));
+  double roundings = 8.0 + derivative_count_, underflows = 1;
+  if (dim_ == 2) {
+    expand_in_plane<Real>(derivatives.data(), sums.data());
+  } else {
+    SmallBuffer<Bounded<Real>, 128> cofactor(static_cast<std::size_t>(minors_.target_count()));
+    expand_in_space<Real>(derivatives.data(), cofactor.data(), sums.data());
+    roundings = 16.0 + 4 * derivative_count_;
+    // What underflowed in a cofactor was multiplied by the first derivative.
+    double largest = 0;
+    for (int k = 0; k < 3 * derivative_count_; ++k)
+      largest = std::max(largest, static_cast<double>(magnitude(derivatives.data()[k])));
+    underflows += 4 * degree_ * largest;
   }
-  const double roundings = 8.0 + static_cast<double>(differences_.size());
   // Products (and the rounding of quadruple sums to double) may underflow.
-  const double underflow = 1024 * roundings * std::numeric_limits<double>::denorm_min();
-  for (std::size_t t = 0; t < sum.size(); ++t) {
-    out[t] = static_cast<double>(sum[t]);
-    error[t] = 1.01 * roundings * unit * static_cast<double>(size[t]) +
+  const double underflow =
+      1024 * roundings * underflows * std::numeric_limits<double>::denorm_min();
+  for (int t = 0; t < count(); ++t) {
+    const Bounded<Real>& sum = sums.data()[t];
+    out[t] = static_cast<double>(sum.value);
+    error[t] = 1.01 * roundings * unit * static_cast<double>(sum.size) +
                (unit < kUnit ? 2 * kUnit * std::abs(out[t]) : 0) + underflow;
   }
 }
@@ -122,57 +244,17 @@ void DetCoefficients::at_with_error_quad(const double* c, double* out, double* e
   with_error<Quad>(c, kQuadUnit, out, error);
 }
 
-PositivityProof certify_positive(int n, const double* coefficients, double error, int max_depth) {
-  const int count = control_point_count(n);
-  PositivityProof proof;
-  double lowest = coefficients[0];  // or NaN, which min_element would step over
-  for (int k = 1; k < count; ++k)
-    if (coefficients[k] < lowest || std::isnan(coefficients[k])) lowest = coefficients[k];
-  proof.lower_bound = lowest - error;
-  if (proof.lower_bound > 0) {
-    proof.result = Positivity::Certified;
-    return proof;
-  }
-  for (int k = 0; k < std::min(count, 3); ++k)
-    if (!(coefficients[k] - error > 0)) proof.result = Positivity::Violated;
-  if (proof.result == Positivity::Violated || max_depth == 0) return proof;
-
-  std::vector<double> plus(static_cast<std::size_t>(count)), minus(plus);
-  bisect(n, coefficients, plus.data(), minus.data());
-  // Averages round: each of the n levels adds at most one ulp of the largest coefficient.
-  double largest = 0;
-  for (int k = 0; k < count; ++k) largest = std::max(largest, std::abs(coefficients[k]));
-  const double child_error = error + 1.01 * n * kUnit * largest;
-  const PositivityProof a = certify_positive(n, plus.data(), child_error, max_depth - 1);
-  proof.result = a.result;
-  proof.depth = a.depth + 1;
-  if (a.result != Positivity::Certified) return proof;
-  const PositivityProof b = certify_positive(n, minus.data(), child_error, max_depth - 1);
-  proof.result = b.result;
-  proof.depth = std::max(a.depth, b.depth) + 1;
-  if (b.result == Positivity::Certified) proof.lower_bound = std::min(a.lower_bound, b.lower_bound);
-  return proof;
+void DetCoefficients::along_line(const StepPolynomial<1>* c, StepPolynomial<2>* out) const {
+  SmallBuffer<StepPolynomial<1>, 256> derivatives(derivative_size());
+  differentiate(c, derivatives.data());
+  expand_in_plane<double>(derivatives.data(), out);
 }
 
-double largest_positive_step(int n, const double* p0, const double* p1, const double* p2, double s,
-                             int max_depth) {
-  const int count = control_point_count(n);
-  double corner = s, all = s;
-  for (int k = 0; k < count; ++k) {
-    const double root = p0[k] > 0 ? first_root(p0[k], p1[k], p2[k], s) : 0.0;
-    all = std::min(all, root);
-    if (k < 3) corner = std::min(corner, root);
-  }
-  if (all >= corner || max_depth == 0) return all;
-  std::vector<double> children(static_cast<std::size_t>(6 * count));
-  double* c = children.data();
-  bisect(n, p0, c, c + 3 * count);
-  bisect(n, p1, c + count, c + 4 * count);
-  bisect(n, p2, c + 2 * count, c + 5 * count);
-  double step = largest_positive_step(n, c, c + count, c + 2 * count, corner, max_depth - 1);
-  if (step <= all) return std::max(step, all);
-  return std::max(all, largest_positive_step(n, c + 3 * count, c + 4 * count, c + 5 * count, step,
-                                             max_depth - 1));
+void DetCoefficients::along_line(const StepPolynomial<1>* c, StepPolynomial<3>* out) const {
+  SmallBuffer<StepPolynomial<1>, 256> derivatives(derivative_size());
+  differentiate(c, derivatives.data());
+  SmallBuffer<StepPolynomial<2>, 128> cofactor(static_cast<std::size_t>(minors_.target_count()));
+  expand_in_space<double>(derivatives.data(), cofactor.data(), out);
 }
 
 }  // namespace majorant

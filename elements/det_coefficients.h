@@ -1,63 +1,85 @@
-// Bernstein coefficients of det J of a planar Bezier triangle, and proofs that they are positive.
+// Bernstein coefficients of det J of one element, and what floating point may have done to them.
 //
-// det J has degree 2(n-1); its coefficients are bilinear in the differences of control points
-// ([MC20] Sec. 5.2 with the factor of method.md E6). All positive => det J > 0 on the triangle.
+// Derivatives of the map are differences of control points, times the degree n. In the plane det J
+// is bilinear in them ([MC20] Sec. 5.2 with the factor of method.md E6), in space it goes through
+// the cofactors D1 x D2 of the first derivative, so that the cost is a sum of two products rather
+// than a triple one. Degrees: 2(n-1) on triangles, 3(n-1) on tetrahedra, (2n-1, 2n-1) on squares.
 #pragma once
 
 #include <vector>
 
-#include "majorant/elements/bernstein.h"
-#include "majorant/elements/positivity.h"
+#include "majorant/elements/bernstein_element.h"
+#include "majorant/elements/step_polynomial.h"
 
 namespace majorant {
 
+// The product of two Bernstein polynomials: entry (r, s) adds scale * weight * a_r * b_s to
+// coefficient `target`. Entries are stored by r, then s.
+class ProductTable {
+ public:
+  struct Entry {
+    int target;
+    double weight;  // numerator / denominator, rounded
+  };
+  struct Fraction {
+    double numerator, denominator;  // integers
+  };
+  ProductTable() = default;
+  ProductTable(const BernsteinBasis& a, const BernsteinBasis& b, const BernsteinBasis& product,
+               double scale);
+  int rows() const { return rows_; }
+  int columns() const { return columns_; }
+  int target_count() const { return target_count_; }
+  const std::vector<Entry>& entries() const { return entries_; }
+  const std::vector<Fraction>& fractions() const { return fractions_; }  // one per entry
+
+ private:
+  int rows_ = 0, columns_ = 0, target_count_ = 0;
+  std::vector<Entry> entries_;
+  std::vector<Fraction> fractions_;
+};
+
 class DetCoefficients {
  public:
-  static constexpr int kMaxDegree = 8;
-  static const DetCoefficients& of_degree(int n);  // of the map, 1..8; throws std::out_of_range
+  explicit DetCoefficients(const BernsteinElement& element);
 
-  int det_degree() const { return 2 * (degree_ - 1); }
-  int count() const { return control_point_count(det_degree()); }
+  const BernsteinBasis& basis() const { return basis_; }
+  int count() const { return basis_.count(); }
 
-  // c: 2 numbers per control point; out: count() coefficients.
-  void at(const double* c, double* out) const;
-  // Coefficients of det J(c + s d) = out0 + s out1 + s^2 out2.
-  void along_line(const double* c, const double* d, double* out0, double* out1, double* out2) const;
-  // Coefficients and a rigorous bound of the absolute error of each, for finite c without overflow.
+  // Coefficients for control points c (D numbers per node) and a rigorous bound of the absolute
+  // error of each, for finite c without overflow. out, error: count() numbers.
   void at_with_error(const double* c, double* out, double* error) const;
   // The same in quadruple precision, rounded to double; error bounds accordingly smaller.
   void at_with_error_quad(const double* c, double* out, double* error) const;
-
-  // One product (D0u_r D1v_s - D1u_r D0v_s) of coefficient `target`.
-  struct Product {
-    int r, s, target;
-    double weight;                  // numerator / denominator, rounded
-    double numerator, denominator;  // integers
-  };
-  // Differences by direction: D0 = c[plus0] - c[plus2], D1 = c[plus1] - c[plus2].
-  struct Difference {
-    int plus0, plus1, plus2;
-  };
-  const std::vector<Product>& products() const { return products_; }
-  const std::vector<Difference>& differences() const { return differences_; }
+  // Coefficients as polynomials of degree D in t for control points that are linear in t.
+  void along_line(const StepPolynomial<1>* c, StepPolynomial<2>* out) const;
+  void along_line(const StepPolynomial<1>* c, StepPolynomial<3>* out) const;
 
  private:
-  explicit DetCoefficients(int n);
+  // Control value of a derivative, without the factor n: c[plus] - c[minus].
+  struct Difference {
+    int plus, minus;
+  };
+  static std::vector<Difference> differences(const BernsteinElement& element, int direction);
+  template <class Number, class First>
+  void differentiate(const Number* c, First* out) const;
+  template <class Real, class First, class Second>
+  void expand_in_plane(const First* derivatives, Second* out) const;
+  template <class Real, class First, class Second, class Third>
+  void expand_in_space(const First* derivatives, Second* cofactors, Third* out) const;
   template <class Real>
   void with_error(const double* c, double unit, double* out, double* error) const;
-  int degree_;
-  std::vector<Product> products_;
-  std::vector<Difference> differences_;
+  std::size_t derivative_size() const {
+    return static_cast<std::size_t>(dim_ * dim_ * derivative_count_);
+  }
+
+  int dim_, degree_;
+  BernsteinBasis basis_;
+  int derivative_count_;                 // coefficients of one derivative of one component
+  std::vector<Difference> differences_;  // derivative_count_ of each direction
+  std::array<int, 4> matrix_{};          // in the plane: which derivatives form the 2 by 2 matrix
+  ProductTable minors_;                  // of the last two directions; in the plane det J itself
+  ProductTable products_;                // in space: of the first direction and a cofactor
 };
-
-// Whether a polynomial of degree n with these Bernstein coefficients, each exact to +- error, is
-// positive on the triangle; bisects down to max_depth ([MC20] Sec. 5.2, App. E). Certified is a
-// proof; Violated: not provably positive at a corner; Undecided: max_depth was reached.
-PositivityProof certify_positive(int n, const double* coefficients, double error, int max_depth);
-
-// Largest s' <= s with p0 + t p1 + t^2 p2 > 0 certified for all 0 <= t < s', all polynomials given
-// by Bernstein coefficients of degree n; bisects up to max_depth where that lengthens the step.
-double largest_positive_step(int n, const double* p0, const double* p1, const double* p2, double s,
-                             int max_depth);
 
 }  // namespace majorant

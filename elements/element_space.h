@@ -23,12 +23,11 @@ namespace majorant {
 //   d_a B_i d_b B_j = sum_m H[i,a,j,b,m] moment_m  (`hessian` list, `moment` table)
 // so the sums over quadrature points are moments, and basis pairs appear only afterwards.
 struct ContractionTable {
-  int nodes = 0;  // per element
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>
-      directions;  // D by reference dimension: gamma_a
-  Vec weights;     // L
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> first;   // L by N1
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> moment;  // L by Nm
+  int nodes = 0;         // per element
+  RowMatrix directions;  // D by reference dimension: gamma_a
+  Vec weights;           // L
+  RowMatrix first;       // L by N1
+  RowMatrix moment;      // L by Nm
   std::vector<GradientEntry> gradient;
   // Entries of node pair (i, j), j <= i, are [pair_starts[p], pair_starts[p+1]), p = i(i+1)/2 + j.
   std::vector<HessianEntry> hessian;

@@ -1,5 +1,11 @@
-// Proofs that det J > 0 on an element.
+// Proofs that a polynomial in Bernstein form is positive on its cell: det J, for the elements here.
+//
+// All coefficients positive => positive; where that does not decide, the cell is bisected. [MC20]
+// Sec. 5.2, App. E.
 #pragma once
+
+#include "majorant/elements/step_polynomial.h"
+#include "majorant/elements/subdivision.h"
 
 namespace majorant {
 
@@ -10,5 +16,18 @@ struct PositivityProof {
   double lower_bound = 0;  // of the minimum on the element; certified whatever the result
   int depth = 0;           // of bisection that was needed
 };
+
+// Whether the polynomial with these coefficients, each exact to +- error, is positive on the cell;
+// bisects down to max_depth, its own rounding included. Certified is a proof; Violated: not
+// provably positive at a corner; Undecided: max_depth was reached.
+PositivityProof certify_positive(const Subdivision& cell, const double* coefficients, double error,
+                                 int max_depth);
+
+// Largest s' <= s such that the polynomial whose coefficients are p(t) is positive on the cell for
+// all 0 <= t < s'; bisects up to max_depth where that lengthens the step.
+double largest_positive_step(const Subdivision& cell, const StepPolynomial<2>* p, double s,
+                             int max_depth);
+double largest_positive_step(const Subdivision& cell, const StepPolynomial<3>* p, double s,
+                             int max_depth);
 
 }  // namespace majorant

@@ -5,12 +5,13 @@
 #pragma once
 
 #include "majorant/elements/bernstein.h"
+#include "majorant/elements/bernstein_basis.h"
 
 namespace majorant {
 
 struct Quadrature {
   // #L by coordinates: 3 or 4 barycentric ones that add to 1, or D of a cube.
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> points;
+  RowMatrix points;
   Vec weights;  // #L, add to 1
   Index size() const { return static_cast<Index>(weights.size()); }
 };

@@ -41,11 +41,13 @@ RestShapes flat_simplices(const RowMatrix& positions, const Cells& cells) {
   rest.inverse.resize(cells.rows(), rest.dim * rest.dim);
   rest.measure.resize(cells.rows());
   RowMatrix inverse(rest.dim, rest.dim);
+  const int origin = rest.dim == 2 ? 2 : 0;  // whichever gives positive cells positive measures
   for (Index e = 0; e < cells.rows(); ++e) {
     Eigen::MatrixXd tangents(positions.cols(), rest.dim);
     for (int k = 0; k < rest.dim; ++k)
       tangents.col(k) =
-          (positions.row(cells(e, k)) - positions.row(cells(e, rest.dim))).transpose();
+          (positions.row(cells(e, origin == 0 ? k + 1 : k)) - positions.row(cells(e, origin)))
+              .transpose();
     rest.measure[e] = invert(tangents, inverse) / factorial;
     rest.inverse.row(e) = Eigen::Map<const Eigen::RowVectorXd>(inverse.data(), inverse.size());
   }

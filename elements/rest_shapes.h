@@ -11,8 +11,6 @@
 
 namespace majorant {
 
-using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
 struct RestShapes {
   int dim = 2;        // D, the reference dimension
   RowMatrix inverse;  // #E by D^2: M row by row, constant on each element; no rows: see nodes
@@ -27,8 +25,9 @@ struct RestShapes {
 };
 
 // Flat simplices, one per row of D+1 vertex numbers: triangles in the plane or in space (D = 2),
-// tetrahedra in space (D = 3). positions: #V by d. Where d = D the frame is that of the positions,
-// else e0 = p0 - p2 along the first axis ([MC20] Eq. 5 and 6).
+// tetrahedra in space (D = 3), reference coordinates as in their spaces: tangents p0 - p2 and p1 -
+// p2 of a triangle, p1 - p0, p2 - p0, p3 - p0 of a tetrahedron. positions: #V by d. Where d = D the
+// frame is that of the positions, else p0 - p2 along the first axis ([MC20] Eq. 5 and 6).
 RestShapes flat_simplices(const RowMatrix& positions, const Cells& cells);
 
 // flat_simplices of triangles in space: positions #V by 3, faces #F by 3.

@@ -1,0 +1,77 @@
+#include "majorant/elements/bernstein_basis.h"
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+
+namespace majorant {
+namespace {
+
+double power(double x, int e) {
+  double r = 1;
+  for (; e > 0; --e) r *= x;
+  return r;
+}
+
+// (e_0 + e_1 + ...)! / (e_0! e_1! ...), exact while it fits 53 bits.
+double multinomial(const int* e, int size) {
+  double out = 1;
+  for (int k = 0, total = 0; k < size; ++k)
+    for (int j = 1; j <= e[k]; ++j) out = out * ++total / j;
+  return out;
+}
+
+}  // namespace
+
+BernsteinBasis::BernsteinBasis(Factors factors, std::vector<Exponents> functions)
+    : factors_(std::move(factors)),
+      coordinates_(std::accumulate(factors_.begin(), factors_.end(), 0)),
+      functions_(std::move(functions)) {
+  if (coordinates_ > static_cast<int>(Exponents{}.size()))
+    throw std::invalid_argument("BernsteinBasis: cell with too many coordinates");
+  for (int k = 0; k < count(); ++k) {
+    double weight = 1;
+    const int* e = exponents(k).data();
+    for (const int corners : factors_) {
+      weight *= multinomial(e, corners);
+      e += corners;
+    }
+    weights_.push_back(weight);
+    lookup_.emplace(exponents(k), k);
+  }
+}
+
+int BernsteinBasis::find(const Exponents& e) const {
+  const auto found = lookup_.find(e);
+  return found == lookup_.end() ? -1 : found->second;
+}
+
+bool BernsteinBasis::is_corner(int k) const {
+  const int* e = exponents(k).data();
+  for (const int corners : factors_) {
+    if (*std::max_element(e, e + corners) != std::accumulate(e, e + corners, 0)) return false;
+    e += corners;
+  }
+  return true;
+}
+
+Vec BernsteinBasis::values(VecIn point) const {
+  std::array<double, Exponents{}.size()> x{};
+  Index from = 0;
+  std::size_t to = 0;
+  for (const int corners : factors_)
+    if (corners == 2) {  // a segment, given by one number
+      x[to++] = 1 - point[from];
+      x[to++] = point[from++];
+    } else {
+      for (int k = 0; k < corners; ++k) x[to++] = point[from++];
+    }
+  Vec b(count());
+  for (int k = 0; k < count(); ++k) {
+    b[k] = weight(k);
+    for (std::size_t c = 0; c < to; ++c) b[k] *= power(x[c], exponents(k)[c]);
+  }
+  return b;
+}
+
+}  // namespace majorant

@@ -1,0 +1,36 @@
+// What distinguishes one element type of Bernstein polynomials from another: data, no algorithms.
+//
+// To add an element, describe it and derive its space from BernsteinSpace (bernstein_space.h);
+// bezier_tetrahedron_space.cpp is an example.
+#pragma once
+
+#include <string_view>
+
+#include "majorant/elements/subdivision.h"
+
+namespace majorant {
+
+struct BernsteinElement {
+  std::string_view name;  // of its space, for messages
+  int degree;             // of the map
+  int max_degree;
+  Factors factors;
+  // Exponents of a polynomial space in the element's node order (VTK's), corners first.
+  std::vector<Exponents> (*lattice)(const Degrees& degrees);
+  // Derivative by reference coordinate d: by homogeneous coordinate [0] minus by coordinate [1].
+  std::vector<std::array<int, 2>> derivatives;
+  std::vector<Subdivision::Step> bisections;
+
+  int dim() const { return static_cast<int>(derivatives.size()); }
+  int corner_count() const;
+  double measure() const;  // of the reference cell
+
+  Degrees degrees() const { return Degrees(factors.size(), degree); }
+  BernsteinBasis basis(const Degrees& of) const { return {factors, lattice(of)}; }
+  // Factor that a homogeneous coordinate belongs to.
+  int factor_of(int coordinate) const;
+  // Degrees of the map's derivative by a coordinate of this factor.
+  Degrees lowered(int factor) const;
+};
+
+}  // namespace majorant

@@ -1,0 +1,61 @@
+// The element space of any BernsteinElement: everything but the description of the element.
+//
+// Derived classes add a constructor that describes it, and what only they have.
+#pragma once
+
+#include "majorant/elements/bernstein_element.h"
+#include "majorant/elements/det_coefficients.h"
+#include "majorant/elements/element_space.h"
+#include "majorant/elements/node_numbering.h"
+
+namespace majorant {
+
+class BernsteinSpace : public ElementSpace {
+ public:
+  int degree() const { return element_.degree; }
+  int reference_dim() const final { return element_.dim(); }
+  double reference_measure() const final { return element_.measure(); }
+  const Cells& cells() const final { return numbering_.cells; }
+  Index node_count() const final { return numbering_.node_count; }
+  // Vertices are the first nodes, in the order they were given.
+  Index vertex_count() const { return vertex_count_; }
+  // Nodes on facets that only one cell has, sorted.
+  const std::vector<Index>& boundary_nodes() const { return numbering_.boundary_nodes; }
+  // Bernstein polynomials of the nodes, to evaluate a map.
+  const BernsteinBasis& basis() const { return basis_; }
+
+  // Control points of the map that takes vertex v to row v and is linear (on squares: bilinear) on
+  // every cell. vertices: #V by d; returns #N by d. Throws std::invalid_argument for another #V.
+  RowMatrix node_positions(const RowMatrix& vertices) const;
+
+  ContractionTable tabulate(const Quadrature& rule) const final;
+  PositivityProof certify(Index e, VecIn x, int max_depth) const final;
+  double largest_step(Index e, VecIn x, VecIn d, double s, int max_depth) const final;
+
+ protected:
+  // cells: #E by corners, positively oriented. Throws std::invalid_argument for a degree outside
+  // 1..max_degree and what number_nodes() refuses.
+  BernsteinSpace(const BernsteinElement& element, const Cells& cells, Index vertex_count);
+
+ private:
+  // store(i, k): number i of element e (D per local node) is unknown k.
+  template <class Store>
+  void gather(Index e, const Store& store) const;
+  template <int K>
+  double largest_step_in(Index e, VecIn x, VecIn d, double s, int max_depth) const;
+
+  BernsteinElement element_;
+  Index vertex_count_;
+  BernsteinBasis basis_;
+  NodeLattice lattice_;
+  NodeNumbering numbering_;
+  DetCoefficients det_;
+  Subdivision subdivision_;
+};
+
+// First-order and product tables of an element on a rule, from its exponents (method.md section 4):
+// a derivative lowers one exponent, a product adds exponents. Directions: the barycentric ones of
+// a simplex, the reference ones of a product of simplices.
+ContractionTable contraction_table(const BernsteinElement& element, const Quadrature& rule);
+
+}  // namespace majorant

@@ -1,0 +1,55 @@
+// Continuous numbering of the nodes of cells that share vertices, edges and faces.
+//
+// Whether two cells mean the same node is decided by the weights of its straight position on the
+// vertices of the cells, so that it does not matter how either of them is turned.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "majorant/elements/bernstein_basis.h"
+
+namespace majorant {
+
+// Nodes of one cell.
+class NodeLattice {
+ public:
+  // nodes: Bernstein functions of the cell, the corners first.
+  explicit NodeLattice(const BernsteinBasis& nodes);
+
+  int node_count() const { return static_cast<int>(weights_.rows()); }
+  int corner_count() const { return static_cast<int>(weights_.cols()); }
+  // Node l of a straight cell is at sum_c weight(l, c) corner_c / total_weight().
+  int weight(int node, int corner) const { return weights_(node, corner); }
+  int total_weight() const { return weights_.row(0).sum(); }
+
+  // Part of the cell's boundary that other cells may share.
+  struct Part {
+    std::vector<int> corners;  // at most 4
+    std::vector<int> nodes;    // inside: with weights on exactly these corners
+    std::vector<int> closure;  // for facets all their nodes; empty for others
+  };
+  const std::vector<Part>& parts() const { return parts_; }
+  const std::vector<int>& interior() const { return interior_; }  // nodes of no part
+
+ private:
+  Part& part_of(const std::vector<int>& corners);
+  Eigen::MatrixXi weights_;
+  std::vector<Part> parts_;
+  std::vector<int> interior_;
+};
+
+// Vertices keep their numbers, then come edges (from the smaller to the larger vertex), then faces,
+// then the interiors of cells.
+struct NodeNumbering {
+  Cells cells;  // #E by nodes per cell
+  Index node_count = 0;
+  std::vector<Index> boundary_nodes;  // on facets of one cell, sorted
+};
+// cells: #E by corners. `name` opens the messages. Throws std::invalid_argument for a wrong number
+// of columns, vertex numbers outside 0..vertex_count-1, a vertex twice in a cell and facets of more
+// than two cells.
+NodeNumbering number_nodes(const NodeLattice& lattice, const Cells& cells, Index vertex_count,
+                           std::string_view name);
+
+}  // namespace majorant
