@@ -18,6 +18,8 @@ constexpr int kExcludedIterations = 10;
 constexpr double kSoftStart = 1e5;  // mean density
 constexpr int kDeepest = 13;        // bisections, when the asked depth holds a run back
 constexpr int kStallRounds = 60;
+constexpr double kIsometry = 4;  // symmetric Dirichlet density
+constexpr double kBarrierTolerance = 1e-4;
 constexpr int kAccuracyRounds = 3;
 constexpr double kQuadratureError = 3e-5;  // of the energy, all elements together
 
@@ -114,6 +116,14 @@ SolveResult DegreeSolver::approach(double tolerance, RunRecord& record) {
 }
 
 SolveResult DegreeSolver::finish(RunRecord& record) {
+  const SolveResult result = exhaust(record);
+  const bool barrier = std::any_of(terms_.begin(), terms_.end(), [](const auto& term) {
+    return term->name() == "symmetric-dirichlet";
+  });
+  return result.status == Status::Stalled && !barrier ? follow_barrier(result, record) : result;
+}
+
+SolveResult DegreeSolver::exhaust(RunRecord& record) {
   StoppingRules rules;
   rules.relative_decrease = setup_.options.tolerance;
   rules.max_iterations = std::numeric_limits<int>::max();
@@ -204,6 +214,26 @@ SolveResult DegreeSolver::leave_stall(const SolveResult& stalled, RunRecord& rec
   apply_state();
   rules.max_iterations = std::numeric_limits<int>::max();
   SolveResult result = run_once(rules, record);
+  if (result.energy < stalled.energy) return result;
+  x_ = best;
+  return stalled;
+}
+
+// Interior points: the energy plus mu times symmetric Dirichlet, whose barrier is strong, for
+// falling mu leads around corners that an energy with a weak barrier, or none, ran into.
+SolveResult DegreeSolver::follow_barrier(const SolveResult& stalled, RunRecord& record) {
+  const Vec best = x_;
+  const double scale = std::abs(stalled.energy) / kIsometry;
+  for (const double mu : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6}) {
+    Setup with = setup_;
+    with.map.energy.push_back({symmetric_dirichlet(), mu * scale});
+    with.options.curvature = Curvature::Projected;
+    DegreeSolver inner(with, space_, x_);
+    const SolveResult result = inner.approach(kBarrierTolerance, record);
+    x_ = inner.x();
+    if (result.status != Status::Converged && result.status != Status::Stalled) break;
+  }
+  SolveResult result = exhaust(record);
   if (result.energy < stalled.energy) return result;
   x_ = best;
   return stalled;

@@ -48,6 +48,8 @@ class DegreeSolver {
   void apply_state();
   bool climb(const std::vector<Index>& elements);
   bool climb_inaccurate();
+  SolveResult exhaust(RunRecord& record);
+  SolveResult follow_barrier(const SolveResult& stalled, RunRecord& record);
   SolveResult leave_stall(const SolveResult& stalled, RunRecord& record);
 
   const Setup& setup_;
