@@ -1,6 +1,7 @@
 #include "majorant/framework/line_search.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace majorant {
@@ -43,7 +44,7 @@ bool LineSearch::accept(double s) {
   ++trials_;
   const Vec candidate = y_ + s * p_;
   const double trial = evaluator_.value(candidate);
-  if (!(trial <= energy_ - options_.armijo * s * decrement_)) return false;
+  if (!std::isfinite(trial) || !(trial <= energy_ - options_.armijo * s * decrement_)) return false;
   if (best_step_ > 0 && !(trial < best_energy_)) return false;
   const Vec x = evaluator_.problem().expand(candidate);
   for (const auto& checker : evaluator_.problem().checkers())

@@ -13,7 +13,7 @@
 namespace majorant {
 
 struct LineSearchOptions {
-  double armijo = 1e-4;            // accept s when E(s) <= E(0) + armijo * s * g.p
+  double armijo = 1e-4;            // accept s when E(s) <= E(0) + armijo * s * g.p, finite
   double boundary_fraction = 0.9;  // of the largest certified step is used, when that is the limit
   double largest_growth = 4;       // of the step per trial, while the energy asks for more
   double smallest_step = 1e-14;    // give up below

@@ -1,6 +1,7 @@
 #include "majorant/framework/newton.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace majorant {
@@ -15,6 +16,7 @@ NewtonStepper::NewtonStepper(const Problem& problem, NewtonOptions options)
 void NewtonStepper::reset(const Problem& problem) {
   const bool same = problem.same_structure(evaluator_.problem());
   evaluator_.reset(problem);
+  relative_decrement_ = std::numeric_limits<double>::infinity();
   if (!same) solver_->analyze(evaluator_.problem().pattern());
 }
 

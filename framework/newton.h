@@ -33,7 +33,8 @@ class NewtonStepper final : public Stepper {
  public:
   NewtonStepper(const Problem& problem, NewtonOptions options);
 
-  // Goes on with another state of the same structure; the symbolic factorization stays.
+  // Goes on with another state of the same structure; the symbolic factorization stays. The exact
+  // Hessian waits until a step has come near this state's minimum.
   void reset(const Problem& problem);
 
   Step step(Vec& y, double& energy) override;

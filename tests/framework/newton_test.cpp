@@ -296,6 +296,22 @@ TEST(Newton, StepperGoesOnWithAnotherState) {
   EXPECT_LE((r.y - Vec::Ones(3)).norm(), 1e-6);
 }
 
+// Being near the minimum of one state says nothing about another: the model comes first again.
+TEST(Newton, AnotherStateForgetsTheLastDecrement) {
+  const auto a = std::make_shared<const Chain>(3, parabola(0, 1));
+  const auto b = std::make_shared<const Chain>(3, double_well());
+  const Problem problem = ProblemBuilder(3).add(a, 1).add(b, 0).build();
+  NewtonStepper stepper(problem, options(Curvature::Projected));
+  const SolveResult r = run(stepper, Vector3(1e-3, 1e-3, 1e-3), {}, {});
+  ASSERT_EQ(r.status, Status::Converged);
+  TermState off, on;
+  off.weight = 0;
+  stepper.reset(problem.with({off, on}));
+  Vec y = Vector3(2, 3, 4);
+  double energy = stepper.evaluator().value(y);
+  EXPECT_EQ(stepper.step(y, energy).record.curvature, Curvature::Projected);
+}
+
 TEST(Newton, StatusNames) {
   EXPECT_EQ(name(Status::Converged), "converged");
   EXPECT_EQ(name(Status::MaxIterations), "max_iterations");

@@ -1,0 +1,76 @@
+// Ceres on our Problem: the cases of all minimizers, options, scale, the last iteration.
+#include "majorant/framework/ceres_minimizer.h"
+
+#include "framework/minimizer_cases.h"
+
+namespace majorant {
+
+template <CeresOptions::Method method>
+struct CeresTraits {
+  static constexpr bool kCertifiesPaths = false;
+  static std::unique_ptr<Minimizer> make(int max_iterations) {
+    CeresOptions o;
+    o.method = method;
+    o.max_iterations = max_iterations;
+    return std::make_unique<CeresMinimizer>(o);
+  }
+};
+
+namespace test {
+using CeresKinds = testing::Types<CeresTraits<CeresOptions::Method::Lbfgs>,
+                                  CeresTraits<CeresOptions::Method::NonlinearConjugateGradient>>;
+INSTANTIATE_TYPED_TEST_SUITE_P(Ceres, MinimizerCases, CeresKinds);
+}  // namespace test
+
+namespace {
+
+using test::ChainProblem;
+
+// The gradient rule is absolute: energies of tiny scale need `scale`.
+TEST(Ceres, TheScaleMakesTheGradientRuleRelative) {
+  ChainProblem chain(10);
+  TermState state;
+  state.weight = 1e-12;
+  const Problem tiny = chain.problem.with({state});
+  const double best = 1e-12 * chain.term->best_energy();
+  CeresOptions o;
+  const SolveResult early = CeresMinimizer(o).minimize(tiny, chain.start, {});
+  EXPECT_EQ(early.status, Status::Converged);
+  EXPECT_GT(early.energy, 1.1 * best) << "1e-10 holds at once";
+  o.scale = 1 / Evaluator(tiny).value(chain.start);
+  const SolveResult r = CeresMinimizer(o).minimize(tiny, chain.start, {});
+  EXPECT_EQ(r.status, Status::Converged) << r.message;
+  EXPECT_NEAR(r.energy, best, 1e-10 * best);
+}
+
+TEST(Ceres, TheLastPointIsReportedOnce) {
+  const ChainProblem chain(10);
+  CeresOptions o;
+  for (const double tolerance : {1e-1, 1e-3, 1e-6}) {
+    o.function_tolerance = tolerance;
+    int calls = 0;
+    Vec last;
+    const SolveResult r = CeresMinimizer(o).minimize(chain.problem, chain.start,
+                                                     [&](const IterationRecord&, const Vec& y) {
+                                                       ++calls;
+                                                       EXPECT_TRUE(last.size() == 0 || y != last);
+                                                       last = y;
+                                                       return Directive::Continue;
+                                                     });
+    EXPECT_EQ(r.status, Status::Converged);
+    EXPECT_EQ(r.y, last);
+    EXPECT_EQ(static_cast<int>(r.iterations.size()), calls);
+    EXPECT_LE(r.iterations.back().relative_decrease, tolerance);
+    EXPECT_GT(r.iterations.back().step, 0);
+  }
+}
+
+TEST(Ceres, BadOptionsThrow) {
+  const ChainProblem chain(3);
+  for (const CeresOptions& o : {CeresOptions{.max_iterations = -1}, CeresOptions{.history = 0},
+                                CeresOptions{.scale = 0}, CeresOptions{.scale = -1}})
+    EXPECT_THROW(CeresMinimizer(o).minimize(chain.problem, chain.start, {}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace majorant

@@ -1,0 +1,157 @@
+// Gradient flow in a metric: the cases of all minimizers, rates, metrics of other problems.
+#include "majorant/framework/gradient_flow.h"
+
+#include "framework/minimizer_cases.h"
+
+namespace majorant {
+namespace {
+
+using test::ChainProblem;
+using test::QuadraticTerm;
+using test::Random;
+using test::Rows;
+
+// sum of d^2 / 2 over the gaps, the chain's Dirichlet energy, under constraints of its problem.
+class Springs final : public EnergyTerm {
+ public:
+  explicit Springs(Index gaps) : stencils_(test::band_stencils(gaps, 2, 1)) {}
+  std::string_view name() const override { return "springs"; }
+  const Stencils& stencils() const override { return stencils_; }
+  bool supports(Curvature) const override { return true; }
+  void values(VecIn x, const Chunk& chunk, const TermState&, Workspace&,
+              std::span<double> f) const override {
+    for (std::size_t p = 0; p < chunk.elements.size(); ++p)
+      f[p] = std::pow(x[chunk.elements[p] + 1] - x[chunk.elements[p]], 2) / 2;
+  }
+  void local(VecIn x, const Chunk& chunk, Curvature, const TermState& state, Workspace& workspace,
+             LocalSystem& out) const override {
+    constexpr std::size_t stride = LocalSystem::stride;
+    values(x, chunk, state, workspace, {out.value, chunk.elements.size()});
+    for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
+      const double d = x[chunk.elements[p] + 1] - x[chunk.elements[p]];
+      out.gradient[p] = -d;
+      out.gradient[stride + p] = d;
+      if (!out.hessian) continue;
+      out.hessian[p] = out.hessian[2 * stride + p] = 1;
+      out.hessian[stride + p] = -1;
+    }
+  }
+
+ private:
+  Stencils stencils_;
+};
+
+// The Dirichlet problem over the unknowns of `problem`, if it is a chain's.
+std::optional<Problem> dirichlet(const Problem& problem) {
+  const Index n = problem.full_size() - 1;
+  Rows rows;
+  if (problem.size() == n) rows.row({{0, 1}, {n, 1}}, 1);
+  return ProblemBuilder(n + 1).add(std::make_shared<const Springs>(n), 1).add(rows).build();
+}
+
+// The metric of a flow belongs to the problem: chains get Dirichlet's, the rest their own.
+class FlowForTests final : public Minimizer {
+ public:
+  explicit FlowForTests(int max_iterations) { options_.stopping.max_iterations = max_iterations; }
+  SolveResult minimize(const Problem& problem, Vec y0, const Observer& observer) const override {
+    GradientFlowOptions o = options_;
+    if (problem.term_count() == 1 && problem.term(0).name() == "barrier chain")
+      o.metric = dirichlet(problem);
+    return GradientFlowMinimizer(o).minimize(problem, std::move(y0), observer);
+  }
+
+ private:
+  GradientFlowOptions options_;
+};
+
+}  // namespace
+
+struct FlowTraits {
+  static constexpr bool kCertifiesPaths = true;
+  static std::unique_ptr<Minimizer> make(int max_iterations) {
+    return std::make_unique<FlowForTests>(max_iterations);
+  }
+};
+
+namespace test {
+INSTANTIATE_TYPED_TEST_SUITE_P(GradientFlow, MinimizerCases, FlowTraits);
+}  // namespace test
+
+namespace {
+
+TEST(GradientFlow, SolvesAQuadraticInOneStepWithItsOwnMetric) {
+  Random random(1);
+  const auto term =
+      std::make_shared<const QuadraticTerm>(test::band_stencils(30, 3, 2), random, true);
+  Rows rows;
+  rows.row({{0, 1}, {7, 1}}, 1).row({{5, 1}, {9, -1}}, 0.5);
+  const Problem problem = ProblemBuilder(64).add(term, 1.0).add(rows).build();
+  const SolveResult r = GradientFlowMinimizer().minimize(problem, random.vector(62), {});
+  ASSERT_EQ(r.status, Status::Converged) << r.message;
+  EXPECT_EQ(r.iterations.size(), 1u);
+  EXPECT_NEAR(r.iterations[0].step, 1, 1e-6);
+}
+
+// In the Dirichlet metric the chain decouples into its gaps: the number of iterations does not grow
+// with their number, as it would in the Euclidean metric.
+TEST(GradientFlow, IterationsDoNotGrowWithTheChainInTheDirichletMetric) {
+  std::size_t iterations[2];
+  for (const Index gaps : {20, 200}) {
+    const ChainProblem chain(gaps);
+    GradientFlowOptions o;
+    o.metric = dirichlet(chain.problem);
+    const SolveResult r = GradientFlowMinimizer(o).minimize(chain.problem, chain.start, {});
+    EXPECT_EQ(r.status, Status::Converged) << r.message;
+    iterations[gaps == 200] = r.iterations.size();
+  }
+  EXPECT_LT(iterations[1], 2 * iterations[0]);
+}
+
+// -g.p is g.M^-1 g, with M the metric's Hessian.
+TEST(GradientFlow, RecordsTheSobolevNormOfTheGradient) {
+  const ChainProblem chain(8);
+  GradientFlowOptions o;
+  o.metric = dirichlet(chain.problem);
+  o.stopping.max_iterations = 1;
+  const SolveResult r = GradientFlowMinimizer(o).minimize(chain.problem, chain.start, {});
+  Eigen::MatrixXd m(8, 8);
+  Vec g;
+  Evaluator dirichlet_energy(*o.metric);
+  const Vec zero = Vec::Zero(8);
+  Vec at_zero, column;
+  dirichlet_energy.gradient(zero, at_zero);
+  for (Index j = 0; j < 8; ++j) {
+    dirichlet_energy.gradient(Vec::Unit(8, j), column);
+    m.col(j) = column - at_zero;
+  }
+  Evaluator(chain.problem).gradient(chain.start, g);
+  const double expected = g.dot(m.ldlt().solve(g));
+  EXPECT_NEAR(r.iterations.at(0).newton_decrement, expected, 1e-10 * expected);
+}
+
+// A metric far too small or too large is a matter of the step's scale, which is remembered.
+TEST(GradientFlow, TheScaleOfTheMetricHardlyMatters) {
+  const ChainProblem chain(10);
+  for (const double weight : {1e-6, 1.0, 1e6}) {
+    GradientFlowOptions o;
+    TermState state;
+    state.weight = weight;
+    o.metric = dirichlet(chain.problem)->with({state});
+    o.stopping.decrement = 1e-14 / weight;
+    const SolveResult r = GradientFlowMinimizer(o).minimize(chain.problem, chain.start, {});
+    EXPECT_NEAR(r.energy, chain.best_energy(), 1e-8 * std::abs(chain.best_energy())) << weight;
+    EXPECT_NEAR(std::log10(r.iterations.at(5).step), std::log10(weight), 1.5);
+    EXPECT_LT(r.iterations.size(), 2000u);
+  }
+}
+
+TEST(GradientFlow, RefusesForeignMetrics) {
+  const ChainProblem chain(5);
+  GradientFlowOptions o;
+  o.metric = test::chain_of(6, test::parabola(0, 0));
+  EXPECT_THROW(GradientFlowMinimizer(o).minimize(chain.problem, chain.start, {}),
+               std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace majorant

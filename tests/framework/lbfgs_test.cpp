@@ -1,0 +1,136 @@
+// L-BFGS in a factored metric: the cases of all minimizers, and what history and metric do.
+#include "majorant/framework/lbfgs.h"
+
+#include "framework/minimizer_cases.h"
+#include "majorant/framework/newton.h"
+
+namespace majorant {
+
+struct LbfgsTraits {
+  static constexpr bool kCertifiesPaths = true;
+  static std::unique_ptr<Minimizer> make(int max_iterations) {
+    LbfgsOptions o;
+    o.stopping.max_iterations = max_iterations;
+    return std::make_unique<LbfgsMinimizer>(o);
+  }
+};
+struct RefactoredLbfgsTraits {
+  static constexpr bool kCertifiesPaths = true;
+  static std::unique_ptr<Minimizer> make(int max_iterations) {
+    LbfgsOptions o;
+    o.metric_every = 5;
+    o.linear_solver = make_eigen_ldlt_solver;
+    o.stopping.max_iterations = max_iterations;
+    return std::make_unique<LbfgsMinimizer>(o);
+  }
+};
+
+namespace test {
+using LbfgsKinds = testing::Types<LbfgsTraits, RefactoredLbfgsTraits>;
+INSTANTIATE_TYPED_TEST_SUITE_P(Lbfgs, MinimizerCases, LbfgsKinds);
+}  // namespace test
+
+namespace {
+
+using test::ChainProblem;
+using test::QuadraticTerm;
+using test::Random;
+using test::Rows;
+
+Problem random_quadratic(unsigned seed) {
+  Random random(seed);
+  const auto term =
+      std::make_shared<const QuadraticTerm>(test::band_stencils(30, 3, 2), random, true);
+  Rows rows;
+  rows.row({{0, 1}, {7, 1}}, 1).row({{5, 1}, {9, -1}}, 0.5);
+  return ProblemBuilder(64).add(term, 1.0).add(rows).build();
+}
+
+TEST(Lbfgs, SolvesAQuadraticInOneStepWithItsOwnMetric) {
+  const Problem problem = random_quadratic(1);
+  const SolveResult r = LbfgsMinimizer().minimize(problem, Random(2).vector(62), {});
+  ASSERT_EQ(r.status, Status::Converged) << r.message;
+  EXPECT_EQ(r.iterations.size(), 1u);
+  EXPECT_NEAR(r.iterations[0].step, 1, 1e-6);
+  Vec g;
+  Evaluator(problem).gradient(r.y, g);
+  EXPECT_LE(g.norm(), 1e-8 * r.iterations[0].gradient_norm);
+}
+
+// With an arbitrary metric and enough history, a quadratic of n unknowns takes about n steps; no
+// history is far slower.
+TEST(Lbfgs, HistoryMakesUpForAPoorMetric) {
+  Random random(3);
+  const auto term =
+      std::make_shared<const QuadraticTerm>(test::band_stencils(10, 3, 1), random, true);
+  const Problem problem = ProblemBuilder(12).add(term, 1).build();
+  LbfgsOptions o;
+  o.metric = test::chain_of(12, test::parabola(0, 0));
+  o.history = 30;
+  const Vec y0 = random.vector(12);
+  const SolveResult r = LbfgsMinimizer(o).minimize(problem, y0, {});
+  const SolveResult newton = NewtonMinimizer().minimize(problem, y0, {});
+  EXPECT_EQ(r.status, Status::Converged) << r.message;
+  EXPECT_NEAR(r.energy, newton.energy, 1e-10 * std::abs(newton.energy));
+  EXPECT_LE(r.iterations.size(), 40u);
+  o.history = 0;
+  const SolveResult slow = LbfgsMinimizer(o).minimize(problem, y0, {});
+  EXPECT_GE(slow.iterations.size(), 2 * r.iterations.size());
+}
+
+// Refactored in each step, it is Newton's method with the projected Hessian, to the last bit.
+TEST(Lbfgs, AMetricForEachStepIsNewtonsMethod) {
+  const ChainProblem chain(30);
+  LbfgsOptions o;
+  o.metric_every = 1;
+  NewtonOptions n;
+  n.exact_below = 0;
+  n.stopping = o.stopping;
+  const SolveResult r = LbfgsMinimizer(o).minimize(chain.problem, chain.start, {});
+  const SolveResult newton = NewtonMinimizer(n).minimize(chain.problem, chain.start, {});
+  EXPECT_EQ(r.status, Status::Converged);
+  EXPECT_EQ(r.y, newton.y);
+  EXPECT_EQ(r.iterations.size(), newton.iterations.size());
+}
+
+TEST(Lbfgs, RefactorsAsOftenAsTold) {
+  const ChainProblem chain(30);
+  LbfgsOptions o;
+  for (const int every : {0, 4}) {
+    o.metric_every = every;
+    const SolveResult r = LbfgsMinimizer(o).minimize(chain.problem, chain.start, {});
+    ASSERT_GT(r.iterations.size(), 5u);
+    for (std::size_t k = 0; k < r.iterations.size(); ++k)
+      EXPECT_EQ(r.iterations[k].seconds.factorize > 0, every > 0 ? k % 4 == 0 : k == 0) << k;
+  }
+}
+
+// A non-convex valley full of negative curvature along the way: pairs are skipped, never used.
+TEST(Lbfgs, PairsOfNegativeCurvatureDoNotBreakIt) {
+  const Problem problem = test::chain_of(4, test::double_well());
+  LbfgsOptions o;
+  o.curvature = Curvature::Exact;  // indefinite at the start: shifted
+  Vec y0(4);
+  y0 << 0.05, -0.1, 0.4, 2.5;
+  const SolveResult r =
+      LbfgsMinimizer(o).minimize(problem, y0, [](const IterationRecord& i, const Vec&) {
+        EXPECT_GT(i.newton_decrement, 0);
+        return Directive::Continue;
+      });
+  EXPECT_EQ(r.status, Status::Converged) << r.message;
+  EXPECT_GT(r.iterations[0].shift, 0);
+  EXPECT_NEAR(r.energy, 4, 1e-8);
+}
+
+TEST(Lbfgs, RefusesForeignMetrics) {
+  const ChainProblem chain(5);
+  LbfgsOptions o;
+  o.metric = test::chain_of(6, test::parabola(0, 0));  // no constraint
+  EXPECT_THROW(LbfgsMinimizer(o).minimize(chain.problem, chain.start, {}), std::invalid_argument);
+  o.metric.reset();
+  o.curvature = Curvature::Reweighted;
+  EXPECT_THROW(LbfgsMinimizer(o).minimize(chain.problem, chain.start, {}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace majorant

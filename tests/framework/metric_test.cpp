@@ -1,0 +1,103 @@
+// The factored metric: it is the shifted Hessian, and it refuses what does not fit.
+#include "majorant/framework/metric.h"
+
+#include <gtest/gtest.h>
+
+#include "framework/barrier_chain.h"
+#include "framework/random_matrix.h"
+#include "framework/scalar_terms.h"
+
+namespace majorant {
+namespace {
+
+using test::Chain;
+using test::QuadraticTerm;
+using test::Random;
+using test::Rows;
+
+Eigen::MatrixXd dense_hessian(const Problem& problem, VecIn y, Curvature curvature) {
+  Vec g, values;
+  Evaluator(problem).linearize(y, curvature, g, values);
+  const SparsePattern& p = problem.pattern();
+  Eigen::MatrixXd m(p.size, p.size);
+  m.setZero();
+  for (Index c = 0; c < p.size; ++c)
+    for (Index k = p.column_starts[static_cast<std::size_t>(c)];
+         k < p.column_starts[static_cast<std::size_t>(c) + 1]; ++k) {
+      const Index r = p.rows[static_cast<std::size_t>(k)];
+      m(r, c) = m(c, r) = values[k];
+    }
+  return m;
+}
+
+TEST(Metric, IsTheHessianAtThePointUnderTheCurvature) {
+  const test::ChainProblem chain(20);
+  Random random(1);
+  for (const auto& make : {make_eigen_ldlt_solver, +[] { return make_cholmod_solver(); }}) {
+    Metric metric(chain.problem, Curvature::Projected, make());
+    for (const double scale : {1.0, 1.5}) {  // refactored at another point
+      const Vec y = scale * chain.start;
+      ASSERT_TRUE(metric.factorize(y));
+      EXPECT_EQ(metric.shift(), 0);
+      const Vec r = random.vector(chain.problem.size());
+      Vec p;
+      metric.solve(r, p);
+      EXPECT_LE((dense_hessian(chain.problem, y, Curvature::Projected) * p - r).norm(),
+                1e-10 * r.norm());
+    }
+    EXPECT_EQ(metric.curvature(), Curvature::Projected);
+  }
+}
+
+TEST(Metric, ShiftsIndefiniteHessiansVisibly) {
+  const test::ChainProblem chain(20);
+  Metric metric(chain.problem, Curvature::Exact, make_cholmod_solver());
+  ASSERT_TRUE(metric.factorize(chain.start));
+  EXPECT_GT(metric.shift(), 0);
+  const Eigen::MatrixXd h = dense_hessian(chain.problem, chain.start, Curvature::Exact);
+  ASSERT_LT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(h).eigenvalues()[0], 0);
+  EXPECT_GE(metric.shift(), 1e-3 * h.diagonal().cwiseAbs().mean() * (1 - 1e-12));
+  const Vec r = Vec::Ones(h.rows());
+  Vec p;
+  metric.solve(r, p);
+  EXPECT_LE((h * p + metric.shift() * p - r).norm(), 1e-10 * r.norm());
+}
+
+TEST(Metric, NonFiniteHessiansAreNoMetric) {
+  const test::Scalar broken{[](double t) { return t; }, [](double) { return 1.0; },
+                            [](double) { return std::nan(""); }};
+  const Problem problem =
+      ProblemBuilder(1).add(std::make_shared<const Chain>(1, broken), 1).build();
+  Metric metric(problem, Curvature::Exact, make_cholmod_solver());
+  EXPECT_FALSE(metric.factorize(Vec::Zero(1)));
+}
+
+TEST(Metric, UnsupportedCurvatureIsRefused) {
+  const test::ChainProblem chain(3);
+  EXPECT_THROW(Metric(chain.problem, Curvature::Majorizer, make_cholmod_solver()),
+               std::invalid_argument);
+}
+
+TEST(Metric, ProblemsMustShareUnknownsAndConstraints) {
+  Random random(3);
+  const auto term = std::make_shared<const QuadraticTerm>(test::band_stencils(6, 2, 1), random);
+  const auto build = [&](Index size, const Rows& rows) {
+    return ProblemBuilder(size).add(term, 1).add(rows).build();
+  };
+  Rows pin_first, pin_last, both, other_value, flipped;
+  pin_first.row({{0, 1}}, 1);
+  pin_last.row({{6, 1}}, 1);
+  other_value.row({{0, 1}}, 2);
+  both.row({{0, 1}, {6, -1}}, 0);
+  flipped.row({{0, 1}, {6, 1}}, 0);
+  const Problem a = build(7, pin_first);
+  EXPECT_EQ(&metric_problem(a, std::nullopt), &a);
+  const std::optional<Problem> same = build(7, other_value);
+  EXPECT_EQ(&metric_problem(a, same), &*same) << "right-hand sides do not matter";
+  for (const Problem& b : {build(8, pin_first), build(7, {}), build(7, pin_last), build(7, both)})
+    EXPECT_THROW(metric_problem(a, b), std::invalid_argument);
+  EXPECT_THROW(metric_problem(build(7, both), build(7, flipped)), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace majorant

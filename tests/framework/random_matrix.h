@@ -1,0 +1,42 @@
+// Random symmetric matrices on the patterns that assembly makes, for the tests of linear solvers.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "framework/quadratic_term.h"
+#include "majorant/framework/assembly.h"
+#include "majorant/framework/linear_solver.h"
+
+namespace majorant::test {
+
+struct Matrix {
+  SparsePattern pattern;
+  Vec values;
+  Eigen::MatrixXd dense;
+};
+
+// Random symmetric matrix on the pattern of random stencils; positive definite when `diagonal` is
+// large enough.
+inline Matrix random_matrix(Random& random, Index nodes, int block, double diagonal) {
+  const Stencils s = random_stencils(random, 2 * nodes, 3, nodes, block);
+  const Elimination all(nodes * block, ConstraintRows{});
+  Matrix m{reduced_pattern({&s}, all), {}, Eigen::MatrixXd::Zero(nodes * block, nodes * block)};
+  m.values = random.vector(m.pattern.nonzeros());
+  for (Index c = 0; c < m.pattern.size; ++c)
+    for (Index k = m.pattern.column_starts[static_cast<std::size_t>(c)];
+         k < m.pattern.column_starts[static_cast<std::size_t>(c) + 1]; ++k) {
+      const Index r = m.pattern.rows[static_cast<std::size_t>(k)];
+      if (r == c) m.values[k] += diagonal;
+      m.dense(r, c) = m.dense(c, r) = m.values[k];
+    }
+  return m;
+}
+
+inline void expect_solves(LinearSolver& solver, const Eigen::MatrixXd& dense, Random& random) {
+  const Vec r = random.vector(dense.rows());
+  Vec p;
+  solver.solve(r, p);
+  EXPECT_LE((dense * p - r).norm(), 1e-11 * (dense.norm() * p.norm()));
+}
+
+}  // namespace majorant::test
