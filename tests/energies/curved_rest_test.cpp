@@ -231,6 +231,9 @@ TEST(CurvedRest, SetUpErrors) {
   RestShapes fewer = s.rest;
   fewer.nodes.conservativeResize(5, Eigen::NoChange);
   EXPECT_THROW(symmetric_dirichlet()(s.space, fewer, {s.rule}), std::invalid_argument);
+  RestShapes narrow = s.rest;
+  narrow.nodes.conservativeResize(Eigen::NoChange, 1);
+  EXPECT_THROW(symmetric_dirichlet()(s.space, narrow, {s.rule}), std::invalid_argument);
 }
 
 }  // namespace
