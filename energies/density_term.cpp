@@ -19,8 +19,9 @@ DensityTerm::DensityTerm(DensityTraits traits, std::shared_ptr<const ElementSpac
       kernels_(kernels) {
   if (rules.empty()) throw std::invalid_argument("DensityTerm: no quadrature rule");
   if (rest.measure.size() != space_->element_count() ||
-      (rest.curved() ? rest.nodes.rows() != space_->node_count()
-                     : rest.inverse.rows() != space_->element_count()))
+      (rest.curved() ? rest.nodes.rows() != space_->node_count() || rest.nodes.cols() < rest.dim
+                     : rest.inverse.rows() != space_->element_count() ||
+                           rest.inverse.cols() != rest.dim * rest.dim))
     throw std::invalid_argument("DensityTerm: rest shapes do not fit the space");
   if (kernels.dims != space_->reference_dim() || rest.dim != space_->reference_dim())
     throw std::invalid_argument("DensityTerm: the density is for elements of another dimension");
