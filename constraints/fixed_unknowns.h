@@ -1,0 +1,29 @@
+// Hard constraints on single unknowns, whatever they are: coordinates of nodes of any dimension.
+//
+//   builder.add(FixedUnknowns({{3 * node + 2, 0.5}}));                        // z of a 3D node
+//   builder.add(std::make_shared<QuadraticPenalty>(FixedUnknowns(v)), 1e3);   // the same, soft
+//
+// For points of the plane fixed_points.h is shorter.
+#pragma once
+
+#include <vector>
+
+#include "majorant/framework/constraint.h"
+
+namespace majorant {
+
+struct FixedUnknown {
+  Index unknown;  // of the full unknowns x
+  double value;
+};
+
+class FixedUnknowns final : public Constraint {
+ public:
+  explicit FixedUnknowns(std::vector<FixedUnknown> unknowns) : unknowns_(std::move(unknowns)) {}
+  void append_rows(ConstraintRows& rows) const override;
+
+ private:
+  std::vector<FixedUnknown> unknowns_;
+};
+
+}  // namespace majorant
