@@ -1,6 +1,6 @@
 // The densities the library ships, as a list of types: kernels are compiled for every instruction
-// set from it (kernels/builtin_kernels.cpp). A new file in densities/ becomes a named energy by one
-// line here and one in named_energies.cpp.
+// set from it (kernels/builtin_kernels.cpp). A new file in densities/ becomes a named energy by its
+// #include and type here and one line in named_energies.cpp (docs/add_an_energy.md).
 #pragma once
 
 #include <tuple>

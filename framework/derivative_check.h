@@ -25,7 +25,7 @@ struct DerivativeMismatch {
 struct DerivativeReport {
   double gradient_error = 0;  // largest, relative to the element's largest gradient entry
   double hessian_error = 0;   // likewise
-  std::vector<DerivativeMismatch> mismatches;  // the worst one of each element that fails
+  std::vector<DerivativeMismatch> mismatches;  // of each element at most one of every kind
   bool ok() const { return mismatches.empty(); }
   std::string message() const;  // one line per mismatch
 };

@@ -4,7 +4,7 @@
 //   throw Error(ErrorKind::Unsupported, "mesh.obj: edge (4, 7) has 3 faces; split it");
 //
 // The message is one line that names the file, the place and the remedy. Numerical trouble inside a
-// solve is never thrown: it is a Status (solver.h).
+// solve is never thrown: it is a Status (minimizer.h).
 #pragma once
 
 #include <stdexcept>

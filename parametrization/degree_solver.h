@@ -1,7 +1,7 @@
 // The optimization at one degree: Newton on a fixed space, with quadrature that climbs where it
 // must and the ways out of a stall at the injectivity limit.
 //
-// Internal to parametrize(). Coordinates are normalised (see NormalizedSurface).
+// Internal to parametrize(). Coordinates are normalised (see NormalizedStart).
 #pragma once
 
 #include <memory>

@@ -3,7 +3,7 @@
 //
 //   auto terms = energy_terms(spec, space, {rule});
 //   auto injectivity = std::make_shared<const LocalInjectivity>(space, 2 * spec.rest.measure);
-//   Problem problem = map_problem(spec, *space, start, terms, injectivity);
+//   Problem problem = map_problem(spec, space, start, terms, injectivity);
 //   SolveResult r = LbfgsMinimizer().minimize(problem, problem.reduce(start), {});
 #pragma once
 

@@ -1,5 +1,5 @@
 // Symmetric Dirichlet: |J|^2 + |J^-1|^2 = Sigma^2 + sigma^2 + Sigma^-2 + sigma^-2, 4 at isometries.
-// A barrier at det J = 0. Convex in (A, B); separable. [SS15], [MC20] Eq. 8.
+// A barrier at det J = 0. Convex in (A, B); separable. [SS15], [MC20] Eq. 7.
 #pragma once
 
 #include "majorant/energies/spectral.h"
