@@ -1,5 +1,15 @@
 #!/usr/bin/python3
-"""The C++ snippets of README.md, put together into one program, compile against the headers."""
+"""Every ```cpp block of README.md and docs/*.md compiles against the headers.
+
+A block that contains `int main` is a program of its own. All other blocks of a page are joined, in
+order, into one program: #include and using lines and definitions (from a line that starts with
+class, struct, template, inline or namespace to the next line that starts with }) at top level, the
+rest inside main(argc, argv). Each program is compiled with the includes of its page alone.
+
+A block of any language after a line `<!-- from: FILE -->` must consist of lines of that file, in
+their order; such excerpts are fenced as ```c++ where they are no program by themselves.
+"""
+import concurrent.futures
 import os
 import pathlib
 import re
@@ -9,26 +19,109 @@ import unittest
 
 SOURCE = pathlib.Path(os.environ['MAJORANT_SOURCE_DIR'])
 BUILD = pathlib.Path(os.environ['MAJORANT_BUILD_DIR'])
+LAYERS = 'framework elements energies constraints parametrization io'.split()
+TOP_LINE = re.compile(r'#include|using ')
+DEFINITION = re.compile(r'(class|struct|template|inline|namespace)\b')
 
 
-class Readme(unittest.TestCase):
-    def test_snippets_compile(self):
-        blocks = re.findall(r'```cpp\n(.*?)```', (SOURCE / 'README.md').read_text(), re.S)
-        self.assertEqual(len(blocks), 2)
-        lines = '\n'.join(blocks).splitlines()
-        top = [line for line in lines if line.startswith(('#include', 'using namespace'))]
-        body = [line for line in lines if line not in top]
-        program = '\n'.join(['#include "majorant/energies/make_energy.h"', *top,
-                             'int main() {', *body, 'return uv.allFinite() ? 0 : 1; }'])
-        layers = 'framework elements energies constraints parametrization io'.split()
-        includes = ['-I%s' % (BUILD / 'include' / layer) for layer in layers]
-        with tempfile.TemporaryDirectory() as folder:
-            path = pathlib.Path(folder) / 'readme.cpp'
-            path.write_text(program)
-            done = subprocess.run(['c++', '-std=c++20', '-fsyntax-only', '-Wall', *includes,
-                                   '-isystem', '/usr/include/eigen3', str(path)],
-                                  capture_output=True, text=True)
-        self.assertEqual(done.returncode, 0, done.stderr)
+def pages():
+    return [SOURCE / 'README.md', *sorted((SOURCE / 'docs').glob('*.md'))]
+
+
+class Block:
+    def __init__(self, page, number, match, text):
+        self.language, self.lines = match[2], match[3].splitlines()
+        self.first_line = text.count('\n', 0, match.start(3)) + 1
+        self.file = match[1]
+        self.where = '%s, block %d (line %d)' % (page.relative_to(SOURCE), number, self.first_line)
+
+
+def blocks(page):
+    text = page.read_text()
+    found = re.finditer(r'^(?:<!-- from: (\S+) -->\n)?```(\S*)\n(.*?)^```', text, re.S | re.M)
+    return [Block(page, number, match, text) for number, match in enumerate(found, 1)]
+
+
+def split(block):
+    """Lines at top level and lines of main, each with its line number on the page."""
+    top, body, inside = [], [], False
+    for number, line in enumerate(block.lines, block.first_line):
+        starts = bool(DEFINITION.match(line))
+        (top if inside or starts or TOP_LINE.match(line) else body).append((number, line))
+        if inside and line.startswith('}'):
+            inside = False
+        elif starts:
+            inside = not re.search(r'[};]\s*$', line)
+    return top, body
+
+
+def programs(page):
+    """Pairs of the blocks of a program and its text; compilers name the page and its lines."""
+    def numbered(lines):
+        return ['#line %d "%s"\n%s' % (number, page.relative_to(SOURCE), line)
+                for number, line in lines]
+    joined = [b for b in blocks(page) if b.language == 'cpp']
+    for block in [b for b in joined if any('int main' in line for line in b.lines)]:
+        joined.remove(block)
+        yield [block], '\n'.join(numbered(list(enumerate(block.lines, block.first_line)))) + '\n'
+    if not joined:
+        return
+    top, body = [], []
+    for block in joined:
+        block_top, block_body = split(block)
+        top += block_top
+        body += block_body
+    yield joined, '\n'.join([*numbered(top), 'int main([[maybe_unused]] int argc, '
+                             '[[maybe_unused]] char** argv) {', *numbered(body), '}', ''])
+
+
+def compile_text(text):
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder) / 'page.cpp'
+        path.write_text(text)
+        return subprocess.run(
+            [os.environ.get('CXX', 'c++'), '-std=c++20', '-fsyntax-only', '-Wall',
+             '-Wno-unused', *('-I%s' % (BUILD / 'include' / layer) for layer in LAYERS),
+             '-isystem', '/usr/include/eigen3', str(path)], capture_output=True, text=True)
+
+
+class Code(unittest.TestCase):
+    def test_blocks_compile(self):
+        work = [(made_of, text) for page in pages() for made_of, text in programs(page)]
+        self.assertGreaterEqual(len(work), 5)
+        with concurrent.futures.ThreadPoolExecutor(2) as pool:
+            done = list(pool.map(compile_text, [text for _, text in work]))
+        for (made_of, _), result in zip(work, done):
+            if result.returncode == 0:
+                continue
+            error = re.search(r'(\S+\.md):(\d+):\d*:? (?:fatal )?error', result.stderr)
+            line = int(error[2]) if error else made_of[0].first_line
+            blamed = [b for b in made_of if b.first_line <= line] or made_of
+            with self.subTest(blamed[-1].where):
+                self.fail('%s does not compile:\n%s' % (blamed[-1].where, result.stderr[:3000]))
+
+    def test_excerpts_are_in_their_files(self):
+        checked = 0
+        for page in pages():
+            for block in blocks(page):
+                if not block.file:
+                    self.assertNotEqual(block.language, 'c++', block.where + ' names no file')
+                    continue
+                rest = iter([line.strip() for line in
+                             (SOURCE / block.file).read_text().splitlines()])
+                for line in filter(None, map(str.strip, block.lines)):
+                    self.assertIn(line, rest, '%s: not in %s, or out of order'
+                                  % (block.where, block.file))
+                checked += 1
+        self.assertGreaterEqual(checked, 3)
+
+    def test_links_lead_somewhere(self):
+        for page in [*pages(), SOURCE / 'CONTRIBUTING.md', SOURCE / 'CHANGELOG.md',
+                     SOURCE / 'examples/README.md']:
+            prose = re.sub(r'^```.*?^```', '', page.read_text(), flags=re.S | re.M)
+            for target in re.findall(r'\]\(([^)#:]+)(?:#[^)]*)?\)', prose):
+                self.assertTrue((page.parent / target).exists(),
+                                '%s: no %s' % (page.relative_to(SOURCE), target))
 
 
 if __name__ == '__main__':

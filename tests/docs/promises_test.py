@@ -1,0 +1,113 @@
+#!/usr/bin/python3
+"""What the documentation promises about the sources: sizes, tables of names, references."""
+import os
+import pathlib
+import re
+import unittest
+
+SOURCE = pathlib.Path(os.environ['MAJORANT_SOURCE_DIR'])
+
+
+def line_count(path):
+    return len(path.read_text().splitlines())
+
+
+def table_rows(page, heading):
+    """Cells of the table below a heading, without its two header lines."""
+    text = (SOURCE / page).read_text().split('\n## ' + heading + '\n', 1)[1].split('\n## ')[0]
+    rows = [line.replace('\\|', '¦').strip('|').split('|') for line in text.splitlines()
+            if line.startswith('|')]
+    return [[cell.strip().replace('¦', '|') for cell in row] for row in rows[2:]]
+
+
+class Sizes(unittest.TestCase):
+    def test_custom_energy_is_short(self):
+        self.assertLessEqual(line_count(SOURCE / 'examples/custom_energy.cpp'), 40)
+
+    def test_readme_shows_the_custom_energy_in_ten_lines(self):
+        shown = re.search(r'<!-- from: examples/custom_energy.cpp -->\n```cpp\n(.*?)```',
+                          (SOURCE / 'README.md').read_text(), re.S)
+        self.assertIsNotNone(shown)
+        lines = [line for line in shown[1].splitlines()
+                 if line and not line.startswith(('#include', 'using '))]
+        self.assertLessEqual(len(lines), 10)
+        self.assertIn('spectral(', shown[1])
+
+    def test_builtin_energies_are_short(self):
+        files = sorted((SOURCE / 'energies/densities').glob('*.h'))
+        self.assertGreaterEqual(len(files), 8)
+        for path in files:
+            self.assertLessEqual(line_count(path), 25, path.name)
+
+    def test_elements_are_short(self):
+        for name in 'bezier_quad_space', 'bezier_tetrahedron_space':
+            count = sum(line_count(path) for path in (SOURCE / 'elements').glob(name + '.*'))
+            self.assertLessEqual(count, 150, name)
+            self.assertGreater(count, 0, name)
+
+
+class EnergyTable(unittest.TestCase):
+    """The table of docs/add_an_energy.md against the sources of the named energies."""
+
+    def test_table(self):
+        densities = {}
+        for path in (SOURCE / 'energies/densities').glob('*.h'):
+            text = path.read_text()
+            function = re.search(r'inline auto (\w+)\(\)', text)[1]
+            densities[function] = {
+                'name': re.search(r'return \w+\(\s*"([^"]+)"', text)[1],
+                'barrier': 'Domain::PositiveDeterminant' in text,
+                'convex': 'Convexity::Convex' in text,
+                'reweighted': 'Reweighting::Separable' in text,
+                'majorant': 'Reweighting::Refused},\n      [](' in text}
+        named = dict(re.findall(r'\bnamed\((\w+)\(\), (\w+),',
+                                (SOURCE / 'energies/named_energies.cpp').read_text()))
+        self.assertEqual(set(named), set(densities), 'files of densities/ and named_energies.cpp')
+        rows = {row[0].strip('`'): row for row in
+                table_rows('docs/add_an_energy.md', 'Built-in energies')}
+        self.assertEqual(set(rows), {d['name'] for d in densities.values()})
+        for function, free_scale in named.items():
+            d = densities[function]
+            _, _, _, barrier, convex, curvatures, boundary, _ = rows[d['name']]
+            with self.subTest(d['name']):
+                self.assertEqual(barrier.startswith('yes'), d['barrier'])
+                self.assertEqual(convex.startswith('yes'), d['convex'])
+                expected = ['majorizer'] * (d['convex'] or d['majorant'])
+                expected += ['paper-majorizer'] * d['convex'] + ['reweighted'] * d['reweighted']
+                self.assertEqual(curvatures, ', '.join(expected) or '-')
+                self.assertTrue(boundary.startswith(free_scale.lower()), boundary)
+
+
+class Names(unittest.TestCase):
+    def test_methods_of_compare_are_in_the_table(self):
+        source = (SOURCE / 'apps/methods.cpp').read_text()
+        source = source[source.index('std::span<const Method> methods()'):]
+        names = set(re.findall(r'(?:newton|ceres_gradient)\("([\w-]+)"', source))
+        names |= set(re.findall(r'^\s+\{"([\w-]+)",', source, re.M)) | {'ceres-lm'}
+        rows = table_rows('docs/choosing_a_solver.md', 'What there is')
+        self.assertEqual({name for row in rows for name in re.findall(r'`([\w-]+)`', row[0])},
+                         names)
+
+    def test_every_key_is_in_the_references(self):
+        known = re.findall(r'^\| (\[\w+\])', (SOURCE / 'docs/references.md').read_text(), re.M)
+        self.assertEqual(len(known), len(set(known)))
+        used = {}
+        for pattern in '*/*.h', '*/*.cpp', '*/*/*.h', 'docs/*.md':
+            for path in SOURCE.glob(pattern):
+                if path.parts[len(SOURCE.parts)] in ('build', 'tests'):
+                    continue
+                for key in re.findall(r'\[(?:AMT|[A-Z][A-Za-z]+\d\d)\](?!\()', path.read_text()):
+                    used.setdefault(key, path.relative_to(SOURCE))
+        for key, path in used.items():
+            self.assertIn(key, known, path)
+        self.assertGreaterEqual(len(used), 15)
+
+    def test_examples_are_listed(self):
+        listed = re.findall(r'\[(\w+)\.cpp\]\(\1\.cpp\)',
+                            (SOURCE / 'examples/README.md').read_text())
+        self.assertEqual(sorted(listed),
+                         sorted(path.stem for path in (SOURCE / 'examples').glob('*.cpp')))
+
+
+if __name__ == '__main__':
+    unittest.main()
