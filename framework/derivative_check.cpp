@@ -41,20 +41,37 @@ class ElementProbe {
   LocalValues local(VecIn x, Curvature curvature) {
     const auto n = static_cast<int>(unknowns_.size());
     constexpr int stride = LocalSystem::stride;
-    LocalSystem out;
-    out.value = memory_.reserve(static_cast<std::size_t>((1 + n + n * (n + 1) / 2) * stride));
-    out.gradient = out.value + stride;
+    LocalSystem out = reserve(n);
     out.hessian = out.gradient + n * stride;
     term_.local(x, chunk_, curvature, state_, kernel_, out);
-    LocalValues v{out.value[0], Vec(n), Eigen::MatrixXd(n, n)};
-    for (int i = 0, k = 0; i < n; ++i) {
-      v.gradient[i] = out.gradient[i * stride];
+    LocalValues v{out.value[0], gradient_of(out), Eigen::MatrixXd(n, n)};
+    for (int i = 0, k = 0; i < n; ++i)
       for (int j = 0; j <= i; ++j, ++k) v.hessian(i, j) = v.hessian(j, i) = out.hessian[k * stride];
-    }
     return v;
   }
 
+  // Asked for no Hessian; that of the result is empty.
+  LocalValues first_order(VecIn x) {
+    LocalSystem out = reserve(static_cast<int>(unknowns_.size()));
+    term_.local(x, chunk_, Curvature::Projected, state_, kernel_, out);
+    return {out.value[0], gradient_of(out), {}};
+  }
+
  private:
+  // Arrays for values, gradients and a Hessian, the latter not passed on.
+  LocalSystem reserve(int n) {
+    LocalSystem out;
+    constexpr int stride = LocalSystem::stride;
+    out.value = memory_.reserve(static_cast<std::size_t>((1 + n + n * (n + 1) / 2) * stride));
+    out.gradient = out.value + stride;
+    return out;
+  }
+  Vec gradient_of(const LocalSystem& system) const {
+    Vec g(static_cast<Index>(unknowns_.size()));
+    for (Index i = 0; i < g.size(); ++i) g[i] = system.gradient[i * LocalSystem::stride];
+    return g;
+  }
+
   const EnergyTerm& term_;
   const TermState& state_;
   std::array<Index, 1> element_;
@@ -101,7 +118,15 @@ class ElementCheck {
     const double f = probe_.value(x_);
     gradient.update(std::abs(at_.value - f) / (gradient_scale_ * size_), element_, "value",
                     at_.value, f);
-    for (int i = 0; i < at_.gradient.size(); ++i) differences(i);
+    const LocalValues first_order = probe_.first_order(x_);
+    gradient.update(std::abs(first_order.value - f) / (gradient_scale_ * size_), element_,
+                    "value without hessian", first_order.value, f);
+    for (int i = 0; i < at_.gradient.size(); ++i) {
+      gradient.update(std::abs(first_order.gradient[i] - at_.gradient[i]) / gradient_scale_,
+                      element_, fmt::format("gradient[{}] without hessian", i),
+                      first_order.gradient[i], at_.gradient[i]);
+      differences(i);
+    }
     for (const auto& [curvature, label] : kSemidefinite) {
       if (!term_.supports(curvature)) continue;
       const Eigen::MatrixXd k = probe_.local(x_, curvature).hessian;
