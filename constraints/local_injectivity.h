@@ -20,7 +20,8 @@ class LocalInjectivity final : public FeasibilityChecker {
  public:
   static constexpr int kDefaultDepth = 5;
   static constexpr int kMaxDepth = 63;  // deeper is taken as this
-  // rest_det: #E determinants of the rest shapes (twice the areas), to make margins dimensionless.
+  // rest_det: #E determinants of the rest shapes (their measures over the reference measure), to
+  // make margins dimensionless.
   LocalInjectivity(std::shared_ptr<const ElementSpace> space, Vec rest_det,
                    int max_depth = kDefaultDepth);
 

@@ -21,8 +21,9 @@ class BernsteinSpace : public ElementSpace {
   Index vertex_count() const { return vertex_count_; }
   // Nodes on facets that only one cell has, sorted.
   const std::vector<Index>& boundary_nodes() const { return numbering_.boundary_nodes; }
-  // Bernstein polynomials of the nodes, to evaluate a map.
+  // Bernstein polynomials of the nodes of a cell, to evaluate a map.
   const BernsteinBasis& basis() const { return basis_; }
+  const BernsteinElement& element() const { return element_; }
 
   // Control points of the map that takes vertex v to row v and is linear (on squares: bilinear) on
   // every cell. vertices: #V by d; returns #N by d. Throws std::invalid_argument for another #V.

@@ -1,28 +1,25 @@
 #include "majorant/elements/step_polynomial.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 namespace majorant {
 namespace {
 
-// Where the convex hull of the control polygon of a cubic on [0, 1] meets 0 first; b[0] > 0 and
-// not all others are.
-double hull_root(const double (&b)[4]) {
-  double root = 1;
-  for (int k = 1; k < 4; ++k) {
-    if (b[k] > 0) continue;
-    for (int i = 0; i < k; ++i)
-      if (b[i] > 0) root = std::min(root, (i + (k - i) * (b[i] / (b[i] - b[k]))) / 3);
-  }
-  return root;
-}
+constexpr double kNone = 2;  // beyond [0, 1]
 
-// Control values of the cubic on [t, 1].
-void cut(double (&b)[4], double t) {
-  for (int level = 3; level > 0; --level)
-    for (int k = 0; k < level; ++k) b[k] += t * (b[k + 1] - b[k]);
+// First root of the cubic with these control values on [left, left + width], from below: bisection
+// as long as they are not all positive; `levels` ends what roots next to 0 begin.
+double first_root_in(const std::array<double, 4>& b, double left, double width, int levels) {
+  if (b[0] > 0 && b[1] > 0 && b[2] > 0 && b[3] > 0) return kNone;
+  if (levels == 0 || !(width > std::numeric_limits<double>::epsilon() * left)) return left;
+  const double m01 = half(b[0] + b[1]), m12 = half(b[1] + b[2]), m23 = half(b[2] + b[3]);
+  const double m012 = half(m01 + m12), m123 = half(m12 + m23), middle = half(m012 + m123);
+  const double root = first_root_in({b[0], m01, m012, middle}, left, half(width), levels - 1);
+  if (root != kNone) return root;
+  return first_root_in({middle, m123, m23, b[3]}, left + half(width), half(width), levels - 1);
 }
 
 }  // namespace
@@ -40,24 +37,14 @@ double first_root(const StepPolynomial<2>& p, double s) {
   return std::min(s, 2 * a / denominator);
 }
 
-// Bezier clipping from the left: p is positive up to the first zero of the convex hull of its
-// control polygon. Quadratic convergence to a simple root, halving at a double one.
 double first_root(const StepPolynomial<3>& p, double s) {
-  constexpr int kMaxClips = 64;
-  const auto [p0, p1, p2, p3] = p.power;
+  constexpr int kMaxLevels = 200;
   if (plainly_positive(p, s)) return s;
-  const double q1 = p1 * s, q2 = p2 * s * s, q3 = p3 * s * s * s;
-  double b[4] = {p0, p0 + q1 / 3, p0 + (2 * q1 + q2) / 3, p0 + q1 + q2 + q3};
+  const double q1 = p.power[1] * s, q2 = p.power[2] * s * s, q3 = p.power[3] * s * s * s;
+  const double a = p.power[0];
+  const std::array<double, 4> b{a, a + q1 / 3, a + (2 * q1 + q2) / 3, a + q1 + q2 + q3};
   if (!std::isfinite(b[0] + b[1] + b[2] + b[3])) return 0;
-  double left = 0;
-  for (int k = 0; k < kMaxClips && b[0] > 0; ++k) {
-    if (b[1] > 0 && b[2] > 0 && b[3] > 0) return s;
-    const double t = hull_root(b), advance = t * (1 - left);
-    left += advance;
-    if (!(advance > std::numeric_limits<double>::epsilon() * left)) break;
-    cut(b, t);
-  }
-  return left * s;
+  return std::min(1.0, first_root_in(b, 0, 1, kMaxLevels)) * s;
 }
 
 }  // namespace majorant

@@ -6,6 +6,8 @@
 
 namespace majorant {
 
+inline double half(double x) { return 0.5 * x; }
+
 template <int K>
 struct StepPolynomial {
   double power[K + 1];  // coefficients of 1, t, t^2, ...

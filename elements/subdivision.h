@@ -9,10 +9,9 @@
 #include <vector>
 
 #include "majorant/elements/bernstein_basis.h"
+#include "majorant/elements/step_polynomial.h"
 
 namespace majorant {
-
-inline double half(double x) { return 0.5 * x; }
 
 class Subdivision {
  public:

@@ -6,6 +6,7 @@
 // (method.md section 4), recombined into basis pairs once per element. Works for any element with a
 // ContractionTable and any density with
 //   rows, dims                                         J is rows by dims
+//   defines(Curvature)                                 constexpr: models worth compiling
 //   value(z), model<Curvature>(z, PointModel&)         z: rows * dims coordinates of J
 //   to_coordinates, gradient_to_jacobian, curvature_to_jacobian
 // as energies/spectral.h and energies/density.h have them.
@@ -278,7 +279,11 @@ void local(const void* object, const ContractionView& t, const ChunkView& c, Cur
            double* scratch, double* f, double* gradient, double* hessian) {
   const Density& density = *static_cast<const Density*>(object);
   const auto run = [&](auto model) {
-    local_with<Arch, Density, decltype(model)::value>(density, t, c, scratch, f, gradient, hessian);
+    constexpr Curvature C = decltype(model)::value;
+    // What a density does not define is not compiled; DensityTerm::supports() keeps it from being
+    // asked for.
+    constexpr Curvature defined = Density::defines(C) ? C : Curvature::Exact;
+    local_with<Arch, Density, defined>(density, t, c, scratch, f, gradient, hessian);
   };
   using C = Curvature;
   switch (hessian ? curvature : C::Exact) {

@@ -73,7 +73,10 @@ class GeneralDensity {
   GeneralDensity(std::string name, F f, Domain domain)
       : f_(std::move(f)), name_(std::move(name)), domain_(domain) {}
   std::string_view name() const { return name_; }
-  bool supports(Curvature c) const { return c == Curvature::Projected || c == Curvature::Exact; }
+  static constexpr bool defines(Curvature c) {
+    return c == Curvature::Projected || c == Curvature::Exact;
+  }
+  bool supports(Curvature c) const { return defines(c); }
 
   template <class T>
   T value(const T (&z)[size]) const {

@@ -61,6 +61,7 @@ class IsotropicDensity {
   const Traits traits;                      // public: kernels must not call shared functions
 
   std::string_view name() const { return name_; }
+  static constexpr bool defines(Curvature) { return true; }
   bool supports(Curvature curvature) const {
     const bool convex = traits.convexity == Convexity::Convex;
     if (curvature == Curvature::Majorizer) return convex || !std::is_same_v<Majorant, NoMajorant>;

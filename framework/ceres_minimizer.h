@@ -1,4 +1,4 @@
-// First-order methods of the Ceres Solver [AMT] on a Problem: L-BFGS and nonlinear conjugate
+// First-order methods of the Ceres Solver [AMT22] on a Problem: L-BFGS and nonlinear conjugate
 // gradients with a Wolfe line search, for comparison and as an independent check.
 //
 //   CeresMinimizer ceres(CeresOptions{.method = CeresOptions::Method::Lbfgs});

@@ -41,20 +41,37 @@ class ElementProbe {
   LocalValues local(VecIn x, Curvature curvature) {
     const auto n = static_cast<int>(unknowns_.size());
     constexpr int stride = LocalSystem::stride;
-    LocalSystem out;
-    out.value = memory_.reserve(static_cast<std::size_t>((1 + n + n * (n + 1) / 2) * stride));
-    out.gradient = out.value + stride;
+    LocalSystem out = reserve(n);
     out.hessian = out.gradient + n * stride;
     term_.local(x, chunk_, curvature, state_, kernel_, out);
-    LocalValues v{out.value[0], Vec(n), Eigen::MatrixXd(n, n)};
-    for (int i = 0, k = 0; i < n; ++i) {
-      v.gradient[i] = out.gradient[i * stride];
+    LocalValues v{out.value[0], gradient_of(out), Eigen::MatrixXd(n, n)};
+    for (int i = 0, k = 0; i < n; ++i)
       for (int j = 0; j <= i; ++j, ++k) v.hessian(i, j) = v.hessian(j, i) = out.hessian[k * stride];
-    }
     return v;
   }
 
+  // Asked for no Hessian; that of the result is empty.
+  LocalValues first_order(VecIn x) {
+    LocalSystem out = reserve(static_cast<int>(unknowns_.size()));
+    term_.local(x, chunk_, Curvature::Projected, state_, kernel_, out);
+    return {out.value[0], gradient_of(out), {}};
+  }
+
  private:
+  // Arrays for values, gradients and a Hessian, the latter not passed on.
+  LocalSystem reserve(int n) {
+    LocalSystem out;
+    constexpr int stride = LocalSystem::stride;
+    out.value = memory_.reserve(static_cast<std::size_t>((1 + n + n * (n + 1) / 2) * stride));
+    out.gradient = out.value + stride;
+    return out;
+  }
+  Vec gradient_of(const LocalSystem& system) const {
+    Vec g(static_cast<Index>(unknowns_.size()));
+    for (Index i = 0; i < g.size(); ++i) g[i] = system.gradient[i * LocalSystem::stride];
+    return g;
+  }
+
   const EnergyTerm& term_;
   const TermState& state_;
   std::array<Index, 1> element_;
@@ -101,7 +118,15 @@ class ElementCheck {
     const double f = probe_.value(x_);
     gradient.update(std::abs(at_.value - f) / (gradient_scale_ * size_), element_, "value",
                     at_.value, f);
-    for (int i = 0; i < at_.gradient.size(); ++i) differences(i);
+    const LocalValues first_order = probe_.first_order(x_);
+    gradient.update(std::abs(first_order.value - f) / (gradient_scale_ * size_), element_,
+                    "value without hessian", first_order.value, f);
+    for (int i = 0; i < at_.gradient.size(); ++i) {
+      gradient.update(std::abs(first_order.gradient[i] - at_.gradient[i]) / gradient_scale_,
+                      element_, fmt::format("gradient[{}] without hessian", i),
+                      first_order.gradient[i], at_.gradient[i]);
+      differences(i);
+    }
     for (const auto& [curvature, label] : kSemidefinite) {
       if (!term_.supports(curvature)) continue;
       const Eigen::MatrixXd k = probe_.local(x_, curvature).hessian;
@@ -114,23 +139,31 @@ class ElementCheck {
   Worst gradient, hessian, definite;
 
  private:
-  // Central differences by local unknown i.
+  // Central differences by local unknown i. Where a stencil names an unknown several times, the
+  // derivative by it is the sum over its places.
   void differences(int i) {
     const double h = 1e-5 * size_;
     const Index u = probe_.unknowns()[static_cast<std::size_t>(i)];
+    double gradient_sum = 0;
+    Vec hessian_sum = Vec::Zero(at_.gradient.size());
+    for (Index k = 0; k < at_.gradient.size(); ++k) {
+      if (probe_.unknowns()[static_cast<std::size_t>(k)] != u) continue;
+      gradient_sum += at_.gradient[k];
+      hessian_sum += at_.hessian.col(k);
+    }
     const double here = x_[u];
     x_[u] = here + h;
     const double f_above = probe_.value(x_);
     const Vec g_above = exact_ ? probe_.local(x_, Curvature::Exact).gradient : Vec();
     x_[u] = here - h;
     const double g = (f_above - probe_.value(x_)) / (2 * h);
-    gradient.update(std::abs(at_.gradient[i] - g) / gradient_scale_, element_,
-                    fmt::format("gradient[{}]", i), at_.gradient[i], g);
+    gradient.update(std::abs(gradient_sum - g) / gradient_scale_, element_,
+                    fmt::format("gradient[{}]", i), gradient_sum, g);
     if (exact_) {
       const Vec column = (g_above - probe_.local(x_, Curvature::Exact).gradient) / (2 * h);
       for (int j = 0; j < column.size(); ++j)
-        hessian.update(std::abs(at_.hessian(j, i) - column[j]) / hessian_scale_, element_,
-                       fmt::format("hessian({}, {})", j, i), at_.hessian(j, i), column[j]);
+        hessian.update(std::abs(hessian_sum[j] - column[j]) / hessian_scale_, element_,
+                       fmt::format("hessian({}, {})", j, i), hessian_sum[j], column[j]);
     }
     x_[u] = here;
   }

@@ -6,7 +6,9 @@
 //
 // Central differences of values() check the gradient, central differences of the gradient check the
 // Hessian under Curvature::Exact; the other curvature models the term supports are checked to be
-// positive semidefinite. x must lie inside the domain, away from its boundary.
+// positive semidefinite; local() without a Hessian has to give the same gradient (a term that
+// writes through the null pointer crashes here). x must lie inside the domain, away from its
+// boundary.
 #pragma once
 
 #include <string>
@@ -18,7 +20,7 @@ namespace majorant {
 
 struct DerivativeMismatch {
   Index element;
-  std::string block;  // "gradient[3]", "hessian(4, 1)", "curvature projected"
+  std::string block;  // "gradient[3]", "hessian(4, 1)", "gradient[3] without hessian"
   double computed, expected;
 };
 

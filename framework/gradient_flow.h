@@ -1,6 +1,6 @@
 // Gradient flow in a Sobolev metric: p = -M^-1 g with one factorization for all steps, and a
 // feasible line search. With the Hessian of the Dirichlet energy as M this is the Sobolev gradient
-// descent of [Neu85] that preconditioned map optimizers use.
+// descent of [Neu97] that preconditioned map optimizers use.
 //
 //   GradientFlowMinimizer flow(GradientFlowOptions{.metric = dirichlet_problem});
 //   SolveResult result = flow.minimize(problem, y0, observer);

@@ -14,6 +14,8 @@ LineSearch::LineSearch(Evaluator& evaluator, const LineSearchOptions& options, c
       p_(p),
       energy_(energy),
       decrement_(decrement),
+      rounding_(decrement <= kResolution * std::abs(energy) ? 0.25 * kResolution * std::abs(energy)
+                                                            : 0.0),
       x_(evaluator.problem().expand(y)) {
   evaluator.problem().elimination().expand_direction(p, d_);
 }
@@ -44,7 +46,8 @@ bool LineSearch::accept(double s) {
   ++trials_;
   const Vec candidate = y_ + s * p_;
   const double trial = evaluator_.value(candidate);
-  if (!std::isfinite(trial) || !(trial <= energy_ - options_.armijo * s * decrement_)) return false;
+  if (!std::isfinite(trial) || !(trial <= energy_ - options_.armijo * s * decrement_ + rounding_))
+    return false;
   if (best_step_ > 0 && !(trial < best_energy_)) return false;
   const Vec x = evaluator_.problem().expand(candidate);
   for (const auto& checker : evaluator_.problem().checkers())
@@ -55,6 +58,7 @@ bool LineSearch::accept(double s) {
 }
 
 void LineSearch::improve() {
+  if (rounding_ > 0) return;
   for (int round = 0; round < 8; ++round) {
     const double s = best_step_;
     const double curvature = (best_energy_ - energy_ + decrement_ * s) / (s * s);

@@ -21,6 +21,8 @@ struct LineSearchOptions {
 
 class LineSearch {
  public:
+  // Relative changes of an energy that its evaluations may not tell from rounding.
+  static constexpr double kResolution = 5e-13;
   // Along y + s p from a feasible y, all of size(); energy: E(y); decrement: -g.p >= 0, an energy.
   // The arguments must outlive the search.
   LineSearch(Evaluator& evaluator, const LineSearchOptions& options, const Vec& y, const Vec& p,
@@ -50,6 +52,9 @@ class LineSearch {
   const LineSearchOptions& options_;
   const Vec &y_, &p_;
   double energy_, decrement_;
+  // An increase that is taken for rounding, 0 where the decrement is above kResolution. Below, the
+  // step is taken if it does no visible harm, so that gradients can go below sqrt(epsilon).
+  double rounding_;
   Vec x_, d_;
   StepBound bound_;
   double best_step_ = 0, best_energy_ = 0;

@@ -4,13 +4,17 @@
 
 namespace majorant {
 
+double mean_diagonal(const SparsePattern& pattern, const Vec& values) {
+  double sum = 0;
+  for (Index c = 0; c < pattern.size; ++c)
+    sum += std::abs(values[pattern.column_starts[static_cast<std::size_t>(c)]]);
+  return sum / pattern.size;
+}
+
 ShiftedFactorization factorize_shifted(LinearSolver& solver, const SparsePattern& pattern,
                                        const Vec& values, double smallest_shift) {
   ShiftedFactorization result;
-  double diagonal = 0;
-  for (Index c = 0; c < pattern.size; ++c)
-    diagonal += std::abs(values[pattern.column_starts[static_cast<std::size_t>(c)]]);
-  diagonal /= pattern.size;
+  const double diagonal = mean_diagonal(pattern, values);
   if (pattern.size > 0 && !std::isfinite(diagonal)) return result;
   double shift = 0;
   for (int attempt = 0; attempt < 24; ++attempt) {

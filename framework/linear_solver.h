@@ -37,6 +37,9 @@ std::unique_ptr<LinearSolver> make_cholmod_solver(
 // of the tests. Not for large matrices, where the supernodal factorization is several times faster.
 std::unique_ptr<LinearSolver> make_eigen_ldlt_solver();
 
+// Mean of |H_ii|; values parallel to pattern.rows.
+double mean_diagonal(const SparsePattern& pattern, const Vec& values);
+
 struct ShiftedFactorization {
   FactorStatus status = FactorStatus::NotPositiveDefinite;
   double shift = 0;  // the last one tried

@@ -5,6 +5,12 @@
 #include <utility>
 
 namespace majorant {
+namespace {
+
+constexpr double kPolish = 1e-10;      // relative decrement below which rounding errors matter
+constexpr double kPolishShift = 1e-9;  // of the mean diagonal
+
+}  // namespace
 
 NewtonStepper::NewtonStepper(const Problem& problem, NewtonOptions options)
     : Stepper(problem, options.line_search, options.stopping.decrement),
@@ -38,8 +44,10 @@ NewtonStepper::Step NewtonStepper::step(Vec& y, double& energy) {
   descend(p, 1.0, y, energy, step);
   if (step.outcome == Outcome::Breakdown) return step;
   relative_decrement_ = relative_to(before, r.newton_decrement);
-  // A decrease far below the model's -g.p / 2: the Hessian is misleading here.
+  // A decrease far below the model's -g.p / 2: the Hessian is misleading here - unless energies
+  // cannot tell.
   if (step.outcome != Outcome::AtMinimum && r.curvature == Curvature::Exact &&
+      relative_decrement_ > LineSearch::kResolution &&
       r.relative_decrease < 0.1 * relative_decrement_)
     pause_exact();
   return step;
@@ -48,7 +56,8 @@ NewtonStepper::Step NewtonStepper::step(Vec& y, double& energy) {
 // Whether the exact Hessian was worth a try and is factorized now. Where the energy is invariant
 // under rotations about the origin, the Hessian's curvature along an infinitesimal rotation is
 // y.g / |y|^2 (differentiate the gradient along it): a shift by that much, when it is negative,
-// vanishes at the minimum and makes up for it.
+// vanishes at the minimum and makes up for it. Close to the minimum a small one stays, or rounding
+// errors of the gradient would turn the map.
 bool NewtonStepper::try_exact(const Vec& y, IterationRecord& record) {
   if (options_.curvature == Curvature::Exact || relative_decrement_ > options_.exact_below ||
       !evaluator_.problem().supports(Curvature::Exact))
@@ -62,6 +71,9 @@ bool NewtonStepper::try_exact(const Vec& y, IterationRecord& record) {
   record.seconds.assemble += lap();
   const double size = y.squaredNorm();
   record.shift = size > 0 ? 1.5 * std::max(0.0, -y.dot(gradient_)) / size : 0.0;
+  if (relative_decrement_ <= kPolish)
+    record.shift = std::max(
+        record.shift, kPolishShift * mean_diagonal(evaluator_.problem().pattern(), hessian_));
   const FactorStatus status = solver_->factorize(hessian_, record.shift);
   record.seconds.factorize += lap();
   record.curvature = Curvature::Exact;

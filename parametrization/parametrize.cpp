@@ -21,8 +21,10 @@ void require_valid(const ParametrizationOptions& o) {
   if (o.quadrature_points < 0) refuse("the number of quadrature points must not be negative");
   if (o.energy.empty()) refuse("no energy is given");
   for (const WeightedEnergy& e : o.energy)
-    if (!(e.weight > 0)) refuse("weights of energies must be positive");
-  if (!(o.handle_weight > 0)) refuse("the weight of soft handles must be positive");
+    if (!(e.weight > 0) || !std::isfinite(e.weight))
+      refuse("weights of energies must be positive numbers");
+  if (!(o.handle_weight > 0) || !std::isfinite(o.handle_weight))
+    refuse("the weight of soft handles must be a positive number");
 }
 
 // One degree after the other, from 1 (or, when asked, directly at the highest).

@@ -96,7 +96,7 @@ class Names(unittest.TestCase):
             for path in SOURCE.glob(pattern):
                 if path.parts[len(SOURCE.parts)] in ('build', 'tests'):
                     continue
-                for key in re.findall(r'\[(?:AMT|[A-Z][A-Za-z]+\d\d)\](?!\()', path.read_text()):
+                for key in re.findall(r'\[[A-Z][A-Za-z]+\d\d\](?!\()', path.read_text()):
                     used.setdefault(key, path.relative_to(SOURCE))
         for key, path in used.items():
             self.assertIn(key, known, path)

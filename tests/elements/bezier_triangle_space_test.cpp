@@ -1,6 +1,5 @@
 // Numbering of shared control points: counts, continuity, elevation.
 #include "majorant/elements/bezier_triangle_space.h"
-#include "majorant/elements/rest_shapes.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +7,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "majorant/elements/rest_shapes.h"
 #include "support.h"
 
 namespace majorant {

@@ -1,24 +1,166 @@
-// Bernstein coefficients of det J against exact rational arithmetic, and their error bounds.
+// Bernstein coefficients of det J against exact rational arithmetic, and their error bounds, for
+// every element.
 #include "majorant/elements/det_coefficients.h"
 
 #include <gtest/gtest.h>
 
-#include <stdexcept>
-
-#include "support.h"
+#include "element_cases.h"
 
 namespace majorant {
 namespace {
 
 using test::Random;
 using test::Rational;
-using Control = std::vector<double>;  // 2 numbers per control point
+using Control = std::vector<double>;  // D numbers per control point
 
-int count_of(int n) { return 2 * control_point_count(n); }
+class Det : public testing::TestWithParam<test::ElementCase> {
+ protected:
+  int n() const { return GetParam().degree; }
+  int dim() const { return space_->reference_dim(); }
+  const BernsteinElement& element() const { return space_->element(); }
+  std::size_t size() const { return static_cast<std::size_t>(det_.count()); }
+  std::size_t unknowns() const {
+    return static_cast<std::size_t>(dim() * space_->nodes_per_element());
+  }
+  Control random_control(Random& random) const {
+    Control c;
+    for (std::size_t k = 0; k < unknowns(); ++k) c.push_back(random.uniform());
+    return c;
+  }
+  // All control points nearly on one line or plane, so that every coefficient cancels almost
+  // completely.
+  Control nearly_degenerate(Random& random, double height) const {
+    Control c;
+    while (c.size() < unknowns()) {
+      double sum = 0;
+      for (int d = 0; d + 1 < dim(); ++d) sum += c.emplace_back(random.uniform(-3, 3));
+      c.push_back(sum / 3 + height * random.uniform());
+    }
+    return c;
+  }
+  // Bernstein coefficients from the polynomial multiplied out.
+  std::vector<Rational> exact(const Control& c) const {
+    const test::ExactPolynomial det = test::exact_det(element(), c);
+    std::vector<Rational> out;
+    for (int k = 0; k < det_.count(); ++k) {
+      const Exponents& e = det_.basis().exponents(k);
+      out.push_back(det.coefficient(e) / test::exact_weight(element().factors, e));
+    }
+    return out;
+  }
+  std::vector<double> at(const Control& c) const {
+    std::vector<double> out(size()), error(size());
+    det_.at_with_error(c.data(), out.data(), error.data());
+    return out;
+  }
+  void expect_bounds(const Control& c) const {
+    std::vector<double> out(size()), error(size()), fine(size()), fine_error(size());
+    const std::vector<Rational> expected = exact(c);
+    det_.at_with_error(c.data(), out.data(), error.data());
+    det_.at_with_error_quad(c.data(), fine.data(), fine_error.data());
+    for (std::size_t t = 0; t < size(); ++t) {
+      EXPECT_LE(abs(expected[t] - Rational(out[t])), Rational(error[t])) << "coefficient " << t;
+      EXPECT_LE(abs(expected[t] - Rational(fine[t])), Rational(fine_error[t])) << "quadruple " << t;
+      EXPECT_LE(fine_error[t], error[t]);
+    }
+  }
+
+  std::shared_ptr<const BernsteinSpace> space_ = GetParam().space();
+  const DetCoefficients det_{element()};
+};
+
+TEST_P(Det, DegreesAreTheOnesStated) {
+  const Degrees expected =
+      element().factors.size() == 2 ? Degrees(2, 2 * n() - 1) : Degrees(1, dim() * (n() - 1));
+  const BernsteinBasis basis = element().basis(expected);
+  ASSERT_EQ(basis.count(), det_.count());
+  for (int k = 0; k < basis.count(); ++k) EXPECT_GE(basis.find(det_.basis().exponents(k)), 0);
+}
+
+TEST_P(Det, CoefficientsAreAccurateOnSmallIntegers) {
+  Random random(2);
+  Control c;
+  for (std::size_t k = 0; k < unknowns(); ++k) c.push_back(random.integer(-8, 8));
+  const std::vector<Rational> expected = exact(c);
+  const std::vector<double> out = at(c);
+  for (std::size_t t = 0; t < size(); ++t)
+    EXPECT_NEAR(out[t], static_cast<double>(expected[t]), 1e-12 * n() * n() * 1000);
+}
+
+TEST_P(Det, ErrorBoundsHoldAndAreSmall) {
+  Random random(3);
+  const int trials = n() > 3 ? 3 : 8;
+  for (int trial = 0; trial < trials; ++trial) {
+    const Control c = trial == 0 ? random_control(random)
+                                 : nearly_degenerate(random, std::pow(10.0, -2.0 * trial));
+    expect_bounds(c);
+    std::vector<double> out(size()), error(size());
+    det_.at_with_error(c.data(), out.data(), error.data());
+    EXPECT_LE(*std::max_element(error.begin(), error.end()), 1e-11 * n() * n());
+    det_.at_with_error_quad(c.data(), out.data(), error.data());
+    for (std::size_t t = 0; t < size(); ++t)
+      EXPECT_LE(error[t], 1e-28 + 0x1p-52 * std::abs(out[t]));
+  }
+}
+
+TEST_P(Det, ErrorBoundsHoldFarFromTheOrigin) {
+  Random random(4);
+  Control c = nearly_degenerate(random, 1e-3);
+  for (double& x : c) x = 1e3 + 1e-4 * x;
+  expect_bounds(c);
+}
+
+// Products near the smallest doubles lose all digits; the bound must say so. Mixed scales: what
+// underflows in a cofactor is multiplied by something large.
+TEST_P(Det, ErrorBoundsHoldUnderUnderflow) {
+  if (n() > 2) return;
+  Random random(6);
+  for (const double scale : {1e-107, 1e-154, 1e-158, 1e-161, 1e-165}) {
+    Control c = random_control(random);
+    for (double& x : c) x *= scale;
+    expect_bounds(c);
+    for (std::size_t k = 0; k < c.size(); k += static_cast<std::size_t>(dim())) c[k] *= 1e165;
+    expect_bounds(c);
+  }
+}
+
+template <int K>
+void expect_line(const DetCoefficients& det, const Control& c, const Control& d,
+                 const std::function<std::vector<double>(const Control&)>& direct,
+                 double tolerance) {
+  std::vector<StepPolynomial<1>> line;
+  for (std::size_t k = 0; k < c.size(); ++k) line.push_back({{c[k], d[k]}});
+  std::vector<StepPolynomial<K>> p(static_cast<std::size_t>(det.count()));
+  det.along_line(line.data(), p.data());
+  for (const double s : {0.0, 0.3, 1.0, -2.0, 17.0}) {
+    Control moved = c;
+    for (std::size_t k = 0; k < c.size(); ++k) moved[k] += s * d[k];
+    const std::vector<double> expected = direct(moved);
+    for (std::size_t t = 0; t < p.size(); ++t) {
+      double value = 0;
+      for (int k = K; k >= 0; --k) value = value * s + p[t].power[k];
+      EXPECT_NEAR(value, expected[t], tolerance * (1 + std::pow(std::abs(s), K)));
+    }
+  }
+}
+
+TEST_P(Det, AlongLineIsThePolynomialInTheStep) {
+  Random random(5);
+  const Control c = random_control(random), d = random_control(random);
+  const auto direct = [&](const Control& x) { return at(x); };
+  if (dim() == 2)
+    expect_line<2>(det_, c, d, direct, 1e-12 * n() * n());
+  else
+    expect_line<3>(det_, c, d, direct, 1e-12 * n() * n() * n());
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Det, testing::ValuesIn(test::all_elements()), test::case_name);
+
+// ---- Triangles. ----
 
 // [MC20] Sec. 5.2 with the factor of method.md E6:
 // d_ijk = (n!)^2 / nh! sum_{r+s=ijk} C(i,r1) C(j,r2) C(k,r3) (D0u_r D1v_s - D1u_r D0v_s).
-std::vector<Rational> exact_det(int n, const Control& c) {
+std::vector<Rational> paper_det(int n, const Control& c) {
   const TriangleIndices &ix = TriangleIndices::of_degree(n),
                         &low = TriangleIndices::of_degree(n - 1),
                         &det = TriangleIndices::of_degree(2 * n - 2);
@@ -51,166 +193,34 @@ std::vector<Rational> exact_det(int n, const Control& c) {
   return out;
 }
 
-// The same polynomial pointwise: derivative of the map in direction a, by barycentric differences.
-Rational exact_det_at(int n, const Control& c, const test::ExactPoint& p) {
-  const TriangleIndices &ix = TriangleIndices::of_degree(n),
-                        &low = TriangleIndices::of_degree(n - 1);
-  Rational d[2][2];
-  for (int direction = 0; direction < 2; ++direction)
-    for (int x = 0; x < 2; ++x) {
-      std::vector<Rational> derivative;
-      for (int l = 0; l < low.count(); ++l) {
-        const auto [i, j, k] = low.multi(l);
-        const auto at = [&](int local) {
-          return Rational(c[static_cast<std::size_t>(2 * local + x)]);
-        };
-        derivative.push_back(n *
-                             (at(direction == 0 ? ix.local(i + 1, j, k) : ix.local(i, j + 1, k)) -
-                              at(ix.local(i, j, k + 1))));
-      }
-      d[direction][x] = test::evaluate(n - 1, derivative, p);
-    }
-  return d[0][0] * d[1][1] - d[1][0] * d[0][1];
-}
-
-Control random_control(Random& random, int n) {
-  Control c;
-  for (int k = 0; k < count_of(n); ++k) c.push_back(random.uniform());
-  return c;
-}
-
-// All control points nearly on one line, so that every coefficient cancels almost completely.
-Control nearly_degenerate(Random& random, int n, double height) {
-  Control c;
-  for (int k = 0; k < control_point_count(n); ++k) {
-    const double t = random.uniform(-3, 3);
-    c.push_back(t);
-    c.push_back(t / 3 + height * random.uniform());
-  }
-  return c;
-}
-
-class Det : public testing::TestWithParam<int> {
- protected:
-  int n() const { return GetParam(); }
-  const DetCoefficients& det() const { return DetCoefficients::of_degree(n()); }
-  std::size_t size() const { return static_cast<std::size_t>(det().count()); }
-};
-
-TEST_P(Det, FormulaIsTheDeterminant) {
+TEST(TriangleDet, IsThePapersFormula) {
   Random random(1);
-  const Control c = random_control(random, n());
-  const std::vector<Rational> d = exact_det(n(), c);
-  ASSERT_EQ(d.size(), size());
-  for (int trial = 0; trial < 4; ++trial) {
-    const auto p = test::exact_point(random);
-    EXPECT_EQ(test::evaluate(det().det_degree(), d, p), exact_det_at(n(), c, p));
+  for (const test::ElementCase& c : test::all_elements()) {
+    if (c.name != "triangle") continue;
+    const auto space = c.space();
+    const DetCoefficients det(space->element());
+    Control control;
+    for (int k = 0; k < 2 * space->nodes_per_element(); ++k)
+      control.push_back(random.integer(-100, 100));
+    const test::ExactPolynomial exact = test::exact_det(space->element(), control);
+    const std::vector<Rational> paper = paper_det(c.degree, control);
+    for (int k = 0; k < det.count(); ++k) {
+      const Exponents& e = det.basis().exponents(k);
+      EXPECT_EQ(exact.coefficient(e) / test::exact_weight({3}, e),
+                paper[static_cast<std::size_t>(k)]);
+    }
   }
-}
-
-TEST_P(Det, CoefficientsAreExactOnSmallIntegers) {
-  Random random(2);
-  Control c;
-  for (int k = 0; k < count_of(n()); ++k) c.push_back(random.integer(-8, 8));
-  std::vector<double> out(size());
-  det().at(c.data(), out.data());
-  const std::vector<Rational> expected = exact_det(n(), c);
-  for (std::size_t t = 0; t < size(); ++t)
-    EXPECT_NEAR(out[t], static_cast<double>(expected[t]), 1e-12 * n() * n() * 100);
-}
-
-TEST_P(Det, IdentityHasConstantOne) {
-  const TriangleIndices& ix = TriangleIndices::of_degree(n());
-  Control c;
-  for (int l = 0; l < ix.count(); ++l)
-    for (std::size_t x = 0; x < 2; ++x) c.push_back(ix.multi(l)[x] / double(n()));
-  std::vector<double> out(size());
-  det().at(c.data(), out.data());
-  for (const double d : out) EXPECT_NEAR(d, 1, 1e-13);
-}
-
-void expect_bounds(const std::vector<Rational>& expected, const std::vector<double>& out,
-                   const std::vector<double>& error, const char* what) {
-  for (std::size_t t = 0; t < out.size(); ++t) {
-    const Rational off = abs(expected[t] - Rational(out[t]));
-    EXPECT_TRUE(off <= Rational(error[t]))
-        << what << ", coefficient " << t << ": off by " << static_cast<double>(off) << ", claimed "
-        << error[t] << ", value " << out[t];
-  }
-}
-
-TEST_P(Det, ErrorBoundsHold) {
-  Random random(3);
-  std::vector<double> out(size()), error(size());
-  for (int trial = 0; trial < 12; ++trial) {
-    const double height = std::pow(10.0, -1.4 * trial);
-    const Control c =
-        trial == 0 ? random_control(random, n()) : nearly_degenerate(random, n(), height);
-    const std::vector<Rational> expected = exact_det(n(), c);
-    det().at_with_error(c.data(), out.data(), error.data());
-    expect_bounds(expected, out, error, "double");
-    const double coarse = *std::max_element(error.begin(), error.end());
-    EXPECT_LE(coarse, 1e-12 * n() * n());
-    det().at_with_error_quad(c.data(), out.data(), error.data());
-    expect_bounds(expected, out, error, "quadruple");
-    EXPECT_LE(*std::max_element(error.begin(), error.end()), coarse);
-  }
-}
-
-TEST_P(Det, ErrorBoundsHoldFarFromTheOrigin) {
-  Random random(4);
-  std::vector<double> out(size()), error(size());
-  Control c = nearly_degenerate(random, n(), 1e-3);
-  for (std::size_t k = 0; k < c.size(); ++k) c[k] = 1e3 + 1e-4 * c[k];
-  det().at_with_error(c.data(), out.data(), error.data());
-  expect_bounds(exact_det(n(), c), out, error, "double");
-  det().at_with_error_quad(c.data(), out.data(), error.data());
-  expect_bounds(exact_det(n(), c), out, error, "quadruple");
-}
-
-TEST_P(Det, AlongLineIsTheQuadraticInTheStep) {
-  Random random(5);
-  const Control c = random_control(random, n()), d = random_control(random, n());
-  std::vector<double> p0(size()), p1(size()), p2(size()), direct(size());
-  det().along_line(c.data(), d.data(), p0.data(), p1.data(), p2.data());
-  for (const double s : {0.0, 0.3, 1.0, -2.0, 17.0}) {
-    Control moved = c;
-    for (std::size_t k = 0; k < c.size(); ++k) moved[k] += s * d[k];
-    det().at(moved.data(), direct.data());
-    for (std::size_t t = 0; t < size(); ++t)
-      EXPECT_NEAR(p0[t] + s * p1[t] + s * s * p2[t], direct[t], 1e-12 * n() * n() * (1 + s * s));
-  }
-}
-
-INSTANTIATE_TEST_SUITE_P(Degrees, Det, testing::Range(1, DetCoefficients::kMaxDegree + 1));
-
-TEST(DetDegrees, OthersAreRefused) {
-  EXPECT_THROW(DetCoefficients::of_degree(0), std::out_of_range);
-  EXPECT_THROW(DetCoefficients::of_degree(9), std::out_of_range);
 }
 
 // method.md E13: all control triangles positive, yet det J(1/3, 1/3, 1/3) = -6.62.
-TEST(DetExamples, PositiveControlTrianglesProveNothing) {
+TEST(TriangleDet, PositiveControlTrianglesProveNothing) {
   const double c[] = {1.39, -.22, -.48, .57, .15, .22, 1, -1.67, -1.1, 1.47, 2.07, 1.32};
-  double d[6];
-  DetCoefficients::of_degree(2).at(c, d);
+  Cells face(1, 3);
+  face << 0, 1, 2;
+  double d[6], error[6];
+  DetCoefficients(BezierTriangleSpace(face, 3, 2).element()).at_with_error(c, d, error);
   const Vec b = bernstein_values(2, Barycentric::Constant(1.0 / 3));
   EXPECT_NEAR(b.dot(Eigen::Map<const Vec>(d, 6)), -6.62, 0.005);
-}
-
-// Products near the smallest doubles lose all digits; the bound must say so.
-TEST(DetExamples, ErrorBoundsHoldUnderUnderflow) {
-  Random random(6);
-  const DetCoefficients& det = DetCoefficients::of_degree(2);
-  for (const double scale : {1e-154, 1e-158, 1e-161, 1e-165}) {
-    Control c = random_control(random, 2);
-    for (double& x : c) x *= scale;
-    std::vector<double> out(6), error(6);
-    det.at_with_error(c.data(), out.data(), error.data());
-    expect_bounds(exact_det(2, c), out, error, "double");
-    det.at_with_error_quad(c.data(), out.data(), error.data());
-    expect_bounds(exact_det(2, c), out, error, "quadruple");
-  }
 }
 
 }  // namespace

@@ -1,7 +1,10 @@
 // Certificates of positivity: never wrong, and strong enough to be useful.
+#include "majorant/elements/positivity.h"
+
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <map>
 
 #include "majorant/elements/bezier_triangle_space.h"
 #include "majorant/elements/det_coefficients.h"
@@ -12,6 +15,19 @@ namespace {
 
 using test::Random;
 using test::Rational;
+
+Cells one_face() {
+  Cells f(1, 3);
+  f << 0, 1, 2;
+  return f;
+}
+
+// Bisection of polynomials of degree n on triangles.
+const Subdivision& triangle(int n) {
+  static std::map<int, Subdivision> all;
+  const BernsteinElement element = BezierTriangleSpace(one_face(), 3, 1).element();
+  return all.try_emplace(n, element.basis({n}), element.bisections).first->second;
+}
 
 // Exact minimum over the points of a lattice (an upper bound of the minimum).
 Rational sampled_minimum(int n, const std::vector<double>& c, int m) {
@@ -33,7 +49,7 @@ TEST(CertifyPositive, IsNeverWrongOnRandomPolynomials) {
     for (double& x : c) x = random.uniform(-0.45, 1);
     for (std::size_t k = 0; k < std::min<std::size_t>(3, c.size()); ++k) c[k] = std::abs(c[k]);
     const Rational lowest = sampled_minimum(n, c, 12);
-    const PositivityProof proof = certify_positive(n, c.data(), 0, 6);
+    const PositivityProof proof = certify_positive(triangle(n), c.data(), 0, 6);
     EXPECT_LE(Rational(proof.lower_bound), lowest);
     if (proof.result != Positivity::Certified) {
       ++refused;
@@ -56,28 +72,30 @@ TEST(CertifyPositive, FindsWhatNeedsBisection) {
     const int order[3][6] = {{0, 1, 2, 3, 4, 5}, {1, 2, 0, 4, 5, 3}, {2, 0, 1, 5, 3, 4}};
     const double values[6] = {1, 1, 0, -1, 0, 0};  // (x0 - x1)^2
     for (int k = 0; k < 6; ++k) c[static_cast<std::size_t>(order[rotation][k])] = values[k] + 0.05;
-    EXPECT_EQ(certify_positive(2, c.data(), 0, 0).result, Positivity::Undecided);
-    const PositivityProof proof = certify_positive(2, c.data(), 0, 8);
+    EXPECT_EQ(certify_positive(triangle(2), c.data(), 0, 0).result, Positivity::Undecided);
+    const PositivityProof proof = certify_positive(triangle(2), c.data(), 0, 8);
     EXPECT_EQ(proof.result, Positivity::Certified);
     EXPECT_GT(proof.depth, 0);
     EXPECT_LE(proof.lower_bound, 0.05);
-    EXPECT_EQ(certify_positive(2, c.data(), 0, proof.depth).result, Positivity::Certified);
-    EXPECT_EQ(certify_positive(2, c.data(), 0, proof.depth - 1).result, Positivity::Undecided);
-    EXPECT_NE(certify_positive(2, c.data(), 0.051, 8).result, Positivity::Certified);
+    EXPECT_EQ(certify_positive(triangle(2), c.data(), 0, proof.depth).result,
+              Positivity::Certified);
+    EXPECT_EQ(certify_positive(triangle(2), c.data(), 0, proof.depth - 1).result,
+              Positivity::Undecided);
+    EXPECT_NE(certify_positive(triangle(2), c.data(), 0.051, 8).result, Positivity::Certified);
   }
 }
 
 TEST(CertifyPositive, TouchingZeroIsNotPositive) {
   const double touching[6] = {1, 1, 1, -1, 0, 0};  // zero at the midpoint of edge 01
   for (int depth = 0; depth < 12; ++depth)
-    EXPECT_NE(certify_positive(2, touching, 0, depth).result, Positivity::Certified);
+    EXPECT_NE(certify_positive(triangle(2), touching, 0, depth).result, Positivity::Certified);
   const double corner[3] = {1, 0, 1}, negative[3] = {1, 1, -1e-300}, zero[1] = {0};
-  EXPECT_EQ(certify_positive(1, corner, 0, 5).result, Positivity::Violated);
-  EXPECT_EQ(certify_positive(1, negative, 0, 5).result, Positivity::Violated);
-  EXPECT_EQ(certify_positive(0, zero, 0, 5).result, Positivity::Violated);
+  EXPECT_EQ(certify_positive(triangle(1), corner, 0, 5).result, Positivity::Violated);
+  EXPECT_EQ(certify_positive(triangle(1), negative, 0, 5).result, Positivity::Violated);
+  EXPECT_EQ(certify_positive(triangle(0), zero, 0, 5).result, Positivity::Violated);
   const double tiny[1] = {1e-300};
-  EXPECT_EQ(certify_positive(0, tiny, 0, 0).result, Positivity::Certified);
-  EXPECT_EQ(certify_positive(0, tiny, 1e-299, 5).result, Positivity::Violated);
+  EXPECT_EQ(certify_positive(triangle(0), tiny, 0, 0).result, Positivity::Certified);
+  EXPECT_EQ(certify_positive(triangle(0), tiny, 1e-299, 5).result, Positivity::Violated);
 }
 
 // method.md N5: NaN must count as failure, wherever it stands.
@@ -86,16 +104,12 @@ TEST(CertifyPositive, NaNIsNeverCertified) {
     for (std::size_t k = 0; k < 6; ++k) {
       std::vector<double> c(6, 1.0);
       c[k] = bad;
-      EXPECT_NE(certify_positive(2, c.data(), 0, 3).result, Positivity::Certified) << "at " << k;
+      EXPECT_NE(certify_positive(triangle(2), c.data(), 0, 3).result, Positivity::Certified)
+          << "at " << k;
     }
   const std::vector<double> fine(6, 1.0);
-  EXPECT_NE(certify_positive(2, fine.data(), std::nan(""), 3).result, Positivity::Certified);
-}
-
-Cells one_face() {
-  Cells f(1, 3);
-  f << 0, 1, 2;
-  return f;
+  EXPECT_NE(certify_positive(triangle(2), fine.data(), std::nan(""), 3).result,
+            Positivity::Certified);
 }
 
 TEST(Certify, MapsWithNonfiniteControlPointsAreNotCertified) {
@@ -137,32 +151,36 @@ TEST(Certify, NearlyDegenerateTrianglesAgreeWithExactArithmetic) {
   EXPECT_LT(positive, 250);
 }
 
-struct Line {
-  std::vector<double> p[3];
-};
+using Line = std::vector<StepPolynomial<2>>;
 
 // Along a random line of maps of degree m that starts at the identity.
 Line random_line(Random& random, int m, double amplitude) {
-  const DetCoefficients& det = DetCoefficients::of_degree(m);
+  const BezierTriangleSpace space(one_face(), 3, m);
+  const DetCoefficients det(space.element());
   const TriangleIndices& ix = TriangleIndices::of_degree(m);
-  std::vector<double> c, d;
+  std::vector<StepPolynomial<1>> c;
   for (int l = 0; l < ix.count(); ++l)
     for (std::size_t k = 0; k < 2; ++k) {
-      c.push_back(ix.multi(l)[k] / double(m) + 0.3 * random.uniform() / m / m);
-      d.push_back(amplitude * random.uniform());
+      const double x = ix.multi(l)[k] / double(m) + 0.3 * random.uniform() / m / m;
+      c.push_back({{x, amplitude * random.uniform()}});
     }
-  Line line;
-  for (auto& p : line.p) p.resize(static_cast<std::size_t>(det.count()));
-  det.along_line(c.data(), d.data(), line.p[0].data(), line.p[1].data(), line.p[2].data());
+  Line line(static_cast<std::size_t>(det.count()));
+  det.along_line(c.data(), line.data());
   return line;
+}
+
+std::vector<double> start_of(const Line& line) {
+  std::vector<double> out;
+  for (const StepPolynomial<2>& p : line) out.push_back(p.power[0]);
+  return out;
 }
 
 // Smallest value at parameter t on a dense lattice.
 double minimum_at(int n, const Line& line, double t) {
-  Vec c(static_cast<Index>(line.p[0].size()));
+  Vec c(static_cast<Index>(line.size()));
   for (Index k = 0; k < c.size(); ++k) {
-    const auto q = static_cast<std::size_t>(k);
-    c[k] = line.p[0][q] + t * line.p[1][q] + t * t * line.p[2][q];
+    const auto [p, q, r] = line[static_cast<std::size_t>(k)].power;
+    c[k] = p + t * q + t * t * r;
   }
   double lowest = c[0];
   constexpr int kFine = 24;
@@ -174,7 +192,7 @@ double minimum_at(int n, const Line& line, double t) {
 }
 
 double step_of(int n, const Line& line, double s, int depth) {
-  return largest_positive_step(n, line.p[0].data(), line.p[1].data(), line.p[2].data(), s, depth);
+  return largest_positive_step(triangle(n), line.data(), s, depth);
 }
 
 class LargestStep : public testing::TestWithParam<int> {};
@@ -185,7 +203,8 @@ TEST_P(LargestStep, IsPositiveBeforeAndTightWithBisection) {
   int limited = 0, improved = 0;
   for (int trial = 0; trial < (m == 1 ? 60 : 12); ++trial) {
     const Line line = random_line(random, m, 1.0);
-    if (certify_positive(n, line.p[0].data(), 0, 8).result != Positivity::Certified) continue;
+    if (certify_positive(triangle(n), start_of(line).data(), 0, 8).result != Positivity::Certified)
+      continue;
     const double quick = step_of(n, line, 1, 0), step = step_of(n, line, 1, 8);
     EXPECT_GE(step, quick);
     EXPECT_GT(step, 0);
@@ -206,7 +225,8 @@ INSTANTIATE_TEST_SUITE_P(Degrees, LargestStep, testing::Range(1, 6));
 
 TEST(LargestStep, ExactRoots) {
   const auto step = [](double a, double b, double c, double s) {
-    return largest_positive_step(0, &a, &b, &c, s, 4);
+    const StepPolynomial<2> p{{a, b, c}};
+    return largest_positive_step(triangle(0), &p, s, 4);
   };
   EXPECT_EQ(step(1, 0, 0, 3), 3);
   EXPECT_DOUBLE_EQ(step(1, -2, 0, 3), 0.5);
@@ -230,9 +250,10 @@ TEST(LargestStep, ExactRoots) {
 // Coefficients that are not all positive at s = 0 although the polynomial is: bisection must find a
 // positive step.
 TEST(LargestStep, StartsThatOnlyBisectionCertifies) {
-  const double p0[6] = {1, 1, 1, -0.5, 1, 1}, p1[6] = {-1, -1, -1, 0, -1, -1}, p2[6] = {};
-  EXPECT_EQ(largest_positive_step(2, p0, p1, p2, 1, 0), 0);
-  const double step = largest_positive_step(2, p0, p1, p2, 1, 8);
+  Line line(6, StepPolynomial<2>{{1, -1, 0}});
+  line[3] = {{-0.5, 0, 0}};
+  EXPECT_EQ(step_of(2, line, 1, 0), 0);
+  const double step = step_of(2, line, 1, 8);
   EXPECT_GT(step, 0.4);  // on edge 01 the minimum is (1 - t - 0.5) / 2
   EXPECT_LE(step, 0.5);
 }

@@ -137,5 +137,118 @@ TEST(Quadrature, GuardPoints) {
   }
 }
 
+// ---- Tetrahedra: barycentric points. ----
+
+int tetrahedron_exactness(const Quadrature& q) {
+  for (int degree = 0; degree <= 8; ++degree)
+    for (int i = 0; i <= degree; ++i)
+      for (int j = 0; j <= degree - i; ++j)
+        for (int k = 0; k <= degree - i - j; ++k) {
+          const int l = degree - i - j - k;
+          double sum = 0;
+          for (Index p = 0; p < q.size(); ++p)
+            sum += q.weights[p] * std::pow(q.points(p, 0), i) * std::pow(q.points(p, 1), j) *
+                   std::pow(q.points(p, 2), k) * std::pow(q.points(p, 3), l);
+          const auto exact = static_cast<double>(
+              test::Rational(6 * test::factorial(i) * test::factorial(j) * test::factorial(k) *
+                             test::factorial(l) / test::factorial(degree + 3)));
+          if (std::abs(sum - exact) > 1e-13 * exact) return degree - 1;
+        }
+  return 8;
+}
+
+// Points and weights after a renumbering of coordinates, in a fixed order.
+std::vector<std::vector<double>> renumbered(const Quadrature& q, const std::vector<int>& order) {
+  std::vector<std::vector<double>> out;
+  for (Index l = 0; l < q.size(); ++l) {
+    out.emplace_back();
+    for (const int c : order) out.back().push_back(std::round(q.points(l, c) * 1e10) / 1e10);
+    out.back().push_back(std::round(q.weights[l] * 1e12) / 1e12);
+  }
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+void expect_tetrahedron_rule(const Quadrature& q, int exactness) {
+  expect_sound(q);
+  EXPECT_EQ(tetrahedron_exactness(q), exactness);
+  std::vector<int> order{0, 1, 2, 3};
+  const auto reference = renumbered(q, order);
+  while (std::next_permutation(order.begin(), order.end()))
+    EXPECT_EQ(renumbered(q, order), reference);
+}
+
+TEST(Quadrature, WalkingtonIsExactForDegreeFive) {
+  EXPECT_EQ(walkington_rule().size(), 14);
+  expect_tetrahedron_rule(walkington_rule(), 5);
+}
+
+TEST(Quadrature, CompositeTetrahedraKeepExactnessAndSymmetry) {
+  for (const int m : {1, 2, 3, 4}) {
+    const Quadrature q = composite_rule(walkington_rule(), m);
+    EXPECT_EQ(q.size(), 14 * ((m * m * m + 2 * m) / 3 + 8 * (m * m * m - m) / 6));
+    expect_tetrahedron_rule(q, 5);
+  }
+}
+
+// ---- The unit square: points (s, t). ----
+
+double square_mean(const Quadrature& q, int i, int j) {
+  double sum = 0;
+  for (Index l = 0; l < q.size(); ++l)
+    sum += q.weights[l] * std::pow(q.points(l, 0), i) * std::pow(q.points(l, 1), j);
+  return sum;
+}
+
+// Largest degree in s and in t.
+int square_exactness(const Quadrature& q) {
+  for (int degree = 0; degree <= 20; ++degree)
+    for (int i = 0; i <= degree; ++i)
+      for (const auto& [a, b] : {std::pair{i, degree}, {degree, i}})
+        if (std::abs(square_mean(q, a, b) * (a + 1) * (b + 1) - 1) > 1e-12) return degree - 1;
+  return 20;
+}
+
+void expect_square_rule(const Quadrature& q, int exactness) {
+  EXPECT_NEAR(q.weights.sum(), 1, 1e-13);
+  EXPECT_GT(q.weights.minCoeff(), 0);
+  EXPECT_GE(q.points.minCoeff(), 0);
+  EXPECT_LE(q.points.maxCoeff(), 1);
+  EXPECT_EQ(square_exactness(q), exactness);
+  Quadrature mirrored = q;
+  mirrored.points.col(0) = 1 - q.points.col(0).array();
+  EXPECT_EQ(renumbered(q, {0, 1}), renumbered(q, {1, 0}));
+  EXPECT_EQ(renumbered(q, {0, 1}), renumbered(mirrored, {0, 1}));
+}
+
+TEST(Quadrature, TensorGaussIsExact) {
+  for (const int m : {1, 2, 3, 4, 7, 10}) {
+    EXPECT_EQ(tensor_gauss_rule(m).size(), m * m);
+    expect_square_rule(tensor_gauss_rule(m), 2 * m - 1);
+  }
+}
+
+TEST(Quadrature, CompositeSquaresKeepExactness) {
+  for (const int m : {1, 2, 3}) {
+    EXPECT_EQ(composite_rule(tensor_gauss_rule(3), m).size(), 9 * m * m);
+    expect_square_rule(composite_rule(tensor_gauss_rule(3), m), 5);
+  }
+}
+
+TEST(Quadrature, GuardPointsOfOtherCells) {
+  for (const int m : {1, 2, 4}) {
+    const Quadrature tetrahedron = guarded_rule(walkington_rule(), m, 1e-3);
+    const int guards = (m + 1) * (m + 2) * (m + 3) / 6;
+    EXPECT_EQ(tetrahedron.size(), 14 + guards);
+    EXPECT_NEAR(tetrahedron.weights.tail(guards).sum(), 1e-3, 1e-15);
+    EXPECT_EQ(tetrahedron.points.maxCoeff(), 1);
+    expect_tetrahedron_rule(tetrahedron, 1);
+    const Quadrature square = guarded_rule(tensor_gauss_rule(2), m, 1e-3);
+    EXPECT_EQ(square.size(), 4 + (m + 1) * (m + 1));
+    EXPECT_NEAR(square.weights.tail((m + 1) * (m + 1)).sum(), 1e-3, 1e-15);
+    expect_square_rule(square, 1);
+  }
+}
+
 }  // namespace
 }  // namespace majorant

@@ -65,6 +65,26 @@ TEST(Ceres, TheLastPointIsReportedOnce) {
   }
 }
 
+TEST(Ceres, GradientsAreNotAskedForOutsideTheDomain) {
+  test::Scalar barrier = test::log_barrier();
+  int outside = 0, values_outside = 0;
+  barrier.f = [&, f = barrier.f](double t) {
+    values_outside += t <= 0;
+    return f(t);
+  };
+  barrier.f1 = [&, f1 = barrier.f1](double t) {
+    outside += t <= 0;
+    return f1(t);
+  };
+  const Problem problem = test::chain_of(2, barrier);
+  const SolveResult r = CeresMinimizer().minimize(problem, Vector2(1.2, 0.9), {});
+  EXPECT_EQ(r.status, Status::Converged) << r.message;
+  const SolveResult far = CeresMinimizer().minimize(problem, Vector2(30, 0.01), {});
+  EXPECT_EQ(far.status, Status::Converged) << far.message;
+  EXPECT_GT(values_outside, 0) << "the case is not tested";
+  EXPECT_EQ(outside, 0);
+}
+
 TEST(Ceres, BadOptionsThrow) {
   const ChainProblem chain(3);
   for (const CeresOptions& o : {CeresOptions{.max_iterations = -1}, CeresOptions{.history = 0},

@@ -2,6 +2,7 @@
 #include "majorant/framework/lbfgs.h"
 
 #include "framework/minimizer_cases.h"
+#include "majorant/framework/metric.h"
 #include "majorant/framework/newton.h"
 
 namespace majorant {
@@ -103,6 +104,65 @@ TEST(Lbfgs, RefactorsAsOftenAsTold) {
     for (std::size_t k = 0; k < r.iterations.size(); ++k)
       EXPECT_EQ(r.iterations[k].seconds.factorize > 0, every > 0 ? k % 4 == 0 : k == 0) << k;
   }
+}
+
+// cautious = 1 asks for s and q to be parallel: no pair passes, which is descent in the metric.
+TEST(Lbfgs, CautiousnessDecidesOnPairs) {
+  const ChainProblem chain(10);
+  LbfgsOptions none, strict, usual;
+  for (LbfgsOptions* o : {&none, &strict, &usual}) o->stopping.max_iterations = 8;
+  none.history = 0;
+  strict.cautious = 1;
+  const auto last = [&](const LbfgsOptions& o) {
+    return LbfgsMinimizer(o).minimize(chain.problem, chain.start, {}).y;
+  };
+  EXPECT_EQ(last(none), last(strict));
+  EXPECT_NE(last(none), last(usual));
+}
+
+// Pairs of negative curvature, admitted on purpose, turn B negative where the energy is concave:
+// directions that ascend are replaced by those of the metric.
+TEST(Lbfgs, RestartsWithTheMetricWhereTheDirectionIsNoDescent) {
+  const Problem hill = test::chain_of(
+      1,
+      {[](double t) { return t < 10 ? -t * t / 2 : -50 - 10 * (t - 10) + 5 * (t - 10) * (t - 10); },
+       [](double t) { return t < 10 ? -t : -10 + 10 * (t - 10); },
+       [](double t) { return t < 10 ? -1.0 : 10.0; }});
+  LbfgsOptions o;
+  o.metric = test::chain_of(1, test::parabola(0, 0));
+  o.cautious = -2;
+  o.line_search.largest_growth = 1;  // several steps on the concave side
+  const SolveResult r = LbfgsMinimizer(o).minimize(hill, Vec::Constant(1, 1), {});
+  EXPECT_EQ(r.status, Status::Converged) << r.message;
+  EXPECT_NEAR(r.y[0], 11, 1e-6);
+  EXPECT_NEAR(r.iterations.at(1).newton_decrement, 1.5 * 1.5 / 2, 1e-12) << "g.M^-1 g";
+}
+
+// Right after a factorization the direction is the metric's alone.
+TEST(Lbfgs, ANewMetricStartsANewHistory) {
+  const ChainProblem chain(10);
+  LbfgsOptions o;
+  o.metric_every = 4;
+  Metric metric(chain.problem, Curvature::Projected, make_cholmod_solver());
+  Evaluator evaluator(chain.problem);
+  Vec before = chain.start, g, p;
+  int others = 0;
+  const auto observer = [&](const IterationRecord& r, const Vec& y) {
+    evaluator.gradient(before, g);
+    EXPECT_TRUE(metric.factorize(before));
+    metric.solve(g, p);
+    const bool newton = std::abs(r.newton_decrement - g.dot(p)) <= 1e-9 * g.dot(p);
+    if ((r.iteration - 1) % 4 == 0) {
+      EXPECT_TRUE(newton) << r.iteration;
+    } else {
+      others += !newton;
+    }
+    before = y;
+    return Directive::Continue;
+  };
+  const SolveResult r = LbfgsMinimizer(o).minimize(chain.problem, chain.start, observer);
+  EXPECT_GE(r.iterations.size(), 9u);
+  EXPECT_GT(others, 4);
 }
 
 // A non-convex valley full of negative curvature along the way: pairs are skipped, never used.

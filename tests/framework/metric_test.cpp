@@ -63,6 +63,17 @@ TEST(Metric, ShiftsIndefiniteHessiansVisibly) {
   EXPECT_LE((h * p + metric.shift() * p - r).norm(), 1e-10 * r.norm());
 }
 
+// Semidefinite: the shift is not the least that a factorization survives, but one that directions
+// survive.
+TEST(Metric, ShiftsSemidefiniteHessiansByAThousandthOfTheDiagonal) {
+  const test::Scalar cubic{[](double t) { return t * t * t / 6; },
+                           [](double t) { return t * t / 2; }, [](double t) { return t; }};
+  const Problem problem = ProblemBuilder(2).add(std::make_shared<const Chain>(2, cubic), 1).build();
+  Metric metric(problem, Curvature::Exact, make_cholmod_solver());
+  ASSERT_TRUE(metric.factorize(Vector2(2, 0)));
+  EXPECT_NEAR(metric.shift(), 1e-3, 1e-15);
+}
+
 TEST(Metric, NonFiniteHessiansAreNoMetric) {
   const test::Scalar broken{[](double t) { return t; }, [](double) { return 1.0; },
                             [](double) { return std::nan(""); }};

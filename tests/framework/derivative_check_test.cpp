@@ -1,0 +1,73 @@
+// The derivative checker finds each kind of mistake and names it.
+#include "majorant/framework/derivative_check.h"
+
+#include <gtest/gtest.h>
+
+#include "framework/barrier_chain.h"
+
+namespace majorant {
+namespace {
+
+using test::QuadraticTerm;
+using test::Random;
+
+// x^4 / 12 of one unknown, with one mistake at a time.
+enum class Mistake { None, Gradient, Hessian, Definiteness, FirstOrderGradient, FirstOrderValue };
+
+class Quartic final : public EnergyTerm {
+ public:
+  explicit Quartic(Mistake mistake) : mistake_(mistake) {}
+  std::string_view name() const override { return "quartic"; }
+  const Stencils& stencils() const override { return stencils_; }
+  bool supports(Curvature c) const override {
+    return c == Curvature::Exact || c == Curvature::Projected;
+  }
+  void values(VecIn x, const Chunk&, const TermState&, Workspace&,
+              std::span<double> f) const override {
+    f[0] = std::pow(x[0], 4) / 12;
+  }
+  void local(VecIn x, const Chunk&, Curvature curvature, const TermState&, Workspace&,
+             LocalSystem& out) const override {
+    const auto off = [&](Mistake m) { return m == mistake_ ? 1.01 : 1.0; };
+    out.value[0] = std::pow(x[0], 4) / 12;
+    out.gradient[0] = off(Mistake::Gradient) * std::pow(x[0], 3) / 3;
+    if (!out.hessian) {
+      out.value[0] *= off(Mistake::FirstOrderValue);
+      out.gradient[0] *= off(Mistake::FirstOrderGradient);
+      return;
+    }
+    out.hessian[0] = off(Mistake::Hessian) * x[0] * x[0];
+    if (mistake_ == Mistake::Definiteness && curvature == Curvature::Projected) out.hessian[0] = -1;
+  }
+
+ private:
+  Mistake mistake_;
+  Stencils stencils_ = test::band_stencils(1, 1, 1);
+};
+
+TEST(DerivativeCheck, CorrectTermsPass) {
+  Random random(1);
+  const QuadraticTerm quadratic(test::band_stencils(5, 2, 2), random, true);
+  const DerivativeReport q = check_derivatives(quadratic, random.vector(12));
+  EXPECT_TRUE(q.ok()) << q.message();
+  const test::ChainProblem chain(10);
+  const DerivativeReport r =
+      check_derivatives(*chain.term, chain.problem.expand(chain.start), 1e-4);
+  EXPECT_TRUE(r.ok()) << r.message();
+  EXPECT_TRUE(check_derivatives(Quartic(Mistake::None), Vec::Constant(1, 2)).ok());
+}
+
+TEST(DerivativeCheck, MistakesAreFoundAndNamed) {
+  for (const auto& [mistake, text] : {std::pair(Mistake::Gradient, "gradient[0]"),
+                                      {Mistake::Hessian, "hessian(0, 0)"},
+                                      {Mistake::Definiteness, "curvature projected"},
+                                      {Mistake::FirstOrderGradient, "gradient[0] without hessian"},
+                                      {Mistake::FirstOrderValue, "value without hessian"}}) {
+    const DerivativeReport r = check_derivatives(Quartic(mistake), Vec::Constant(1, 2));
+    EXPECT_FALSE(r.ok()) << text;
+    EXPECT_NE(r.message().find(text), std::string::npos) << r.message();
+  }
+}
+
+}  // namespace
+}  // namespace majorant
