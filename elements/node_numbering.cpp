@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <stdexcept>
 #include <tuple>
 
@@ -15,15 +16,17 @@ constexpr std::size_t kMaxCorners = 4;  // of a part
 // One part of one cell; equal vertices belong to equal parts.
 struct Side {
   std::array<Index, kMaxCorners> vertices;  // ascending, -1 for none
-  std::size_t corners;
   Index cell;
-  std::size_t part;
+  std::uint16_t corners, part;
 
   auto shared_key() const { return std::tie(corners, vertices); }
 };
 
 Side make_side(const Cells& cells, Index cell, std::size_t number, const NodeLattice::Part& part) {
-  Side side{{}, part.corners.size(), cell, number};
+  Side side{{},
+            cell,
+            static_cast<std::uint16_t>(part.corners.size()),
+            static_cast<std::uint16_t>(number)};
   side.vertices.fill(-1);
   for (std::size_t k = 0; k < side.corners; ++k) {  // insertion sort
     const Index v = cells(cell, part.corners[k]);
@@ -136,7 +139,7 @@ NodeNumbering number_nodes(const NodeLattice& lattice, const Cells& cells, Index
                                 first->vertices.begin() + static_cast<long>(first->corners), ", "),
                       last - first));
     if (facet && last - first == 1) outer.push_back(&*first);
-    for (auto side = first; side != last; ++side) {
+    for (auto side = first; side != last && !part.nodes.empty(); ++side) {
       Index node = out.node_count;
       for (const int l : ordered_nodes(lattice, cells, *side)) out.cells(side->cell, l) = node++;
     }

@@ -85,10 +85,10 @@ class StepSearch : Bisection<StepPolynomial<K>> {
   double largest(const StepPolynomial<K>* p, double s, int depth) {
     double all = s;
     for (int k = 0; k < cell_.count(); ++k)
-      if (!plainly_positive(p[k], s)) all = std::min(all, root(p[k], s));
+      if (!plainly_positive(p[k], all)) all = std::min(all, root(p[k], all));
     if (depth >= max_depth_) return all;
     double corner = s;
-    for (const int k : cell_.corners()) corner = std::min(corner, root(p[k], s));
+    for (const int k : cell_.corners()) corner = std::min(corner, root(p[k], corner));
     if (all >= corner) return all;
     const auto [first, second] = Base::split(depth, p);
     const double step = largest(first, corner, depth + 1);

@@ -77,11 +77,11 @@ TEST_P(Element, GradientsMatchFiniteDifferences) {
   for (Index l = 0; l < t.weights.size(); ++l) {
     const RowMatrix g = test::reference_gradients(t, l);
     for (int d = 0; d < dim(); ++d) {
-      const auto [plus, minus] = space().element().derivatives[static_cast<std::size_t>(d)];
+      const std::array<int, 2> ends = space().element().derivatives[static_cast<std::size_t>(d)];
       const auto at = [&](double s) {
         std::vector<double> x = points[static_cast<std::size_t>(l)];
-        x[static_cast<std::size_t>(plus)] += s * h;
-        x[static_cast<std::size_t>(minus)] -= s * h;
+        x[static_cast<std::size_t>(ends[0])] += s * h;
+        x[static_cast<std::size_t>(ends[1])] -= s * h;
         return test::basis_values(space().element(), x);
       };
       const Vec fd = (45 * (at(1) - at(-1)) - 9 * (at(2) - at(-2)) + (at(3) - at(-3))) / (60 * h);
@@ -119,8 +119,9 @@ TEST_P(Element, RulesIntegrateTheTables) {
   const Index spaces = static_cast<Index>(factors().size() * (factors().size() + 1) / 2);
   EXPECT_NEAR(mean.sum(), double(spaces), 1e-12);
   EXPECT_NEAR((t.weights.transpose() * t.first).sum(), double(factors().size()), 1e-12);
-  if (spaces == 1)  // all functions of one Bernstein basis have the same integral
-    EXPECT_LE((mean.array() * double(t.moment.cols()) - 1).abs().maxCoeff(), 1e-3);
+  if (spaces > 1) return;
+  // All functions of one Bernstein basis have the same integral.
+  EXPECT_LE((mean.array() * double(t.moment.cols()) - 1).abs().maxCoeff(), 1e-3);
 }
 
 // ---- Positions. ----
