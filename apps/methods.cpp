@@ -19,8 +19,12 @@ using SolverFactory = std::function<std::unique_ptr<LinearSolver>()>;
 
 std::string none(const Contest&) { return {}; }
 
+// Where the exact Hessian takes over near the minimum; never, for methods named after a model.
+const double kExactTail = NewtonOptions().exact_below;
+constexpr double kNoExactTail = 0;
+
 Method newton(
-    std::string name, std::string summary, Curvature curvature,
+    std::string name, std::string summary, Curvature curvature, double exact_below,
     SolverFactory linear_solver = [] { return make_cholmod_solver(); }) {
   const auto obstacle = [curvature](const Contest& c) {
     return c.problem.supports(curvature) ? std::string()
@@ -30,6 +34,7 @@ Method newton(
   return {std::move(name), std::move(summary), obstacle, [=](const Contest& c) {
             NewtonOptions options;
             options.curvature = curvature;
+            options.exact_below = exact_below;
             options.linear_solver = linear_solver;
             options.stopping.relative_decrease = c.tolerance;
             options.stopping.max_iterations = c.max_iterations;
@@ -95,14 +100,20 @@ Method least_squares() {
 
 std::span<const Method> methods() {
   static const std::vector<Method> all{
-      newton("newton", "Newton, projected Hessian, CHOLMOD", Curvature::Projected),
-      newton("newton-majorizer", "Newton, composite majorizer", Curvature::Majorizer),
-      newton("newton-paper-majorizer", "Newton, the paper's majorizer", Curvature::PaperMajorizer),
-      newton("newton-reweighted", "Newton, SLIM's reweighting", Curvature::Reweighted),
-      newton("newton-exact", "Newton, exact Hessian, shifted where indefinite", Curvature::Exact),
-      newton("newton-simplicial", "Newton, CHOLMOD without supernodes", Curvature::Projected,
-             [] { return make_cholmod_solver(Factorization::Simplicial); }),
-      newton("newton-eigen", "Newton, Eigen's L D L^T", Curvature::Projected,
+      newton("newton", "Newton, projected Hessian, exact near the minimum", Curvature::Projected,
+             kExactTail),
+      newton("newton-projected", "Newton, projected Hessian throughout", Curvature::Projected,
+             kNoExactTail),
+      newton("newton-majorizer", "Newton, composite majorizer", Curvature::Majorizer, kNoExactTail),
+      newton("newton-paper-majorizer", "Newton, the paper's majorizer", Curvature::PaperMajorizer,
+             kNoExactTail),
+      newton("newton-reweighted", "Newton, SLIM's reweighting", Curvature::Reweighted,
+             kNoExactTail),
+      newton("newton-exact", "Newton, exact Hessian, shifted where indefinite", Curvature::Exact,
+             kNoExactTail),
+      newton("newton-simplicial", "newton with CHOLMOD without supernodes", Curvature::Projected,
+             kExactTail, [] { return make_cholmod_solver(Factorization::Simplicial); }),
+      newton("newton-eigen", "newton with Eigen's L D L^T", Curvature::Projected, kExactTail,
              [] { return make_eigen_ldlt_solver(); }),
       {"lbfgs", "L-BFGS, metric: Laplacian", none, make_lbfgs},
       {"lbfgs-hessian", "L-BFGS, metric: projected Hessian at the start", none, make_hessian_lbfgs},

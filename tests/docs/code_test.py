@@ -81,6 +81,7 @@ def compile_text(text):
         path.write_text(text)
         return subprocess.run(
             [os.environ.get('CXX', 'c++'), '-std=c++20', '-fsyntax-only', '-Wall',
+             '-DEIGEN_MAX_ALIGN_BYTES=16', '-DEIGEN_MALLOC_ALREADY_ALIGNED=0',
              '-Wno-unused', *('-I%s' % (BUILD / 'include' / layer) for layer in LAYERS),
              '-isystem', '/usr/include/eigen3', str(path)], capture_output=True, text=True)
 

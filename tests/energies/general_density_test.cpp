@@ -175,7 +175,7 @@ struct Tetrahedra {
     for (int e = 0; e < 8; ++e) {
       const int i = e & 1, j = 2 + ((e >> 1) & 1), k = 4 + ((e >> 2) & 1);
       const bool even = (i + j + k) % 2 == 0;
-      cells.row(e) << (even ? i : j), (even ? j : i), k, 6;
+      cells.row(e) << (even ? j : i), (even ? i : j), k, 6;
     }
     space = std::make_shared<const test::LinearTetrahedra>(cells, 7);
     rest = flat_simplices(positions, cells);
@@ -220,7 +220,7 @@ TEST(GeneralDensity, TetrahedraMatchNestedJets) {
         for (int p = 0; p < 3; ++p)
           for (int i = 0; i < 3; ++i)
             by_x(3 * p + i, 3 * node + p) =
-                node < 3 ? inverse(node, i) : -(inverse(0, i) + inverse(1, i) + inverse(2, i));
+                node > 0 ? inverse(node - 1, i) : -(inverse(0, i) + inverse(1, i) + inverse(2, i));
       const double volume = t.space->tangents(e, rest_x).determinant() / 6;
       const auto k = static_cast<std::size_t>(e);
       EXPECT_NEAR(models.f[k], volume * static_cast<double>(f.a.a), 1e-12 * models.f[k]);

@@ -23,7 +23,7 @@ class LinearTetrahedra final : public ElementSpace {
     ContractionTable t;
     t.nodes = 4;
     t.directions.resize(4, 3);
-    t.directions << 1, 0, 0, 0, 1, 0, 0, 0, 1, -1, -1, -1;
+    t.directions << -1, -1, -1, 1, 0, 0, 0, 1, 0, 0, 0, 1;
     t.weights = rule.weights;
     t.first.setOnes(rule.size(), 1);
     t.moment.setOnes(rule.size(), 1);
@@ -44,11 +44,11 @@ class LinearTetrahedra final : public ElementSpace {
   }
   double largest_step(Index, VecIn, VecIn, double s, int) const override { return s; }
 
-  // Columns x_k - x_3.
+  // Columns x_1 - x_0, x_2 - x_0, x_3 - x_0.
   Eigen::Matrix3d tangents(Index e, VecIn x) const {
     Eigen::Matrix3d t;
     for (int k = 0; k < 3; ++k)
-      t.col(k) = x.segment<3>(3 * cells_(e, k)) - x.segment<3>(3 * cells_(e, 3));
+      t.col(k) = x.segment<3>(3 * cells_(e, k + 1)) - x.segment<3>(3 * cells_(e, 0));
     return t;
   }
 
