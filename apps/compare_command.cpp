@@ -5,13 +5,17 @@
 #include <fmt/format.h>
 
 #include <CLI/App.hpp>
+#include <algorithm>
+#include <atomic>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <limits>
 #include <memory>
 
 #include "apps/command.h"
+#include "apps/energy_option.h"
 #include "apps/map_request.h"
 #include "apps/methods.h"
 #include "apps/outputs.h"
@@ -41,6 +45,7 @@ class Stopwatch {
   Stopwatch(const Contest& contest, double time_limit)
       : evaluator_(contest.problem),
         injectivity_(contest.space, 2 * contest.specification.rest.measure),
+        vertices_(contest.space, AngleSums::Vertices::Interior),
         time_limit_(time_limit) {}
 
   void start(const Vec& y) {
@@ -51,7 +56,7 @@ class Stopwatch {
     running_ += std::chrono::duration<double>(Clock::now() - resumed_).count();
     measure(record.iteration, running_, record.step, y);
     resumed_ = Clock::now();
-    if (interruption_flag()->load()) return Directive::Interrupt;
+    if (interrupted_->load()) return Directive::Interrupt;
     return running_ > time_limit_ ? Directive::TimeLimit : Directive::Continue;
   }
   std::vector<ComparisonPoint> take_points() { return std::move(points_); }
@@ -60,14 +65,19 @@ class Stopwatch {
   using Clock = std::chrono::steady_clock;
   void measure(int iteration, double seconds, double step, const Vec& y) {
     Vec gradient;
-    const double min_det = injectivity_.lower_bounds(evaluator_.problem().expand(y)).minCoeff();
+    const Vec x = evaluator_.problem().expand(y);
+    const double min_det = injectivity_.lower_bounds(x).minCoeff();
     // A map that is not certified is no result: it must not become the best.
-    const double infinity = std::numeric_limits<double>::infinity();
-    const double energy = min_det > 0 ? evaluator_.gradient(y, gradient) : infinity;
-    points_.push_back({iteration, seconds, energy, gradient.norm(), step, min_det});
+    const bool valid = min_det > 0 && vertices_.check(x).feasible;
+    using Limits = std::numeric_limits<double>;
+    const double energy = valid ? evaluator_.gradient(y, gradient) : Limits::infinity();
+    const double norm = std::isfinite(energy) ? gradient.norm() : Limits::quiet_NaN();
+    points_.push_back({iteration, seconds, energy, norm, step, min_det});
   }
   Evaluator evaluator_;
   LocalInjectivity injectivity_;
+  AngleSums vertices_;  // methods that certify no paths might wind twice around a vertex
+  const std::atomic<bool>* interrupted_ = interruption_flag();
   double time_limit_, running_ = 0;
   Clock::time_point resumed_;
   std::vector<ComparisonPoint> points_;
@@ -96,30 +106,43 @@ Contest make_contest(const Request& request) {
   c.start = map.control_points();
   c.problem = map_problem(c.specification, c.space, c.start,
                           energy_terms(c.specification, c.space, {c.rule}), c.injectivity);
+  if (!std::isfinite(Evaluator(c.problem).value(c.problem.reduce(c.start))))
+    throw Error(ErrorKind::Infeasible,
+                fmt::format("{}: energy '{}' is infinite at the start; begin with another map "
+                            "(--init input) or another energy",
+                            request.map.input, request.map.energy));
   c.tolerance = request.tolerance;
   c.max_iterations = request.max_iterations;
   return c;
 }
 
-// The methods asked for; without a wish all that fit.
-std::vector<const Method*> choose(const Request& request, const Contest& contest) {
-  std::vector<const Method*> chosen;
-  if (request.methods.empty()) {
-    for (const Method& m : methods())
-      if (m.obstacle(contest).empty()) chosen.push_back(&m);
-    return chosen;
-  }
-  for (const std::string& wanted : request.methods) {
-    const Method* m = find_method(wanted);
+// The methods asked for, each once; all of them without a wish.
+std::vector<const Method*> wanted_methods(const Request& request) {
+  std::vector<const Method*> wanted;
+  for (std::string name : request.methods) {
+    std::erase(name, ' ');
+    const Method* m = find_method(name);
     if (!m) {
       std::vector<std::string> names;
       for (const Method& known : methods()) names.push_back(known.name);
       throw Error(ErrorKind::Usage,
-                  fmt::format("no method is called '{}'; use {}", wanted, fmt::join(names, ", ")));
+                  fmt::format("no method is called '{}'; use {}", name, fmt::join(names, ", ")));
     }
-    if (const std::string why = m->obstacle(contest); !why.empty())
-      throw Error(ErrorKind::Usage, fmt::format("method {}: {}", wanted, why));
-    chosen.push_back(m);
+    if (std::find(wanted.begin(), wanted.end(), m) == wanted.end()) wanted.push_back(m);
+  }
+  if (wanted.empty())
+    for (const Method& m : methods()) wanted.push_back(&m);
+  return wanted;
+}
+
+// Without those that the contest is not for; asked for by name, that is an error.
+std::vector<const Method*> choose(const Request& request, const Contest& contest) {
+  std::vector<const Method*> chosen;
+  for (const Method* m : wanted_methods(request)) {
+    const std::string why = m->obstacle(contest);
+    if (!why.empty() && !request.methods.empty())
+      throw Error(ErrorKind::Usage, fmt::format("method {}: {}", m->name, why));
+    if (why.empty()) chosen.push_back(m);
   }
   return chosen;
 }
@@ -133,6 +156,15 @@ MethodRun race(const Method& method, const Contest& contest, double time_limit) 
       contest.problem, y0, [&](const IterationRecord& r, const Vec& y) { return watch(r, y); });
   const std::string message = result.status == Status::Converged ? "" : result.message;
   return {method.name, std::string(name(result.status)), message, watch.take_points()};
+}
+
+// The first method would pay for waking threads and touching memory.
+void warm_up(const Contest& contest) {
+  Contest short_contest = contest;
+  short_contest.max_iterations = 2;
+  find_method("newton")
+      ->make(short_contest)
+      ->minimize(contest.problem, contest.problem.reduce(contest.start), {});
 }
 
 Json report_of(const Request& request, const Comparison& comparison) {
@@ -174,6 +206,10 @@ void write(const Request& request, const Comparison& comparison) {
 int compare(const Request& request) {
   require_writable(request.outputs, {".csv", ".html", ".json"});
   if (!request.common.report.empty()) require_writable({request.common.report}, {".json"});
+  if (!(request.time_limit >= 0) || !(request.tolerance > 0))
+    throw Error(ErrorKind::Usage, "--time-limit and --tolerance must be numbers");
+  wanted_methods(request);  // complains before anything is read
+  interruption_flag();
   request.common.apply();
   const Contest contest = make_contest(request);
   const std::vector<const Method*> chosen = choose(request, contest);
@@ -182,6 +218,7 @@ int compare(const Request& request) {
                                  request.map.degree, request.map.energy, request.map.boundary,
                                  contest.problem.size());
   comparison.machine = fmt::format("{}, {} threads", processor(), threads());
+  warm_up(contest);
   for (const Method* method : chosen) {
     if (!request.common.quiet) fmt::print(stderr, "{} ...\n", method->name);
     comparison.runs.push_back(race(*method, contest, request.time_limit));
@@ -210,7 +247,7 @@ void add_compare(CLI::App& app, Action* run) {
   verb.add_option("--time-limit", r.time_limit, "seconds for each method (60)")
       ->check(CLI::NonNegativeNumber);
   r.common.add_to(verb);
-  std::string list = "Methods:\n";
+  std::string list = energy_help() + "Methods:\n";
   for (const Method& m : methods()) list += fmt::format("  {:<24} {}\n", m.name, m.summary);
   verb.footer(list +
               "Example: majorant compare bunny.obj --degree 2 --methods newton,lbfgs -o c.html");

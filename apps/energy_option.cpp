@@ -17,21 +17,28 @@ namespace {
   throw Error(ErrorKind::Usage, fmt::format("--energy '{}': {}", expression, problem));
 }
 
-// A leading "number*" is taken off `text`; 1 when there is none.
+std::string trimmed(const std::string& text) {
+  const auto space = [](char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; };
+  const auto first = std::find_if_not(text.begin(), text.end(), space);
+  const auto last = std::find_if_not(text.rbegin(), text.rend(), space).base();
+  return first < last ? std::string(first, last) : std::string();
+}
+
+// A leading "number *" is taken off `text`; 1 when there is none.
 double take_weight(std::string& text, const std::string& expression) {
   const std::size_t star = text.find('*');
   if (star == std::string::npos) return 1.0;
+  const std::string number = trimmed(text.substr(0, star));
   double weight = 0;
-  const char* end = text.data() + star;
-  const auto [stop, error] = std::from_chars(text.data(), end, weight);
+  const char* end = number.data() + number.size();
+  const auto [stop, error] = std::from_chars(number.data(), end, weight);
   if (error != std::errc() || stop != end || !(weight > 0) || !std::isfinite(weight))
-    refuse(expression, fmt::format("'{}' is not a positive number", text.substr(0, star)));
-  text.erase(0, star + 1);
+    refuse(expression, fmt::format("'{}' is not a positive number", number));
+  text = trimmed(text.substr(star + 1));
   return weight;
 }
 
-std::vector<std::string> summands(std::string text) {
-  std::erase_if(text, [](unsigned char c) { return std::isspace(c); });
+std::vector<std::string> summands(const std::string& text) {
   std::vector<std::string> out(1);
   for (std::size_t k = 0; k < text.size(); ++k) {
     // The sign of an exponent, 1e+3, is not a sum.
@@ -42,6 +49,7 @@ std::vector<std::string> summands(std::string text) {
     else
       out.back() += text[k];
   }
+  for (std::string& summand : out) summand = trimmed(summand);
   return out;
 }
 

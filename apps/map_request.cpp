@@ -53,8 +53,6 @@ void require_scale(const EnergyChoice& energy, const MapRequest& request,
 }  // namespace
 
 void MapRequest::add_to(CLI::App& verb) {
-  std::vector<std::string> curvatures;
-  for (const Curvature c : kCurvatures) curvatures.emplace_back(name(c));
   verb.add_option("input", input, "mesh: .obj .off .ply .stl .vtu")->required();
   verb.add_option("--degree", degree, "polynomial degree, 1..8 (3)")->check(CLI::Range(1, 8));
   verb.add_option("--energy", energy, "distortion: a name below, or a weighted sum");
@@ -67,7 +65,6 @@ void MapRequest::add_to(CLI::App& verb) {
   verb.add_option("--soft", soft, "weight of soft handles (1000)")->check(CLI::PositiveNumber);
   verb.add_option("--weights", weights, "a positive factor of the energy for each face, text")
       ->type_name("FILE");
-  verb.add_option("--curvature", curvature, "second-order model")->check(CLI::IsMember(curvatures));
   verb.add_flag("--boundary-angles", boundary_angles,
                 "hold sector sums <= 360 degrees at boundary vertices");
   verb.add_option("--quadrature", quadrature, "lattice points per triangle (default: own rule)")

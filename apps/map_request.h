@@ -14,7 +14,8 @@ namespace majorant::app {
 // Everything the user can say of the map, as said.
 struct MapRequest {
   std::string input, energy = "symmetric-dirichlet", boundary = "free", init = "tutte",
-                     curvature = "projected", pins, handles, weights;
+                     curvature = "projected",  // an option of parametrize only
+      pins, handles, weights;
   int degree = 3, quadrature = 0;
   double soft = 1e3;
   bool boundary_angles = false;

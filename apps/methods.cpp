@@ -82,9 +82,9 @@ Method ceres_gradient(std::string name, std::string summary, CeresOptions::Metho
 
 Method least_squares() {
   const auto obstacle = [](const Contest& c) -> std::string {
-    const MapSpecification& s = c.specification;
-    if (c.energy != "symmetric-dirichlet" || s.face_weight.size() || !s.handles.empty())
-      return "it is the plain symmetric Dirichlet energy written as squares";
+    if (c.energy != "symmetric-dirichlet") return "it needs --energy symmetric-dirichlet";
+    if (c.specification.face_weight.size()) return "it does not know --weights";
+    if (!c.specification.handles.empty()) return "it does not know --handles";
     return {};
   };
   return {"ceres-lm", "Ceres, Levenberg-Marquardt on J and J^-1 as residuals", obstacle,

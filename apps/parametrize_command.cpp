@@ -13,6 +13,7 @@
 #include "apps/outputs.h"
 #include "apps/progress.h"
 #include "apps/report.h"
+#include "majorant/framework/curvature_name.h"
 #include "majorant/framework/evaluator.h"
 #include "majorant/parametrization/parametrize.h"
 
@@ -167,9 +168,11 @@ class Job {
       return;
     }
     fmt::print(stderr,
-               "{}: {} after {} iterations, {} {:.6f} (start {:.6g}), degree {}, {:.2f} s\n",
+               "{}: {} after {} iterations, {} {:.6f} (start {:.6g}){}, degree {}, {:.2f} s\n",
                request_.map.input, name(result_.status), record.trace().size(), request_.map.energy,
-               result_.measures.value, result_.initial_value, request_.map.degree, seconds());
+               result_.measures.value, result_.initial_value,
+               request_.map.weights.empty() ? "" : ", both without the face weights",
+               request_.map.degree, seconds());
   }
 
   Request request_;
@@ -191,6 +194,10 @@ void add_parametrize(CLI::App& app, Action* run) {
   verb.add_option("output", r.positional_output, "output file, same as -o");
   verb.add_option("-o,--output", r.outputs, "output: .vtu .obj .svg .json .csv, repeatable")
       ->allow_extra_args(false);
+  std::vector<std::string> curvatures;
+  for (const Curvature c : kCurvatures) curvatures.emplace_back(name(c));
+  verb.add_option("--curvature", r.map.curvature, "second-order model (projected)")
+      ->check(CLI::IsMember(curvatures));
   verb.add_option("--elevation", r.elevation, "how the degree is reached")
       ->check(CLI::IsMember({"incremental", "direct"}));
   verb.add_option("--tolerance", r.tolerance, "relative energy decrease to stop at (1e-6)")

@@ -16,7 +16,7 @@ from pathlib import Path
 
 import common
 
-MESHES = ['spot_500', 'blub_2500', 'goathead_2500', 'nefertiti_2500', 'mountain_10000']
+MESHES = ['spot_500', 'blub_2500', 'goathead_2500', 'nefertiti_2500', 'mountain_2500']
 
 
 def measure(options, mesh, degree, folder):

@@ -11,8 +11,8 @@
 //   to_coordinates, gradient_to_jacobian, curvature_to_jacobian
 // as energies/spectral.h and energies/density.h have them.
 //
-// Everything here is a template on Arch, needed or not: a function that several instruction sets
-// define would be merged by the linker, possibly to one the machine cannot run.
+// Everything here is a template on Arch, needed or not, or always inlined: a function that several
+// instruction sets define would be merged by the linker, possibly to one the machine cannot run.
 #pragma once
 
 #include <type_traits>
@@ -28,8 +28,10 @@ using Batch = xsimd::batch<double, Arch>;
 
 inline constexpr int kMaxDirections = 4;
 
-constexpr int packed(int n) { return n * (n + 1) / 2; }
-constexpr int packed_index(int i, int j) { return i >= j ? packed(i) + j : packed(j) + i; }
+[[gnu::always_inline]] constexpr int packed(int n) { return n * (n + 1) / 2; }
+[[gnu::always_inline]] constexpr int packed_index(int i, int j) {
+  return i >= j ? packed(i) + j : packed(j) + i;
+}
 
 // One batch of elements: derivative directions mapped to the rest frame, control values of J (of
 // its density's coordinates where the rest shape is constant, else of the reference Jacobian).

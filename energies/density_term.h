@@ -38,9 +38,6 @@ class DensityTerm final : public EnergyTerm {
   void local(VecIn x, const Chunk& chunk, Curvature curvature, const TermState& state,
              Workspace& workspace, LocalSystem& out) const override;
 
-  // Area (or volume) of each element's rest shape, #E.
-  const Vec& measures() const { return rest_.measure; }
-
  private:
   // Tables of one rule, built when first used: fine rules are large and rarely needed.
   struct Rule {

@@ -2,31 +2,49 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
 
 namespace majorant {
 
-QuadraticPenalty::QuadraticPenalty(const Constraint& constraint) {
+namespace {
+
+std::vector<LinearExpression> expressions(const Constraint& constraint) {
   ConstraintRows rows;
   constraint.append_rows(rows);
-  const auto count = static_cast<Index>(rows.size());
-  Index longest = 1;
+  std::vector<LinearExpression> out;
   for (std::size_t r = 0; r < rows.size(); ++r) {
-    if (rows.begin(r) == rows.end(r))
-      throw std::invalid_argument("QuadraticPenalty: a row without unknowns: " + rows.label(r));
-    longest = std::max(longest, static_cast<Index>(rows.end(r) - rows.begin(r)));
+    out.push_back({{}, rows.rhs(r)});
+    for (const auto* e = rows.begin(r); e != rows.end(r); ++e)
+      out.back().terms.emplace_back(e->unknown, static_cast<double>(e->coefficient));
   }
-  stencils_.nodes.resize(count, longest);
-  coefficients_.setZero(count, longest);
+  return out;
+}
+
+}  // namespace
+
+QuadraticPenalty::QuadraticPenalty(const Constraint& constraint)
+    : QuadraticPenalty(expressions(constraint)) {}
+
+QuadraticPenalty::QuadraticPenalty(const std::vector<LinearExpression>& rows) {
+  std::size_t longest = 1;
+  for (const LinearExpression& row : rows) {
+    if (row.terms.empty() || row.terms.size() > kLongestRow)
+      throw std::invalid_argument("QuadraticPenalty: a row of " + std::to_string(row.terms.size()) +
+                                  " unknowns; 1 to " + std::to_string(kLongestRow) + " can be");
+    longest = std::max(longest, row.terms.size());
+  }
+  const auto count = static_cast<Index>(rows.size());
+  stencils_.nodes.resize(count, static_cast<Index>(longest));
+  coefficients_.setZero(count, static_cast<Index>(longest));
   rhs_.resize(count);
   for (Index r = 0; r < count; ++r) {
-    const auto row = static_cast<std::size_t>(r);
-    stencils_.nodes.row(r).setConstant(rows.begin(row)->unknown);
-    Index k = 0;
-    for (const auto* e = rows.begin(row); e != rows.end(row); ++e, ++k) {
-      stencils_.nodes(r, k) = e->unknown;
-      coefficients_(r, k) = static_cast<double>(e->coefficient);
+    const LinearExpression& row = rows[static_cast<std::size_t>(r)];
+    stencils_.nodes.row(r).setConstant(row.terms.front().first);
+    for (std::size_t k = 0; k < row.terms.size(); ++k) {
+      stencils_.nodes(r, static_cast<Index>(k)) = row.terms[k].first;
+      coefficients_(r, static_cast<Index>(k)) = row.terms[k].second;
     }
-    rhs_[r] = rows.rhs(row);
+    rhs_[r] = row.target;
   }
 }
 

@@ -2,11 +2,16 @@
 //
 //   builder.add(std::make_shared<QuadraticPenalty>(FixedPoints(handles)), 1e3 / area);
 //
+//   builder.add(std::make_shared<QuadraticPenalty>(std::vector<LinearExpression>{
+//       {{{2 * a, 0.3}, {2 * b, 0.7}}, 1.5}}), 10);              // 0.3 u_a + 0.7 u_b -> 1.5
+//
 // Any Constraint can be given: what it would hold exactly is now pulled at. Row weights are
-// TermState::element_weight. Not for what must hold: large weights slow the solver down and still
-// leave a residual; eliminate instead (ProblemBuilder::add(constraint)).
+// TermState::element_weight. Rows of n unknowns have dense n by n Hessians: for short rows. Not for
+// what must hold: large weights slow the solver down and still leave a residual; eliminate instead
+// (ProblemBuilder::add(constraint)).
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "majorant/framework/constraint.h"
@@ -14,9 +19,18 @@
 
 namespace majorant {
 
+// sum of coefficient * unknown, wanted to be `target`.
+struct LinearExpression {
+  std::vector<std::pair<Index, double>> terms;  // (unknown, coefficient)
+  double target = 0;
+};
+
 class QuadraticPenalty final : public EnergyTerm {
  public:
-  // One element per row. Throws std::invalid_argument when a row has no unknowns.
+  static constexpr std::size_t kLongestRow = 512;
+  // One element per row. Throws std::invalid_argument when a row has no unknowns, or more than
+  // kLongestRow.
+  explicit QuadraticPenalty(const std::vector<LinearExpression>& rows);
   explicit QuadraticPenalty(const Constraint& constraint);
 
   std::string_view name() const override { return "quadratic penalty"; }

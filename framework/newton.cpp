@@ -1,8 +1,13 @@
 #include "majorant/framework/newton.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
 #include <utility>
+
+#include "majorant/framework/curvature_name.h"
 
 namespace majorant {
 namespace {
@@ -16,11 +21,20 @@ NewtonStepper::NewtonStepper(const Problem& problem, NewtonOptions options)
     : Stepper(problem, options.line_search, options.stopping.decrement),
       options_(std::move(options)),
       solver_(options_.linear_solver()) {
+  require_curvature(problem);
   solver_->analyze(evaluator_.problem().pattern());
+}
+
+void NewtonStepper::require_curvature(const Problem& problem) const {
+  for (std::size_t k = 0; k < problem.term_count(); ++k)
+    if (!problem.term(k).supports(options_.curvature))
+      throw std::invalid_argument(fmt::format("Newton: term '{}' has no curvature model '{}'",
+                                              problem.term(k).name(), name(options_.curvature)));
 }
 
 void NewtonStepper::reset(const Problem& problem) {
   const bool same = problem.same_structure(evaluator_.problem());
+  if (!same) require_curvature(problem);
   evaluator_.reset(problem);
   relative_decrement_ = std::numeric_limits<double>::infinity();
   if (!same) solver_->analyze(evaluator_.problem().pattern());
@@ -72,8 +86,8 @@ bool NewtonStepper::try_exact(const Vec& y, IterationRecord& record) {
   const double size = y.squaredNorm();
   record.shift = size > 0 ? 1.5 * std::max(0.0, -y.dot(gradient_)) / size : 0.0;
   if (relative_decrement_ <= kPolish)
-    record.shift = std::max(
-        record.shift, kPolishShift * mean_diagonal(evaluator_.problem().pattern(), hessian_));
+    record.shift = std::max(record.shift,
+                            kPolishShift * mean_diagonal(evaluator_.problem().pattern(), hessian_));
   const FactorStatus status = solver_->factorize(hessian_, record.shift);
   record.seconds.factorize += lap();
   record.curvature = Curvature::Exact;

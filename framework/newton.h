@@ -31,6 +31,7 @@ struct NewtonOptions {
 
 class NewtonStepper final : public Stepper {
  public:
+  // Throws std::invalid_argument, as reset() does, when a term does not support the curvature.
   NewtonStepper(const Problem& problem, NewtonOptions options);
 
   // Goes on with another state of the same structure; the symbolic factorization stays. The exact
@@ -42,9 +43,8 @@ class NewtonStepper final : public Stepper {
   // The next step tries the exact Hessian, whatever happened before.
   void polish() override { exact_pause_ = 0; }
 
-  const LinearSolver& linear_solver() const { return *solver_; }
-
  private:
+  void require_curvature(const Problem& problem) const;
   bool try_exact(const Vec& y, IterationRecord& record);
   void pause_exact();
   bool factorize(const Vec& y, IterationRecord& record);

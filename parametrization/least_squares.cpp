@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "majorant/elements/bernstein.h"
+#include "majorant/framework/evaluator.h"
 
 namespace majorant {
 namespace {
@@ -161,6 +162,7 @@ SolveResult LeastSquaresMinimizer::minimize(const Problem& problem, Vec y0,
   options.parameter_tolerance = options_.parameter_tolerance;
   options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
   options.logging_type = ceres::SILENT;
+  options.num_threads = threads();
   options.update_state_every_iteration = true;
   options.max_num_consecutive_invalid_steps = 50;
   Progress progress(problem, x, observer, result);

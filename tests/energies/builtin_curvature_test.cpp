@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "energies/builtin_formulas.h"
+#include "majorant/framework/newton.h"
 
 namespace majorant {
 namespace {
@@ -316,6 +317,21 @@ TEST(BuiltinCurvature, ReweightedProxyHasTheGradient) {
                 1e-10 * (proxy[e].gradient.norm() + proxy[e].hessian.norm()))
           << p.name << ", " << describe(j);
     }
+  }
+}
+
+// Whoever builds a problem by hand is refused as well.
+TEST(BuiltinCurvature, NewtonRefusesWhatATermDoesNotSupport) {
+  const test::Triangles t(1);
+  for (const auto& [energy, curvature] : {std::pair("mips", Curvature::PaperMajorizer),
+                                          {"mips", Curvature::Reweighted},
+                                          {"asap", Curvature::Reweighted},
+                                          {"log-isometric", Curvature::Majorizer}}) {
+    ProblemBuilder builder(6);
+    builder.add(find_energy(energy)->make(t.space, t.rest, {lattice_rule(1)}), 1.0);
+    NewtonOptions options;
+    options.curvature = curvature;
+    EXPECT_THROW(NewtonStepper(builder.build(), options), std::invalid_argument) << energy;
   }
 }
 

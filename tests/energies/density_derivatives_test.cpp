@@ -18,12 +18,12 @@ double invariant_tolerance(const Eigen::Matrix2d& j) {
   return 1e-14 + 16 * kUnit * test::cancellation(j);
 }
 
-// Forms in S and s divide k_B by B: k_B = h_S - h_s has lost A / B of its digits. Below B = 1e-5 A
+// Forms in S and s divide k_B by B: k_B = h_S - h_s has lost A / B of its digits. Below B = 5e-6 A
 // the library takes k_BB for k_B / B, with an error of (B / A)^2 k_BBBB / 6.
 double spectral_tolerance(const Eigen::Matrix2d& j) {
   const double ratio = test::norm_beta(j) / test::norm_alpha(j);
-  const double quotient = ratio > 0.99e-5 ? 16 * kUnit / ratio : 0;
-  const double limit = ratio < 1.01e-5 ? 10 * ratio * ratio : 0;
+  const double quotient = ratio > 4.95e-6 ? 16 * kUnit / ratio : 0;
+  const double limit = ratio < 5.05e-6 ? 10 * ratio * ratio : 0;
   return invariant_tolerance(j) + quotient + limit;
 }
 
@@ -74,7 +74,7 @@ TEST(DensityDerivatives, Arap) {
     // k_A is a sum of terms of size 1 + A + B, k_B a difference of such.
     const double size = (1 + a + b);
     return 1e-13 + 64 * kUnit * size / std::min(1.0, a) * (1 + b / a) +
-           64 * kUnit * size / std::max(b, 1e-5 * a);
+           64 * kUnit * size / std::max(b, 5e-6 * a);
   };
   Jacobians jacobians;
   for (const Eigen::Matrix2d& j : test::all_jacobians())

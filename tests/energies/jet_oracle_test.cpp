@@ -75,7 +75,7 @@ TEST(JetOracle, GenericJacobians) {
 }
 
 // Beta vanishes: 1e-13, but where singular values are needed (spectral()): their even expansion in
-// B is cut off at (B / A)^2 = 1e-10.
+// B is cut off at (B / A)^2 = 2.5e-11.
 TEST(JetOracle, SimilaritiesAndWhatIsNear) {
   test::Random random(6);
   Jacobians similar, near;
@@ -89,7 +89,7 @@ TEST(JetOracle, SimilaritiesAndWhatIsNear) {
       near.push_back(test::from_parts(alpha, scale * ratio * direction(random)));
     }
   for (const Promise& p : test::promises()) {
-    const double smooth = p.name == "log-isometric" ? 3e-10 : 1e-13;
+    const double smooth = p.name == "log-isometric" ? 1e-10 : 1e-13;
     EXPECT_GT(expect_oracle(p.name, similar, [&](const auto&) { return smooth; }), 20);
     EXPECT_GT(expect_oracle(p.name, near, [&](const auto&) { return smooth; }), 90);
   }

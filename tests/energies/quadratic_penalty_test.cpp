@@ -152,6 +152,25 @@ TEST(QuadraticPenalty, Refusals) {
 }
 
 // No rows, no energy.
+// Real coefficients: a point inside a triangle pulled to a place.
+TEST(QuadraticPenalty, AnyLinearExpression) {
+  const QuadraticPenalty penalty(
+      std::vector<LinearExpression>{{{{0, 0.2}, {1, 0.3}, {2, 0.5}}, 1.5}, {{{2, -0.25}}, 0.0}});
+  Vec x(3);
+  x << 1, -2, 4;
+  Workspace workspace;
+  const Index rows[] = {0, 1};
+  double f[2];
+  penalty.values(x, Chunk{0, rows}, {}, workspace, f);
+  EXPECT_NEAR(f[0], (0.2 - 0.6 + 2.0 - 1.5) * (0.2 - 0.6 + 2.0 - 1.5), 1e-15);
+  EXPECT_NEAR(f[1], 1.0, 1e-15);
+  EXPECT_TRUE(check_derivatives(penalty, x).ok());
+  LinearExpression longest;
+  for (Index k = 0; k < 513; ++k) longest.terms.emplace_back(k, 1.0);
+  EXPECT_THROW(QuadraticPenalty(std::vector<LinearExpression>{longest}), std::invalid_argument);
+  EXPECT_THROW(QuadraticPenalty(std::vector<LinearExpression>{{{}, 1.0}}), std::invalid_argument);
+}
+
 TEST(QuadraticPenalty, NothingToPullAt) {
   const auto empty = std::make_shared<QuadraticPenalty>(Rows({}));
   EXPECT_EQ(empty->stencils().element_count(), 0);

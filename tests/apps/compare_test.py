@@ -1,0 +1,103 @@
+#!/usr/bin/python3
+"""majorant compare: outputs, choice of methods, errors."""
+import csv
+import json
+import math
+import unittest
+
+from command_helpers import *
+
+CAP, TUBE = generated('cap'), generated('tube')
+COLUMNS = ['method', 'iteration', 'seconds', 'energy', 'gradient_norm', 'step', 'min_det']
+
+
+class Compare(CommandTest):
+    def compare(self, *flags, mesh=CAP):
+        return majorant('compare', mesh, '--quiet', *flags)
+
+    def rows(self, name):
+        with open(self.path(name), newline='') as file:
+            reader = csv.DictReader(file)
+            self.assertEqual(reader.fieldnames, COLUMNS)
+            return list(reader)
+
+    def test_every_method_agrees(self):
+        outcome = self.compare('--degree', 1, '-o', self.path('c.csv'), '-o', self.path('c.html'),
+                               '--report', self.path('c.json'), '--max-iterations', 5000)
+        self.assertEqual(outcome.code, 0, outcome.err)
+        report = json.loads(open(self.path('c.json')).read())
+        best = report['best_energy']
+        names = [m['method'] for m in report['methods']]
+        self.assertEqual(len(names), len(set(names)))
+        for expected in ('newton', 'newton-reweighted', 'newton-eigen', 'lbfgs', 'gradient-flow',
+                         'ceres-lbfgs', 'ceres-nlcg', 'ceres-lm'):
+            self.assertIn(expected, names)
+        for method in report['methods']:
+            self.assertLess(method['energy'], best * (1 + 1e-4), method)
+            self.assertGreater(method['min_det'], 0)
+            self.assertIn(method['method'], outcome.out)
+        self.check_rows(names)
+        page = open(self.path('c.html')).read()
+        self.assertFalse('http:' in page or 'https:' in page)
+        self.assertIn('newton-eigen', page)
+
+    def check_rows(self, names):
+        rows = self.rows('c.csv')
+        starts = [row for row in rows if row['iteration'] == '0']
+        self.assertEqual([row['method'] for row in starts], names)
+        self.assertEqual(len({row['energy'] for row in starts}), 1)
+        for name in names:
+            mine = [row for row in rows if row['method'] == name]
+            seconds = [float(row['seconds']) for row in mine]
+            self.assertEqual(seconds, sorted(seconds))
+            self.assertLess(float(mine[-1]['energy']), float(mine[0]['energy']))
+            self.assertLess(float(mine[-1]['gradient_norm']), float(mine[0]['gradient_norm']))
+            self.assertTrue(all(math.isfinite(float(row['energy'])) for row in mine))
+
+    def test_methods_that_do_not_fit_are_left_out(self):
+        outcome = self.compare('--degree', 1, '--energy', 'mips', '--report', self.path('m.json'),
+                               '--time-limit', 5)
+        self.assertEqual(outcome.code, 0, outcome.err)
+        names = [m['method'] for m in json.loads(open(self.path('m.json')).read())['methods']]
+        self.assertIn('newton-majorizer', names)
+        for absent in ('newton-reweighted', 'newton-paper-majorizer', 'ceres-lm'):
+            self.assertNotIn(absent, names)
+
+    def test_chosen_methods(self):
+        outcome = self.compare('--degree', 2, '--methods', 'lbfgs, newton,lbfgs', '-o',
+                               self.path('c.csv'), mesh=TUBE)
+        self.assertEqual(outcome.code, 0, outcome.err)
+        self.assertEqual({row['method'] for row in self.rows('c.csv')}, {'lbfgs', 'newton'})
+        first = [row for row in self.rows('c.csv') if row['iteration'] == '0']
+        self.assertEqual([row['method'] for row in first], ['lbfgs', 'newton'])
+
+    def test_limits(self):
+        outcome = self.compare('--degree', 1, '--methods', 'gradient-flow', '--max-iterations', 3,
+                               '-o', self.path('c.csv'))
+        self.assertEqual(outcome.code, 0, outcome.err)
+        self.assertEqual(len(self.rows('c.csv')), 4)
+        self.assertIn('max_iterations', outcome.out)
+
+    def test_errors_are_one_line(self):
+        for code, flags in ((1, ['--methods', 'newtn']),
+                            (1, ['--methods', 'ceres-lm', '--energy', 'arap']),
+                            (1, ['--methods', 'newton-reweighted', '--energy', 'mips']),
+                            (1, ['--energy', 'asap']),
+                            (1, ['--curvature', 'exact']),
+                            (1, ['--time-limit', 'nan']),
+                            (1, ['-o', self.path('c.vtu')]),
+                            (1, ['-o', self.path('nowhere/c.csv')])):
+            outcome = self.compare('--degree', 1, *flags)
+            self.assertEqual(outcome.code, code, '%s\n%s' % (flags, outcome.err))
+            self.assertEqual(len(outcome.err.strip().splitlines()), 1, outcome.err)
+        self.assertEqual(self.compare(mesh=self.path('missing.obj')).code, 2)
+
+    def test_an_infinite_start_is_infeasible(self):
+        outcome = self.compare('--energy', 'amips-exponential', '--degree', 1,
+                               mesh=generated('creature'))
+        self.assertEqual(outcome.code, 3, outcome.err)
+        self.assertIn('--init', outcome.err)
+
+
+if __name__ == '__main__':
+    main()
