@@ -224,8 +224,9 @@ int compare(const Request& request) {
     comparison.runs.push_back(race(*method, contest, request.time_limit));
     if (interruption_flag()->load()) break;
   }
-  write(request, comparison);
   fmt::print("{}", comparison_table(comparison));
+  std::fflush(stdout);
+  write(request, comparison);
   return interruption_flag()->load() ? kLimit : kSuccess;
 }
 

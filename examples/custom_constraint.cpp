@@ -30,7 +30,8 @@ class Link final : public Constraint {
   Vector2 offset_;
 };
 
-int main(int, char** argv) {
+int main(int argc, char** argv) {
+  if (argc < 3) return std::cerr << "usage: " << argv[0] << " IN.obj OUT.vtu\n", 1;
   auto mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(read_mesh(argv[1])));
   // 1. A start that meets the constraint, which takes its offset from it: the initial map.
   ParametrizationOptions options;

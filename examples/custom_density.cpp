@@ -13,7 +13,8 @@
 
 using namespace majorant;
 
-int main(int, char** argv) {
+int main(int argc, char** argv) {
+  if (argc < 3) return std::cerr << "usage: " << argv[0] << " IN.obj OUT.vtu\n", 1;
   auto mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(read_mesh(argv[1])));
   // 1. f(J) of a 2 by 2 J; J(i, j), squaredNorm(), determinant(), inverse(), products...
   auto cloth = density<2, 2>("cloth", [](const auto& J) {

@@ -63,6 +63,7 @@ Quadrature gauss_cube() {
 }
 
 int main(int argc, char** argv) {
+  if (argc < 2) return std::cerr << "usage: " << argv[0] << " OUT.vtk\n", 1;
   // 3. Two cubes side by side, the outer faces pressed and sheared.
   RowMatrix vertices(12, 3);
   for (Index v = 0; v < 12; ++v) vertices.row(v) << v % 3, v / 3 % 2, v / 6;

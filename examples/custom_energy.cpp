@@ -13,7 +13,8 @@
 
 using namespace majorant;
 
-int main(int, char** argv) {
+int main(int argc, char** argv) {
+  if (argc < 3) return std::cerr << "usage: " << argv[0] << " IN.obj OUT.vtu\n", 1;
   // 1. The density: one line. S >= |s| are the signed singular values of the Jacobian. Derivatives,
   // assembly, quadrature, threads: done for you.
   auto mine = spectral("mine", [](auto S, auto s) { return S * S + s * s + 2.0 / (S * s); });

@@ -64,7 +64,8 @@ class Springs final : public EnergyTerm {
   Vec lengths_;
 };
 
-int main(int, char** argv) {
+int main(int argc, char** argv) {
+  if (argc < 3) return std::cerr << "usage: " << argv[0] << " IN.obj OUT.vtu\n", 1;
   auto mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(read_mesh(argv[1])));
   // 1. One spring per boundary edge.
   const std::vector<Index>& loop = mesh->boundary_loops().front();

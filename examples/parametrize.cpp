@@ -10,7 +10,8 @@
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/vtu.h"
 
-int main(int, char** argv) {
+int main(int argc, char** argv) {
+  if (argc < 3) return std::cerr << "usage: " << argv[0] << " IN.obj OUT.vtu\n", 1;
   using namespace majorant;
   // 1. Read and validate; errors say file, place and remedy.
   auto mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(read_mesh(argv[1])));

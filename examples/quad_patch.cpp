@@ -17,6 +17,7 @@
 using namespace majorant;
 
 int main(int argc, char** argv) {
+  if (argc < 2) return std::cerr << "usage: " << argv[0] << " OUT.vtk\n", 1;
   // 1. A grid of quads; its control points, lifted off the plane, are a curved surface.
   constexpr int kCells = 8;
   RowMatrix vertices((kCells + 1) * (kCells + 1), 2);

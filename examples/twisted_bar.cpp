@@ -52,6 +52,7 @@ RowMatrix bar_vertices() {
 }
 
 int main(int argc, char** argv) {
+  if (argc < 2) return std::cerr << "usage: " << argv[0] << " OUT.vtk\n", 1;
   auto space = std::make_shared<const BezierTetrahedronSpace>(
       bar_cells(), static_cast<Index>(bar_vertices().rows()), 2);
   const RestShapes rest = flat_simplices(bar_vertices(), bar_cells());

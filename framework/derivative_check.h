@@ -7,7 +7,8 @@
 // Central differences of values() check the gradient, central differences of the gradient check the
 // Hessian under Curvature::Exact; the other curvature models the term supports are checked to be
 // positive semidefinite; local() without a Hessian has to give the same gradient (a term that
-// writes through the null pointer crashes here). x must lie inside the domain, away from its
+// writes through the null pointer crashes here); elements evaluated together have to give what each
+// gives alone. x must lie inside the domain, away from its
 // boundary.
 #pragma once
 
@@ -20,7 +21,8 @@ namespace majorant {
 
 struct DerivativeMismatch {
   Index element;
-  std::string block;  // "gradient[3]", "hessian(4, 1)", "gradient[3] without hessian"
+  std::string block;  // "gradient[3]", "hessian(4, 1)", "gradient[3] without hessian", "... among
+                      // others": wrong only where elements are evaluated together
   double computed, expected;
 };
 

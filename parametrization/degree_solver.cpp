@@ -233,8 +233,12 @@ SolveResult DegreeSolver::follow_barrier(const SolveResult& stalled, RunRecord& 
     x_ = inner.x();
     if (result.status != Status::Converged && result.status != Status::Stalled) break;
   }
-  SolveResult result = exhaust(record);
-  if (result.energy < stalled.energy) return result;
+  const SolveResult result = exhaust(record);
+  // On the same rules, which may have become finer on the way.
+  const auto energy_at = [&](const Vec& x) {
+    return stepper_.evaluator().value(problem_.reduce(x));
+  };
+  if (energy_at(x_) < energy_at(best)) return result;
   x_ = best;
   return stalled;
 }

@@ -69,5 +69,37 @@ TEST(DerivativeCheck, MistakesAreFoundAndNamed) {
   }
 }
 
+// x^2 of every unknown; its gradients all come from the first element of the chunk.
+class MixedUp final : public EnergyTerm {
+ public:
+  std::string_view name() const override { return "mixed up"; }
+  const Stencils& stencils() const override { return stencils_; }
+  bool supports(Curvature c) const override { return c == Curvature::Exact; }
+  void values(VecIn x, const Chunk& chunk, const TermState&, Workspace&,
+              std::span<double> f) const override {
+    for (std::size_t p = 0; p < chunk.elements.size(); ++p)
+      f[p] = x[chunk.elements[p]] * x[chunk.elements[p]];
+  }
+  void local(VecIn x, const Chunk& chunk, Curvature, const TermState& state, Workspace& workspace,
+             LocalSystem& out) const override {
+    values(x, chunk, state, workspace, {out.value, chunk.elements.size()});
+    for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
+      out.gradient[p] = 2 * x[chunk.elements.front()];
+      if (out.hessian) out.hessian[p] = 2;
+    }
+  }
+
+ private:
+  Stencils stencils_ = test::band_stencils(3, 1, 1);
+};
+
+TEST(DerivativeCheck, ElementsTogetherAreThoseAlone) {
+  const DerivativeReport r = check_derivatives(MixedUp(), Vec::LinSpaced(3, 1, 3));
+  ASSERT_EQ(r.mismatches.size(), 2);  // element 0 is right
+  EXPECT_NE(r.message().find("element 1: gradient[0] among others is 2, expected 4"),
+            std::string::npos)
+      << r.message();
+}
+
 }  // namespace
 }  // namespace majorant
