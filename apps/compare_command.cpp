@@ -168,6 +168,11 @@ void warm_up(const Contest& contest) {
 }
 
 Json report_of(const Request& request, const Comparison& comparison) {
+  Json options = request.map.to_json();
+  options.erase("curvature");  // part of the methods' names
+  options["tolerance"] = request.tolerance;
+  options["max_iterations"] = request.max_iterations;
+  options["time_limit"] = request.time_limit;
   const double best = comparison.best_energy();
   Json runs = Json::array();
   for (const MethodRun& run : comparison.runs) {
@@ -189,7 +194,7 @@ Json report_of(const Request& request, const Comparison& comparison) {
   }
   return {{"schema_version", 1},           {"version", MAJORANT_VERSION},
           {"command", "compare"},          {"title", comparison.title},
-          {"machine", comparison.machine}, {"options", request.map.to_json()},
+          {"machine", comparison.machine}, {"options", options},
           {"best_energy", best},           {"methods", runs}};
 }
 

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "majorant/framework/chunk_plan.h"
+#include "majorant/framework/curvature_name.h"
 
 namespace majorant {
 namespace {
@@ -93,11 +94,13 @@ struct Worst {
   }
 };
 
-constexpr std::array<std::pair<Curvature, const char*>, 4> kSemidefinite{
-    {{Curvature::Projected, "projected"},
-     {Curvature::Majorizer, "majorizer"},
-     {Curvature::PaperMajorizer, "paper-majorizer"},
-     {Curvature::Reweighted, "reweighted"}}};
+// The exact Hessian if the term has it, else any model.
+Curvature best_model(const EnergyTerm& term) {
+  if (!term.supports(Curvature::Exact))
+    for (const Curvature c : kCurvatures)
+      if (term.supports(c)) return c;
+  return Curvature::Exact;
+}
 
 // All comparisons of one element.
 class ElementCheck {
@@ -105,10 +108,7 @@ class ElementCheck {
   ElementCheck(const EnergyTerm& term, const TermState& state, Index element, VecIn x)
       : term_(term), element_(element), x_(x), probe_(term, state, element) {
     exact_ = term.supports(Curvature::Exact);
-    Curvature model = Curvature::Exact;
-    for (const auto& c : kSemidefinite)
-      if (!exact_ && term.supports(c.first)) model = c.first;
-    at_ = probe_.local(x_, model);
+    at_ = probe_.local(x_, best_model(term));
     for (const Index i : probe_.unknowns())
       for (const Index j : probe_.unknowns()) size_ = std::max(size_, std::abs(x_[i] - x_[j]));
     if (size_ == 0) size_ = 1;
@@ -129,12 +129,12 @@ class ElementCheck {
                       first_order.gradient[i], at_.gradient[i]);
       differences(i);
     }
-    for (const auto& [curvature, label] : kSemidefinite) {
-      if (!term_.supports(curvature)) continue;
+    for (const Curvature curvature : kCurvatures) {
+      if (curvature == Curvature::Exact || !term_.supports(curvature)) continue;
       const Eigen::MatrixXd k = probe_.local(x_, curvature).hessian;
       const double lowest = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(k).eigenvalues()[0];
       definite.update(std::max(0.0, -lowest) / hessian_scale_, element_,
-                      fmt::format("curvature {}", label), lowest, 0);
+                      fmt::format("curvature {}", name(curvature)), lowest, 0);
     }
   }
 
@@ -179,19 +179,12 @@ class ElementCheck {
   double size_ = 0, gradient_scale_ = 0, hessian_scale_ = 0;
 };
 
-Curvature some_model(const EnergyTerm& term) {
-  for (const Curvature c : {Curvature::Exact, Curvature::Projected, Curvature::Majorizer,
-                            Curvature::PaperMajorizer, Curvature::Reweighted})
-    if (term.supports(c)) return c;
-  return Curvature::Exact;
-}
-
 // Elements evaluated together must give what each gives alone: a term that mixes up positions in
 // the arrays passes every other check, which is made at position 0.
 class ChunkCheck {
  public:
   ChunkCheck(const EnergyTerm& term, const TermState& state, VecIn x)
-      : term_(term), state_(state), x_(x), model_(some_model(term)) {}
+      : term_(term), state_(state), x_(x), model_(best_model(term)) {}
 
   // The worst difference of each element that exceeds the tolerance.
   void run(const Chunk& chunk, double tolerance, std::vector<DerivativeMismatch>& mismatches) {
@@ -209,19 +202,20 @@ class ChunkCheck {
       ElementProbe alone(term_, state_, e);
       const LocalValues v = alone.local(x_, model_);
       Worst worst;
-      const auto compare = [&](const char* block, int i, int j, double computed, double expected,
-                               double scale) {
+      const auto compare = [&](double computed, double expected, double scale, auto block) {
         if (computed == expected) return;
-        worst.update(std::abs(computed - expected) / scale, e,
-                     fmt::format(fmt::runtime(block), i, j) + " among others", computed, expected);
+        worst.update(std::abs(computed - expected) / scale, e, block() + " among others", computed,
+                     expected);
       };
       const double g = v.gradient.cwiseAbs().maxCoeff(), h = v.hessian.cwiseAbs().maxCoeff();
       const auto at = static_cast<int>(p);
-      compare("value", 0, 0, f[p], alone.value(x_), std::abs(v.value));
+      compare(f[p], alone.value(x_), std::abs(v.value), [] { return std::string("value"); });
       for (int i = 0, k = 0; i < n; ++i) {
-        compare("gradient[{}]", i, 0, out.gradient[i * stride + at], v.gradient[i], g);
+        compare(out.gradient[i * stride + at], v.gradient[i], g,
+                [&] { return fmt::format("gradient[{}]", i); });
         for (int j = 0; j <= i; ++j, ++k)
-          compare("hessian({}, {})", i, j, out.hessian[k * stride + at], v.hessian(i, j), h);
+          compare(out.hessian[k * stride + at], v.hessian(i, j), h,
+                  [&] { return fmt::format("hessian({}, {})", i, j); });
       }
       if (worst.error > tolerance) mismatches.push_back(worst.mismatch);
     }

@@ -15,14 +15,9 @@ class GradientFlowStepper final : public Stepper {
         metric_(metric_problem(problem, options.metric), options.curvature,
                 options.linear_solver()) {}
 
-  Step step(Vec& y, double& energy) override {
-    Step step;
+ private:
+  void advance(Vec& y, double& energy, Step& step) override {
     IterationRecord& r = step.record;
-    r.energy = energy;
-    if (y.size() == 0) {
-      step.outcome = Outcome::AtMinimum;
-      return step;
-    }
     if (!factorized_) {
       factorized_ = metric_.factorize(y);
       r.seconds.assemble = metric_.seconds().assemble;
@@ -30,7 +25,7 @@ class GradientFlowStepper final : public Stepper {
     }
     r.curvature = metric_.curvature();
     r.shift = metric_.shift();
-    if (!factorized_) return step;
+    if (!factorized_) return;
     Lap lap;
     evaluator_.gradient(y, gradient_);
     r.seconds.assemble += lap();
@@ -39,10 +34,8 @@ class GradientFlowStepper final : public Stepper {
     r.seconds.solve = lap();
     descend(p, first_, y, energy, step);
     if (step.outcome == Outcome::Moved) first_ = r.step;
-    return step;
   }
 
- private:
   Metric metric_;
   bool factorized_ = false;
   double first_ = 1;  // the metric knows nothing of the energy's scale: the last step does

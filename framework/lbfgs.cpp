@@ -56,14 +56,9 @@ class LbfgsStepper final : public Stepper {
         metric_every_(options.metric_every),
         history_(options.history, options.cautious) {}
 
-  Step step(Vec& y, double& energy) override {
-    Step step;
-    step.record.energy = energy;
-    if (y.size() == 0) {
-      step.outcome = Outcome::AtMinimum;
-      return step;
-    }
-    if (!prepare(y, step.record)) return step;
+ private:
+  void advance(Vec& y, double& energy, Step& step) override {
+    if (!prepare(y, step.record)) return;
     bool restarted = history_.empty();
     direction_step(y, energy, step);
     while (!restarted && step.outcome != Outcome::Moved && step.outcome != Outcome::AtMinimum) {
@@ -71,10 +66,8 @@ class LbfgsStepper final : public Stepper {
       restarted = true;
       direction_step(y, energy, step);
     }
-    return step;
   }
 
- private:
   // Metric, gradient and history at y; false: no metric.
   bool prepare(const Vec& y, IterationRecord& r) {
     const bool due = metric_every_ > 0 && age_ == metric_every_;

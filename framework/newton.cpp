@@ -40,15 +40,9 @@ void NewtonStepper::reset(const Problem& problem) {
   if (!same) solver_->analyze(evaluator_.problem().pattern());
 }
 
-NewtonStepper::Step NewtonStepper::step(Vec& y, double& energy) {
-  Step step;
+void NewtonStepper::advance(Vec& y, double& energy, Step& step) {
   IterationRecord& r = step.record;
-  r.energy = energy;
-  if (y.size() == 0) {
-    step.outcome = Outcome::AtMinimum;
-    return step;
-  }
-  if (!try_exact(y, r) && !factorize(y, r)) return step;
+  if (!try_exact(y, r) && !factorize(y, r)) return;
   Lap lap;
   Vec p;
   rhs_ = -gradient_;
@@ -56,7 +50,7 @@ NewtonStepper::Step NewtonStepper::step(Vec& y, double& energy) {
   r.seconds.solve = lap();
   const double before = energy;
   descend(p, 1.0, y, energy, step);
-  if (step.outcome == Outcome::Breakdown) return step;
+  if (step.outcome == Outcome::Breakdown) return;
   relative_decrement_ = relative_to(before, r.newton_decrement);
   // A decrease far below the model's -g.p / 2: the Hessian is misleading here - unless energies
   // cannot tell.
@@ -64,7 +58,6 @@ NewtonStepper::Step NewtonStepper::step(Vec& y, double& energy) {
       relative_decrement_ > LineSearch::kResolution &&
       r.relative_decrease < 0.1 * relative_decrement_)
     pause_exact();
-  return step;
 }
 
 // Whether the exact Hessian was worth a try and is factorized now. Where the energy is invariant

@@ -38,12 +38,11 @@ class NewtonStepper final : public Stepper {
   // Hessian waits until a step has come near this state's minimum.
   void reset(const Problem& problem);
 
-  Step step(Vec& y, double& energy) override;
-
   // The next step tries the exact Hessian, whatever happened before.
   void polish() override { exact_pause_ = 0; }
 
  private:
+  void advance(Vec& y, double& energy, Step& step) override;
   void require_curvature(const Problem& problem) const;
   bool try_exact(const Vec& y, IterationRecord& record);
   void pause_exact();

@@ -10,6 +10,16 @@ double relative_to(double energy, double value) {
   return value / std::max(std::abs(energy), std::numeric_limits<double>::min());
 }
 
+Stepper::Step Stepper::step(Vec& y, double& energy) {
+  Step step;
+  step.record.energy = energy;
+  if (y.size() == 0)
+    step.outcome = Outcome::AtMinimum;
+  else
+    advance(y, energy, step);
+  return step;
+}
+
 void Stepper::descend(const Vec& p, double first, Vec& y, double& energy, Step& step) {
   IterationRecord& r = step.record;
   step.outcome = Outcome::Breakdown;

@@ -1,9 +1,9 @@
 // One step of a descent method, and the loop around it that all methods share.
 //
-// A method derives from Stepper, computes gradient and direction in step() and leaves the rest to
-// descend(); run() is the loop with the stopping rules of minimizer.h. Outer loops that change the
-// problem between steps call step() themselves. Not for methods that bring a line search of their
-// own (ceres_minimizer.h).
+// A method derives from Stepper, computes gradient and direction in advance() and leaves the rest
+// to descend(); run() is the loop with the stopping rules of minimizer.h. Outer loops that change
+// the problem between steps call step() themselves. Not for methods that bring a line search of
+// their own (ceres_minimizer.h).
 #pragma once
 
 #include <chrono>
@@ -46,10 +46,10 @@ class Stepper {
   struct Step {
     Outcome outcome = Outcome::Breakdown;
     IterationRecord record;
-    std::vector<Index> blocking;  // elements that admit no more than record.step_bound
+    std::vector<Index> blocking;  // StepBound::blocking of the line search
   };
   // One step from y, which must be feasible; energy of y in, energy of the new y out.
-  virtual Step step(Vec& y, double& energy) = 0;
+  Step step(Vec& y, double& energy);
 
   // The loop is about to stop because the energy hardly decreases: a method that left out a more
   // accurate model of late tries it in its next step.
@@ -61,6 +61,9 @@ class Stepper {
   // decrement_rule: StoppingRules::decrement.
   Stepper(const Problem& problem, const LineSearchOptions& line_search, double decrement_rule)
       : evaluator_(problem), line_search_(line_search), decrement_rule_(decrement_rule) {}
+
+  // The step of a problem that has unknowns. step.record.energy is that of y.
+  virtual void advance(Vec& y, double& energy, Step& step) = 0;
 
   // From gradient_ at y and a direction p, size() entries each: checks that p is finite and no
   // ascent, applies the decrement rule, searches the line from the trial step `first`, moves y.

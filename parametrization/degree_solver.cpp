@@ -154,8 +154,14 @@ bool DegreeSolver::deepen() {
   return true;
 }
 
+void DegreeSolver::add_depth_counts(const std::vector<long>& counts) {
+  depth_counts_.resize(std::max(depth_counts_.size(), counts.size()), 0);
+  for (std::size_t k = 0; k < counts.size(); ++k) depth_counts_[k] += counts[k];
+}
+
 std::vector<long> DegreeSolver::injectivity_depth_counts() const {
   std::vector<long> counts = injectivity_->depth_counts();
+  counts.resize(std::max(counts.size(), depth_counts_.size()), 0);
   for (std::size_t k = 0; k < depth_counts_.size(); ++k) counts[k] += depth_counts_[k];
   return counts;
 }
@@ -231,6 +237,7 @@ SolveResult DegreeSolver::follow_barrier(const SolveResult& stalled, RunRecord& 
     DegreeSolver inner(with, space_, x_);
     const SolveResult result = inner.approach(kBarrierTolerance, record);
     x_ = inner.x();
+    add_depth_counts(inner.injectivity_depth_counts());
     if (result.status != Status::Converged && result.status != Status::Stalled) break;
   }
   const SolveResult result = exhaust(record);

@@ -48,6 +48,7 @@ class DegreeSolver {
   void apply_state();
   bool climb(const std::vector<Index>& elements);
   bool climb_inaccurate();
+  void add_depth_counts(const std::vector<long>& counts);
   SolveResult exhaust(RunRecord& record);
   SolveResult follow_barrier(const SolveResult& stalled, RunRecord& record);
   SolveResult leave_stall(const SolveResult& stalled, RunRecord& record);
@@ -59,7 +60,7 @@ class DegreeSolver {
   DensityTerms terms_;
   int depth_;
   std::shared_ptr<const LocalInjectivity> injectivity_;
-  std::vector<long> depth_counts_;  // of checkers replaced by deeper ones
+  std::vector<long> depth_counts_;  // of checkers that are gone
   std::vector<RuleId> level_;       // by element
   Vec element_weight_;              // 1, or less where temporarily excluded
   Problem problem_;

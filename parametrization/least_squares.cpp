@@ -9,6 +9,7 @@
 
 #include "majorant/elements/bernstein.h"
 #include "majorant/framework/evaluator.h"
+#include "majorant/framework/stepper.h"
 
 namespace majorant {
 namespace {
@@ -112,6 +113,47 @@ class Progress final : public ceres::IterationCallback {
   SolveResult& result_;
 };
 
+// One residual block per face, one parameter block per node of x, which must outlive the problem.
+void add_residuals(const BezierTriangleSpace& space, const RestShapes& rest, const Quadrature& rule,
+                   Vec& x, ceres::Problem& out) {
+  const double area = rest.measure.sum();
+  for (Index e = 0; e < space.element_count(); ++e) {
+    std::vector<Eigen::MatrixX2d> gradients;
+    for (Index l = 0; l < rule.size(); ++l) {
+      const Barycentric xi = rule.points.row(l);
+      gradients.push_back(bernstein_gradients(space.degree(), xi) * rest.inverse_of(e));
+    }
+    std::vector<double*> blocks;
+    for (const Index node : space.cells().row(e)) blocks.push_back(x.data() + 2 * node);
+    const Vec scale = (rule.weights * (rest.measure[e] / area)).cwiseSqrt();
+    out.AddResidualBlock(new FaceResiduals(std::move(gradients), scale), nullptr, blocks);
+  }
+}
+
+void hold(const std::vector<char>& fixed, Vec& x, ceres::Problem& out) {
+  for (Index i = 0; i < x.size(); i += 2) {
+    const bool u = fixed[static_cast<std::size_t>(i)] != 0;
+    const bool v = fixed[static_cast<std::size_t>(i + 1)] != 0;
+    double* node = x.data() + i;
+    if (u && v) out.SetParameterBlockConstant(node);
+    if (u != v) out.SetManifold(node, new ceres::SubsetManifold(2, {u ? 0 : 1}));
+  }
+}
+
+ceres::Solver::Options solver_options(const LeastSquaresOptions& asked) {
+  ceres::Solver::Options options;
+  options.max_num_iterations = asked.max_iterations;
+  options.function_tolerance = asked.function_tolerance;
+  options.gradient_tolerance = asked.gradient_tolerance;
+  options.parameter_tolerance = asked.parameter_tolerance;
+  options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
+  options.logging_type = ceres::SILENT;
+  options.num_threads = threads();
+  options.update_state_every_iteration = true;
+  options.max_num_consecutive_invalid_steps = 50;
+  return options;
+}
+
 }  // namespace
 
 LeastSquaresMinimizer::LeastSquaresMinimizer(std::shared_ptr<const BezierTriangleSpace> space,
@@ -125,53 +167,20 @@ SolveResult LeastSquaresMinimizer::minimize(const Problem& problem, Vec y0,
                                             const Observer& observer) const {
   SolveResult result;
   result.y = std::move(y0);
+  Evaluator evaluator(problem);
+  if (!check_start(evaluator, result)) return result;
   Vec x = problem.expand(result.y);
-  const std::vector<char> fixed = fixed_unknowns(problem);
-  for (const auto& checker : problem.checkers())
-    if (!checker->check(x).feasible) {
-      result.status = Status::Infeasible;
-      result.message = "the start violates " + std::string(checker->name());
-      return result;
-    }
-  ceres::Problem::Options ownership;
-  ownership.cost_function_ownership = ceres::TAKE_OWNERSHIP;
-  ceres::Problem least_squares(ownership);
-  const double area = rest_.measure.sum();
-  for (Index e = 0; e < space_->element_count(); ++e) {
-    std::vector<Eigen::MatrixX2d> gradients;
-    for (Index l = 0; l < rule_.size(); ++l) {
-      const Barycentric xi = rule_.points.row(l);
-      gradients.push_back(bernstein_gradients(space_->degree(), xi) * rest_.inverse_of(e));
-    }
-    std::vector<double*> blocks;
-    for (const Index node : space_->cells().row(e)) blocks.push_back(x.data() + 2 * node);
-    const Vec scale = (rule_.weights * (rest_.measure[e] / area)).cwiseSqrt();
-    least_squares.AddResidualBlock(new FaceResiduals(std::move(gradients), scale), nullptr, blocks);
-  }
-  for (Index node = 0; node < space_->node_count(); ++node) {
-    const bool u = fixed[static_cast<std::size_t>(2 * node)] != 0;
-    const bool v = fixed[static_cast<std::size_t>(2 * node + 1)] != 0;
-    if (u && v) least_squares.SetParameterBlockConstant(x.data() + 2 * node);
-    if (u != v)
-      least_squares.SetManifold(x.data() + 2 * node, new ceres::SubsetManifold(2, {u ? 0 : 1}));
-  }
-  ceres::Solver::Options options;
-  options.max_num_iterations = options_.max_iterations;
-  options.function_tolerance = options_.function_tolerance;
-  options.gradient_tolerance = options_.gradient_tolerance;
-  options.parameter_tolerance = options_.parameter_tolerance;
-  options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
-  options.logging_type = ceres::SILENT;
-  options.num_threads = threads();
-  options.update_state_every_iteration = true;
-  options.max_num_consecutive_invalid_steps = 50;
-  Progress progress(problem, x, observer, result);
-  options.callbacks.push_back(&progress);
+  ceres::Problem least_squares;
+  add_residuals(*space_, rest_, rule_, x, least_squares);
+  hold(fixed_unknowns(problem), x, least_squares);
   double start_cost = 0;
   least_squares.Evaluate({}, &start_cost, nullptr, nullptr, nullptr);
   result.energy = 2 * start_cost;
-  ceres::Solver::Summary summary;
+  ceres::Solver::Options options = solver_options(options_);
+  Progress progress(problem, x, observer, result);
+  options.callbacks.push_back(&progress);
   result.status = Status::Converged;
+  ceres::Solver::Summary summary;
   ceres::Solve(options, &least_squares, &summary);
   if (result.status != Status::Converged) return result;
   result.message = summary.message;

@@ -115,7 +115,9 @@ TEST_P(CeresCrossCheck, EnergiesAgree) {
       EXPECT_LE(gradient.cwiseAbs().maxCoeff(), kGradientTolerance);
     }
   EXPECT_GT(iterations, static_cast<std::size_t>(10 * total));  // Ceres did not begin at the answer
-  EXPECT_GE(compared, total - 4);  // the rest stalls at the injectivity limit
+  // MIPS at degree 3: without the help of parametrize(), Newton is held at the injectivity limit on
+  // bumpy, waves and steep waves (up to 1.5 % above Ceres), and Ceres does not finish the pyramid.
+  EXPECT_EQ(compared, std::string(GetParam()) == "mips" ? total - 4 : total);
 }
 
 INSTANTIATE_TEST_SUITE_P(Energies, CeresCrossCheck,
@@ -139,7 +141,7 @@ TEST(CeresCrossCheck, LeastSquaresFindsTheSameMinimum) {
       ++compared;
       EXPECT_NEAR(ours.energy, theirs.energy, 1e-7 * theirs.energy);
     }
-  EXPECT_GE(compared, 17);
+  EXPECT_EQ(compared, 20);
 }
 
 }  // namespace
