@@ -6,6 +6,7 @@
 #include <OpenMesh/Core/Mesh/TriConnectivity.hh>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "majorant/framework/error.h"
 #include "majorant/parametrization/mesh_validation.h"
@@ -62,6 +63,7 @@ SurfaceMesh SurfaceMesh::from_polygons(const PolygonMesh& input) {
                                      [](const auto& t) { return t.empty(); });
   mesh.faces_.resize(static_cast<Index>(list.triangles.size()), 3);
   if (textured) mesh.corner_texcoords_.resize(mesh.faces_.rows(), 6);
+  if (textured) mesh.texcoord_ids_.resize(mesh.faces_.rows(), 3);
   for (Index f = 0; f < mesh.face_count(); ++f)
     for (Index k = 0; k < 3; ++k) {
       const auto t = static_cast<std::size_t>(f), c = static_cast<std::size_t>(k);
@@ -69,6 +71,7 @@ SurfaceMesh SurfaceMesh::from_polygons(const PolygonMesh& input) {
       if (!textured) continue;
       const auto& corners = input.polygon_texcoords[static_cast<std::size_t>(list.polygon[t])];
       const Index vt = corners[static_cast<std::size_t>(list.corners[t][c])];
+      mesh.texcoord_ids_(f, k) = vt;
       mesh.corner_texcoords_.row(f).segment<2>(2 * k) =
           input.texcoords[static_cast<std::size_t>(vt)];
     }
@@ -96,6 +99,17 @@ void SurfaceMesh::build_connectivity() {
   for (Index v = 0; v < vertex_count(); ++v)
     if (!kernel.is_manifold(handles[static_cast<std::size_t>(v)])) throw touching(v);
 
+  opposite_.assign(static_cast<std::size_t>(half_edge_count()), -1);
+  std::vector<Index> half_edge_of(kernel.n_halfedges(), -1);  // OpenMesh's number -> ours
+  for (const auto f : kernel.faces())
+    for (auto h = kernel.cfh_iter(f); h.is_valid(); ++h)
+      for (Index k = 0; k < 3; ++k)
+        if (faces_(f.idx(), k) == kernel.from_vertex_handle(*h).idx())
+          half_edge_of[static_cast<std::size_t>(h->idx())] = 3 * f.idx() + k;
+  for (std::size_t h = 0; h < half_edge_of.size(); ++h)
+    if (half_edge_of[h] >= 0)
+      opposite_[static_cast<std::size_t>(half_edge_of[h])] = half_edge_of[h ^ 1];
+
   std::vector<char> seen(kernel.n_halfedges(), 0);
   for (const auto start : kernel.halfedges()) {
     if (!kernel.is_boundary(start) || seen[static_cast<std::size_t>(start.idx())]) continue;
@@ -110,13 +124,84 @@ void SurfaceMesh::build_connectivity() {
     boundary_loops_.push_back(std::move(loop));
   }
   std::sort(boundary_loops_.begin(), boundary_loops_.end());
-  topology_ = {vertex_count(), static_cast<Index>(kernel.n_edges()), face_count(), 1,
-               static_cast<Index>(boundary_loops_.size())};
+  topology_ = {vertex_count(), static_cast<Index>(kernel.n_edges()), face_count(),
+               count_components(), static_cast<Index>(boundary_loops_.size())};
   for (Index f = 0; f < face_count(); ++f) {
     const Vector3 a = positions_.row(faces_(f, 1)) - positions_.row(faces_(f, 0));
     const Vector3 b = positions_.row(faces_(f, 2)) - positions_.row(faces_(f, 0));
     area_ += 0.5 * a.cross(b).norm();
   }
+}
+
+Index SurfaceMesh::count_components() const {
+  std::vector<char> seen(static_cast<std::size_t>(face_count()), 0);
+  std::vector<Index> stack;
+  Index components = 0;
+  for (Index start = 0; start < face_count(); ++start) {
+    if (seen[static_cast<std::size_t>(start)]) continue;
+    ++components;
+    seen[static_cast<std::size_t>(start)] = 1;
+    stack.push_back(start);
+    while (!stack.empty()) {
+      const Index f = stack.back();
+      stack.pop_back();
+      for (Index k = 0; k < 3; ++k) {
+        const Index h = opposite(3 * f + k);
+        if (h < 0 || seen[static_cast<std::size_t>(h / 3)]) continue;
+        seen[static_cast<std::size_t>(h / 3)] = 1;
+        stack.push_back(h / 3);
+      }
+    }
+  }
+  return components;
+}
+
+SurfaceMesh SurfaceMesh::cut_along(const std::vector<char>& is_cut,
+                                   std::vector<Index>* surface_vertex) const {
+  SurfaceMesh out;
+  out.file_ = file_;
+  out.input_face_ = input_face_;
+  out.corner_texcoords_ = corner_texcoords_;
+  out.texcoord_ids_ = texcoord_ids_;
+  out.faces_ = Cells::Constant(face_count(), 3, -1);
+  out.vertex_of_input_ = vertex_of_input_;
+  out.input_vertex_ = input_vertex_;
+  std::vector<Index> copy_of(static_cast<std::size_t>(vertex_count()));
+  std::iota(copy_of.begin(), copy_of.end(), 0);
+  std::vector<char> met(copy_of.size(), 0);
+  // The corner of the next face around a vertex, across the half-edge that leaves or enters it.
+  const auto crossed = [&](Index h) {
+    return is_cut[static_cast<std::size_t>(h)] ? -1 : opposite(h);
+  };
+  const auto previous = [](Index h) { return h - h % 3 + (h + 2) % 3; };
+  const auto next = [](Index h) { return h - h % 3 + (h + 1) % 3; };
+  for (Index c = 0; c < half_edge_count(); ++c) {
+    if (out.faces_(c / 3, c % 3) >= 0) continue;
+    const Index v = from_vertex(c);
+    Index number = v;
+    if (met[static_cast<std::size_t>(v)]) {
+      number = static_cast<Index>(copy_of.size());
+      copy_of.push_back(v);
+      out.input_vertex_.push_back(input_vertex(v));
+    }
+    met[static_cast<std::size_t>(v)] = 1;
+    for (Index h = c; h >= 0 && out.faces_(h / 3, h % 3) < 0;) {
+      out.faces_(h / 3, h % 3) = number;
+      h = crossed(previous(h));
+    }
+    for (Index h = crossed(c); h >= 0;) {
+      const Index corner = next(h);
+      if (out.faces_(corner / 3, corner % 3) >= 0) break;
+      out.faces_(corner / 3, corner % 3) = number;
+      h = crossed(corner);
+    }
+  }
+  out.positions_.resize(static_cast<Index>(copy_of.size()), 3);
+  for (std::size_t v = 0; v < copy_of.size(); ++v)
+    out.positions_.row(static_cast<Index>(v)) = positions_.row(copy_of[v]);
+  out.build_connectivity();
+  if (surface_vertex) *surface_vertex = std::move(copy_of);
+  return out;
 }
 
 void SurfaceMesh::require_disk() const {

@@ -6,6 +6,8 @@
 // Edge- and vertex-manifold, consistently oriented, connected, no degenerate or duplicate faces.
 // Polygons are triangulated, unreferenced vertices left out; input_vertex() and input_face() lead
 // back to the file. Immutable.
+//
+// Half-edge 3 f + k runs from corner k of face f to its corner k + 1 (mod 3).
 #pragma once
 
 #include <array>
@@ -16,6 +18,9 @@
 #include "majorant/parametrization/polygon_mesh.h"
 
 namespace majorant {
+
+// u, v of the three corners of every face.
+using CornerPoints = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>;
 
 struct Topology {
   Index vertices = 0, edges = 0, faces = 0, components = 0, boundary_loops = 0;
@@ -42,6 +47,12 @@ class SurfaceMesh {
   // Vertex of this mesh for a vertex of the file, -1 when no face uses it.
   Index find_input_vertex(Index input) const;
 
+  Index half_edge_count() const { return 3 * face_count(); }
+  Index from_vertex(Index half_edge) const { return faces_(half_edge / 3, half_edge % 3); }
+  Index to_vertex(Index half_edge) const { return faces_(half_edge / 3, (half_edge + 1) % 3); }
+  // The half-edge of the neighbouring face along the same edge, -1 at the boundary.
+  Index opposite(Index half_edge) const { return opposite_[static_cast<std::size_t>(half_edge)]; }
+
   // Boundary loops, vertices in face orientation (surface on the left), each starting at its
   // smallest vertex, loops ordered by that vertex.
   const std::vector<std::vector<Index>>& boundary_loops() const { return boundary_loops_; }
@@ -49,23 +60,30 @@ class SurfaceMesh {
   double area() const { return area_; }
 
   // Texture coordinates per face corner (#F by 6: u, v of each corner), empty unless every corner
-  // of the file has one.
-  const Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>& corner_texcoords() const {
-    return corner_texcoords_;
-  }
+  // of the file has one, and their numbers in the file (#F by 3).
+  const CornerPoints& corner_texcoords() const { return corner_texcoords_; }
+  const Cells& texcoord_ids() const { return texcoord_ids_; }
+
+  // The surface cut open along the half-edges h with is_cut[h] (both sides of an edge, or none):
+  // same faces, a vertex for every fan of faces that cuts do not separate. The first copy of a
+  // vertex keeps its number. surface_vertex (may be null) receives the vertex of this mesh for each
+  // vertex of the result, which may fall into several pieces.
+  SurfaceMesh cut_along(const std::vector<char>& is_cut, std::vector<Index>* surface_vertex) const;
 
  private:
   SurfaceMesh() = default;
   void build_connectivity();
+  Index count_components() const;
 
   std::string file_;
   Points3 positions_;
   Cells faces_;
-  std::vector<Index> input_vertex_, input_face_, vertex_of_input_;
+  std::vector<Index> input_vertex_, input_face_, vertex_of_input_, opposite_;
   std::vector<std::vector<Index>> boundary_loops_;
   Topology topology_;
   double area_ = 0;
-  Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor> corner_texcoords_;
+  CornerPoints corner_texcoords_;
+  Cells texcoord_ids_;
 };
 
 // Triangles (local corner numbers) of a simple polygon, n - 2 of them, by ear clipping in its mean

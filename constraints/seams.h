@@ -1,0 +1,61 @@
+// How the sides of a cut surface belong together: what a seamless map is, apart from its positions.
+//
+// A surface is cut open to be mapped; across a seam edge the two images of the edge agree up to a
+// rotation by a multiple of 90 degrees and a translation,
+//   c = i^k c' + t          (c = u + i v on one side, c' on the other; method.md section 8),
+// with one k (`turns`) and one t for every chain: a maximal run of seam edges between nodes.
+// Nodes are vertices where three or more seam edges, one, or two with different turns meet, and
+// vertices of the boundary. A vertex whose angles add up to another multiple of 90 degrees than
+// 360 is a cone; its index is (4 - quarter turns) / 4. [MC20] Sec. 7.
+#pragma once
+
+#include <vector>
+
+#include "majorant/framework/types.h"
+
+namespace majorant {
+
+// Half-edge 3 f + k runs from corner k of face f to corner k + 1 (mod 3), as in SurfaceMesh.
+struct SeamEdge {
+  Index side, opposite;  // half-edges of the cut surface, which run against each other
+  int turns;             // k in 0..3: uv on `side` = i^k uv on `opposite` + t
+  Index chain = -1;
+};
+
+struct Cone {
+  Index vertex;       // of the uncut surface
+  int quarter_turns;  // sum of its angles / 90 degrees
+};
+
+class Seams {
+ public:
+  Seams() = default;  // a surface that is not cut
+  // cut_faces: #F by 3 vertices of the cut surface; surface_vertex: for each of them the vertex of
+  // the uncut surface; edges: every seam edge once, `chain` is ignored; quarter_turns: per vertex
+  // of the uncut surface, 0 where it lies on the boundary. Edges are turned around (k -> -k) so
+  // that all edges of a chain have the same turns.
+  Seams(const Cells& cut_faces, std::vector<Index> surface_vertex, std::vector<SeamEdge> edges,
+        std::vector<int> quarter_turns);
+
+  bool empty() const { return edges_.empty(); }
+  const std::vector<SeamEdge>& edges() const { return edges_; }
+  Index chain_count() const { return chain_count_; }
+  // Vertices of the cut surface -> vertices of the uncut one; empty when nothing is cut.
+  const std::vector<Index>& surface_vertex() const { return surface_vertex_; }
+  // Per vertex of the uncut surface, 0 at its boundary, 4 where it is no cone.
+  const std::vector<int>& quarter_turns() const { return quarter_turns_; }
+  std::vector<Cone> cones() const;
+
+ private:
+  void find_chains(const Cells& cut_faces);
+
+  std::vector<Index> surface_vertex_;
+  std::vector<SeamEdge> edges_;
+  std::vector<int> quarter_turns_;
+  Index chain_count_ = 0;
+};
+
+// i^turns (u, v), exactly; any integer.
+Vector2 rotated(const Vector2& uv, int turns);
+
+}  // namespace majorant
