@@ -32,6 +32,24 @@ std::vector<Pin> read_points(const std::string& path, const PolygonMesh& polygon
   return points;
 }
 
+// Every copy of a vertex on a seam is held, each by itself.
+std::vector<Pin> on_cut_surface(const std::vector<Pin>& points, const Seams& seams) {
+  std::vector<Pin> out;
+  for (const Pin& p : points)
+    for (std::size_t v = 0; v < seams.surface_vertex().size(); ++v)
+      if (seams.surface_vertex()[v] == p.vertex) out.push_back({static_cast<Index>(v), p.target});
+  return out;
+}
+
+void read_constrained_points(const MapRequest& request, MapInput& in) {
+  for (const auto& [path, points] : {std::pair(&request.pins, &in.options.pins),
+                                     std::pair(&request.handles, &in.options.handles)}) {
+    if (path->empty()) continue;
+    *points = read_points(*path, in.polygons, *in.mesh);
+    if (in.start) *points = on_cut_surface(*points, in.start->map.seams());
+  }
+}
+
 Vec read_weights(const std::string& path, const PolygonMesh& polygons, const SurfaceMesh& mesh) {
   const Vec of_polygon = read_face_weights(path, static_cast<Index>(polygons.polygons.size()));
   Vec weights(mesh.face_count());
@@ -72,10 +90,10 @@ void MapRequest::add_to(CLI::App& verb) {
 }
 
 Json MapRequest::to_json() const {
-  return {{"degree", degree},   {"energy", energy},        {"boundary", boundary},
-          {"init", init},       {"curvature", curvature},  {"boundary_angles", boundary_angles},
-          {"pins", pins},       {"handles", handles},      {"soft", soft},
-          {"weights", weights}, {"quadrature", quadrature}};
+  return {{"degree", degree},   {"energy", energy},         {"boundary", boundary},
+          {"init", init},       {"curvature", curvature},   {"boundary_angles", boundary_angles},
+          {"pins", pins},       {"handles", handles},       {"soft", soft},
+          {"weights", weights}, {"quadrature", quadrature}, {"seamless", seamless}};
 }
 
 MapInput read_input(const MapRequest& request) {
@@ -91,11 +109,12 @@ MapInput read_input(const MapRequest& request) {
   if (request.boundary_angles) options.boundary_angles = BoundaryAngles::AtMostFullTurn;
   options.quadrature_points = request.quadrature;
   options.handle_weight = request.soft;
-  in.mesh->require_disk();
-  if (request.init == "input") options.initial = texture_map(*in.mesh);
-  if (!request.pins.empty()) options.pins = read_points(request.pins, in.polygons, *in.mesh);
-  if (!request.handles.empty())
-    options.handles = read_points(request.handles, in.polygons, *in.mesh);
+  if (request.seamless)
+    in.start = seamless_from_texture(*in.mesh);
+  else
+    in.mesh->require_disk();
+  if (request.init == "input" && !request.seamless) options.initial = texture_map(*in.mesh);
+  read_constrained_points(request, in);
   if (!request.weights.empty())
     options.face_weight = read_weights(request.weights, in.polygons, *in.mesh);
   require_scale(energy, request, options);

@@ -4,10 +4,12 @@
 
 #include <CLI/App.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "apps/report.h"
 #include "majorant/parametrization/parametrize.h"
+#include "majorant/parametrization/seamless_start.h"
 
 namespace majorant::app {
 
@@ -18,7 +20,7 @@ struct MapRequest {
       pins, handles, weights;
   int degree = 3, quadrature = 0;
   double soft = 1e3;
-  bool boundary_angles = false;
+  bool boundary_angles = false, seamless = false;  // seamless: an option of parametrize only
 
   void add_to(CLI::App& verb);
   Json to_json() const;  // for reports and claims
@@ -26,8 +28,9 @@ struct MapRequest {
 
 struct MapInput {
   PolygonMesh polygons;
-  std::shared_ptr<const SurfaceMesh> mesh;
-  ParametrizationOptions options;
+  std::shared_ptr<const SurfaceMesh> mesh;  // of the file, not cut
+  ParametrizationOptions options;           // vertices are those of start's mesh, if there is one
+  std::optional<SeamlessStart> start;       // of seamless maps
 };
 
 // Reads the files and translates the options. Throws Error as the readers do; Error(Unsupported)

@@ -49,7 +49,8 @@ class Job {
     read();
     RunRecord record(request_.time_limit, request_.max_iterations, interruption_flag(),
                      make_progress(request_.common));
-    result_ = parametrize(in_.mesh, in_.options, record);
+    result_ = in_.start ? parametrize(in_.start->map, in_.options, record)
+                        : parametrize(in_.mesh, in_.options, record);
     finish_progress(request_.common);
     const double written = seconds();
     if (result_.status != Status::Failed && result_.map) write(record);
@@ -84,18 +85,13 @@ class Job {
     for (const Pin& pin : in_.options.pins) {
       const Vector2 uv = result_.map->control_points().segment<2>(2 * pin.vertex);
       pins.push_back(
-          {{"vertex", in_.mesh->input_vertex(pin.vertex)}, {"target", {uv.x(), uv.y()}}});
+          {{"vertex", result_.map->mesh().input_vertex(pin.vertex)}, {"target", {uv.x(), uv.y()}}});
     }
-    return Json{{"version", MAJORANT_VERSION},
-                {"degree", request_.map.degree},
-                {"energy", request_.map.energy},
-                {"value", result_.measures.value},
-                {"boundary", request_.map.boundary},
-                {"init", request_.map.init},
-                {"seams", false},
-                {"bijective", false},
-                {"normalized", normalization_},
-                {"pins", pins},
+    return Json{{"version", MAJORANT_VERSION},       {"degree", request_.map.degree},
+                {"energy", request_.map.energy},     {"value", result_.measures.value},
+                {"boundary", request_.map.boundary}, {"init", request_.map.init},
+                {"seams", request_.map.seamless},    {"bijective", false},
+                {"normalized", normalization_},      {"pins", pins},
                 {"options", options_section()}}
         .dump();
   }
@@ -194,6 +190,8 @@ void add_parametrize(CLI::App& app, Action* run) {
   verb.add_option("output", r.positional_output, "output file, same as -o");
   verb.add_option("-o,--output", r.outputs, "output: .vtu .obj .svg .json .csv, repeatable")
       ->allow_extra_args(false);
+  verb.add_flag("--seamless", r.map.seamless,
+                "hold the seams of the input's texture coordinates, up to rotations by 90 degrees");
   std::vector<std::string> curvatures;
   for (const Curvature c : kCurvatures) curvatures.emplace_back(name(c));
   verb.add_option("--curvature", r.map.curvature, "second-order model (projected)")

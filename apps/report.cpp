@@ -38,7 +38,7 @@ Json measures_section(const BezierMap& map, const MapMeasures& m, const std::str
           {"locally_injective", m.locally_injective},
           {"min_det_bound", m.min_det.minCoeff()},
           {"globally_injective", nullptr},
-          {"seam_residual", nullptr},
+          {"seam_residual", map.seams().empty() ? Json() : Json(m.seam_residual)},
           {"max_boundary_angle_degrees", m.max_boundary_angle * 180 / std::numbers::pi},
           {"boundary_vertices_over_360_degrees", m.boundary_over_full_turn}};
 }

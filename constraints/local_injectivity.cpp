@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 namespace majorant {
 namespace {
@@ -98,22 +99,40 @@ Vec vertex_angle_sums(const BezierTriangleSpace& space, VecIn x) {
   return sums;
 }
 
-AngleSums::AngleSums(std::shared_ptr<const BezierTriangleSpace> space, Vertices which)
-    : space_(std::move(space)), which_(which) {}
+AngleSums::AngleSums(std::shared_ptr<const BezierTriangleSpace> space, Vertices which,
+                     std::shared_ptr<const Seams> seams)
+    : space_(std::move(space)), which_(which) {
+  const auto count = static_cast<std::size_t>(space_->vertex_count());
+  if (seams && !seams->empty()) {
+    vertex_of_ = seams->surface_vertex();
+    quarter_turns_ = seams->quarter_turns();
+    return;
+  }
+  vertex_of_.resize(count);
+  std::iota(vertex_of_.begin(), vertex_of_.end(), 0);
+  quarter_turns_.assign(count, 4);
+  for (const Index node : space_->boundary_nodes())
+    if (static_cast<std::size_t>(node) < count) quarter_turns_[static_cast<std::size_t>(node)] = 0;
+}
 
 Verdict AngleSums::check(VecIn x) const {
   const Vec sums = vertex_angle_sums(*space_, x);
-  std::vector<char> boundary(static_cast<std::size_t>(space_->node_count()), 0);
-  for (const Index node : space_->boundary_nodes()) boundary[static_cast<std::size_t>(node)] = 1;
   Verdict verdict;
   verdict.margin = std::numeric_limits<double>::infinity();
-  for (Index v = 0; v < sums.size(); ++v) {
-    const bool on_boundary = boundary[static_cast<std::size_t>(v)] != 0;
-    if (on_boundary != (which_ == Vertices::Boundary)) continue;
-    const double margin = on_boundary ? kTwoPi + kAngleTolerance - sums[v]
-                                      : kAngleTolerance - std::abs(sums[v] - kTwoPi);
+  const auto hold = [&](Index v, double margin) {
     if (!(margin >= 0)) verdict.blocking.push_back(v);
     verdict.margin = std::min(verdict.margin, margin);
+  };
+  Vec total = Vec::Zero(static_cast<Index>(quarter_turns_.size()));
+  for (Index v = 0; v < sums.size(); ++v) {
+    const Index surface = vertex_of_[static_cast<std::size_t>(v)];
+    total[surface] += sums[v];
+    if (which_ == Vertices::Boundary && quarter_turns_[static_cast<std::size_t>(surface)] == 0)
+      hold(v, kTwoPi + kAngleTolerance - sums[v]);
+  }
+  for (Index v = 0; v < total.size() && which_ == Vertices::Interior; ++v) {
+    const int turns = quarter_turns_[static_cast<std::size_t>(v)];
+    if (turns != 0) hold(v, kAngleTolerance - std::abs(total[v] - turns * kTwoPi / 4));
   }
   verdict.feasible = verdict.blocking.empty();
   return verdict;

@@ -4,13 +4,15 @@
 // Positive determinants alone leave room for double covers around a vertex: LocalInjectivity checks
 // the elements, AngleSums the vertices. Along a path of certified maps interior angle sums cannot
 // change, so a solve needs AngleSums only for its start - or for boundary vertices, where the sum
-// may pass 2 pi continuously.
+// may pass 2 pi continuously. Of a cut surface the sums over all copies of a vertex count, and the
+// sum at a cone is the cone's angle.
 #pragma once
 
 #include <array>
 #include <atomic>
 #include <memory>
 
+#include "majorant/constraints/seams.h"
 #include "majorant/elements/bezier_triangle_space.h"
 #include "majorant/framework/feasibility.h"
 
@@ -47,16 +49,21 @@ Vec vertex_angle_sums(const BezierTriangleSpace& space, VecIn x);
 class AngleSums final : public FeasibilityChecker {
  public:
   enum class Vertices { Interior, Boundary };
-  // Interior: the sum is 2 pi; Boundary: at most 2 pi. Tolerance 1e-6.
-  AngleSums(std::shared_ptr<const BezierTriangleSpace> space, Vertices which);
+  // Interior: the sum is 2 pi, at cones their angle; Boundary: at most 2 pi. Tolerance 1e-6.
+  // seams: of the cut surface that `space` is over; null or empty: not cut.
+  AngleSums(std::shared_ptr<const BezierTriangleSpace> space, Vertices which,
+            std::shared_ptr<const Seams> seams = nullptr);
 
   std::string_view name() const override { return "angle sums"; }
-  Verdict check(VecIn x) const override;  // blocking: vertices
+  // blocking: vertices, of the uncut surface for Interior, else of the space.
+  Verdict check(VecIn x) const override;
   StepBound max_step(VecIn, VecIn, double s) const override { return {s, {}}; }
 
  private:
   std::shared_ptr<const BezierTriangleSpace> space_;
   Vertices which_;
+  std::vector<Index> vertex_of_;    // by vertex of the space: of the uncut surface
+  std::vector<int> quarter_turns_;  // by vertex of the uncut surface, 0: boundary
 };
 
 }  // namespace majorant

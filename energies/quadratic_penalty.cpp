@@ -11,6 +11,8 @@ namespace {
 std::vector<LinearExpression> expressions(const Constraint& constraint) {
   ConstraintRows rows;
   constraint.append_rows(rows);
+  if (rows.auxiliary_count() > 0)
+    throw std::invalid_argument("QuadraticPenalty: the constraint has auxiliary unknowns");
   std::vector<LinearExpression> out;
   for (std::size_t r = 0; r < rows.size(); ++r) {
     out.push_back({{}, rows.rhs(r)});

@@ -1,7 +1,9 @@
 // Linear constraints A x = b that hold exactly: they are eliminated, never penalized.
 //
 // Coefficients are integers, so that rank and consistency are decided exactly; right-hand sides are
-// doubles. A constraint appends its rows; ProblemBuilder eliminates all rows together.
+// doubles. A constraint appends its rows; ProblemBuilder eliminates all rows together. A constraint
+// may need unknowns of its own that no energy sees (the translation between two sides of a seam):
+// add_auxiliary() makes them; they become unknowns of the solver unless rows determine them.
 //
 //   class PinnedPoint final : public Constraint {
 //     void append_rows(ConstraintRows& rows) const override {
@@ -21,7 +23,7 @@ namespace majorant {
 class ConstraintRows {
  public:
   struct Entry {
-    Index unknown;
+    Index unknown;  // negative: -1 - j is auxiliary unknown j
     long coefficient;
   };
 
@@ -33,6 +35,11 @@ class ConstraintRows {
   void add(Index unknown, long coefficient) { entries_.push_back({unknown, coefficient}); }
   void end_row(double right_hand_side) { rhs_.push_back(right_hand_side); }
 
+  // A new auxiliary unknown. A point x says nothing of it: its value there follows from the first
+  // row in which it is the only auxiliary unknown that is not known yet.
+  Index add_auxiliary() { return -++auxiliary_count_; }
+
+  Index auxiliary_count() const { return auxiliary_count_; }
   std::size_t size() const { return rhs_.size(); }
   const std::string& label(std::size_t row) const { return labels_[row]; }
   double rhs(std::size_t row) const { return rhs_[row]; }
@@ -47,6 +54,7 @@ class ConstraintRows {
   std::vector<std::size_t> starts_;
   std::vector<Entry> entries_;
   std::vector<double> rhs_;
+  Index auxiliary_count_ = 0;
 };
 
 class Constraint {

@@ -26,9 +26,12 @@ class Rational {
   bool zero() const { return num_ == 0; }
   bool unit() const { return den_ == 1 && (num_ == 1 || num_ == -1); }
   double value() const { return static_cast<double>(num_) / static_cast<double>(den_); }
+  long numerator() const { return num_; }
+  long denominator() const { return den_; }
   Rational negative_quotient(const Rational& d) const {
     return make(-Wide(num_) * d.den_, Wide(den_) * d.num_);
   }
+  Rational over(const Rational& d) const { return make(Wide(num_) * d.den_, Wide(den_) * d.num_); }
   Rational times(const Rational& o) const { return make(Wide(num_) * o.num_, Wide(den_) * o.den_); }
   Rational plus(const Rational& o) const {
     return make(Wide(num_) * o.den_ + Wide(o.num_) * den_, Wide(den_) * o.den_);
@@ -62,6 +65,22 @@ struct Expression {
   std::map<Index, Rational> terms;
   double constant = 0;
 
+  // Integer coefficients without a common factor.
+  void make_primitive() {
+    long gcd = 0, lcm = 1;
+    for (const auto& term : terms) {
+      gcd = std::gcd(gcd, term.second.numerator());
+      lcm =
+          Rational(lcm)
+              .times(Rational(term.second.denominator() / std::gcd(lcm, term.second.denominator())))
+              .numerator();
+    }
+    if (gcd == 1 && lcm == 1) return;
+    const Rational factor = Rational(lcm).over(Rational(gcd));
+    for (auto& term : terms) term.second = term.second.times(factor);
+    constant *= factor.value();
+  }
+
   void add(const Expression& other, const Rational& factor) {
     for (const auto& [unknown, c] : other.terms) {
       auto [it, fresh] = terms.try_emplace(unknown, 0);
@@ -72,10 +91,15 @@ struct Expression {
   }
 };
 
+// Auxiliary unknowns are numbered after the full ones.
+Index position(Index unknown, Index full_size) {
+  return unknown >= 0 ? unknown : full_size - 1 - unknown;
+}
+
 // Gauss-Jordan: `solved` expresses eliminated unknowns by free ones only, after every row.
 class Eliminator {
  public:
-  explicit Eliminator(const ConstraintRows& rows) : rows_(rows) {
+  Eliminator(Index full_size, const ConstraintRows& rows) : full_size_(full_size), rows_(rows) {
     for (std::size_t r = 0; r < rows.size(); ++r) scale_ = std::max(scale_, std::abs(rows.rhs(r)));
     for (std::size_t r = 0; r < rows.size(); ++r) eliminate(r);
   }
@@ -86,14 +110,16 @@ class Eliminator {
     Expression row;
     row.constant = -rows_.rhs(r);
     for (auto e = rows_.begin(r); e != rows_.end(r); ++e) {
+      const Index unknown = position(e->unknown, full_size_);
       Expression term;
-      if (auto known = solved_.find(e->unknown); known != solved_.end())
+      if (auto known = solved_.find(unknown); known != solved_.end())
         term = known->second;
       else
-        term.terms.emplace(e->unknown, Rational(1));
+        term.terms.emplace(unknown, Rational(1));
       row.add(term, Rational(e->coefficient));
     }
     if (row.terms.empty()) return check_redundant(r, row.constant);
+    row.make_primitive();
     auto pivot = std::find_if(row.terms.begin(), row.terms.end(),
                               [](const auto& t) { return t.second.unit(); });
     if (pivot == row.terms.end()) pivot = row.terms.begin();
@@ -130,6 +156,7 @@ class Eliminator {
                             rows_.label(r), residual));
   }
 
+  Index full_size_;
   const ConstraintRows& rows_;
   double scale_ = 0;
   std::unordered_map<Index, Expression> solved_;
@@ -139,16 +166,18 @@ class Eliminator {
 
 }  // namespace
 
-Elimination::Elimination(Index full_size, const ConstraintRows& rows) {
+Elimination::Elimination(Index full_size, const ConstraintRows& rows)
+    : auxiliary_size_(rows.auxiliary_count()) {
   for (std::size_t r = 0; r < rows.size(); ++r)
     for (auto e = rows.begin(r); e != rows.end(r); ++e)
-      if (e->unknown < 0 || e->unknown >= full_size)
+      if (e->unknown < -auxiliary_size_ || e->unknown >= full_size)
         throw std::invalid_argument(fmt::format("constraint row '{}': unknown {} of {}",
                                                 rows.label(r), e->unknown, full_size));
-  const Eliminator eliminator(rows);
+  const Eliminator eliminator(full_size, rows);
   const auto& solved = eliminator.solved();
-  std::vector<Index> reduced(static_cast<std::size_t>(full_size), -1);
-  for (Index i = 0; i < full_size; ++i) {
+  const Index all = full_size + auxiliary_size_;
+  std::vector<Index> reduced(static_cast<std::size_t>(all), -1);
+  for (Index i = 0; i < all; ++i) {
     if (solved.count(i)) continue;
     reduced[static_cast<std::size_t>(i)] = static_cast<Index>(free_.size());
     free_.push_back(i);
@@ -164,6 +193,29 @@ Elimination::Elimination(Index full_size, const ConstraintRows& rows) {
       entries_.push_back({reduced[static_cast<std::size_t>(i)], 1.0});
     }
     starts_.push_back(entries_.size());
+  }
+  define_auxiliaries(rows);
+}
+
+void Elimination::define_auxiliaries(const ConstraintRows& rows) {
+  std::vector<char> known(static_cast<std::size_t>(auxiliary_size_), 0);
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    const ConstraintRows::Entry* open = nullptr;
+    int open_count = 0;
+    for (auto e = rows.begin(r); e != rows.end(r); ++e)
+      if (e->unknown < 0 && !known[static_cast<std::size_t>(-1 - e->unknown)]) {
+        open = e;
+        ++open_count;
+      }
+    if (open_count != 1 || open->coefficient == 0) continue;
+    const auto scale = static_cast<double>(open->coefficient);
+    Definition d{-1 - open->unknown, rows.rhs(r) / scale, {}};
+    for (auto e = rows.begin(r); e != rows.end(r); ++e)
+      if (e != open)
+        d.terms.push_back(
+            {position(e->unknown, full_size()), -static_cast<double>(e->coefficient) / scale});
+    known[static_cast<std::size_t>(d.auxiliary)] = 1;
+    definitions_.push_back(std::move(d));
   }
 }
 
@@ -186,8 +238,14 @@ void Elimination::restrict_gradient(VecIn gx, Vec& gy) const {
 }
 
 Vec Elimination::reduce(VecIn x, double* residual) const {
+  Vec auxiliary = Vec::Zero(auxiliary_size_);
+  const auto value = [&](Index i) { return i < full_size() ? x[i] : auxiliary[i - full_size()]; };
+  for (const Definition& d : definitions_) {
+    auxiliary[d.auxiliary] = d.constant;
+    for (const Entry& e : d.terms) auxiliary[d.auxiliary] += e.coefficient * value(e.reduced);
+  }
   Vec y(reduced_size());
-  for (Index j = 0; j < reduced_size(); ++j) y[j] = x[full_index(j)];
+  for (Index j = 0; j < reduced_size(); ++j) y[j] = value(full_index(j));
   if (residual) {
     Vec back;
     expand(y, back);

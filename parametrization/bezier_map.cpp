@@ -9,15 +9,25 @@
 namespace majorant {
 
 BezierMap::BezierMap(std::shared_ptr<const SurfaceMesh> mesh,
-                     std::shared_ptr<const BezierTriangleSpace> space, Vec control_points)
-    : mesh_(std::move(mesh)), space_(std::move(space)), x_(std::move(control_points)) {
+                     std::shared_ptr<const BezierTriangleSpace> space, Vec control_points,
+                     std::shared_ptr<const Seams> seams)
+    : mesh_(std::move(mesh)),
+      space_(std::move(space)),
+      seams_(seams ? std::move(seams) : std::make_shared<const Seams>()),
+      x_(std::move(control_points)) {
   if (x_.size() != 2 * space_->node_count() || space_->element_count() != mesh_->face_count())
     throw std::invalid_argument("BezierMap: sizes do not fit");
 }
 
-BezierMap BezierMap::linear(std::shared_ptr<const SurfaceMesh> mesh, Vec uv) {
+BezierMap BezierMap::linear(std::shared_ptr<const SurfaceMesh> mesh, Vec uv,
+                            std::shared_ptr<const Seams> seams) {
   auto space = std::make_shared<const BezierTriangleSpace>(mesh->faces(), mesh->vertex_count(), 1);
-  return BezierMap(std::move(mesh), std::move(space), std::move(uv));
+  return BezierMap(std::move(mesh), std::move(space), std::move(uv), std::move(seams));
+}
+
+BezierMap BezierMap::with(std::shared_ptr<const BezierTriangleSpace> space,
+                          Vec control_points) const {
+  return BezierMap(mesh_, std::move(space), std::move(control_points), seams_);
 }
 
 Vector2 BezierMap::evaluate(Index face, const Barycentric& xi) const {
@@ -60,7 +70,7 @@ BezierMap BezierMap::elevated() const {
   auto higher = std::make_shared<const BezierTriangleSpace>(mesh_->faces(), mesh_->vertex_count(),
                                                             degree() + 1);
   Vec x = space_->elevate(x_, *higher);
-  return BezierMap(mesh_, std::move(higher), std::move(x));
+  return with(std::move(higher), std::move(x));
 }
 
 // The numbering of a Bezier space of degree K is that of the K-fold subdivision's points.

@@ -3,13 +3,15 @@
 //   Vector2 uv = map.evaluate(face, {0.2, 0.3, 0.5});
 //   auto [Sigma, sigma] = map.singular_values(face, xi);   // sigma < 0 where orientation flips
 //
-// Immutable and cheap to copy. Positions and uv are in model units.
+// Immutable and cheap to copy. Positions and uv are in model units. A map of a cut surface may know
+// its seams: its mesh is the cut surface then.
 #pragma once
 
 #include <memory>
 #include <utility>
 #include <vector>
 
+#include "majorant/constraints/seams.h"
 #include "majorant/elements/bezier_triangle_space.h"
 #include "majorant/parametrization/surface_mesh.h"
 
@@ -17,16 +19,23 @@ namespace majorant {
 
 class BezierMap {
  public:
-  // control_points: u, v per node of `space`, a space over the faces of `mesh`.
+  // control_points: u, v per node of `space`, a space over the faces of `mesh`. seams: null, or
+  // those of `mesh`.
   BezierMap(std::shared_ptr<const SurfaceMesh> mesh,
-            std::shared_ptr<const BezierTriangleSpace> space, Vec control_points);
+            std::shared_ptr<const BezierTriangleSpace> space, Vec control_points,
+            std::shared_ptr<const Seams> seams = nullptr);
   // The piecewise linear map with these uv per vertex of the mesh.
-  static BezierMap linear(std::shared_ptr<const SurfaceMesh> mesh, Vec uv);
+  static BezierMap linear(std::shared_ptr<const SurfaceMesh> mesh, Vec uv,
+                          std::shared_ptr<const Seams> seams = nullptr);
+  // The map of the same surface, with the same seams, that has these control points.
+  BezierMap with(std::shared_ptr<const BezierTriangleSpace> space, Vec control_points) const;
 
   const SurfaceMesh& mesh() const { return *mesh_; }
   const BezierTriangleSpace& space() const { return *space_; }
   const std::shared_ptr<const SurfaceMesh>& shared_mesh() const { return mesh_; }
   const std::shared_ptr<const BezierTriangleSpace>& shared_space() const { return space_; }
+  const std::shared_ptr<const Seams>& shared_seams() const { return seams_; }
+  const Seams& seams() const { return *seams_; }  // empty where the surface is not cut
   const Vec& control_points() const { return x_; }
   int degree() const { return space_->degree(); }
 
@@ -52,6 +61,7 @@ class BezierMap {
  private:
   std::shared_ptr<const SurfaceMesh> mesh_;
   std::shared_ptr<const BezierTriangleSpace> space_;
+  std::shared_ptr<const Seams> seams_;
   Vec x_;
 };
 

@@ -1,9 +1,70 @@
 #include "majorant/parametrization/map_problem.h"
 
+#include <algorithm>
+#include <numeric>
+
+#include "majorant/constraints/seamless_constraint.h"
 #include "majorant/energies/quadratic_penalty.h"
 #include "majorant/framework/evaluator.h"
 
 namespace majorant {
+namespace {
+
+// Pieces of a surface: vertices that faces connect.
+class Pieces {
+ public:
+  explicit Pieces(const BezierTriangleSpace& space)
+      : parent_(static_cast<std::size_t>(space.vertex_count())) {
+    std::iota(parent_.begin(), parent_.end(), 0);
+    for (Index f = 0; f < space.element_count(); ++f)
+      for (const int k : {1, 2}) {
+        const Index a = of(space.faces()(f, 0)), b = of(space.faces()(f, k));
+        parent_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+      }
+  }
+  // Named by its smallest vertex.
+  Index of(Index vertex) const {
+    while (parent_[static_cast<std::size_t>(vertex)] != vertex)
+      vertex = parent_[static_cast<std::size_t>(vertex)] =
+          parent_[static_cast<std::size_t>(parent_[static_cast<std::size_t>(vertex)])];
+    return vertex;
+  }
+
+ private:
+  mutable std::vector<Index> parent_;
+};
+
+const Seams& seams_of(const MapSpecification& spec) {
+  static const Seams none;
+  return spec.seams ? *spec.seams : none;
+}
+
+}  // namespace
+
+std::vector<Index> gauge_vertices(const MapSpecification& spec, const BezierTriangleSpace& space) {
+  const Pieces pieces(space);
+  std::vector<char> is_held(static_cast<std::size_t>(space.vertex_count()), 0);
+  std::vector<char> on_seam = is_held;
+  for (const auto* points : {&spec.pins, &spec.handles})
+    for (const FixedPoint& p : *points) is_held[static_cast<std::size_t>(pieces.of(p.node))] = 1;
+  if (spec.boundary == BoundaryCondition::Fixed)
+    for (const Index node : boundary_nodes(space, seams_of(spec)))
+      if (node < space.vertex_count()) is_held[static_cast<std::size_t>(pieces.of(node))] = 1;
+  for (const SeamEdge& edge : seams_of(spec).edges())
+    for (const Index h : {edge.side, edge.opposite})
+      for (const int end : {0, 1})
+        on_seam[static_cast<std::size_t>(space.faces()(h / 3, (h + end) % 3))] = 1;
+  // Off the seams first, where holding a point makes no fractions.
+  std::vector<Index> gauge;
+  for (const char allowed : {0, 1})
+    for (Index v = 0; v < space.vertex_count(); ++v) {
+      char& held = is_held[static_cast<std::size_t>(pieces.of(v))];
+      if (held || on_seam[static_cast<std::size_t>(v)] > allowed) continue;
+      held = 1;
+      gauge.push_back(v);
+    }
+  return gauge;
+}
 
 DensityTerms energy_terms(const MapSpecification& spec,
                           const std::shared_ptr<const BezierTriangleSpace>& space,
@@ -27,16 +88,16 @@ Problem map_problem(const MapSpecification& spec,
   }
   builder.add(std::move(injectivity));
   if (spec.boundary_angles == BoundaryAngles::AtMostFullTurn)
-    builder.add(std::make_shared<const AngleSums>(space, AngleSums::Vertices::Boundary));
+    builder.add(
+        std::make_shared<const AngleSums>(space, AngleSums::Vertices::Boundary, spec.seams));
+  if (!seams_of(spec).empty()) builder.add(SeamlessConstraint(space, spec.seams));
   if (spec.boundary == BoundaryCondition::Fixed)
-    builder.add(FixedPoints::at(space->boundary_nodes(), start));
+    builder.add(FixedPoints::at(boundary_nodes(*space, seams_of(spec)), start));
   if (!spec.handles.empty())
     builder.add(std::make_shared<const QuadraticPenalty>(FixedPoints(spec.handles)),
                 spec.handle_weight / area);
-  if (!spec.pins.empty())
-    builder.add(FixedPoints(spec.pins));
-  else if (spec.boundary == BoundaryCondition::Free && spec.handles.empty())
-    builder.add(FixedPoints::at({0}, start));  // translations are the null space (method.md N3)
+  if (!spec.pins.empty()) builder.add(FixedPoints(spec.pins));
+  builder.add(FixedPoints::at(gauge_vertices(spec, *space), start));
   return builder.build();
 }
 

@@ -12,6 +12,7 @@
 
 #include "majorant/constraints/fixed_points.h"
 #include "majorant/constraints/local_injectivity.h"
+#include "majorant/constraints/seams.h"
 #include "majorant/energies/energy_factory.h"
 #include "majorant/framework/problem.h"
 
@@ -27,9 +28,10 @@ struct MapSpecification {
   Vec face_weight;   // #F factors of the density, empty = all 1
   BoundaryCondition boundary = BoundaryCondition::Free;
   BoundaryAngles boundary_angles = BoundaryAngles::Free;
-  std::vector<FixedPoint> pins;     // hard, vertices
-  std::vector<FixedPoint> handles;  // soft, vertices
-  double handle_weight = 1e3;       // w of w * sum |x - target|^2 / area
+  std::shared_ptr<const Seams> seams;  // hold exactly; null: none
+  std::vector<FixedPoint> pins;        // hard, vertices
+  std::vector<FixedPoint> handles;     // soft, vertices
+  double handle_weight = 1e3;          // w of w * sum |x - target|^2 / area
 };
 
 using DensityTerms = std::vector<std::shared_ptr<const DensityTerm>>;
@@ -39,9 +41,13 @@ DensityTerms energy_terms(const MapSpecification& spec,
                           const std::shared_ptr<const BezierTriangleSpace>& space,
                           const std::vector<Quadrature>& rules);
 
-// start: 2 numbers per node, whose boundary (where it is fixed) or first node (where nothing else
-// holds the map) stays. Terms 0 .. terms.size() - 1 of the problem are `terms`, with the weights of
-// spec; the penalty of soft handles comes after them.
+// Vertices that map_problem() holds because nothing else holds the translations of their piece of
+// the (cut) surface, which are the null space of the energy (method.md N3): one a piece.
+std::vector<Index> gauge_vertices(const MapSpecification& spec, const BezierTriangleSpace& space);
+
+// start: 2 numbers per node, whose boundary (where it is fixed) and gauge vertices stay. Terms 0 ..
+// terms.size() - 1 of the problem are `terms`, with the weights of spec; the penalty of soft
+// handles comes after them.
 Problem map_problem(const MapSpecification& spec,
                     const std::shared_ptr<const BezierTriangleSpace>& space, VecIn start,
                     const DensityTerms& terms,

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "majorant/constraints/local_injectivity.h"
+#include "majorant/constraints/seamless_constraint.h"
 #include "majorant/framework/evaluator.h"
 #include "majorant/parametrization/quadrature_ladder.h"
 
@@ -115,16 +116,18 @@ MapMeasures measure(const BezierMap& map, const EnergySum& energy) {
   sample_extremes(map, rest, energy, m);
   m.min_det = LocalInjectivity(map.shared_space(), 2 * rest.measure, kProofDepth)
                   .lower_bounds(map.control_points());
-  const bool interior_ok = AngleSums(map.shared_space(), AngleSums::Vertices::Interior)
-                               .check(map.control_points())
-                               .feasible;
+  const bool interior_ok =
+      AngleSums(map.shared_space(), AngleSums::Vertices::Interior, map.shared_seams())
+          .check(map.control_points())
+          .feasible;
   m.locally_injective = interior_ok && m.min_det.minCoeff() > 0;
+  m.seam_residual = seam_residual(map.space(), map.seams(), map.control_points());
   const Vec sums = vertex_angle_sums(map.space(), map.control_points());
-  for (const auto& loop : map.mesh().boundary_loops())
-    for (const Index v : loop) {
-      m.max_boundary_angle = std::max(m.max_boundary_angle, sums[v]);
-      if (sums[v] > 2 * std::numbers::pi + 1e-6) ++m.boundary_over_full_turn;
-    }
+  for (const Index v : boundary_nodes(map.space(), map.seams())) {
+    if (v >= map.space().vertex_count()) continue;
+    m.max_boundary_angle = std::max(m.max_boundary_angle, sums[v]);
+    if (sums[v] > 2 * std::numbers::pi + 1e-6) ++m.boundary_over_full_turn;
+  }
   return m;
 }
 

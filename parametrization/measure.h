@@ -12,9 +12,11 @@ struct MapMeasures {
   Vec face_value;                       // #F mean density of each face
   double max_density = 0;               // sampled
   double sigma_max = 0, sigma_min = 0;  // sampled extreme singular values
-  Vec min_det;                     // #F certified lower bound of det J (<= 0: not proven positive)
-  bool locally_injective = false;  // all min_det > 0 and interior angle sums 2 pi
-  double max_boundary_angle = 0;   // radians, largest sector sum at a boundary vertex
+  Vec min_det;  // #F certified lower bound of det J (<= 0: not proven positive)
+  // All min_det > 0 and interior angle sums 2 pi, at cones their angle.
+  bool locally_injective = false;
+  double seam_residual = 0;           // seamless_constraint.h, model units
+  double max_boundary_angle = 0;      // radians, largest sector sum at a boundary vertex
   Index boundary_over_full_turn = 0;  // boundary vertices whose sum exceeds 2 pi
 };
 

@@ -35,6 +35,12 @@ bool contains(const std::vector<FixedPoint>& points, Index node) {
                      [&](const FixedPoint& p) { return p.node == node; });
 }
 
+bool on_boundary(const SurfaceMesh& mesh, Index vertex) {
+  return std::any_of(
+      mesh.boundary_loops().begin(), mesh.boundary_loops().end(),
+      [&](const auto& loop) { return std::find(loop.begin(), loop.end(), vertex) != loop.end(); });
+}
+
 // Soft handles may be anywhere.
 std::vector<FixedPoint> place_handles(const SurfaceMesh& mesh, const std::vector<Pin>& handles,
                                       const std::vector<FixedPoint>& pins, const Vec& start) {
@@ -53,8 +59,8 @@ std::vector<FixedPoint> place_handles(const SurfaceMesh& mesh, const std::vector
 
 // Pins as fixed points: a target must be where the start has the vertex, up to rounding, because
 // the solver moves along maps that satisfy the constraints.
-std::vector<FixedPoint> place_pins(const SurfaceMesh& mesh, const ParametrizationOptions& options,
-                                   const Vec& start) {
+std::vector<FixedPoint> place_pins(const SurfaceMesh& mesh, const Seams& seams,
+                                   const ParametrizationOptions& options, const Vec& start) {
   const double tolerance = 1e-9 * start.cwiseAbs().maxCoeff();
   std::vector<FixedPoint> points;
   for (const Pin& pin : options.pins) {
@@ -72,10 +78,9 @@ std::vector<FixedPoint> place_pins(const SurfaceMesh& mesh, const Parametrizatio
     if (contains(points, pin.vertex))
       throw Error(ErrorKind::Unsupported, fmt::format("{}: vertex {} is pinned twice; pin it once",
                                                       mesh.file(), mesh.input_vertex(pin.vertex)));
-    // A fixed boundary already says the same, up to rounding.
-    const auto& loop = mesh.boundary_loops().front();
-    const bool held = options.boundary == BoundaryCondition::Fixed &&
-                      std::find(loop.begin(), loop.end(), pin.vertex) != loop.end();
+    // A fixed boundary or a seam may already say the same, up to rounding.
+    const bool held = !seams.empty() || (options.boundary == BoundaryCondition::Fixed &&
+                                         on_boundary(mesh, pin.vertex));
     points.push_back({pin.vertex, held ? here : target});
   }
   return points;
@@ -93,19 +98,14 @@ void require_injective(const BezierMap& map) {
                     map.mesh().file(), map.mesh().input_face(faces.blocking.front()) + 1,
                     faces.blocking.size()));
   const Verdict vertices =
-      AngleSums(map.shared_space(), AngleSums::Vertices::Interior).check(map.control_points());
+      AngleSums(map.shared_space(), AngleSums::Vertices::Interior, map.shared_seams())
+          .check(map.control_points());
   if (!vertices.feasible)
     throw Error(
         ErrorKind::Infeasible,
         fmt::format("{}: the initial map is not injective: it covers the neighbourhood of "
                     "vertex {} more than once; give another start with --init",
                     map.mesh().file(), map.mesh().input_vertex(vertices.blocking.front()) + 1));
-}
-
-// Translations are free when nothing holds the map; then vertex 0 is held, at the origin.
-bool needs_gauge(const ParametrizationOptions& options) {
-  return options.boundary == BoundaryCondition::Free && options.pins.empty() &&
-         options.handles.empty();
 }
 
 Vec moved(Vec x, const Vector2& by) {
@@ -116,11 +116,7 @@ Vec moved(Vec x, const Vector2& by) {
 }  // namespace
 
 NormalizedStart::NormalizedStart(const BezierMap& start, const ParametrizationOptions& options)
-    : scale_(normalizing_scale(start.mesh())),
-      origin_(needs_gauge(options) ? Vector2(start.control_points().head<2>())
-                                   : Vector2(Vector2::Zero())),
-      map_(start.shared_mesh(), start.shared_space(),
-           moved(start.control_points(), -origin_) * scale_) {
+    : scale_(normalizing_scale(start.mesh())), map_(start) {
   require_face_weights(start.mesh(), options.face_weight);
   require_injective(start);
   MapSpecification& spec = specification_;
@@ -129,16 +125,22 @@ NormalizedStart::NormalizedStart(const BezierMap& start, const ParametrizationOp
   spec.face_weight = options.face_weight;
   spec.boundary = options.boundary;
   spec.boundary_angles = options.boundary_angles;
-  spec.pins = place_pins(start.mesh(), options, start.control_points());
+  spec.seams = start.shared_seams();
+  spec.pins = place_pins(start.mesh(), start.seams(), options, start.control_points());
   spec.handles = place_handles(start.mesh(), options.handles, spec.pins, start.control_points());
-  for (FixedPoint& p : spec.pins) p.position *= scale_;
-  for (FixedPoint& p : spec.handles) p.position *= scale_;
   spec.handle_weight = options.handle_weight;
+  // Where nothing holds the map, its first held vertex moves to the origin.
+  if (const auto gauge = gauge_vertices(spec, start.space());
+      !gauge.empty() && spec.pins.empty() && spec.handles.empty())
+    origin_ = start.control_points().segment<2>(2 * gauge.front());
+  for (auto* points : {&spec.pins, &spec.handles})
+    for (FixedPoint& p : *points) p.position = (p.position - origin_) * scale_;
+  map_ = start.with(start.shared_space(), moved(start.control_points(), -origin_) * scale_);
 }
 
 BezierMap NormalizedStart::in_model_units(const BezierMap& normalized) const {
-  return BezierMap(normalized.shared_mesh(), normalized.shared_space(),
-                   moved(normalized.control_points() / scale_, origin_));
+  return normalized.with(normalized.shared_space(),
+                         moved(normalized.control_points() / scale_, origin_));
 }
 
 }  // namespace majorant

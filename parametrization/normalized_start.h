@@ -26,7 +26,7 @@ class NormalizedStart {
 
  private:
   double scale_;
-  Vector2 origin_;  // model units; where the held vertex of a free map is, else 0
+  Vector2 origin_ = Vector2::Zero();  // model units; where a free map's held vertex is, else 0
   BezierMap map_;
   MapSpecification specification_;
 };

@@ -50,7 +50,7 @@ class Run {
         solver.soften_start(record_);
         solved =
             last ? solver.finish(record_) : solver.approach(options_.elevation_tolerance, record_);
-        map_ = BezierMap(map_.shared_mesh(), map_.shared_space(), solver.x());
+        map_ = map_.with(map_.shared_space(), solver.x());
         account(solver);
         if (limited(solved.status)) break;
       }
@@ -71,7 +71,7 @@ class Run {
     DegreeSolver solver(gentle, map_.shared_space(), map_.control_points());
     solver.soften_start(record_);
     solver.approach(options_.elevation_tolerance, record_);
-    map_ = BezierMap(map_.shared_mesh(), map_.shared_space(), solver.x());
+    map_ = map_.with(map_.shared_space(), solver.x());
   }
 
   static bool limited(Status s) { return s != Status::Converged && s != Status::Stalled; }
@@ -125,13 +125,20 @@ Vec initial_map(const SurfaceMesh& mesh, const ParametrizationOptions& options) 
   return options.initial ? *options.initial : tutte_map(mesh);
 }
 
+ParametrizationResult parametrize(const BezierMap& start, const ParametrizationOptions& options,
+                                  RunRecord& record) {
+  require_valid(options);
+  if (start.degree() != 1) throw Error(ErrorKind::Usage, "a start must have degree 1");
+  return Run(start, options, record).solve();
+}
+
 ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,
                                   const ParametrizationOptions& options, RunRecord& record) {
   require_valid(options);
   const double started = record.seconds();
   const BezierMap start = BezierMap::linear(mesh, initial_map(*mesh, options));
   const double initialize_seconds = record.seconds() - started;
-  ParametrizationResult result = Run(start, options, record).solve();
+  ParametrizationResult result = parametrize(start, options, record);
   result.initialize_seconds = initialize_seconds;
   return result;
 }

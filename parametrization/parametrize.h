@@ -1,4 +1,5 @@
-// The main job: a low-distortion, certified locally injective, piecewise degree-n map of a disk.
+// The main job: a low-distortion, certified locally injective, piecewise degree-n map of a disk, or
+// of a surface cut open along seams.
 //
 //   auto mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(read_mesh(path)));
 //   ParametrizationOptions options;
@@ -74,5 +75,9 @@ ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,
                                   const ParametrizationOptions& options, RunRecord& record);
 ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,
                                   const ParametrizationOptions& options);
+// From a map of degree 1 instead, of a disk or of any cut surface whose seams then hold exactly
+// (seamless_start.h); options.initial is ignored. The start must satisfy its seams to rounding.
+ParametrizationResult parametrize(const BezierMap& start, const ParametrizationOptions& options,
+                                  RunRecord& record);
 
 }  // namespace majorant

@@ -1,0 +1,46 @@
+// Seams that hold exactly: the control points on the two sides of every seam edge agree up to the
+// chain's rotation and translation, c = i^k c' + t.
+//
+//   builder.add(SeamlessConstraint(space, seams));
+//
+// Equivalent to [MC20] Eq. 15, c_i - c_{i+1} = R^k (c'_i - c'_{i+1}), which says the same without
+// t. The translation is kept as an auxiliary unknown: eliminating it would tie every control point
+// of a chain to those of one edge. It is counted in halves, t = 2 s, so that a cone, which
+// satisfies (1 - i^K) c = (a sum of translations), is an integer combination of half-translations:
+// 1 - i^K divides 2. Elimination then keeps the entries of Z in {0, +-1, +-2} unless pins or
+// alignment interfere. Redundant rows (around closed chains, at the ends of slits, where chains
+// meet) are recognized there. Positions follow to a few units in the last place of the map's size.
+#pragma once
+
+#include <memory>
+
+#include "majorant/constraints/seams.h"
+#include "majorant/elements/bezier_triangle_space.h"
+#include "majorant/framework/constraint.h"
+
+namespace majorant {
+
+class SeamlessConstraint final : public Constraint {
+ public:
+  // space: of any degree over the cut surface's faces that `seams` was made for.
+  SeamlessConstraint(std::shared_ptr<const BezierTriangleSpace> space,
+                     std::shared_ptr<const Seams> seams);
+  void append_rows(ConstraintRows& rows) const override;
+
+ private:
+  std::shared_ptr<const BezierTriangleSpace> space_;
+  std::shared_ptr<const Seams> seams_;
+};
+
+// Nodes of the space along a half-edge, from its start to its end: degree + 1 of them.
+std::vector<Index> edge_nodes(const BezierTriangleSpace& space, Index half_edge);
+
+// Nodes on the boundary of the uncut surface, sorted: those of the space's boundary that lie on an
+// edge that is no seam.
+std::vector<Index> boundary_nodes(const BezierTriangleSpace& space, const Seams& seams);
+
+// How far x (2 numbers per node) is from seamless: the largest
+// |(c_i - c_{i+1}) - i^k (c'_i - c'_{i+1})| over all seam edges and control points.
+double seam_residual(const BezierTriangleSpace& space, const Seams& seams, VecIn x);
+
+}  // namespace majorant
