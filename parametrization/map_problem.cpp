@@ -86,7 +86,7 @@ Problem map_problem(const MapSpecification& spec,
     state.element_weight = spec.face_weight;
     builder.add(terms[k], state);
   }
-  builder.add(std::move(injectivity));
+  if (injectivity) builder.add(std::move(injectivity));
   if (spec.boundary_angles == BoundaryAngles::AtMostFullTurn)
     builder.add(
         std::make_shared<const AngleSums>(space, AngleSums::Vertices::Boundary, spec.seams));

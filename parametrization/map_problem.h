@@ -45,9 +45,9 @@ DensityTerms energy_terms(const MapSpecification& spec,
 // the (cut) surface, which are the null space of the energy (method.md N3): one a piece.
 std::vector<Index> gauge_vertices(const MapSpecification& spec, const BezierTriangleSpace& space);
 
-// start: 2 numbers per node, whose boundary (where it is fixed) and gauge vertices stay. Terms 0 ..
-// terms.size() - 1 of the problem are `terms`, with the weights of spec; the penalty of soft
-// handles comes after them.
+// start: 2 numbers per node, whose boundary (where it is fixed) and gauge vertices stay.
+// injectivity may be null. Terms 0 .. terms.size() - 1 of the problem are `terms`, with the weights
+// of spec; the penalty of soft handles comes after them.
 Problem map_problem(const MapSpecification& spec,
                     const std::shared_ptr<const BezierTriangleSpace>& space, VecIn start,
                     const DensityTerms& terms,
