@@ -112,19 +112,25 @@ std::vector<Index> boundary_nodes(const BezierTriangleSpace& space, const Seams&
   return nodes;
 }
 
-double seam_residual(const BezierTriangleSpace& space, const Seams& seams, VecIn x) {
+SeamMismatch worst_seam_edge(const BezierTriangleSpace& space, const Seams& seams, VecIn x) {
   const auto point = [&](Index node) { return Vector2(x[2 * node], x[2 * node + 1]); };
-  double worst = 0;
-  for (const SeamEdge& edge : seams.edges()) {
+  SeamMismatch worst;
+  for (std::size_t e = 0; e < seams.edges().size(); ++e) {
+    const SeamEdge& edge = seams.edges()[e];
     const std::vector<Index> a = edge_nodes(space, edge.side);
     const std::vector<Index> b = edge_nodes(space, edge.opposite);
     for (std::size_t i = 0, last = a.size() - 1; i < last; ++i) {
       const Vector2 d = point(a[i]) - point(a[i + 1]);
       const Vector2 d_opposite = point(b[last - i]) - point(b[last - i - 1]);
-      worst = std::max(worst, (d - rotated(d_opposite, edge.turns)).norm());
+      const double distance = (d - rotated(d_opposite, edge.turns)).norm();
+      if (!(distance <= worst.distance)) worst = {static_cast<Index>(e), distance};
     }
   }
   return worst;
+}
+
+double seam_residual(const BezierTriangleSpace& space, const Seams& seams, VecIn x) {
+  return worst_seam_edge(space, seams, x).distance;
 }
 
 }  // namespace majorant

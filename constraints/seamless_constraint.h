@@ -40,7 +40,12 @@ std::vector<Index> edge_nodes(const BezierTriangleSpace& space, Index half_edge)
 std::vector<Index> boundary_nodes(const BezierTriangleSpace& space, const Seams& seams);
 
 // How far x (2 numbers per node) is from seamless: the largest
-// |(c_i - c_{i+1}) - i^k (c'_i - c'_{i+1})| over all seam edges and control points.
+// |(c_i - c_{i+1}) - i^k (c'_i - c'_{i+1})| over all seam edges and control points, and where.
+struct SeamMismatch {
+  Index edge = -1;  // of seams.edges(); -1 when the mismatch is zero everywhere
+  double distance = 0;
+};
+SeamMismatch worst_seam_edge(const BezierTriangleSpace& space, const Seams& seams, VecIn x);
 double seam_residual(const BezierTriangleSpace& space, const Seams& seams, VecIn x);
 
 }  // namespace majorant

@@ -30,7 +30,9 @@ std::string map_defect(const MapFile& map) {
   for (const std::string& defect : {size_defect("input_vertex", map.input_vertex.size(), points),
                                     size_defect("input_face", map.input_face.size(), cells),
                                     size_defect("distortion", map.distortion.size(), cells),
-                                    size_defect("min_det", map.min_det.size(), cells)}) {
+                                    size_defect("min_det", map.min_det.size(), cells),
+                                    size_defect("cone", map.cone.size(), points),
+                                    size_defect("seam", map.seam.rows(), cells)}) {
     if (!defect.empty()) return defect;
   }
   for (Eigen::Index f = 0; f < cells; ++f) {

@@ -10,6 +10,24 @@
 
 namespace majorant {
 
+namespace {
+
+void mark_seams(const BezierMap& map, MapFile& file) {
+  const Seams& seams = map.seams();
+  if (seams.empty()) return;
+  file.seam = Cells::Zero(map.mesh().face_count(), 3);
+  for (const SeamEdge& edge : seams.edges())
+    for (const Index h : {edge.side, edge.opposite}) file.seam(h / 3, h % 3) = edge.chain + 1;
+  file.cone = Eigen::VectorXi::Zero(file.points.rows());
+  for (Index v = 0; v < map.mesh().vertex_count(); ++v) {
+    const Index surface = seams.surface_vertex()[static_cast<std::size_t>(v)];
+    const int turns = seams.quarter_turns()[static_cast<std::size_t>(surface)];
+    if (turns != 4) file.cone[v] = turns;
+  }
+}
+
+}  // namespace
+
 MapFile to_map_file(const BezierMap& map) {
   const BezierTriangleSpace& space = map.space();
   const TriangleIndices& ix = TriangleIndices::of_degree(map.degree());
@@ -36,6 +54,7 @@ MapFile to_map_file(const BezierMap& map) {
   }
   for (Index n = 0; n < space.node_count(); ++n)
     file.uv.row(n) = map.control_points().segment<2>(2 * n);
+  mark_seams(map, file);
   return file;
 }
 

@@ -99,6 +99,7 @@ class VtuReader {
     if (const XmlElement* array = find_array(*data, "input_vertex")) {
       map_.input_vertex = index_array(*array);
     }
+    if (const XmlElement* array = find_array(*data, "cone")) map_.cone = index_array(*array);
     if (const XmlElement* weights = find_array(*data, "RationalWeights")) {
       const std::vector<double> values = arrays_.doubles(*weights);
       if (std::any_of(values.begin(), values.end(), [](double w) { return w != 1.0; })) {
@@ -168,6 +169,11 @@ class VtuReader {
     }
     if (const XmlElement* array = find_array(section, "min_det")) {
       map_.min_det = matrix<Vec>(*array, 1, 1);
+    }
+    if (const XmlElement* array = find_array(section, "seam")) {
+      const Eigen::VectorXi values = index_array(*array);
+      if (values.size() != 3 * map_.cells.rows()) fail("CellData seam is not 3 numbers per cell");
+      map_.seam = values.reshaped<Eigen::RowMajor>(map_.cells.rows(), 3);
     }
   }
 

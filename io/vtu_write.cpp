@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <cstring>
@@ -9,6 +10,7 @@
 
 #include "majorant/io/atomic_file.h"
 #include "majorant/io/base64.h"
+#include "majorant/io/bezier_cell.h"
 #include "majorant/io/map_check.h"
 #include "majorant/io/vtu.h"
 
@@ -75,6 +77,23 @@ void add_cells(const MapFile& map, VtuText& text) {
   text.add("</Cells>\n");
 }
 
+// Per point the smallest chain + 1 of the seam edges it is on.
+Eigen::VectorXi seam_of_points(const MapFile& map) {
+  Eigen::VectorXi seam = Eigen::VectorXi::Zero(map.points.rows());
+  for (int edge = 0; edge < 3; ++edge) {
+    const std::vector<int> on_edge = bezier_edge_points(map.degree, edge);
+    for (Index f = 0; f < map.seam.rows(); ++f) {
+      const Index chain = map.seam(f, edge);
+      if (chain == 0) continue;
+      for (const int local : on_edge) {
+        int& value = seam[map.cells(f, local)];
+        value = value == 0 ? chain : std::min(value, chain);
+      }
+    }
+  }
+  return seam;
+}
+
 }  // namespace
 
 void write_vtu(const std::string& path, const MapFile& map) {
@@ -93,10 +112,13 @@ void write_vtu(const std::string& path, const MapFile& map) {
   text.add("<PointData>\n");
   text.add_array("uv", 2, map.uv.data(), map.uv.size());
   text.add_array("input_vertex", 1, map.input_vertex.data(), map.input_vertex.size());
+  text.add_array("cone", 1, map.cone.data(), map.cone.size());
+  if (map.seam.size() > 0) text.add_array("seam", 1, seam_of_points(map).data(), map.points.rows());
   text.add("</PointData>\n<CellData>\n");
   text.add_array("distortion", 1, map.distortion.data(), map.distortion.size());
   text.add_array("min_det", 1, map.min_det.data(), map.min_det.size());
   text.add_array("input_face", 1, map.input_face.data(), map.input_face.size());
+  text.add_array("seam", 3, map.seam.data(), map.seam.size());
   text.add("</CellData>\n<Points>\n");
   text.add_array("Points", 3, map.points.data(), map.points.size());
   text.add("</Points>\n");

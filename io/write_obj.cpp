@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 
 #include "majorant/framework/error.h"
 #include "majorant/io/atomic_file.h"
@@ -127,6 +128,19 @@ class TexcoordTransfer {
   PolygonMesh result_;
 };
 
+std::string cone_comments(const MapFile& map) {
+  std::map<Index, int> cones;
+  for (Index p = 0; p < std::min(map.cone.size(), map.input_vertex.size()); ++p) {
+    if (map.cone[p] != 0 && map.input_vertex[p] >= 0) cones[map.input_vertex[p]] = map.cone[p];
+  }
+  if (cones.empty()) return {};
+  std::string text = "# cones: vertices count from 0; angle = quarter_turns * 90 degrees\n";
+  for (const auto& [vertex, turns] : cones) {
+    text += fmt::format("# cone vertex {} quarter_turns {}\n", vertex, turns);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string obj_text(const PolygonMesh& mesh) {
@@ -167,7 +181,7 @@ void write_obj(const std::string& path, const MapFile& map, const PolygonMesh* i
   } else {
     mesh = refine_map(map, input, refine);
   }
-  write_file_atomically(path, obj_text(mesh));
+  write_file_atomically(path, cone_comments(map) + obj_text(mesh));
 }
 
 }  // namespace majorant

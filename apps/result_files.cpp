@@ -1,0 +1,152 @@
+#include "apps/result_files.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+
+#include "apps/outputs.h"
+#include "majorant/framework/evaluator.h"
+
+namespace majorant::app {
+namespace {
+
+// uv in the file = (uv - origin) / size; null when they are the same.
+using Normalization = Json;
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// Into the unit square, aspect ratio kept, lower left corner at the origin.
+Normalization normalize(Points2& uv) {
+  const Eigen::RowVector2d low = uv.colwise().minCoeff(), high = uv.colwise().maxCoeff();
+  const double size = (high - low).maxCoeff();
+  uv = (uv.rowwise() - low) / size;
+  return {{"origin", {low.x(), low.y()}}, {"size", size}};
+}
+
+Json options_section(const FinishedRun& run) {
+  Json options = run.map.to_json();
+  options.update(run.options);
+  return options;
+}
+
+std::string claims(const FinishedRun& run, const Normalization& normalization) {
+  const BezierMap& map = *run.result.map;
+  Json pins = Json::array();
+  for (const Pin& pin : run.in.options.pins) {
+    const Vector2 uv = map.control_points().segment<2>(2 * pin.vertex);
+    pins.push_back({{"vertex", map.mesh().input_vertex(pin.vertex)}, {"target", {uv.x(), uv.y()}}});
+  }
+  return Json{{"version", MAJORANT_VERSION},    {"degree", run.map.degree},
+              {"energy", run.map.energy},       {"value", run.result.measures.value},
+              {"boundary", run.map.boundary},   {"init", run.map.init},
+              {"seams", !map.seams().empty()},  {"bijective", false},
+              {"normalized", normalization},    {"pins", pins},
+              {"options", options_section(run)}}
+      .dump();
+}
+
+void write_outputs(const FinishedRun& run) {
+  MapFile file = to_map_file(*run.result.map);
+  file.distortion = run.result.measures.face_value;
+  file.min_det = run.result.measures.min_det;
+  Normalization normalization = nullptr;
+  if (run.outputs.normalize) normalization = normalize(file.uv);
+  file.claims = claims(run, normalization);
+  for (const std::string& path : run.outputs.files) {
+    if (extension(path) == ".csv") write_trace(path, run.record.trace());
+    write_map(path, file, &run.in.polygons, run.outputs.refine);
+  }
+}
+
+Json result_section(const FinishedRun& run) {
+  const ParametrizationResult& r = run.result;
+  if (!r.map) return nullptr;
+  Json result = measures_section(*r.map, r.measures, run.map.energy);
+  result["variables"] = r.variables;
+  result["initial_value"] = r.initial_value;
+  result["value_quadrature"] = r.value_quadrature;
+  result["newton_decrement"] = r.newton_decrement;
+  result["constraint_residual"] = r.constraint_residual;
+  result["handle_distance"] = r.handle_distance;
+  return result;
+}
+
+void write_reports(const FinishedRun& run, double write_seconds) {
+  std::vector<std::string> paths;
+  if (!run.common.report.empty()) paths.push_back(run.common.report);
+  for (const std::string& path : run.outputs.files)
+    if (extension(path) == ".json") paths.push_back(path);
+  if (paths.empty()) return;
+  const ParametrizationResult& r = run.result;
+  const Json report{{"schema_version", 1},
+                    {"version", MAJORANT_VERSION},
+                    {"command", run.command},
+                    {"status", name(r.status)},
+                    {"message", r.message},
+                    {"input", input_section(run.in.polygons, *run.in.mesh)},
+                    {"options", options_section(run)},
+                    {"result", result_section(run)},
+                    {"iterations", iterations_section(run.record.trace())},
+                    {"injectivity_tests", {{"depth", r.injectivity_tests}}},
+                    {"flips", {{"intended", 0}, {"performed", 0}}},
+                    {"seconds",
+                     {{"read", run.read_seconds},
+                      {"initialize", r.initialize_seconds},
+                      {"optimize", r.optimize_seconds},
+                      {"measure", r.measure_seconds},
+                      {"write", write_seconds},
+                      {"total", seconds_since(run.start)}}},
+                    {"peak_memory_bytes", peak_memory_bytes()},
+                    {"threads", threads()}};
+  for (const std::string& path : paths) write_json(path, report);
+}
+
+void summarize(const FinishedRun& run) {
+  const ParametrizationResult& r = run.result;
+  const bool failed = r.status == Status::Failed;
+  if (run.common.quiet && !failed) return;
+  if (failed) {
+    fmt::print(stderr, "majorant: {}: no valid result ({}); nothing written\n", run.map.input,
+               r.message);
+    return;
+  }
+  fmt::print(
+      stderr, "{}: {} after {} iterations, {} {:.6f} (start {:.6g}){}, degree {}, {:.2f} s\n",
+      run.map.input, name(r.status), run.record.trace().size(), run.map.energy, r.measures.value,
+      r.initial_value, run.map.weights.empty() ? "" : ", both without the face weights",
+      run.map.degree, seconds_since(run.start));
+}
+
+}  // namespace
+
+void OutputRequest::add_to(CLI::App& verb) {
+  verb.add_option("output", positional, "output file, same as -o");
+  verb.add_option("-o,--output", files, "output: .vtu .obj .svg .json .csv, repeatable")
+      ->allow_extra_args(false);
+  verb.add_option("--refine", refine, "pieces per edge in OBJ output (degree 1: 1, else 3)")
+      ->check(CLI::Range(1, 20));
+  verb.add_flag("--normalize", normalize, "scale the result into the unit square");
+}
+
+void OutputRequest::require_usable(const CommonOptions& common, const MapRequest& map) {
+  if (!positional.empty()) files.push_back(positional);
+  if (files.empty())
+    throw Error(ErrorKind::Usage, "no output file; add -o OUT.vtu (or .obj .svg .json .csv)");
+  require_writable(files, {".vtu", ".obj", ".svg", ".json", ".csv"});
+  if (!common.report.empty()) require_writable({common.report}, {".json"});
+  if (normalize && !(map.pins.empty() && map.handles.empty()))
+    throw Error(ErrorKind::Usage, "--normalize moves pins and handles; leave one of the two out");
+}
+
+int write_result(const FinishedRun& run) {
+  const double before = seconds_since(run.start);
+  if (run.result.status != Status::Failed && run.result.map) write_outputs(run);
+  write_reports(run, seconds_since(run.start) - before);
+  summarize(run);
+  return exit_code(run.result.status);
+}
+
+}  // namespace majorant::app

@@ -1,0 +1,54 @@
+// What the verbs that optimize a map share at the end of a run: output options, files with their
+// claims, reports, and the line that sums up.
+//
+//   OutputRequest outputs;  outputs.add_to(verb);             // -o --refine --normalize
+//   outputs.require_usable(common, map_request);               // before any work
+//   FinishedRun run{"parametrize", common, outputs, map_request, in, result, record, options, ...};
+//   return write_result(run);
+#pragma once
+
+#include <CLI/App.hpp>
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "apps/command.h"
+#include "apps/map_request.h"
+#include "apps/report.h"
+#include "majorant/parametrization/parametrize.h"
+
+namespace majorant::app {
+
+// Where the result shall go, as said.
+struct OutputRequest {
+  std::string positional;
+  std::vector<std::string> files;
+  int refine = 0;
+  bool normalize = false;
+
+  // Adds a positional `output` too: call it after the verb's input.
+  void add_to(CLI::App& verb);
+  // Joins the positional file to `files`. Throws Error(Usage) when there is no output, one cannot
+  // be written, or normalizing would move pins.
+  void require_usable(const CommonOptions& common, const MapRequest& map);
+};
+
+// A run that has ended. Only refers: all must outlive it.
+struct FinishedRun {
+  std::string command;  // the verb
+  const CommonOptions& common;
+  const OutputRequest& outputs;
+  const MapRequest& map;
+  const MapInput& in;
+  const ParametrizationResult& result;
+  const RunRecord& record;
+  Json options;                                 // what the verb adds to map.to_json()
+  std::chrono::steady_clock::time_point start;  // of the run
+  double read_seconds = 0;
+};
+
+// Writes the outputs unless the run failed, then the reports, then the line on stderr; returns the
+// exit code.
+int write_result(const FinishedRun& run);
+
+}  // namespace majorant::app
