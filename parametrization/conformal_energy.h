@@ -10,31 +10,13 @@
 // linear where that happens. The value of E is not needed (conformal_metric.cpp says why).
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "majorant/framework/types.h"
+#include "majorant/parametrization/intrinsic_triangulation.h"
 #include "majorant/parametrization/surface_mesh.h"
 
 namespace majorant {
-
-// A triangle of which only the sides are known.
-struct TriangleShape {
-  std::array<double, 3> angle{};      // radians, by corner
-  std::array<double, 3> cotangent{};  // of the angles; all 0 when the triangle is broken
-  double log_area = 0;                // -inf when broken
-  bool broken = false;                // the triangle inequality does not hold strictly
-};
-// log_sides[k]: logarithm of the side opposite corner k, finite. Accurate to rounding of the sides
-// for needles as well, whatever their size.
-TriangleShape triangle_shape(const std::array<double, 3>& log_sides);
-
-// 3 #F logarithms of the lengths of half-edges 3 f + k; the same bits on both sides of an edge.
-Vec log_edge_lengths(const SurfaceMesh& mesh);
-// The same in the metric with the given log factors (#V).
-Vec log_edge_lengths(const SurfaceMesh& mesh, const Vec& log_factor);
-// Of face f, from the logarithms of the lengths of all half-edges.
-TriangleShape face_shape(const Vec& log_lengths, Index f);
 
 struct ConformalDerivatives {
   Vec gradient;         // #V: wanted angle sum - angle sum, radians; 0 at the boundary
@@ -43,15 +25,20 @@ struct ConformalDerivatives {
 
 class ConformalEnergy {
  public:
-  // wanted_angles: #V, radians, read at interior vertices only. Keeps a reference to the mesh.
+  // wanted_angles: #V, radians, read at interior vertices only; on a closed surface they add up to
+  // what Gauss-Bonnet demands.
   ConformalEnergy(const SurfaceMesh& mesh, Vec wanted_angles);
   // log_factor: #V, finite.
   ConformalDerivatives derivatives(const Vec& log_factor) const;
   const std::vector<char>& is_interior() const { return is_interior_; }  // #V
+  const IntrinsicTriangulation& triangulation() const { return triangulation_; }
+  // Another energy with the same minimum, or one where this one has none without broken triangles:
+  // IntrinsicTriangulation::flip_broken.
+  Index flip_broken(const Vec& log_factor) { return triangulation_.flip_broken(log_factor); }
 
  private:
-  const SurfaceMesh& mesh_;
-  Vec wanted_angles_, log_lengths_;
+  IntrinsicTriangulation triangulation_;
+  Vec wanted_angles_;
   std::vector<char> is_interior_;
 };
 

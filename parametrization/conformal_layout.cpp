@@ -1,14 +1,12 @@
-// lay_out() of conformal_metric.h: directions of all half-edges from the angles, positions by
-// walking, then one least-squares correction.
+// lay_out() of conformal_metric.h: all faces rotated into one frame, positions by walking, then one
+// least-squares correction.
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "majorant/framework/error.h"
 #include "majorant/framework/linear_solver.h"
-#include "majorant/parametrization/conformal_energy.h"
 #include "majorant/parametrization/conformal_metric.h"
 #include "majorant/parametrization/edge_laplacian.h"
 
@@ -21,7 +19,8 @@ constexpr double kSmallestShift = 1e-14;
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 Index next(Index h) { return h - h % 3 + (h + 1) % 3; }
 
-SurfaceMesh disk_of(const SurfaceMesh& mesh, const std::vector<char>& is_cut) {
+SurfaceMesh disk_of(const SurfaceMesh& mesh, const ConformalMetric& metric,
+                    const std::vector<char>& is_cut) {
   const auto refuse = [&](const std::string& what) {
     throw Error(ErrorKind::Usage, fmt::format("{}: {}", mesh.file(), what));
   };
@@ -33,6 +32,8 @@ SurfaceMesh disk_of(const SurfaceMesh& mesh, const std::vector<char>& is_cut) {
       refuse(fmt::format("edge ({}, {}) is cut on one side only; flag both half-edges",
                          mesh.input_vertex(mesh.from_vertex(h)) + 1,
                          mesh.input_vertex(mesh.to_vertex(h)) + 1));
+  if (metric.edge_vectors.rows() != mesh.half_edge_count())
+    refuse("the conformal metric belongs to another surface");
   SurfaceMesh disk = mesh.cut_along(is_cut, nullptr);
   const Topology& topology = disk.topology();
   if (topology.components != 1 || topology.boundary_loops != 1 ||
@@ -74,23 +75,23 @@ struct FaceOrder {
   }
 };
 
-// The vectors of all half-edges (3 #F by 2), by their lengths and angles.
-Points2 edge_vectors(const SurfaceMesh& disk, const FaceOrder& order, const Vec& log_lengths) {
-  const double unit = log_lengths.maxCoeff();  // the longest edge becomes 1
-  Vec heading(disk.half_edge_count());
-  Points2 vectors(disk.half_edge_count(), 2);
+// The metric's edge vectors (3 #F by 2) with all faces in the frame of the first; scaled so that
+// the longest is 1.
+Points2 aligned_vectors(const SurfaceMesh& disk, const FaceOrder& order,
+                        const ConformalMetric& metric) {
+  const double longest = metric.edge_vectors.rowwise().norm().maxCoeff();
+  Points2 vectors = metric.edge_vectors / (longest > 0 ? longest : 1);
   for (const Index f : order.faces) {
-    const TriangleShape shape = face_shape(log_lengths, f);
-    const Index entered = order.crossed[at(f)];
-    Index h = entered < 0 ? 3 * f : entered;
-    double direction = entered < 0 ? 0 : heading[disk.opposite(entered)] + std::numbers::pi;
-    for (int side = 0; side < 3; ++side) {
-      heading[h] = std::remainder(direction, 2 * std::numbers::pi);
-      vectors.row(h) = std::exp(log_lengths[h] - unit) *
-                       Eigen::RowVector2d(std::cos(heading[h]), std::sin(heading[h]));
-      h = next(h);
-      direction = heading[h - h % 3 + (h + 2) % 3] + std::numbers::pi - shape.angle[at(h % 3)];
-    }
+    const Index here = order.crossed[at(f)];
+    if (here < 0) continue;
+    // The rotation that makes the edge the opposite of what it is in the face that comes before.
+    const Eigen::RowVector2d a = vectors.row(here), b = -vectors.row(disk.opposite(here));
+    const double norms = a.norm() * b.norm();
+    if (!(norms > 0)) continue;
+    const double c = a.dot(b) / norms, s = (a.x() * b.y() - a.y() * b.x()) / norms;
+    Eigen::Matrix2d rotation;  // of rows
+    rotation << c, s, -s, c;
+    vectors.middleRows(3 * f, 3) *= rotation;
   }
   return vectors;
 }
@@ -158,10 +159,10 @@ double area_of(const SurfaceMesh& disk, const Points2& positions) {
 
 CornerPoints lay_out(const SurfaceMesh& mesh, const ConformalMetric& metric,
                      const std::vector<char>& is_cut) {
-  const SurfaceMesh disk = disk_of(mesh, is_cut);
+  const SurfaceMesh disk = disk_of(mesh, metric, is_cut);
   const FaceOrder order(disk);
   // Faces and corners of the disk are those of the mesh, and so are its half-edges.
-  const Points2 vectors = edge_vectors(disk, order, log_edge_lengths(mesh, metric.log_factor));
+  const Points2 vectors = aligned_vectors(disk, order, metric);
   Points2 positions = walk(disk, order, vectors);
   improve(disk, vectors, positions);
   const double area = area_of(disk, positions);

@@ -27,6 +27,10 @@ constexpr int kMostTrials = 60;
 // First multiple of the mean diagonal that is added where the Hessian is singular, as it is around
 // broken triangles.
 constexpr double kSmallestShift = 1e-10;
+// Minimizations with flips of broken triangles between them.
+constexpr int kMostRounds = 30;
+// Edge vectors of a face that add up to less than this part of the longest close up.
+constexpr double kClosingTolerance = 1e-6;
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
@@ -73,23 +77,26 @@ class ConformalNewton {
   ConformalNewton(const SurfaceMesh& mesh, Vec angles)
       : energy_(mesh, std::move(angles)),
         row_of_(unknowns(energy_)),
-        laplacian_(mesh.faces(), row_of_),
-        solver_(make_cholmod_solver()),
-        u_(Vec::Zero(mesh.vertex_count())),
-        here_(energy_.derivatives(u_)),
-        least_gradient_(here_.gradient.norm()) {
-    if (laplacian_.pattern().size > 0) solver_->analyze(laplacian_.pattern());
+        u_(Vec::Zero(mesh.vertex_count())) {
+    prepare();
   }
 
-  // Returns the number of steps.
-  Index run() {
-    Index steps = 0;
-    if (laplacian_.pattern().size == 0) return steps;
-    while (steps < kMostSteps && step()) ++steps;
-    return steps;
+  // Fills in all of the metric but its scale.
+  void run(ConformalMetric& metric) {
+    if (laplacian_->pattern().size > 0) {
+      minimize(metric.newton_steps);
+      for (int round = 0; round < kMostRounds; ++round) {
+        const Index flips = energy_.flip_broken(u_);
+        if (flips == 0) break;
+        metric.flips += flips;
+        prepare();
+        minimize(metric.newton_steps);
+      }
+    }
+    metric.log_factor = u_;
+    metric.angle_error = angle_error();
   }
-  const Vec& log_factor() const { return u_; }
-  double angle_error() const { return here_.gradient.cwiseAbs().maxCoeff(); }
+  const IntrinsicTriangulation& triangulation() const { return energy_.triangulation(); }
 
  private:
   // Interior vertices. A constant changes no angle, so the first vertex of a closed surface is
@@ -104,12 +111,27 @@ class ConformalNewton {
     return row_of;
   }
 
+  // Everything that depends on the triangulation.
+  void prepare() {
+    laplacian_.emplace(energy_.triangulation().faces(), row_of_);
+    solver_ = make_cholmod_solver();
+    if (laplacian_->pattern().size > 0) solver_->analyze(laplacian_->pattern());
+    here_ = energy_.derivatives(u_);
+    least_gradient_ = here_.gradient.norm();
+  }
+
+  void minimize(Index& steps) {
+    for (Index k = 0; k < kMostSteps && step(); ++k) ++steps;
+  }
+
+  double angle_error() const { return here_.gradient.cwiseAbs().maxCoeff(); }
+
   Vec direction() {
-    Vec r(laplacian_.pattern().size), p;
+    Vec r(laplacian_->pattern().size), p;
     for (std::size_t v = 0; v < row_of_.size(); ++v)
       if (row_of_[v] >= 0) r[row_of_[v]] = -here_.gradient[static_cast<Index>(v)];
     const auto factorization = factorize_shifted(
-        *solver_, laplacian_.pattern(), laplacian_.values(here_.hessian_weights), kSmallestShift);
+        *solver_, laplacian_->pattern(), laplacian_->values(here_.hessian_weights), kSmallestShift);
     p = r;  // steepest descent when nothing can be factorized
     if (factorization.status == FactorStatus::Ok) solver_->solve(r, p);
     if (!p.allFinite() || p.dot(r) <= 0) p = r;
@@ -152,29 +174,37 @@ class ConformalNewton {
 
   ConformalEnergy energy_;
   std::vector<Index> row_of_;  // #V: unknown, or -1
-  EdgeLaplacian laplacian_;
+  std::optional<EdgeLaplacian> laplacian_;
   std::unique_ptr<LinearSolver> solver_;
   Vec u_;
   ConformalDerivatives here_;
-  double least_gradient_;
+  double least_gradient_ = 0;
 };
 
-// Shifts u so that the faces that are not broken have the surface's area; counts the others.
-void finish(const SurfaceMesh& mesh, ConformalMetric& metric) {
-  const Vec log_lengths = log_edge_lengths(mesh, metric.log_factor);
+// Shifts u so that the triangles that are not broken have the surface's area.
+void scale_to_area(const SurfaceMesh& mesh, const IntrinsicTriangulation& triangulation, Vec& u) {
+  const Vec log_lengths = triangulation.log_lengths(u);
   std::vector<double> log_areas;
-  for (Index f = 0; f < mesh.face_count(); ++f) {
-    const TriangleShape shape = face_shape(log_lengths, f);
-    if (shape.broken)
-      ++metric.broken_faces;
-    else
-      log_areas.push_back(shape.log_area);
+  for (Index f = 0; f < triangulation.face_count(); ++f) {
+    const TriangleShape shape = IntrinsicTriangulation::shape(log_lengths, f);
+    if (!shape.broken) log_areas.push_back(shape.log_area);
   }
   if (log_areas.empty()) return;
   const double largest = *std::max_element(log_areas.begin(), log_areas.end());
   double sum = 0;
   for (const double a : log_areas) sum += std::exp(a - largest);
-  metric.log_factor.array() += 0.5 * (std::log(mesh.area()) - largest - std::log(sum));
+  u.array() += 0.5 * (std::log(mesh.area()) - largest - std::log(sum));
+}
+
+void count_broken(ConformalMetric& metric) {
+  const Points2& vectors = metric.edge_vectors;
+  for (Index h = 0; h < vectors.rows(); h += 3) {
+    if (vectors(h, 0) * vectors(h + 1, 1) - vectors(h, 1) * vectors(h + 1, 0) > 0) continue;
+    ++metric.broken_faces;
+    const double longest = vectors.middleRows(h, 3).rowwise().norm().maxCoeff();
+    if (vectors.middleRows(h, 3).colwise().sum().norm() > kClosingTolerance * longest)
+      ++metric.open_faces;
+  }
 }
 
 }  // namespace
@@ -183,10 +213,10 @@ ConformalMetric conformal_metric(const SurfaceMesh& mesh, const std::vector<int>
   require_angle_sums(mesh, quarter_turns);
   ConformalNewton newton(mesh, wanted_angles(quarter_turns));
   ConformalMetric metric;
-  metric.newton_steps = newton.run();
-  metric.log_factor = newton.log_factor();
-  metric.angle_error = newton.angle_error();
-  finish(mesh, metric);
+  newton.run(metric);
+  scale_to_area(mesh, newton.triangulation(), metric.log_factor);
+  metric.edge_vectors = newton.triangulation().surface_vectors(metric.log_factor);
+  count_broken(metric);
   return metric;
 }
 

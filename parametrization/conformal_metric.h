@@ -6,10 +6,14 @@
 //
 // Every vertex has a log factor u; the length of edge ab is multiplied by exp((u_a + u_b) / 2).
 // The factors that give the wanted angle sums minimize a convex function (conformal_energy.h),
-// found with Newton's method [SSP08]. When all angle sums are multiples of 90 degrees and the
-// surface is a sphere or a disk, the two images of a cut edge are equal up to rotation by a
-// multiple of 90 degrees and translation (constraints/seams.h). On handles the rotation around them
-// is whatever it turns out to be.
+// found with Newton's method [SSP08]. Where that breaks triangles, edges are flipped and the
+// minimization goes on; the result is read off on the surface's own triangles again
+// (intrinsic_triangulation.h), some of which it turns over.
+//
+// When all angle sums are multiples of 90 degrees and the surface is a sphere or a disk, the two
+// images of a cut edge are equal up to rotation by a multiple of 90 degrees and translation
+// (constraints/seams.h), whether triangles are turned over or not. On handles the rotation around
+// them is whatever it turns out to be.
 #pragma once
 
 #include <vector>
@@ -20,10 +24,15 @@
 namespace majorant {
 
 struct ConformalMetric {
-  Vec log_factor;          // #V: u; the metric has the area of the surface, broken faces apart
+  Vec log_factor;  // #V: u
+  // 3 #F by 2: half-edges 3 f + k of the surface in the metric, each face's in a frame of its own;
+  // lengths exp((u_a + u_b) / 2) times the old ones unless edges were flipped, total area that of
+  // the surface.
+  Points2 edge_vectors;
   double angle_error = 0;  // largest |angle sum - wanted| over interior vertices, radians
-  Index broken_faces = 0;  // lengths violate the triangle inequality; angles count as 0, 0, pi
-  Index newton_steps = 0;
+  Index broken_faces = 0;  // collapsed, turned over, or violating the triangle inequality
+  Index open_faces = 0;    // those among them whose edge vectors do not add up to 0
+  Index newton_steps = 0, flips = 0;
 };
 
 // quarter_turns: #V, the angle sum wanted at interior vertices in units of 90 degrees, at least 1;

@@ -20,7 +20,7 @@ EdgeLaplacian::EdgeLaplacian(const Cells& faces, const std::vector<Index>& row_o
   std::vector<std::vector<Index>> below(at(size));
   for (Index h = 0; h < half_edges; ++h) {
     const auto [a, b] = ends(faces, row_of, h);
-    if (a >= 0 && b >= 0) below[at(std::min(a, b))].push_back(std::max(a, b));
+    if (a >= 0 && b >= 0 && a != b) below[at(std::min(a, b))].push_back(std::max(a, b));
   }
   pattern_.size = size;
   pattern_.column_starts.push_back(0);
@@ -36,6 +36,10 @@ EdgeLaplacian::EdgeLaplacian(const Cells& faces, const std::vector<Index>& row_o
   for (Index h = 0; h < half_edges; ++h) {
     const auto [a, b] = ends(faces, row_of, h);
     Slots slots{-1, -1, -1};
+    if (a == b) {  // x_a - x_b = 0
+      slots_.push_back(slots);
+      continue;
+    }
     if (a >= 0) slots.from = pattern_.column_starts[at(a)];  // the diagonal comes first
     if (b >= 0) slots.to = pattern_.column_starts[at(b)];
     if (a >= 0 && b >= 0) {

@@ -1,8 +1,8 @@
 // Layouts of conformal metrics: corners agree, seams fit up to quarter turns, areas are kept.
 #include <filesystem>
 
-#include "majorant/parametrization/conformal_energy.h"
 #include "majorant/parametrization/conformal_metric.h"
+#include "majorant/parametrization/intrinsic_triangulation.h"
 #include "parametrization/closed_surfaces.h"
 
 namespace majorant {
@@ -25,7 +25,7 @@ void expect_layout(const SurfaceMesh& mesh, const ConformalMetric& metric,
                    const std::vector<char>& is_cut) {
   const CornerPoints uv = lay_out(mesh, metric, is_cut);
   ASSERT_EQ(uv.rows(), mesh.face_count());
-  const Vec log_lengths = log_edge_lengths(mesh, metric.log_factor);
+  const Vec log_lengths = IntrinsicTriangulation(mesh).log_lengths(metric.log_factor);
   double area = 0;
   for (Index f = 0; f < mesh.face_count(); ++f) {
     EXPECT_GT(signed_area(uv, f), 0) << "face " << f;

@@ -26,9 +26,10 @@ std::vector<int> no_cones(const SurfaceMesh& mesh) {
 }
 
 double area_of(const SurfaceMesh& mesh, const ConformalMetric& metric) {
-  const Vec lengths = log_edge_lengths(mesh, metric.log_factor);
+  const Vec lengths = IntrinsicTriangulation(mesh).log_lengths(metric.log_factor);
   double area = 0;
-  for (Index f = 0; f < mesh.face_count(); ++f) area += std::exp(face_shape(lengths, f).log_area);
+  for (Index f = 0; f < mesh.face_count(); ++f)
+    area += std::exp(IntrinsicTriangulation::shape(lengths, f).log_area);
   return area;
 }
 
