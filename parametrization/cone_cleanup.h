@@ -12,8 +12,14 @@ namespace majorant {
 // it; then moves quarter turns away from vertices that would have none, or triangles with a mean
 // angle above 120 degrees. Edges with is_fixed faces on both sides keep their matching (may be
 // empty). Throws Error(Infeasible) when no place is found for a cone.
-// Returns the number of quarter turns moved; relax() the field afterwards when it is not 0.
-int clean_up_cones(const SurfaceMesh& mesh, const FieldGeometry& geometry,
-                   const std::vector<char>& is_fixed, FieldConnection& field);
+// The field is to be relaxed afterwards.
+void clean_up_cones(const SurfaceMesh& mesh, const FieldGeometry& geometry,
+                    const std::vector<char>& is_fixed, FieldConnection& field);
+
+// Lowers energy (cone_potential.h) + cone_cost * sum |quarter_turns - 4|: cancels pairs of cones of
+// opposite sign, and cones into the boundary, however far apart, the best first; and moves cones
+// along edges.
+void lower_cone_energy(const SurfaceMesh& mesh, const FieldGeometry& geometry, double cone_cost,
+                       FieldConnection& field);
 
 }  // namespace majorant

@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
+#include <memory>
 #include <stdexcept>
 
 #include "majorant/framework/error.h"
 #include "majorant/parametrization/cone_cleanup.h"
 #include "majorant/parametrization/curvature_field.h"
-#include "majorant/parametrization/field_connection.h"
+#include "majorant/parametrization/trivial_connection.h"
 
 namespace majorant {
 namespace {
@@ -162,6 +164,8 @@ std::vector<Complex> smallest_eigenvector(const PowerSystem& system, std::vector
 void require_valid(const SurfaceMesh& mesh, const CrossFieldOptions& options) {
   if (!(options.curvature_weight >= 0) || !std::isfinite(options.curvature_weight))
     throw std::invalid_argument("smoothest_cross_field: curvature_weight must be >= 0");
+  if (!(options.cone_cost >= 0) || !std::isfinite(options.cone_cost))
+    throw std::invalid_argument("smoothest_cross_field: cone_cost must be >= 0");
   if (!options.aligned.empty() && options.aligned.size() != at(mesh.half_edge_count()))
     throw std::invalid_argument("smoothest_cross_field: aligned must have 3 #F entries");
 }
@@ -184,13 +188,23 @@ CrossField smoothest_cross_field(const SurfaceMesh& mesh, const CrossFieldOption
   Vec angle(mesh.face_count());
   for (Index f = 0; f < mesh.face_count(); ++f)
     angle[f] = z[at(f)] == Complex(0) ? 0.0 : std::arg(z[at(f)]) / kSymmetry;
+  for (Index f = 0; f < mesh.face_count(); ++f)
+    if (fixed[f] != kNotAligned) angle[f] = fixed[f];
+  FieldConnection field = nearest_matching(mesh, geometry, angle);
   std::vector<char> is_fixed(at(mesh.face_count()), 0);
+  Vec hold(mesh.face_count());
   for (Index f = 0; f < mesh.face_count(); ++f) {
     is_fixed[at(f)] = fixed[f] != kNotAligned;
-    if (is_fixed[at(f)]) angle[f] = fixed[f];
+    hold[f] = is_fixed[at(f)] ? std::numeric_limits<double>::infinity()
+                              : pull * system.mass()[f] * std::abs(curvature[at(f)]);
   }
-  FieldConnection field = nearest_matching(mesh, geometry, angle);
-  if (clean_up_cones(mesh, geometry, is_fixed, field) > 0) relax(mesh, geometry, is_fixed, field);
+  clean_up_cones(mesh, geometry, is_fixed, field);
+  if (pull == 0 && !system.has_fixed()) {
+    lower_cone_energy(mesh, geometry, options.cone_cost, field);
+    relax_and_round_turning(mesh, geometry, field);
+  } else {
+    Relaxation(mesh, geometry, hold).apply(field.angle, field.rotation);
+  }
   return cross_field(mesh, geometry, field);
 }
 

@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
+#include <limits>
 #include <numeric>
 #include <queue>
 #include <utility>
 
 #include "majorant/framework/error.h"
+#include "majorant/parametrization/cut_shortening.h"
 
 namespace majorant {
 namespace {
@@ -65,7 +68,8 @@ class CutGraph {
   std::vector<char> find() {
     grow_trees();
     keep_longest_uncut();
-    prune();
+    prune_cut(mesh_, is_terminal_, is_cut_);
+    shorten_cut(mesh_, is_terminal_, is_cut_);
     make_slit();
     return std::move(is_cut_);
   }
@@ -114,27 +118,6 @@ class CutGraph {
     Components faces(mesh_.face_count());
     for (const auto& [unused, h] : edges)
       if (!faces.merge(h / 3, mesh_.opposite(h) / 3)) set_cut(h, 1);
-  }
-
-  Index cuts_at(Index v) const {
-    return static_cast<Index>(std::count_if(leaving_[at(v)].begin(), leaving_[at(v)].end(),
-                                            [&](Index h) { return is_cut_[at(h)]; }));
-  }
-
-  // Takes back cuts that end at nothing.
-  void prune() {
-    std::vector<Index> stack(at(mesh_.vertex_count()));
-    std::iota(stack.begin(), stack.end(), 0);
-    while (!stack.empty()) {
-      const Index v = stack.back();
-      stack.pop_back();
-      if (is_terminal_[at(v)] || is_boundary_[at(v)] || cuts_at(v) != 1) continue;
-      for (const Index h : leaving_[at(v)])
-        if (is_cut_[at(h)]) {
-          set_cut(h, 0);
-          stack.push_back(mesh_.to_vertex(h));
-        }
-    }
   }
 
   // A closed surface whose cut has no edge, or a single one (which has the same ends on both

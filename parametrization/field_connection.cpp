@@ -61,39 +61,40 @@ void move_quarter(const SurfaceMesh& mesh, const FieldGeometry& geometry, Index 
   if (!geometry.is_boundary[at(to)]) ++field.quarter_turns[at(to)];
 }
 
-void relax(const SurfaceMesh& mesh, const FieldGeometry& geometry,
-           const std::vector<char>& is_fixed, FieldConnection& field) {
-  std::vector<Index> row(at(mesh.face_count()), -1);
+Relaxation::Relaxation(const SurfaceMesh& mesh, const FieldGeometry& geometry, const Vec& hold)
+    : mesh_(mesh), geometry_(geometry), is_free_((hold.array() == 0).all()) {
   Index size = 0;
-  bool any_fixed = false;
-  for (Index f = 0; f < mesh.face_count(); ++f)
-    if (!is_fixed.empty() && is_fixed[at(f)])
-      any_fixed = true;
-    else
-      row[at(f)] = size++;
-  if (!any_fixed) {  // the rotation of the whole field is free: face 0 keeps its branch
-    size = 0;
-    for (Index f = 0; f < mesh.face_count(); ++f) row[at(f)] = f == 0 ? -1 : size++;
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    const bool eliminated = is_free_ ? f == 0 : std::isinf(hold[f]);
+    row_.push_back(eliminated ? -1 : size++);
   }
   if (size == 0) return;
   std::vector<SymmetricSystem::Entry> entries;
-  Vec rhs = Vec::Zero(size);
+  for (Index f = 0; f < mesh.face_count(); ++f)
+    if (const Index r = row_[at(f)]; r >= 0) entries.push_back({r, r, hold[f]});
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
-    const Index o = mesh.opposite(h);
-    if (o < 0) continue;
-    const Index r = row[at(h / 3)], c = row[at(o / 3)];
-    if (r < 0) continue;
+    const Index o = mesh.opposite(h), r = row_[at(h / 3)];
+    if (o < 0 || r < 0) continue;
+    const Index c = row_[at(o / 3)];
     entries.push_back({r, r, geometry.weight[h]});
     if (c > r) entries.push_back({r, c, -geometry.weight[h]});
-    rhs[r] += geometry.weight[h] * field.rotation[h];
   }
-  const Vec x = SymmetricSystem(size, 1, entries).solve(rhs);
-  Vec turned = Vec::Zero(mesh.face_count());
-  for (Index f = 0; f < mesh.face_count(); ++f)
-    if (row[at(f)] >= 0) turned[f] = x[row[at(f)]];
-  field.angle += turned;
-  for (Index h = 0; h < mesh.half_edge_count(); ++h)
-    if (mesh.opposite(h) >= 0) field.rotation[h] += turned[mesh.opposite(h) / 3] - turned[h / 3];
+  system_ = std::make_unique<SymmetricSystem>(size, 1, entries);
+}
+
+void Relaxation::apply(Vec& angle, Vec& rotation) const {
+  if (!system_) return;
+  Vec rhs = Vec::Zero(system_->size());
+  for (Index h = 0; h < mesh_.half_edge_count(); ++h)
+    if (const Index r = row_[at(h / 3)]; r >= 0) rhs[r] += geometry_.weight[h] * rotation[h];
+  const Vec x = system_->solve(rhs);
+  Vec turned = Vec::Zero(mesh_.face_count());
+  for (Index f = 0; f < mesh_.face_count(); ++f)
+    if (row_[at(f)] >= 0) turned[f] = x[row_[at(f)]];
+  if (is_free_) turned.array() -= turned.dot(geometry_.face_area) / geometry_.face_area.sum();
+  angle += turned;
+  for (Index h = 0; h < mesh_.half_edge_count(); ++h)
+    if (mesh_.opposite(h) >= 0) rotation[h] += turned[mesh_.opposite(h) / 3] - turned[h / 3];
 }
 
 CrossField cross_field(const SurfaceMesh& mesh, const FieldGeometry& geometry,

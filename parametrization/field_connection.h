@@ -4,10 +4,11 @@
 //
 // These rotations carry the topology: they determine the quarter turns of every vertex,
 //   (pi / 2) quarter_turns[v] = angle sum of v - sum of the rotations counterclockwise around v,
-// and the turning along every loop. move_quarter() changes it by integers, relax() makes the field
-// as smooth as possible without changing it (a trivial connection, [CDS10]).
+// and the turning along every loop. move_quarter() changes it by integers, Relaxation makes the
+// field as smooth as possible without changing it (a trivial connection, [CDS10]).
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "majorant/parametrization/cross_field.h"
@@ -35,10 +36,23 @@ std::vector<int> count_quarter_turns(const SurfaceMesh& mesh, const FieldGeometr
 void move_quarter(const SurfaceMesh& mesh, const FieldGeometry& geometry, Index half_edge,
                   FieldConnection& field);
 
-// Turns the branches (never those of the faces with is_fixed[f]; may be empty) so that
-// sum weight rotation^2 becomes smallest for this topology. One linear solve.
-void relax(const SurfaceMesh& mesh, const FieldGeometry& geometry,
-           const std::vector<char>& is_fixed, FieldConnection& field);
+// Makes a field as smooth as its topology allows: turns the branches by the angles a that minimize
+//   sum over edges weight rotation^2 + sum over faces hold a^2.
+// One factorization, a solve per field.
+class Relaxation {
+ public:
+  // hold: #F, >= 0, infinity for faces that must not turn. Where all are 0, the rotation of the
+  // whole field is free: a adds up to 0, weighted by area.
+  Relaxation(const SurfaceMesh& mesh, const FieldGeometry& geometry, const Vec& hold);
+  void apply(Vec& angle, Vec& rotation) const;  // #F, 3 #F
+
+ private:
+  const SurfaceMesh& mesh_;
+  const FieldGeometry& geometry_;
+  bool is_free_;
+  std::vector<Index> row_;  // per face, -1 where it must not turn
+  std::unique_ptr<SymmetricSystem> system_;
+};
 
 CrossField cross_field(const SurfaceMesh& mesh, const FieldGeometry& geometry,
                        const FieldConnection& field);

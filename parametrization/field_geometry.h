@@ -43,6 +43,7 @@ class SymmetricSystem {
   // Error(Infeasible) when the matrix is not positive definite.
   SymmetricSystem(Index size, Index block, const std::vector<Entry>& entries);
   Vec solve(const Vec& rhs) const;
+  Index size() const { return pattern_.size; }
 
  private:
   SparsePattern pattern_;
