@@ -6,7 +6,7 @@
 #include "majorant/framework/curvature_name.h"
 #include "majorant/framework/error.h"
 #include "majorant/io/read_face_weights.h"
-#include "majorant/io/read_handles.h"
+#include "majorant/io/read_vertex_lists.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/parametrization/initial_map.h"
 
