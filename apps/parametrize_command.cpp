@@ -45,6 +45,7 @@ void add_parametrize(CLI::App& app, Action* run) {
       "parametrize", "map a surface mesh onto the plane, injectively and with low distortion");
   Request& r = *request;
   r.map.add_to(verb);
+  r.map.add_start_to(verb);
   r.outputs.add_to(verb);
   verb.add_flag("--seamless", r.map.seamless,
                 "hold the seams of the input's texture coordinates, up to rotations by 90 degrees");

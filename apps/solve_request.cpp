@@ -32,8 +32,7 @@ Json SolveRequest::to_json() const {
 }
 
 RunRecord SolveRequest::make_record(const CommonOptions& common) const {
-  if (!(time_limit >= 0))
-    throw Error(ErrorKind::Usage, "--time-limit is not a number of seconds");
+  if (!(time_limit >= 0)) throw Error(ErrorKind::Usage, "--time-limit is not a number of seconds");
   return RunRecord(time_limit, max_iterations, interruption_flag(), make_progress(common));
 }
 

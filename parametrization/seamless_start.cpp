@@ -163,9 +163,15 @@ SeamlessStart seamless_from_corners(const SurfaceMesh& mesh, const std::vector<c
                                     const CornerPoints& corners) {
   const CornerView view(mesh, corners);
   require_oriented(mesh, view);
+  return seamless_from_layout(mesh, is_cut, corners, measure_quarter_turns(mesh, view));
+}
+
+SeamlessStart seamless_from_layout(const SurfaceMesh& mesh, const std::vector<char>& is_cut,
+                                   const CornerPoints& corners, std::vector<int> quarter_turns) {
+  const CornerView view(mesh, corners);
   double residual = 0, moved = 0;
   const std::vector<int> turns = snap_rotations(mesh, is_cut, view, &residual);
-  const CutSurface surface = cut_open(mesh, is_cut, turns, measure_quarter_turns(mesh, view));
+  const CutSurface surface = cut_open(mesh, is_cut, turns, std::move(quarter_turns));
   Vec uv(2 * surface.mesh->vertex_count());
   for (Index h = 0; h < mesh.half_edge_count(); ++h)
     uv.segment<2>(2 * surface.mesh->from_vertex(h)) = view.corner(h);

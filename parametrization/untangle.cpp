@@ -15,7 +15,10 @@ namespace {
 constexpr int kRounds = 100;              // values of eps
 constexpr int kStepsPerRound = 10;        // Newton steps
 constexpr double kRoundTolerance = 1e-2;  // relative decrease that ends a round
-constexpr double kSmallestShrink = 0.1;   // sigma of [GKKPRS21]
+// A larger eps makes collapse (2 / eps for a map shrunk to a point, where nothing holds its size)
+// as good as an isometry (4).
+constexpr double kFirstEps = 0.1;
+constexpr double kSmallestShrink = 0.1;  // sigma of [GKKPRS21]
 
 class Untangler {
  public:
