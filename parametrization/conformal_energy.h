@@ -32,9 +32,7 @@ class ConformalEnergy {
   ConformalDerivatives derivatives(const Vec& log_factor) const;
   const std::vector<char>& is_interior() const { return is_interior_; }  // #V
   const IntrinsicTriangulation& triangulation() const { return triangulation_; }
-  // Another energy with the same minimum, or one where this one has none without broken triangles:
-  // IntrinsicTriangulation::flip_broken.
-  Index flip_broken(const Vec& log_factor) { return triangulation_.flip_broken(log_factor); }
+  Index make_delaunay(const Vec& log_factor) { return triangulation_.make_delaunay(log_factor); }
 
  private:
   IntrinsicTriangulation triangulation_;
