@@ -4,9 +4,9 @@
 // old ones. Its angles are derivatives of a convex function of u, E, with
 //   dE/du_v = wanted angle sum at v - angle sum at v,
 //   d2E/du2 = the cotangent Laplacian: sum of cot(angle opposite h) / 2 (x_a - x_b)^2 over the
-//             half-edges h = (a, b), halved  [SSP08] Sec. 3.
+//             half-edges h = (a, b), halved  [SSP08].
 // Lengths that violate the triangle inequality count as a triangle with angles 0, 0 and pi
-// (opposite the longest side); E stays convex with continuous gradient [BPS15] Sec. 4.2, and is
+// (opposite the longest side); E stays convex with continuous gradient [BPS15], and is
 // linear where that happens. The value of E is not needed (conformal_metric.cpp says why).
 #pragma once
 
@@ -32,9 +32,7 @@ class ConformalEnergy {
   ConformalDerivatives derivatives(const Vec& log_factor) const;
   const std::vector<char>& is_interior() const { return is_interior_; }  // #V
   const IntrinsicTriangulation& triangulation() const { return triangulation_; }
-  // Another energy with the same minimum, or one where this one has none without broken triangles:
-  // IntrinsicTriangulation::flip_broken.
-  Index flip_broken(const Vec& log_factor) { return triangulation_.flip_broken(log_factor); }
+  Index make_delaunay(const Vec& log_factor) { return triangulation_.make_delaunay(log_factor); }
 
  private:
   IntrinsicTriangulation triangulation_;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -21,14 +20,18 @@ namespace {
 // Below this error of the angle sums (radians) only full steps that still halve it are taken: a
 // few steps of polishing down to rounding.
 constexpr double kAngleTolerance = 1e-12;
-constexpr Index kMostSteps = 300;
+// Per minimization; at most 29 in both together were seen on the public meshes.
+constexpr int kMostSteps = 100;
 // Halvings of a step before it counts as none.
 constexpr int kMostTrials = 60;
 // First multiple of the mean diagonal that is added where the Hessian is singular, as it is around
 // broken triangles.
 constexpr double kSmallestShift = 1e-10;
-// Minimizations with flips of broken triangles between them.
-constexpr int kMostRounds = 30;
+// Largest change of a log factor in one step: beyond, what the Hessian says is worth nothing.
+constexpr double kLargestChange = 10;
+// A minimization that ends with a larger error of the angle sums (radians) is no start for the
+// next.
+constexpr double kLostAngle = 1e-3;
 // Edge vectors of a face that add up to less than this part of the longest close up.
 constexpr double kClosingTolerance = 1e-6;
 
@@ -67,36 +70,36 @@ Vec wanted_angles(const std::vector<int>& quarter_turns) {
   return angles;
 }
 
+enum class Edges { Fixed, Delaunay };
+
 // Damped Newton iteration. E is convex, so phi(t) = E(u + t p) has a monotone derivative, and the
 // step rule needs no values of E, which would lose the digits that matter near the minimum: a step
 // is accepted when phi'(t) <= 0 (E fell all the way along it) or when it halves the smallest
 // gradient so far. The latter happens finitely often above any tolerance, between them E decreases;
-// near the minimum it lets full steps pass whatever the sign of phi'(1).
+// near the minimum it lets full steps pass whatever the sign of phi'(1). All this holds as well
+// when every u has its own Delaunay triangulation: E is then twice differentiable [GSC21].
 class ConformalNewton {
  public:
   ConformalNewton(const SurfaceMesh& mesh, Vec angles)
-      : energy_(mesh, std::move(angles)),
-        row_of_(unknowns(energy_)),
-        u_(Vec::Zero(mesh.vertex_count())) {
-    prepare();
+      : energy_(mesh, std::move(angles)), row_of_(unknowns(energy_)) {
+    start_at(Vec::Zero(mesh.vertex_count()));
   }
 
-  // Fills in all of the metric but its scale.
-  void run(ConformalMetric& metric) {
-    if (laplacian_->pattern().size > 0) {
-      minimize(metric.newton_steps);
-      for (int round = 0; round < kMostRounds; ++round) {
-        const Index flips = energy_.flip_broken(u_);
-        if (flips == 0) break;
-        metric.flips += flips;
-        prepare();
-        minimize(metric.newton_steps);
-      }
-    }
-    metric.log_factor = u_;
-    metric.angle_error = angle_error();
+  // With the surface's own edges, and where that breaks triangles, again with Delaunay edges.
+  void run() {
+    minimize();
+    if (!triangulation().has_broken_triangles(u_)) return;
+    edges_ = Edges::Delaunay;
+    if (angle_error() > kLostAngle) u_.setZero();
+    flips_ = energy_.make_delaunay(u_);
+    start_at(u_);
+    minimize();
   }
   const IntrinsicTriangulation& triangulation() const { return energy_.triangulation(); }
+  const Vec& log_factor() const { return u_; }
+  double angle_error() const { return here_.gradient.cwiseAbs().maxCoeff(); }
+  Index steps() const { return steps_; }
+  Index flips() const { return flips_; }
 
  private:
   // Interior vertices. A constant changes no angle, so the first vertex of a closed surface is
@@ -111,28 +114,32 @@ class ConformalNewton {
     return row_of;
   }
 
-  // Everything that depends on the triangulation.
-  void prepare() {
-    laplacian_.emplace(energy_.triangulation().faces(), row_of_);
-    solver_ = make_cholmod_solver();
-    if (laplacian_->pattern().size > 0) solver_->analyze(laplacian_->pattern());
+  void start_at(const Vec& u) {
+    u_ = u;
     here_ = energy_.derivatives(u_);
     least_gradient_ = here_.gradient.norm();
+    analyze();
   }
 
-  void minimize(Index& steps) {
-    for (Index k = 0; k < kMostSteps && step(); ++k) ++steps;
+  void analyze() {
+    laplacian_.emplace(triangulation().faces(), row_of_);
+    solver_ = make_cholmod_solver();
+    if (laplacian_->pattern().size > 0) solver_->analyze(laplacian_->pattern());
   }
 
-  double angle_error() const { return here_.gradient.cwiseAbs().maxCoeff(); }
+  void minimize() {
+    if (laplacian_->pattern().size == 0) return;
+    for (int k = 0; k < kMostSteps && step(); ++k) ++steps_;
+  }
 
+  // Of the Newton step (#V); steepest descent when nothing can be factorized.
   Vec direction() {
-    Vec r(laplacian_->pattern().size), p;
+    Vec r(laplacian_->pattern().size);
     for (std::size_t v = 0; v < row_of_.size(); ++v)
       if (row_of_[v] >= 0) r[row_of_[v]] = -here_.gradient[static_cast<Index>(v)];
+    Vec p = r;
     const auto factorization = factorize_shifted(
         *solver_, laplacian_->pattern(), laplacian_->values(here_.hessian_weights), kSmallestShift);
-    p = r;  // steepest descent when nothing can be factorized
     if (factorization.status == FactorStatus::Ok) solver_->solve(r, p);
     if (!p.allFinite() || p.dot(r) <= 0) p = r;
     Vec out = Vec::Zero(u_.size());
@@ -143,17 +150,21 @@ class ConformalNewton {
 
   // Goes to u + t p if that is acceptable; else returns phi'(t).
   std::optional<double> refusal(const Vec& p, double t) {
-    constexpr double refused = std::numeric_limits<double>::infinity();
     const Vec u = u_ + t * p;
-    if (!u.allFinite()) return refused;
-    ConformalDerivatives there = energy_.derivatives(u);
+    ConformalEnergy energy = energy_;
+    const Index flips = edges_ == Edges::Delaunay ? energy.make_delaunay(u) : 0;
+    ConformalDerivatives there = energy.derivatives(u);
     const double slope = there.gradient.dot(p), norm = there.gradient.norm();
-    const bool halves = norm <= 0.5 * least_gradient_;
-    const bool polishing = angle_error() <= kAngleTolerance;
-    if (!halves && (polishing || slope > 0)) return polishing ? refused : slope;
+    const bool descends = slope <= 0 && angle_error() > kAngleTolerance;
+    if (!descends && norm > 0.5 * least_gradient_) return slope;
     u_ = u;
     here_ = std::move(there);
     least_gradient_ = std::min(least_gradient_, norm);
+    if (flips > 0) {
+      flips_ += flips;
+      energy_ = std::move(energy);
+      analyze();
+    }
     return std::nullopt;
   }
 
@@ -161,7 +172,7 @@ class ConformalNewton {
     if (angle_error() == 0) return false;
     const Vec p = direction();
     const double descent = -here_.gradient.dot(p);
-    double t = 1;
+    double t = std::min(1.0, kLargestChange / p.cwiseAbs().maxCoeff());
     for (int trial = 0; trial < kMostTrials; ++trial) {
       const std::optional<double> slope = refusal(p, t);
       if (!slope) return true;
@@ -173,12 +184,14 @@ class ConformalNewton {
   }
 
   ConformalEnergy energy_;
+  Edges edges_ = Edges::Fixed;
   std::vector<Index> row_of_;  // #V: unknown, or -1
   std::optional<EdgeLaplacian> laplacian_;
   std::unique_ptr<LinearSolver> solver_;
   Vec u_;
   ConformalDerivatives here_;
   double least_gradient_ = 0;
+  Index steps_ = 0, flips_ = 0;
 };
 
 // Shifts u so that the triangles that are not broken have the surface's area.
@@ -212,8 +225,12 @@ void count_broken(ConformalMetric& metric) {
 ConformalMetric conformal_metric(const SurfaceMesh& mesh, const std::vector<int>& quarter_turns) {
   require_angle_sums(mesh, quarter_turns);
   ConformalNewton newton(mesh, wanted_angles(quarter_turns));
+  newton.run();
   ConformalMetric metric;
-  newton.run(metric);
+  metric.log_factor = newton.log_factor();
+  metric.angle_error = newton.angle_error();
+  metric.newton_steps = newton.steps();
+  metric.flips = newton.flips();
   scale_to_area(mesh, newton.triangulation(), metric.log_factor);
   metric.edge_vectors = newton.triangulation().surface_vectors(metric.log_factor);
   count_broken(metric);

@@ -43,11 +43,12 @@ struct ConformalMetric {
 ConformalMetric conformal_metric(const SurfaceMesh& mesh, const std::vector<int>& quarter_turns);
 
 // The metric laid out over the surface cut open along the half-edges 3 f + k with is_cut (3 #F,
-// both sides of an edge or none): u, v of every corner, model units, total area that of the
-// surface. Corners agree exactly across edges that are not cut. Without broken faces and angle
-// error this is the metric; what does not fit is spread over all edges in the sense of least
-// squares, relative to their lengths. Triangles may then be flipped; broken ones come out nearly
-// collapsed. Throws Error(Usage) unless the flags have that form and leave one disk.
+// both sides of an edge or none): u, v of every corner, model units; the areas of all faces, turned
+// over or not, add up to the surface's. Corners agree exactly across edges that are not cut, and
+// images of cut edges to the rounding of coordinates: edges shrunk by e^-20 keep few digits.
+// Without open faces and angle error this is the metric; otherwise what does not fit is spread over
+// all edges in the sense of least squares, relative to their lengths. Throws Error(Usage) unless
+// the flags have that form and leave one disk.
 CornerPoints lay_out(const SurfaceMesh& mesh, const ConformalMetric& metric,
                      const std::vector<char>& is_cut);
 

@@ -11,9 +11,17 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// Flips per call and triangle before giving up: more than ever seen, against endless cycles where
-// lengths agree to rounding.
+// Flips per call and triangle before giving up: random log factors of +-20 took 4; against endless
+// cycles where lengths agree to rounding.
 constexpr Index kMostFlipsPerFace = 20;
+
+// Twice the sum of the cosines of opposite angles is 0 on four points of a circle, where both
+// diagonals are Delaunay; smaller values count as 0.
+constexpr double kCocircular = 1e-10;
+
+// Bound of logarithms of lengths that are exponentiated, beyond all surfaces: where no metric was
+// found they may be anything, and vectors stay finite.
+constexpr double kLargestLog = 300;
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 Index next(Index h) { return h - h % 3 + (h + 1) % 3; }
@@ -78,11 +86,21 @@ IntrinsicTriangulation::IntrinsicTriangulation(const SurfaceMesh& mesh)
 }
 
 Vec IntrinsicTriangulation::log_lengths(const Vec& log_factor) const {
-  Vec lengths = log_lengths_;
-  for (Index f = 0; f < face_count(); ++f)
-    for (Index k = 0; k < 3; ++k)
-      lengths[3 * f + k] += 0.5 * (log_factor[faces_(f, k)] + log_factor[faces_(f, (k + 1) % 3)]);
+  Vec lengths(half_edge_count());
+  for (Index h = 0; h < half_edge_count(); ++h) lengths[h] = log_length(log_factor, h);
   return lengths;
+}
+
+double IntrinsicTriangulation::log_length(const Vec& log_factor, Index h) const {
+  return log_lengths_[h] +
+         0.5 * (log_factor[faces_(h / 3, h % 3)] + log_factor[faces_(h / 3, (h + 1) % 3)]);
+}
+
+bool IntrinsicTriangulation::has_broken_triangles(const Vec& log_factor) const {
+  const Vec lengths = log_lengths(log_factor);
+  for (Index f = 0; f < face_count(); ++f)
+    if (shape(lengths, f).broken) return true;
+  return false;
 }
 
 TriangleShape IntrinsicTriangulation::shape(const Vec& log_lengths, Index f) {
@@ -97,7 +115,7 @@ bool IntrinsicTriangulation::is_delaunay(const Vec& log_lengths, Index half_edge
     const double a = log_lengths[h], b = log_lengths[next(h)], c = log_lengths[previous(h)];
     return std::exp(b - c) + std::exp(c - b) - std::exp(2 * a - b - c);
   };
-  return !(twice_cosine(half_edge) + twice_cosine(opposite(half_edge)) < 0);
+  return !(twice_cosine(half_edge) + twice_cosine(opposite(half_edge)) < -kCocircular);
 }
 
 // Around the edge a -> b with c on this side and d on the other. Before: here a->b, b->c, c->a;
@@ -131,28 +149,22 @@ void IntrinsicTriangulation::flip(Index half_edge) {
   flips_.push_back({h0, o0});
 }
 
-Index IntrinsicTriangulation::flip_broken(const Vec& log_factor) {
+Index IntrinsicTriangulation::make_delaunay(const Vec& log_factor) {
   Vec lengths = log_lengths(log_factor);
-  std::vector<Index> faces;
-  for (Index f = 0; f < face_count(); ++f) faces.push_back(f);
+  std::vector<Index> half_edges;
+  for (Index h = 0; h < half_edge_count(); ++h) half_edges.push_back(h);
   Index flipped = 0;
-  while (!faces.empty() && flipped < kMostFlipsPerFace * face_count()) {
-    const Index f = faces.back();
-    faces.pop_back();
-    if (!shape(lengths, f).broken) continue;
-    Index longest = 3 * f;
-    for (Index h = 3 * f; h < 3 * f + 3; ++h)
-      if (lengths[h] > lengths[longest]) longest = h;
-    const Index other = opposite(longest);
-    if (other < 0 || other / 3 == f || is_delaunay(lengths, longest)) continue;
-    flip(longest);
+  while (!half_edges.empty() && flipped < kMostFlipsPerFace * face_count()) {
+    const Index h = half_edges.back(), o = opposite(h);
+    half_edges.pop_back();
+    if (o < 0 || o / 3 == h / 3 || is_delaunay(lengths, h)) continue;
+    flip(h);
     ++flipped;
-    for (const Index g : {f, other / 3}) {
-      for (Index k = 0; k < 3; ++k)
-        lengths[3 * g + k] = log_lengths_[3 * g + k] +
-                             0.5 * (log_factor[faces_(g, k)] + log_factor[faces_(g, (k + 1) % 3)]);
-      faces.push_back(g);
-    }
+    for (const Index first : {3 * (h / 3), 3 * (o / 3)})
+      for (Index side = first; side < first + 3; ++side) {
+        lengths[side] = log_length(log_factor, side);
+        half_edges.push_back(side);
+      }
   }
   return flipped;
 }
@@ -165,7 +177,8 @@ Points2 IntrinsicTriangulation::surface_vectors(const Vec& log_factor) const {
     Complex direction = 1;
     for (Index k = 0; k < 3; ++k) {
       const double turn = std::numbers::pi - triangle.angle[at((k + 1) % 3)];
-      set_vector(vectors, 3 * f + k, std::exp(lengths[3 * f + k]) * direction);
+      const double length = std::clamp(lengths[3 * f + k], -kLargestLog, kLargestLog);
+      set_vector(vectors, 3 * f + k, std::exp(length) * direction);
       // Exactly straight at a broken triangle's corners of 0 and pi.
       direction *= !triangle.broken ? std::polar(1.0, turn) : turn > 1 ? Complex(-1) : Complex(1);
     }

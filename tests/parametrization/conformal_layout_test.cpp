@@ -111,8 +111,8 @@ TEST(LayOut, RefusesWhatIsNoDisk) {
                   {"inline.obj", "143", "144"});
 }
 
-// Public models with eight cones: whatever happens there is finite, of the right area, and
-// reported; where no face is broken the layout is exact.
+// Public models with eight cones: seams fit to the rounding of coordinates, faces that are turned
+// over are few.
 TEST(LayOut, PublicModels) {
   const std::filesystem::path folder =
       std::filesystem::path(MAJORANT_SHARED_DIR) / "data/public/closed";
@@ -124,12 +124,24 @@ TEST(LayOut, PublicModels) {
     std::vector<int> turns(at(mesh->vertex_count()), 4);
     for (const Index v : spread_vertices(*mesh, 8)) turns[at(v)] = 3;
     const ConformalMetric metric = conformal_metric(*mesh, turns);
-    EXPECT_TRUE(metric.log_factor.allFinite());
+    EXPECT_LT(metric.angle_error, 1e-11);
+    EXPECT_EQ(metric.open_faces, 0);
+    EXPECT_LE(metric.broken_faces, 5);
     const auto is_cut = cut_through_cones(*mesh, turns);
     const CornerPoints uv = lay_out(*mesh, metric, is_cut);
-    EXPECT_TRUE(uv.allFinite());
-    if (metric.broken_faces == 0 && metric.angle_error < 1e-10) {
-      expect_quarter_turns(*mesh, uv, is_cut);
+    const double rounding = 1e-14 * uv.cwiseAbs().maxCoeff();
+    double area = 0;
+    for (Index f = 0; f < mesh->face_count(); ++f) area += std::abs(signed_area(uv, f));
+    EXPECT_NEAR(area / mesh->area(), 1, 1e-12);
+    for (Index h = 0; h < mesh->half_edge_count(); ++h) {
+      const Index o = mesh->opposite(h);
+      if (!is_cut[at(h)]) continue;
+      const Vector2 here = edge(uv, h), there = -edge(uv, o);
+      EXPECT_NEAR(here.norm(), there.norm(), 1e-9 * here.norm() + rounding);
+      // Parallel or perpendicular.
+      const double cross = here.x() * there.y() - here.y() * there.x(), dot = here.dot(there);
+      EXPECT_LT(std::min(std::abs(cross), std::abs(dot)),
+                here.norm() * (1e-8 * there.norm() + rounding));
     }
   }
 }
