@@ -6,6 +6,7 @@
 // face of its opposite; transport[opposite] = -transport. [CdGDS13] Ch. 8.
 #pragma once
 
+#include <memory>
 #include <numbers>
 #include <vector>
 
