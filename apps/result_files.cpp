@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cstdio>
 
-#include "apps/outputs.h"
 #include "majorant/framework/evaluator.h"
 
 namespace majorant::app {
@@ -58,7 +57,7 @@ void write_outputs(const FinishedRun& run) {
   file.claims = claims(run, normalization);
   for (const std::string& path : run.outputs.files) {
     if (extension(path) == ".csv") write_trace(path, run.record.trace());
-    write_map(path, file, &run.in.polygons, run.outputs.refine);
+    write_map(path, file, &run.in.polygons, run.outputs.formats);
   }
 }
 
@@ -138,8 +137,7 @@ void OutputRequest::add_to(CLI::App& verb) {
   verb.add_option("output", positional, "output file, same as -o");
   verb.add_option("-o,--output", files, "output: .vtu .obj .svg .json .csv, repeatable")
       ->allow_extra_args(false);
-  verb.add_option("--refine", refine, "pieces per edge in OBJ output (degree 1: 1, else 3)")
-      ->check(CLI::Range(1, 20));
+  formats.add_to(verb);
   verb.add_flag("--normalize", normalize, "scale the result into the unit square");
 }
 
