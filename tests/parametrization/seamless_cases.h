@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -118,9 +119,49 @@ inline Squares square_torus(int m, int n) {
   return out;
 }
 
-enum class Charts { OnePerSquare, One, OneWithoutSlits };
+// ConeTree: cut along a short tree that joins the vertices without four squares (genus 0 only).
+enum class Charts { OnePerSquare, One, OneWithoutSlits, ConeTree };
 
 inline Vector2 square_corner(int k) { return Vector2(k == 1 || k == 2, k >= 2); }
+
+using Side = std::pair<Index, Index>;  // of a square, from corner to corner
+
+// Sides, in both directions, of a tree that joins the cones: again and again a shortest path from
+// the tree to the next one.
+inline std::set<Side> cone_tree(const Squares& s) {
+  std::vector<std::vector<Index>> neighbours(s.positions.size());
+  for (const auto& square : s.squares)
+    for (std::size_t k = 0; k < 4; ++k) neighbours[at(square[k])].push_back(square[(k + 1) % 4]);
+  std::set<Side> tree;
+  std::vector<char> in_tree(s.positions.size(), 0);
+  const auto is_cone = [&](Index v) { return neighbours[at(v)].size() != 4; };
+  for (Index v = 0; v < Index(s.positions.size()) && tree.empty(); ++v)
+    if (is_cone(v)) {
+      in_tree[at(v)] = 1;
+      break;
+    }
+  for (bool grown = true; grown;) {
+    grown = false;
+    std::vector<Index> queue, from(s.positions.size(), -1);
+    for (Index v = 0; v < Index(s.positions.size()); ++v)
+      if (in_tree[at(v)]) queue.push_back(from[at(v)] = v);
+    for (std::size_t head = 0; head < queue.size() && !grown; ++head)
+      for (const Index w : neighbours[at(queue[head])]) {
+        if (from[at(w)] >= 0) continue;
+        from[at(w)] = queue[head];
+        queue.push_back(w);
+        if (!is_cone(w)) continue;
+        for (Index v = w; !in_tree[at(v)]; v = from[at(v)]) {
+          tree.insert({v, from[at(v)]});
+          tree.insert({from[at(v)], v});
+          in_tree[at(v)] = 1;
+        }
+        grown = true;
+        break;
+      }
+  }
+  return tree;
+}
 
 // How the squares lie in the plane: uv = i^turns (s, t) + offset, and which sides are cut.
 struct SquareLayout {
@@ -142,6 +183,7 @@ inline SquareLayout lay_out(const Squares& s, Charts charts) {
   const auto opposite = [&](std::size_t q, int k) {
     return side_of.at({s.squares[q][at((k + 1) % 4)], s.squares[q][at(k)]});
   };
+  const std::set<Side> tree = charts == Charts::ConeTree ? cone_tree(s) : std::set<Side>();
   std::vector<char> met(count, 0);
   std::vector<std::size_t> queue{0};
   met[0] = 1;
@@ -149,6 +191,11 @@ inline SquareLayout lay_out(const Squares& s, Charts charts) {
     for (int k = 0; k < 4; ++k) {
       const std::size_t q = queue[head];
       const auto [n, side] = opposite(q, k);
+      if (charts == Charts::ConeTree) {
+        const char cut = tree.count({s.squares[q][at(k)], s.squares[q][at((k + 1) % 4)]}) > 0;
+        out.cut[q][at(k)] = out.cut[n][at(side)] = cut;
+        if (cut) continue;
+      }
       if (met[n]) continue;
       met[n] = 1;
       queue.push_back(n);
@@ -157,7 +204,7 @@ inline SquareLayout lay_out(const Squares& s, Charts charts) {
       out.offset[n] = rotated(square_corner((k + 1) % 4), out.turns[q]) + out.offset[q] -
                       rotated(square_corner(side), out.turns[n]);
     }
-  if (charts == Charts::One) return out;
+  if (charts != Charts::OneWithoutSlits) return out;
   for (bool changed = true; changed;) {  // cuts that end at a vertex of 360 degrees
     changed = false;
     std::vector<int> cuts(s.positions.size(), 0), squares(s.positions.size(), 0);
