@@ -11,6 +11,7 @@
 
 #include "majorant/constraints/fixed_points.h"
 #include "majorant/energies/named_energies.h"
+#include "majorant/framework/elimination.h"
 #include "majorant/framework/evaluator.h"
 #include "majorant/parametrization/quadrature_ladder.h"
 #include "parametrization/seamless_cases.h"
