@@ -92,14 +92,15 @@ std::vector<int> snap_rotations(const SurfaceMesh& mesh, const std::vector<char>
 std::vector<int> measure_quarter_turns(const SurfaceMesh& mesh, const CornerView& view) {
   std::vector<double> sum(at(mesh.vertex_count()), 0);
   for (Index h = 0; h < mesh.half_edge_count(); ++h) sum[at(mesh.from_vertex(h))] += view.angle(h);
-  std::vector<int> quarter_turns;
-  for (Index v = 0; v < mesh.vertex_count(); ++v)
-    quarter_turns.push_back(static_cast<int>(std::lround(2 * sum[at(v)] / std::numbers::pi)));
+  std::vector<char> on_boundary(sum.size(), 0);
   for (const auto& loop : mesh.boundary_loops())
-    for (const Index v : loop) quarter_turns[at(v)] = 0;
+    for (const Index v : loop) on_boundary[at(v)] = 1;
+  std::vector<int> quarter_turns(sum.size(), 0);
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
-    const int turns = quarter_turns[at(v)];
-    if (turns == 0 || std::abs(sum[at(v)] - turns * std::numbers::pi / 2) <= kAngleTolerance)
+    if (on_boundary[at(v)]) continue;
+    const auto turns = static_cast<int>(std::lround(2 * sum[at(v)] / std::numbers::pi));
+    quarter_turns[at(v)] = turns;
+    if (turns > 0 && std::abs(sum[at(v)] - turns * std::numbers::pi / 2) <= kAngleTolerance)
       continue;
     throw Error(
         ErrorKind::Unsupported,
