@@ -65,27 +65,30 @@ void require_oriented(const SurfaceMesh& mesh, const CornerView& view) {
                               mesh.file(), mesh.input_face(f) + 1));
 }
 
-// Transitions of all cut edges; *worst receives the largest mismatch.
+// Transitions of all cut edges; *residual receives the largest mismatch.
 std::vector<int> snap_rotations(const SurfaceMesh& mesh, const std::vector<char>& is_cut,
-                                const CornerView& view, double* worst) {
+                                const CornerView& view, double* residual) {
   std::vector<int> turns(is_cut.size(), 0);
+  Index worst = -1;
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
     const Index opposite = mesh.opposite(h);
     if (!is_cut[at(h)] || opposite < h) continue;
     const auto [k, mismatch] = view.transition(h);
-    *worst = std::max(*worst, mismatch);
-    if (!(mismatch <= kSeamTolerance * view.mean_length()))
-      throw Error(
-          ErrorKind::Unsupported,
-          fmt::format("{}: the seam at edge ({}, {}) is not seamless: its sides differ by {:.3g} "
-                      "edge lengths after the best rotation by a multiple of 90 degrees "
-                      "(tolerance {:g}); repair the coordinates or use `majorant seamless`",
-                      mesh.file(), mesh.input_vertex(mesh.from_vertex(h)) + 1,
-                      mesh.input_vertex(mesh.to_vertex(h)) + 1, mismatch / view.mean_length(),
-                      kSeamTolerance));
     turns[at(h)] = k;
     turns[at(opposite)] = (4 - k) % 4;
+    if (worst >= 0 && mismatch <= *residual) continue;
+    worst = h;
+    *residual = mismatch;
   }
+  if (!(*residual <= kSeamTolerance * view.mean_length()))
+    throw Error(
+        ErrorKind::Unsupported,
+        fmt::format("{}: the seam at edge ({}, {}) is not seamless: its sides differ by {:.3g} "
+                    "edge lengths after the best rotation by a multiple of 90 degrees (tolerance "
+                    "{:g}); repair the coordinates or use `majorant seamless`",
+                    mesh.file(), mesh.input_vertex(mesh.from_vertex(worst)) + 1,
+                    mesh.input_vertex(mesh.to_vertex(worst)) + 1, *residual / view.mean_length(),
+                    kSeamTolerance));
   return turns;
 }
 
