@@ -1,5 +1,8 @@
 #include "majorant/io/seamless_map.h"
 
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "io_test_helpers.h"
