@@ -74,6 +74,7 @@ int run(int argc, char** argv) {
       "limit,\n            5 invalid result, 6 internal error.");
   Action action;
   add_parametrize(app, &action);
+  add_seamless(app, &action);
   add_check(app, &action);
   add_compare(app, &action);
   add_convert(app, &action);

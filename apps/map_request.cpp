@@ -6,8 +6,8 @@
 #include "majorant/framework/curvature_name.h"
 #include "majorant/framework/error.h"
 #include "majorant/io/read_face_weights.h"
-#include "majorant/io/read_handles.h"
 #include "majorant/io/read_mesh.h"
+#include "majorant/io/read_vertex_lists.h"
 #include "majorant/parametrization/initial_map.h"
 
 namespace majorant::app {
@@ -74,10 +74,6 @@ void MapRequest::add_to(CLI::App& verb) {
   verb.add_option("input", input, "mesh: .obj .off .ply .stl .vtu")->required();
   verb.add_option("--degree", degree, "polynomial degree, 1..8 (3)")->check(CLI::Range(1, 8));
   verb.add_option("--energy", energy, "distortion: a name below, or a weighted sum");
-  verb.add_option("--boundary", boundary, "free, or fixed where the initial map has it")
-      ->check(CLI::IsMember({"free", "fixed"}));
-  verb.add_option("--init", init, "tutte, or input: the file's texture coordinates")
-      ->check(CLI::IsMember({"tutte", "input"}));
   verb.add_option("--pins", pins, "hard point constraints, JSON")->type_name("FILE");
   verb.add_option("--handles", handles, "soft point constraints, JSON")->type_name("FILE");
   verb.add_option("--soft", soft, "weight of soft handles (1000)")->check(CLI::PositiveNumber);
@@ -89,6 +85,13 @@ void MapRequest::add_to(CLI::App& verb) {
       ->check(CLI::Range(1, 10000));
 }
 
+void MapRequest::add_start_to(CLI::App& verb) {
+  verb.add_option("--boundary", boundary, "free, or fixed where the initial map has it")
+      ->check(CLI::IsMember({"free", "fixed"}));
+  verb.add_option("--init", init, "tutte, or input: the file's texture coordinates")
+      ->check(CLI::IsMember({"tutte", "input"}));
+}
+
 Json MapRequest::to_json() const {
   return {{"degree", degree},   {"energy", energy},         {"boundary", boundary},
           {"init", init},       {"curvature", curvature},   {"boundary_angles", boundary_angles},
@@ -96,7 +99,7 @@ Json MapRequest::to_json() const {
           {"weights", weights}, {"quadrature", quadrature}, {"seamless", seamless}};
 }
 
-MapInput read_input(const MapRequest& request) {
+MapInput read_input(const MapRequest& request, const StartMaker& make_start) {
   const EnergyChoice energy = parse_energy(request.energy);
   MapInput in;
   in.polygons = read_mesh(request.input);
@@ -109,7 +112,9 @@ MapInput read_input(const MapRequest& request) {
   if (request.boundary_angles) options.boundary_angles = BoundaryAngles::AtMostFullTurn;
   options.quadrature_points = request.quadrature;
   options.handle_weight = request.soft;
-  if (request.seamless)
+  if (make_start)
+    in.start = make_start(in.polygons, *in.mesh);
+  else if (request.seamless)
     in.start = seamless_from_texture(*in.mesh);
   else
     in.mesh->require_disk();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <CLI/App.hpp>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,7 +24,8 @@ struct MapRequest {
   bool boundary_angles = false, seamless = false;  // seamless: an option of parametrize only
 
   void add_to(CLI::App& verb);
-  Json to_json() const;  // for reports and claims
+  void add_start_to(CLI::App& verb);  // --boundary and --init, where the verb makes no start itself
+  Json to_json() const;               // for reports and claims
 };
 
 struct MapInput {
@@ -33,8 +35,11 @@ struct MapInput {
   std::optional<SeamlessStart> start;       // of seamless maps
 };
 
-// Reads the files and translates the options. Throws Error as the readers do; Error(Unsupported)
-// when the mesh is no disk, Error(Usage) for energies that collapse.
-MapInput read_input(const MapRequest& request);
+// Reads the files and translates the options. make_start: gives the seamless map to start from;
+// empty: that of the texture coordinates if `request` is seamless, else a map of a disk. Throws
+// Error as the readers and starts do; Error(Unsupported) when a mesh should be a disk and is not,
+// Error(Usage) for energies that collapse.
+using StartMaker = std::function<SeamlessStart(const PolygonMesh&, const SurfaceMesh&)>;
+MapInput read_input(const MapRequest& request, const StartMaker& make_start = {});
 
 }  // namespace majorant::app

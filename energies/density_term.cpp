@@ -107,24 +107,29 @@ DensityTerm::Gathered DensityTerm::gather(VecIn x, const Chunk& chunk, const Rul
   return {view, values + stride, values};
 }
 
-void DensityTerm::values(VecIn x, const Chunk& chunk, const TermState&, Workspace& workspace,
+std::shared_ptr<const void> DensityTerm::density(const TermState& state) const {
+  if (state.parameters.size() == 0 || !traits_.with_parameters) return density_;
+  return traits_.with_parameters(state.parameters);
+}
+
+void DensityTerm::values(VecIn x, const Chunk& chunk, const TermState& state, Workspace& workspace,
                          std::span<double> f) const {
   if (chunk.elements.empty()) return;
   const Rule& tables = rule(chunk.rule);
   const ContractionView table = tables.view();
   const Gathered g = gather(x, chunk, tables, table, workspace);
-  kernels_.values(density_.get(), table, g.chunk, g.scratch, g.values);
+  kernels_.values(density(state).get(), table, g.chunk, g.scratch, g.values);
   std::copy_n(g.values, chunk.elements.size(), f.begin());
 }
 
-void DensityTerm::local(VecIn x, const Chunk& chunk, Curvature curvature, const TermState&,
+void DensityTerm::local(VecIn x, const Chunk& chunk, Curvature curvature, const TermState& state,
                         Workspace& workspace, LocalSystem& out) const {
   if (chunk.elements.empty()) return;
   const Rule& tables = rule(chunk.rule);
   const ContractionView table = tables.view();
   const Gathered g = gather(x, chunk, tables, table, workspace);
-  kernels_.local(density_.get(), table, g.chunk, curvature, g.scratch, out.value, out.gradient,
-                 out.hessian);
+  kernels_.local(density(state).get(), table, g.chunk, curvature, g.scratch, out.value,
+                 out.gradient, out.hessian);
 }
 
 }  // namespace majorant

@@ -3,6 +3,7 @@
 // Made by make_energy(); nothing here depends on the density's type.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -18,6 +19,8 @@ namespace majorant {
 struct DensityTraits {
   std::string name;
   std::vector<Curvature> curvatures;  // supported
+  // The density for these TermState::parameters; empty for a density without parameters.
+  std::function<std::shared_ptr<const void>(const Vec& parameters)> with_parameters;
 };
 
 class DensityTerm final : public EnergyTerm {
@@ -49,6 +52,7 @@ class DensityTerm final : public EnergyTerm {
     ContractionView view() const;
   };
   const Rule& rule(RuleId id) const;
+  std::shared_ptr<const void> density(const TermState& state) const;
   void tabulate_curved(Rule& rule) const;
   struct Gathered {
     ChunkView chunk;

@@ -8,7 +8,9 @@
 //
 //   options.energy = {{energy_factory(spectral(...)), 1.0}};
 //
-// The kernel is compiled where these are called, for the instruction set of that file.
+// The kernel is compiled where these are called, for the instruction set of that file. A density
+// with a member `Density with_parameters(const Vec&) const` takes TermState::parameters, which may
+// change between steps (untangling.h).
 #pragma once
 
 #include <memory>
@@ -29,9 +31,13 @@ std::shared_ptr<const DensityTerm> make_energy(std::shared_ptr<const ElementSpac
                                                const RestShapes& rest, Density density,
                                                const std::vector<Quadrature>& rules,
                                                const DensityKernels& kernels) {
-  DensityTraits traits{std::string(density.name()), {}};
+  DensityTraits traits{std::string(density.name()), {}, {}};
   for (const Curvature c : kCurvatures)
     if (density.supports(c)) traits.curvatures.push_back(c);
+  if constexpr (requires(Vec parameters) { density.with_parameters(parameters); })
+    traits.with_parameters = [density](const Vec& parameters) {
+      return std::make_shared<const Density>(density.with_parameters(parameters));
+    };
   return std::make_shared<const DensityTerm>(std::move(traits), std::move(space), rest, rules,
                                              std::make_shared<const Density>(std::move(density)),
                                              kernels);

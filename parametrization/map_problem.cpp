@@ -86,11 +86,12 @@ Problem map_problem(const MapSpecification& spec,
     state.element_weight = spec.face_weight;
     builder.add(terms[k], state);
   }
-  builder.add(std::move(injectivity));
+  if (injectivity) builder.add(std::move(injectivity));
   if (spec.boundary_angles == BoundaryAngles::AtMostFullTurn)
     builder.add(
         std::make_shared<const AngleSums>(space, AngleSums::Vertices::Boundary, spec.seams));
   if (!seams_of(spec).empty()) builder.add(SeamlessConstraint(space, spec.seams));
+  if (!spec.aligned.empty()) builder.add(AxisAlignment(space, spec.aligned));
   if (spec.boundary == BoundaryCondition::Fixed)
     builder.add(FixedPoints::at(boundary_nodes(*space, seams_of(spec)), start));
   if (!spec.handles.empty())

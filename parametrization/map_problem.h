@@ -10,6 +10,7 @@
 #include <memory>
 #include <vector>
 
+#include "majorant/constraints/axis_alignment.h"
 #include "majorant/constraints/fixed_points.h"
 #include "majorant/constraints/local_injectivity.h"
 #include "majorant/constraints/seams.h"
@@ -29,6 +30,7 @@ struct MapSpecification {
   BoundaryCondition boundary = BoundaryCondition::Free;
   BoundaryAngles boundary_angles = BoundaryAngles::Free;
   std::shared_ptr<const Seams> seams;  // hold exactly; null: none
+  std::vector<AlignedEdge> aligned;    // stay parallel to an axis
   std::vector<FixedPoint> pins;        // hard, vertices
   std::vector<FixedPoint> handles;     // soft, vertices
   double handle_weight = 1e3;          // w of w * sum |x - target|^2 / area
@@ -45,9 +47,9 @@ DensityTerms energy_terms(const MapSpecification& spec,
 // the (cut) surface, which are the null space of the energy (method.md N3): one a piece.
 std::vector<Index> gauge_vertices(const MapSpecification& spec, const BezierTriangleSpace& space);
 
-// start: 2 numbers per node, whose boundary (where it is fixed) and gauge vertices stay. Terms 0 ..
-// terms.size() - 1 of the problem are `terms`, with the weights of spec; the penalty of soft
-// handles comes after them.
+// start: 2 numbers per node, whose boundary (where it is fixed) and gauge vertices stay.
+// injectivity may be null. Terms 0 .. terms.size() - 1 of the problem are `terms`, with the weights
+// of spec; the penalty of soft handles comes after them.
 Problem map_problem(const MapSpecification& spec,
                     const std::shared_ptr<const BezierTriangleSpace>& space, VecIn start,
                     const DensityTerms& terms,

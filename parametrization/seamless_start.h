@@ -40,6 +40,11 @@ SeamlessStart seamless_from_texture(const SurfaceMesh& mesh);
 SeamlessStart seamless_from_corners(const SurfaceMesh& mesh, const std::vector<char>& is_cut,
                                     const CornerPoints& corners);
 
+// The same where faces may be inverted: angle sums are given (per vertex of `mesh`, 0 on its
+// boundary), not measured.
+SeamlessStart seamless_from_layout(const SurfaceMesh& mesh, const std::vector<char>& is_cut,
+                                   const CornerPoints& corners, std::vector<int> quarter_turns);
+
 // The cut surface with these transitions: turns (3 #F) on both sides of every cut edge, that on the
 // opposite side its negative, uv of h = i^turns[h] uv of opposite(h) + t; quarter_turns per vertex
 // of `mesh`, 0 on its boundary.

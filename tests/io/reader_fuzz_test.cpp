@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "io_test_helpers.h"
-#include "majorant/io/read_handles.h"
+#include "majorant/io/read_vertex_lists.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/vtu.h"
 

@@ -1,6 +1,8 @@
-// Pins and handles: vertices and where they are to go, from a JSON file.
+// What users say of single vertices, in JSON files: pins and handles (where they are to go), cones
+// (the angles around them).
 //
 //   {"handles": [{"vertex": 12, "target": [0.1, 0.2]}, {"vertex": 3, "target": "initial"}]}
+//   {"cones": [{"vertex": 12, "quarter_turns": 3}, {"vertex": 3, "index": -0.25}]}
 //
 // Vertices count from 0; "index_base": 1 at the top says they count from 1. Other keys are
 // comments.
@@ -10,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "majorant/constraints/seams.h"
 #include "majorant/framework/types.h"
 
 namespace majorant {
@@ -24,5 +27,9 @@ struct Handle {
 // or malformed entries, numbers that are not finite, vertices outside 0 .. vertex_count - 1, and
 // two different targets for one vertex.
 std::vector<Handle> read_handles(const std::string& path, Index vertex_count);
+
+// The cones in the order of the file; quarter turns = 4 - 4 index, at least 1. Throws
+// Error(Unreadable) likewise.
+std::vector<Cone> read_cones(const std::string& path, Index vertex_count);
 
 }  // namespace majorant

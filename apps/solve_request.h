@@ -1,0 +1,27 @@
+// How the verbs that optimize a map solve: options, limits, and the record of a run.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <limits>
+#include <string>
+
+#include "apps/command.h"
+#include "apps/report.h"
+#include "majorant/parametrization/parametrize.h"
+
+namespace majorant::app {
+
+struct SolveRequest {
+  std::string elevation = "incremental";
+  int max_iterations = 1000;
+  double tolerance = 1e-6, time_limit = std::numeric_limits<double>::infinity();
+
+  // Adds --curvature, which a MapRequest holds, too.
+  void add_to(CLI::App& verb, std::string& curvature);
+  void apply(ParametrizationOptions& options) const;
+  Json to_json() const;
+  // Limits, Ctrl-C and progress lines. Throws Error(Usage) for a time limit that is no number.
+  RunRecord make_record(const CommonOptions& common) const;
+};
+
+}  // namespace majorant::app

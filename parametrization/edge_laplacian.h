@@ -1,0 +1,35 @@
+// The matrix of sum_h w_h (x_a - x_b)^2 / 2 over the half-edges h = (a, b) of triangles: weighted
+// Laplacians whose weights change while the mesh does not.
+//
+//   EdgeLaplacian laplacian(mesh.faces(), row_of);
+//   solver->analyze(laplacian.pattern());
+//   solver->factorize(laplacian.values(weights), 0.0);
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "majorant/framework/sparse_pattern.h"
+#include "majorant/framework/types.h"
+
+namespace majorant {
+
+class EdgeLaplacian {
+ public:
+  // faces: #F by 3; row_of: for every vertex its unknown, numbered 0, 1, ... without gaps, or -1
+  // where x = 0 is prescribed.
+  EdgeLaplacian(const Cells& faces, const std::vector<Index>& row_of);
+
+  const SparsePattern& pattern() const { return pattern_; }
+  // Parallel to pattern().rows; weights: 3 #F, of half-edge 3 f + k from corner k to corner k + 1.
+  Vec values(const Vec& weights) const;
+
+ private:
+  struct Slots {
+    Index from, to, between;  // of the two diagonal entries and the one outside, or -1
+  };
+  SparsePattern pattern_;
+  std::vector<Slots> slots_;  // 3 #F
+};
+
+}  // namespace majorant

@@ -1,0 +1,190 @@
+#include "majorant/parametrization/seamless_map.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <deque>
+#include <optional>
+#include <utility>
+
+#include "majorant/constraints/local_injectivity.h"
+#include "majorant/framework/error.h"
+#include "majorant/parametrization/conformal_metric.h"
+#include "majorant/parametrization/cut_graph.h"
+#include "majorant/parametrization/field_integration.h"
+#include "majorant/parametrization/seamless_start.h"
+#include "majorant/parametrization/untangle.h"
+
+namespace majorant {
+namespace {
+
+constexpr std::size_t kNamedCones = 5;  // in messages
+
+std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+// A surface cut through its cones, and the field that gave them.
+struct CutField {
+  CrossField field;
+  std::vector<char> is_cut;
+};
+
+CutField cut_field(const SurfaceMesh& mesh, const SeamlessOptions& options) {
+  CutField out{options.cones.empty() ? smoothest_cross_field(mesh, options.field)
+                                     : cross_field_with_cones(mesh, options.cones),
+               {}};
+  out.is_cut = cut_graph(mesh, cone_vertices(out.field));
+  comb(mesh, out.is_cut, out.field);
+  return out;
+}
+
+bool is_sphere_or_disk(const SurfaceMesh& mesh) {
+  const Topology& t = mesh.topology();
+  return t.boundary_loops <= 1 && t.euler_characteristic() == 2 - t.boundary_loops;
+}
+
+BezierMap conformal_start(const SurfaceMesh& mesh, const CutField& cut) {
+  const ConformalMetric metric = conformal_metric(mesh, cut.field.quarter_turns);
+  return seamless_from_layout(mesh, cut.is_cut, lay_out(mesh, metric, cut.is_cut),
+                              cut.field.quarter_turns)
+      .map;
+}
+
+// What is wrong with a map: faces without a proof of det > 0, vertices covered several times.
+struct Defects {
+  std::vector<Index> faces, vertices;
+  bool none() const { return faces.empty() && vertices.empty(); }
+};
+
+Defects defects(const BezierMap& map, const MapSpecification& spec) {
+  Defects d;
+  d.faces = LocalInjectivity(map.shared_space(), 2 * spec.rest.measure)
+                .check(map.control_points())
+                .blocking;
+  if (d.faces.empty())
+    d.vertices = AngleSums(map.shared_space(), AngleSums::Vertices::Interior, map.shared_seams())
+                     .check(map.control_points())
+                     .blocking;
+  return d;
+}
+
+// Tries one start after the other; keeps the defects of the first.
+class Maker {
+ public:
+  Maker(const SurfaceMesh& mesh, const SeamlessOptions& options, const RunRecord& record)
+      : mesh_(mesh), record_(record), cut_(cut_field(mesh, options)) {}
+
+  std::optional<SeamlessMap> attempt(SeamlessMethod method) {
+    SeamlessMap out{method == SeamlessMethod::Field
+                        ? integrate_field(mesh_, cut_.is_cut, cut_.field)
+                        : conformal_start(mesh_, cut_),
+                    method};
+    MapSpecification spec;
+    spec.seams = out.map.shared_seams();
+    spec.rest = flat_triangles(out.map.mesh().positions(), out.map.mesh().faces());
+    Defects found = defects(out.map, spec);
+    out.inverted = static_cast<Index>(found.faces.size());
+    if (!found.faces.empty()) {
+      const UntangleResult r =
+          untangle(spec, out.map.shared_space(), out.map.control_points(), record_);
+      out.untangling_steps = r.iterations;
+      out.map = out.map.with(out.map.shared_space(), r.x);
+      found = defects(out.map, spec);
+    }
+    if (found.none()) return out;
+    if (defects_.none()) defects_ = found;
+    return std::nullopt;
+  }
+
+  [[noreturn]] void give_up() const {
+    if (record_.directive() != Directive::Continue)
+      throw Error(ErrorKind::Invalid,
+                  mesh_.file() +
+                      ": stopped by a limit before an injective seamless map was found; "
+                      "raise --time-limit");
+    const std::string what =
+        defects_.faces.empty()
+            ? fmt::format("{} vertices are covered several times", defects_.vertices.size())
+            : fmt::format("{} triangles stay inverted", defects_.faces.size());
+    throw Error(ErrorKind::Invalid,
+                fmt::format("{}: no injective seamless map found: {} {}; choose other cones with "
+                            "--cones, or refine the mesh there",
+                            mesh_.file(), what, place()));
+  }
+
+ private:
+  // The cones nearest to the defects, along edges.
+  std::string place() const {
+    std::vector<Index> seeds = defects_.vertices;
+    for (const Index f : defects_.faces) seeds.push_back(mesh_.faces()(f, 0));
+    const std::vector<Index> cones = cone_vertices(cut_.field);
+    if (cones.empty()) return fmt::format("near vertex {}", mesh_.input_vertex(seeds[0]) + 1);
+    const std::vector<Index> nearest = nearest_of(cones);
+    std::vector<Index> near;
+    for (const Index v : seeds) near.push_back(nearest[at(v)]);
+    std::sort(near.begin(), near.end());
+    near.erase(std::unique(near.begin(), near.end()), near.end());
+    std::string list;
+    for (std::size_t k = 0; k < std::min(near.size(), kNamedCones); ++k)
+      list += fmt::format("{}{} ({} degrees)", k ? ", " : "", mesh_.input_vertex(near[k]) + 1,
+                          90 * cut_.field.quarter_turns[at(near[k])]);
+    if (near.size() > kNamedCones) list += fmt::format(" and {} more", near.size() - kNamedCones);
+    return fmt::format("near the cone{} at vert{} {}", near.size() > 1 ? "s" : "",
+                       near.size() > 1 ? "ices" : "ex", list);
+  }
+
+  // By vertex, the source reached first in a breadth-first search.
+  std::vector<Index> nearest_of(const std::vector<Index>& sources) const {
+    std::vector<std::vector<Index>> neighbours(at(mesh_.vertex_count()));
+    for (Index h = 0; h < mesh_.half_edge_count(); ++h) {
+      neighbours[at(mesh_.from_vertex(h))].push_back(mesh_.to_vertex(h));
+      neighbours[at(mesh_.to_vertex(h))].push_back(mesh_.from_vertex(h));
+    }
+    std::vector<Index> nearest(neighbours.size(), -1);
+    std::deque<Index> queue(sources.begin(), sources.end());
+    for (const Index v : sources) nearest[at(v)] = v;
+    for (; !queue.empty(); queue.pop_front())
+      for (const Index v : neighbours[at(queue.front())])
+        if (nearest[at(v)] < 0) {
+          nearest[at(v)] = nearest[at(queue.front())];
+          queue.push_back(v);
+        }
+    return nearest;
+  }
+
+  const SurfaceMesh& mesh_;
+  const RunRecord& record_;
+  CutField cut_;
+  Defects defects_;
+};
+
+}  // namespace
+
+std::string_view name(SeamlessMethod method) {
+  switch (method) {
+    case SeamlessMethod::Field:
+      return "field";
+    case SeamlessMethod::Conformal:
+      return "conformal";
+    default:
+      return "automatic";
+  }
+}
+
+SeamlessMap make_seamless(const SurfaceMesh& mesh, const SeamlessOptions& options,
+                          const RunRecord& record) {
+  const bool conformal_exists = is_sphere_or_disk(mesh);
+  if (options.method == SeamlessMethod::Conformal && !conformal_exists)
+    throw Error(ErrorKind::Usage,
+                mesh.file() +
+                    ": a conformal start needs a sphere or a disk, where cones alone "
+                    "determine the transitions; use --start field");
+  Maker maker(mesh, options, record);
+  if (options.method != SeamlessMethod::Conformal)
+    if (auto found = maker.attempt(SeamlessMethod::Field)) return *std::move(found);
+  if (options.method != SeamlessMethod::Field && conformal_exists &&
+      record.directive() == Directive::Continue)
+    if (auto found = maker.attempt(SeamlessMethod::Conformal)) return *std::move(found);
+  maker.give_up();
+}
+
+}  // namespace majorant

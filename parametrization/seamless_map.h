@@ -1,0 +1,46 @@
+// From a plain mesh to a seamless, locally injective map of degree 1: the start of
+// `majorant seamless`.
+//
+//   RunRecord record;
+//   SeamlessMap seamless = make_seamless(mesh, {}, record);
+//   ParametrizationResult result = parametrize(seamless.map, options, record);
+//
+// Cones, those of a cross field unless they are given -> cut graph through them -> a map with these
+// seams: the field integrated, or a conformal metric laid out -> untangling, until every triangle
+// is positively oriented. The map is valid, not good: optimize it.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "majorant/parametrization/bezier_map.h"
+#include "majorant/parametrization/cross_field.h"
+#include "majorant/parametrization/run_record.h"
+
+namespace majorant {
+
+// Where a seamless map comes from. Conformal: for spheres and disks only, where the cones determine
+// all transitions. Automatic: the field, and if that cannot be untangled the conformal metric.
+enum class SeamlessMethod { Automatic, Field, Conformal };
+std::string_view name(SeamlessMethod method);  // "automatic", "field", "conformal"
+
+struct SeamlessOptions {
+  SeamlessMethod method = SeamlessMethod::Automatic;
+  CrossFieldOptions field;
+  std::vector<Cone> cones;  // vertices of the mesh; empty: those of the field
+};
+
+struct SeamlessMap {
+  BezierMap map;             // of the cut surface, locally injective, seams exact
+  SeamlessMethod method;     // that gave it
+  Index inverted = 0;        // triangles inverted before untangling
+  int untangling_steps = 0;  // Newton steps
+};
+
+// mesh: connected, closed or bounded, any genus. Throws Error(Invalid) naming the cones around
+// which triangles could not be untangled, Error(Usage) for Conformal on surfaces of other kinds,
+// and as cross_field.h has it for cones that cannot be.
+SeamlessMap make_seamless(const SurfaceMesh& mesh, const SeamlessOptions& options,
+                          const RunRecord& record);
+
+}  // namespace majorant
