@@ -135,6 +135,30 @@ TEST(SeamlessMaps, DoNotDependOnTheCuts) {
   }
 }
 
+// ---- Meshes of the public collection, where they are there ----
+
+TEST(SeamlessMaps, PublicMeshes) {
+  const std::filesystem::path folder =
+      std::filesystem::path(MAJORANT_SHARED_DIR) / "data/public/seamless";
+  if (!std::filesystem::is_directory(folder)) GTEST_SKIP() << "no " << folder;
+  for (const char* name : {"cube_4", "cubesphere_1728", "lshape_1872", "spot_3000"}) {
+    SCOPED_TRACE(name);
+    const auto mesh = surface(read_mesh((folder / (std::string(name) + ".obj")).string()));
+    const SeamlessStart start = seamless_from_texture(*mesh);
+    int defect = 0;
+    for (const Cone& c : start.map.seams().cones()) defect += 4 - c.quarter_turns;
+    EXPECT_EQ(defect, 4 * mesh->topology().euler_characteristic());
+    double last = INFINITY;
+    for (const int n : {1, 2}) {
+      const ParametrizationResult r = solve(start, degree(n));
+      EXPECT_EQ(r.status, Status::Converged) << r.message;
+      expect_seamless(r, n);
+      EXPECT_LE(r.measures.value, last * (1 + 1e-9));
+      last = r.measures.value;
+    }
+  }
+}
+
 // ---- Composed ----
 
 TEST(SeamlessMaps, PinsOnEveryCopyOfCutVertices) {
