@@ -235,6 +235,31 @@ TEST(SeamlessConstraint, AnnuliKeepTheirTranslation) {
   }
 }
 
+// Any cuts: slits, loose triangles, closed chains, nodes of every kind.
+TEST(SeamlessConstraint, RandomCuts) {
+  Random random(6);
+  std::vector<SeamlessCase> bases{squares_case(unit_cube(), 2, Charts::OneWithoutSlits),
+                                  squares_case(square_torus(3, 3), 1, Charts::OneWithoutSlits),
+                                  squares_case(holed_plate(2), 1, Charts::One), fan_case(5, 3),
+                                  fan_case(2, 3, 1)};
+  std::set<double> seen;
+  for (std::size_t b = 0; b < bases.size(); ++b)
+    for (const double probability : {0.03, 0.1, 0.3, 0.6, 1.0})
+      for (unsigned seed = 1; seed <= 4; ++seed) {
+        const int n = 1 + int(seed) % 3;
+        SCOPED_TRACE(testing::Message() << "base " << b << ", " << probability << ", " << seed);
+        const Held h(with_random_cuts(bases[b], probability, seed), n);
+        const Elimination z = h.elimination();
+        expect_exact(difference_rows(*h.space, *h.seams), z);
+        expect_seams_hold(h, z, random);
+        double residual = -1;
+        z.reduce(h.x, &residual);
+        EXPECT_LE(residual, 1e-13 * h.x.cwiseAbs().maxCoeff());
+        seen.merge(entries(z));
+      }
+  for (const double c : seen) EXPECT_TRUE(c == std::floor(c) && c <= 4) << c;
+}
+
 TEST(SeamlessConstraint, RedundantRowsChangeNothing) {
   const Held h(squares_case(unit_cube(), 2, Charts::OnePerSquare), 2);
   ConstraintRows rows = h.rows();

@@ -277,6 +277,35 @@ inline SeamlessCase squares_case(
   return seamless_case(std::move(positions), triangles, uv, cut);
 }
 
+// The same surface with more cuts: every edge with this probability, and each piece then turned and
+// moved at random.
+inline SeamlessCase with_random_cuts(SeamlessCase c, double probability, unsigned seed) {
+  std::mt19937 random(seed);
+  for (Index h = 0; h < c.mesh->half_edge_count(); ++h) {
+    const Index o = c.mesh->opposite(h);
+    if (o > h && double(random()) < probability * 4294967296.0)
+      c.is_cut[at(h)] = c.is_cut[at(o)] = 1;
+  }
+  std::vector<char> met(at(c.mesh->face_count()), 0);
+  for (Index seed_face = 0; seed_face < c.mesh->face_count(); ++seed_face) {
+    if (met[at(seed_face)]) continue;
+    met[at(seed_face)] = 1;
+    const int turns = int(random() % 4);
+    const Vector2 offset(double(random() % 16), double(random() % 16));
+    std::vector<Index> queue{seed_face};
+    for (std::size_t head = 0; head < queue.size(); ++head)
+      for (Index k = 0; k < 3; ++k) {
+        const Index h = 3 * queue[head] + k, o = c.mesh->opposite(h);
+        auto corner = c.corners.row(h / 3).segment<2>(2 * k);
+        corner = (rotated(corner, turns) + offset).transpose().eval();
+        if (o < 0 || c.is_cut[at(h)] || met[at(o / 3)]) continue;
+        met[at(o / 3)] = 1;
+        queue.push_back(o / 3);
+      }
+  }
+  return c;
+}
+
 // ---- Fans ----
 
 // Rings of triangles around a vertex of `quarter_turns` (at least 3 sectors each), cut along one
