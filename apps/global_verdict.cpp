@@ -29,15 +29,29 @@ void GlobalVerdict::add_to(Json& measures_section) const {
   measures_section["boundary"] = boundary;
 }
 
+CornerNames vertices_of(const BezierMap& map) {
+  return [&mesh = map.mesh()](Index face, Index corner) {
+    return mesh.input_vertex(mesh.faces()(face, corner));
+  };
+}
+
+CornerNames vertices_of(const MapFile& file) {
+  return [&file](Index face, Index corner) {
+    const Index point = file.cells(face, corner);
+    const bool known = file.input_vertex.size() > point && file.input_vertex[point] >= 0;
+    return known ? file.input_vertex[point] : point;
+  };
+}
+
 GlobalVerdict judge_global_injectivity(const BezierMap& map, const MapMeasures& measures,
-                                       const VertexNames& input_vertex) {
+                                       const CornerNames& input_vertex) {
   const auto start = std::chrono::steady_clock::now();
   const GlobalInjectivity proof = check_boundary(map);
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const auto edge = [&](Index half_edge) {
-    return Edge{input_vertex(map.mesh().from_vertex(half_edge)),
-                input_vertex(map.mesh().to_vertex(half_edge))};
+    const Index face = half_edge / 3, corner = half_edge % 3;
+    return Edge{input_vertex(face, corner), input_vertex(face, (corner + 1) % 3)};
   };
   std::string reason = proof.reason;
   Json contacts = Json::array();
