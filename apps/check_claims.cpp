@@ -131,8 +131,6 @@ void check_claims(const CheckedMap& checked, Findings& findings) {
       check_fixed_boundary(checked, findings);
   }
   check_arrays(file, measures, findings);
-  findings.require(!claims.value("bijective", false),
-                   "the claim 'bijective' cannot be decided by this version");
 }
 
 Json read_claims(MapFile& file, Findings& findings) {
