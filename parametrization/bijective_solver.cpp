@@ -73,10 +73,7 @@ void BijectiveSolver::set_states() {
     energy = weight.dot(energy_of);
   }
   const std::size_t last = problem_.term_count() - 1;
-  const Vec around =
-      element_values(problem_.term(last), problem_.state(last), problem_.plan(last), x_);
-  scaffold_energy_ = around.sum();
-  const double lambda = kScaffoldShare * energy / area / scaffold_energy_;
+  const double lambda = kScaffoldShare * energy / area / scaffold_energy();
   if (weight.size() == 0 && std::abs(lambda - lambda_) <= kSameLambda * lambda && stepper_) return;
   lambda_ = lambda;
   std::vector<TermState> states = energy_states(setup_.map, problem_, levels_.of_faces(), weight);
@@ -88,13 +85,18 @@ void BijectiveSolver::set_states() {
     stepper_ = std::make_unique<NewtonStepper>(problem_, newton_options(setup_.options));
 }
 
+double BijectiveSolver::scaffold_energy() const {
+  const std::size_t last = problem_.term_count() - 1;
+  return element_values(problem_.term(last), problem_.state(last), problem_.plan(last), x_).sum();
+}
+
 Stepper::Step BijectiveSolver::iterate(SolveResult& result) {
   set_states();
   Vec y = problem_.reduce(x_);
   double energy = stepper_->evaluator().value(y);
   Stepper::Step step = stepper_->step(y, energy);
   x_ = problem_.expand(y);
-  result.energy = energy - lambda_ * scaffold_energy_;
+  result.energy = energy - lambda_ * scaffold_energy();
   result.newton_decrement = step.record.newton_decrement;
   return step;
 }

@@ -36,6 +36,7 @@ class BijectiveSolver {
  private:
   void rebuild();
   void set_states();
+  double scaffold_energy() const;  // E_conf of all scaffold triangles at x_
   SolveResult run(const StoppingRules& rules, RunRecord& record);
   Stepper::Step iterate(SolveResult& result);
   bool maintain(double relative_decrease);
@@ -52,7 +53,7 @@ class BijectiveSolver {
   std::shared_ptr<const LocalInjectivity> injectivity_;
   std::vector<long> depth_counts_;  // of checkers that are gone
   FlipCounts flips_;
-  double scaffold_energy_ = 0, lambda_ = 0;
+  double lambda_ = 0;  // 0: not set since the problem was built
   Problem problem_;
   std::unique_ptr<NewtonStepper> stepper_;
 };
