@@ -314,6 +314,11 @@ TEST(SeamlessMaps, AlignedBoundary) {
   EXPECT_LT(s.start_moved, 4e-5);
   EXPECT_NEAR(s.measures.value, r.measures.value, 1e-6);
   EXPECT_LE(off_axis(*s.map, boundary), 1e-14);
+  options.boundary = BoundaryCondition::Fixed;
+  const ParametrizationResult fixed = parametrize(mesh, options);
+  EXPECT_EQ(fixed.status, Status::Converged) << fixed.message;
+  EXPECT_LE(off_axis(*fixed.map, boundary), 1e-14);
+  options.boundary = BoundaryCondition::Free;
   (*options.initial)[0] -= 1e-3;
   expect_contains(error_message(ErrorKind::Infeasible, [&] { parametrize(mesh, options); }),
                   {"inline.obj", "edge (", "parallel to an axis"});
