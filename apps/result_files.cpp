@@ -38,13 +38,13 @@ std::string claims(const FinishedRun& run, const Normalization& normalization) {
     const Vector2 uv = map.control_points().segment<2>(2 * pin.vertex);
     pins.push_back({{"vertex", map.mesh().input_vertex(pin.vertex)}, {"target", {uv.x(), uv.y()}}});
   }
-  Json claims{{"version", MAJORANT_VERSION},    {"degree", run.map.degree},
-              {"energy", run.map.energy},       {"value", run.result.measures.value},
-              {"boundary", run.map.boundary},   {"init", run.map.init},
-              {"seams", !map.seams().empty()},  {"bijective", false},
-              {"normalized", normalization},    {"pins", pins},
+  Json claims{{"version", MAJORANT_VERSION},     {"degree", run.map.degree},
+              {"energy", run.map.energy},        {"value", run.result.measures.value},
+              {"boundary", run.map.boundary},    {"init", run.map.init},
+              {"seams", !map.seams().trivial()}, {"bijective", false},
+              {"normalized", normalization},     {"pins", pins},
               {"options", options_section(run)}};
-  if (!map.seams().empty()) claims["cones"] = cones_section(map);
+  if (!map.seams().trivial()) claims["cones"] = cones_section(map);
   return claims.dump();
 }
 
