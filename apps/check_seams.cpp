@@ -111,7 +111,10 @@ void check_cut(const BezierMap& map, const SurfaceMesh& surface, Findings& findi
 }  // namespace
 
 bool keeps_texture_cuts(const Json& claims) {
-  return claims.is_null() || claims.value("options", Json::object()).value("seamless", false);
+  if (claims.is_null()) return true;
+  const std::string init = claims.value("init", "tutte");
+  return claims.value("options", Json::object()).value("seamless", false) &&
+         (init == "tutte" || init == "input");
 }
 
 void check_seams(const CheckedMap& checked, Findings& findings) {

@@ -45,12 +45,12 @@ std::string claims(const FinishedRun& run, const Normalization& normalization) {
               {"value", run.result.measures.value},
               {"boundary", run.map.boundary},
               {"init", run.map.init},
-              {"seams", !map.seams().empty()},
+              {"seams", !map.seams().trivial()},
               {"bijective", run.in.options.injectivity == MapInjectivity::Global},
               {"normalized", normalization},
               {"pins", pins},
               {"options", options_section(run)}};
-  if (!map.seams().empty()) claims["cones"] = cones_section(map);
+  if (!map.seams().trivial()) claims["cones"] = cones_section(map);
   return claims.dump();
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 void mark_seams(const BezierMap& map, MapFile& file) {
   const Seams& seams = map.seams();
-  if (seams.empty()) return;
+  if (seams.trivial()) return;
   file.seam_edges = Cells::Zero(map.mesh().face_count(), 3);
   for (const SeamEdge& edge : seams.edges())
     for (const Index h : {edge.side, edge.opposite}) file.seam_edges(h / 3, h % 3) = edge.chain + 1;

@@ -28,7 +28,8 @@ struct MapFile {
   std::string claims;            // JSON object, what the file promises; may be empty
 };
 
-// Distortion, min_det and claims are left empty, cone and seam_edges too unless the map has seams.
+// Distortion, min_det and claims are left empty, cone and seam_edges too unless the map has seams or
+// cones.
 MapFile to_map_file(const BezierMap& map);
 // A triangle mesh with texture coordinates as a map of degree 1: one point per (v, vt) pair. Throws
 // Error(Invalid) where a corner has none or a face is no triangle.

@@ -1,99 +1,12 @@
-"""Maps of cut surfaces: parametrize --seamless, check, and what files say of seams and cones."""
+"""parametrize --seamless and what check says of its results, as they are and tampered with."""
 import json
 import os
 import subprocess
 
-from command_helpers import *
-
-SIDES = [((0, 0, 1), (1, 0, 0), (0, 1, 0)), ((0, 0, 0), (0, 1, 0), (1, 0, 0)),
-         ((0, 0, 0), (1, 0, 0), (0, 0, 1)), ((0, 1, 0), (0, 0, 1), (1, 0, 0)),
-         ((0, 0, 0), (0, 0, 1), (0, 1, 0)), ((1, 0, 0), (0, 1, 0), (0, 0, 1))]
+from seamless_helpers import *
 
 
-def cube(n, sides=6, round_off=0.5):
-    """A rounded box of n x n quads a side, each side a chart of its own: seams along all its edges.
-    v, quads of v, vt, quads of vt; corners of the box are vertices with three quads."""
-    numbers, points, faces, texture, charts = {}, [], [], [], []
-
-    def vertex(p):
-        if p not in numbers:
-            numbers[p] = len(points)
-            q = [2 * c / n - 1 for c in p]
-            length = math.sqrt(sum(c * c for c in q))
-            points.append(tuple(c * (1 - round_off + round_off * 1.3 / length) for c in q))
-        return numbers[p]
-
-    for s, (origin, e, f) in enumerate(SIDES[:sides]):
-        base = len(texture)
-        texture += [((i + s * (n + 2)) * 2 / n, j * 2 / n) for j in range(n + 1)
-                    for i in range(n + 1)]
-        for j in range(n):
-            for i in range(n):
-                square = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)]
-                faces.append(tuple(vertex(tuple(n * o + a * x + b * y for o, x, y in
-                                                zip(origin, e, f))) for a, b in square))
-                charts.append(tuple(base + b * (n + 1) + a for a, b in square))
-    return points, faces, texture, charts
-
-
-def torus_map(m, n):
-    """A torus cut along two loops, unrolled; translations only, no cones."""
-    points, faces = torus(m, n, 0)
-    texture = [(12 * i / m, 6 * j / n) for j in range(n + 1) for i in range(m + 1)]
-    charts = []
-    for q in range(m * n):
-        a = q // m * (m + 1) + q % m
-        charts += [(a, a + 1, a + m + 2), (a, a + m + 2, a + m + 1)]
-    return points, faces, texture, charts
-
-
-def triangles(mesh):
-    points, faces, texture, charts = mesh
-    split = [[(q[0], q[1], q[2]), (q[0], q[2], q[3])] for q in faces]
-    split_charts = [[(q[0], q[1], q[2]), (q[0], q[2], q[3])] for q in charts]
-    return points, sum(split, []), texture, sum(split_charts, [])
-
-
-def textured_obj(points, faces, texture, charts, groups=()):
-    lines = ['v %r %r %r' % tuple(p) for p in points] + ['vt %r %r' % tuple(t) for t in texture]
-    for k, (face, chart) in enumerate(zip(faces, charts)):
-        lines += ['g ' + name for at, name in groups if at == k]
-        lines.append('f ' + ' '.join('%d/%d' % (v + 1, t + 1) for v, t in zip(face, chart)))
-    return '\n'.join(lines) + '\n'
-
-
-class Seamless(CommandTest):
-    @classmethod
-    def setUpClass(cls):
-        cls.shared = tempfile.mkdtemp(prefix='majorant_seamless_')
-        cls.addClassCleanup(shutil.rmtree, cls.shared)
-        cls.meshes = {}
-        for name, mesh in {'cube': triangles(cube(4)), 'quads': cube(3), 'torus': torus_map(16, 8),
-                           'open': triangles(cube(4, sides=5))}.items():
-            cls.meshes[name] = os.path.join(cls.shared, name + '.obj')
-            with open(cls.meshes[name], 'w') as f:
-                f.write(textured_obj(*mesh))
-        cls.results = {}
-        for name, mesh, degree, options in [('cube1', 'cube', 1, []), ('cube2', 'cube', 2, []),
-                                            ('cube4', 'cube', 4, []), ('torus3', 'torus', 3, []),
-                                            ('open3', 'open', 3, []),
-                                            ('fixed1', 'open', 1, ['--boundary', 'fixed']),
-                                            ('fixed3', 'open', 3, ['--boundary', 'fixed'])]:
-            path = os.path.join(cls.shared, name)
-            cls.results[name] = path + '.vtu'
-            outcome = majorant('parametrize', cls.meshes[mesh], '--seamless', '--degree', degree,
-                               '-o', path + '.vtu', '-o', path + '.obj', '--report', path + '.json',
-                               *options)
-            assert outcome.code == OK, outcome.err
-            assert 'cones, seams fit to' in outcome.err, outcome.err
-
-    def mesh_of(self, result):
-        return self.meshes[{'c': 'cube', 't': 'torus', 'o': 'open', 'f': 'open'}[result[0]]]
-
-    def report(self, name):
-        with open(os.path.join(self.shared, name + '.json')) as f:
-            return json.load(f)
-
+class Seamless(SeamlessTest):
     def test_results_pass(self):
         for name, path in self.results.items():
             with self.subTest(name):
@@ -135,8 +48,8 @@ class Seamless(CommandTest):
         self.assertNotIn('seam_start', json.loads(self.plain_report()))
 
     def plain_report(self):
-        self.run_ok('parametrize', '--quiet', generated('cap'), '-o', self.path('r.json'), '--degree',
-                    '1')
+        self.run_ok('parametrize', '--quiet', generated('cap'), '-o', self.path('r.json'),
+                    '--degree', '1')
         return self.read('r.json')
 
     def test_marks_of_seams(self):
@@ -165,7 +78,8 @@ class Seamless(CommandTest):
         self.refused(INVALID, 'check', path, *surface, says=[path, 'invalid', *says])
 
     def seam_point(self, vtu):
-        cell, k = next((c, k) for c, row in enumerate(vtu.rows('seam_edges')) for k in range(3) if row[k])
+        cell, k = next((c, k) for c, row in enumerate(vtu.rows('seam_edges')) for k in range(3)
+                       if row[k])
         return cell, k, vtu.cells()[cell]
 
     def test_a_moved_point_on_a_seam(self):
@@ -222,6 +136,39 @@ class Seamless(CommandTest):
         denied = vtu.write(self.path('denied.vtu'))
         self.refused(INVALID, 'check', denied, says='component')  # it falls into its charts
 
+    def test_a_cone_without_a_seam(self):
+        # Two turns of squares around vertex 0: an angle of 720 degrees, and nothing to cut.
+        rim = [(math.cos(a), math.sin(a)) for a in (2 * math.pi * k / 8 for k in range(16))]
+        texture = [(0, 0)] + [(x * (1 + 0.1 * (k % 3)), y * (1 + 0.1 * (k % 3)))
+                              for k, (x, y) in enumerate(rim)]
+        points = [(0, 0, 0)] + [(2 * math.cos(a), 2 * math.sin(a), k % 2)
+                                for k, a in enumerate(math.pi * k / 8 for k in range(16))]
+        faces = [(0, k + 1, (k + 1) % 16 + 1) for k in range(16)]
+        mesh = self.write('double.obj', textured_obj(points, faces, texture, faces))
+        for n in (1, 2):
+            out = self.path('double.vtu')
+            self.run_ok('parametrize', '--quiet', mesh, '--seamless', '--degree', n, '-o', out,
+                        '-o', self.path('double.svg'))
+            self.assertEqual(Vtu(out).claims['cones'],
+                             [{'vertex': 0, 'quarter_turns': 8, 'index': -1.0}])
+            self.run_ok('check', out, '--surface', mesh)
+            vtu = Vtu(out)
+            vtu.claims['seams'] = False
+            denied = vtu.write(self.path('denied.vtu'))
+            self.refused(INVALID, 'check', denied, says='more than once')
+
+    def test_seamless_from_nothing(self):
+        # The input's own texture coordinates say nothing of a map that was made without them.
+        mesh = self.meshes['torus']
+        for n in (1, 2):
+            out = self.path('made.vtu')
+            self.run_ok('seamless', '--quiet', mesh, '--degree', n, '-o', out, '--report',
+                        self.path('made.json'))
+            self.run_ok('check', out, '--surface', mesh)
+            report = json.loads(self.read('made.json'))
+            self.assertEqual(Vtu(out).claims['cones'], report['result']['cones'])
+            self.assertIn('chains', report['seam_start'])
+
     def test_another_cut(self):
         points, faces, texture, charts = triangles(cube(4))
         # One chart turned by 90 degrees: the same cuts, other turns.
@@ -257,7 +204,7 @@ class Seamless(CommandTest):
             claims = Vtu(out).claims['pins']
             self.assertEqual(len([p for p in claims if p['vertex'] == vertex]), 3)
             self.run_ok('check', out, '--surface', self.meshes['cube'])
-            for lie in (lambda pins: pins[0]['target'].__setitem__(0, 17.0), lambda pins: pins.pop(0)):
+            for lie in (lambda pins: pins[0].update(target=[17.0, 0.0]), lambda pins: pins.pop(0)):
                 vtu = Vtu(out)
                 lie(vtu.claims['pins'])
                 path = vtu.write(self.path('moved.vtu'))
@@ -281,93 +228,6 @@ class Seamless(CommandTest):
             vtu.arrays['uv'][2 * point + 1] += 1e-6
             path = vtu.write(self.path('moved.vtu'))
             self.refused(INVALID, 'check', path, '--surface', self.meshes['open'], says='boundary')
-
-    # ---------------------------------------------------------------- other formats
-    def test_obj_keeps_the_mesh(self):
-        groups = [(0, 'top'), (9, 'rest')]
-        mesh = cube(3)
-        path = self.write('grouped.obj', textured_obj(*mesh, groups=groups))
-        out = self.path('out.obj')
-        self.run_ok('parametrize', '--quiet', path, '--seamless', '--degree', '1', '-o', out)
-        v, vt, faces, texture = read_obj(out)
-        self.assertEqual(v, mesh[0])
-        self.assertEqual(faces, mesh[1])
-        self.assertEqual(len(vt), 6 * 16)
-        text = self.read('out.obj').decode()
-        self.assertIn('g top', text)
-        comments = [line for line in text.splitlines() if line.startswith('# cone vertex')]
-        self.assertEqual(len(comments), 8)
-        self.assertEqual({c.split(' quarter_turns ')[1] for c in comments}, {'3'})
-        self.assertTrue(text.startswith('# cone'))
-        self.run_ok('parametrize', '--quiet', path, '--seamless', '--degree', '2', '-o', out)
-        v, vt, faces, texture = read_obj(out)
-        self.assertEqual(v[:len(mesh[0])], mesh[0])
-        edges = {}
-        for face in faces:
-            for a, b in zip(face, face[1:] + face[:1]):
-                edges[(a, b)] = edges.get((a, b), 0) + 1
-        self.assertTrue(all(count == 1 and (b, a) in edges for (a, b), count in edges.items()))
-        self.assertEqual(self.read('out.obj').decode().count('\ng '), 2)
-        self.run_ok('check', out, '--seamless')
-
-    def test_convert_keeps_seams(self):
-        for name, path in self.results.items():
-            self.run_ok('convert', path, '-o', self.path('again.vtu'), '-o', self.path('a.svg'), '-o',
-                        self.path('a.obj'))
-            with open(path, 'rb') as f:
-                self.assertEqual(self.read('again.vtu'), f.read())
-            self.assertEqual(b'<circle' in self.read('a.svg'), name != 'torus3')
-            self.assertIn(b'chains)', self.read('a.svg'))
-            self.assertEqual(b'# cone vertex' in self.read('a.obj'), name != 'torus3')
-        # An OBJ does not mark its seams; what its points share says where they are.
-        self.run_ok('convert', self.results['cube1'].replace('.vtu', '.obj'), '-o',
-                    self.path('b.vtu'), '-o', self.path('b.svg'))
-        self.run_ok('check', self.path('b.vtu'), '--seamless')
-        self.assertIn(b'Name="seam_edges"', self.read('b.vtu'))
-        self.assertIn(b'8 cones, index &gt; 0', self.read('b.svg'))
-        self.assertIn(b'seams (12 chains)', self.read('b.svg'))
-
-    def test_grid(self):
-        result = self.results['cube2']
-        lines = {}
-        for name, grid in (('none', []), ('auto', ['--grid']), ('one', ['--grid', '1']),
-                           ('half', ['--grid', '0.5'])):
-            svg = self.path(name + '.svg')
-            self.run_ok('convert', result, '-o', svg, *grid)
-            text = self.read(name + '.svg').decode()
-            match = re.search(r'clip-path="url\(#layout\)"[^>]* d="([^"]*)"', text)
-            lines[name] = match.group(1).count('M') if match else 0
-            self.assertEqual('>grid ' in text, name != 'none')
-        uv = Vtu(result).rows('uv')
-        for name, spacing in (('one', 1), ('half', 0.5)):
-            expected = sum(math.floor(max(c) / spacing) - math.ceil(min(c) / spacing) + 1
-                           for c in zip(*uv))
-            self.assertEqual(lines[name], expected)
-        self.assertEqual(lines['none'], 0)
-        self.assertGreaterEqual(lines['auto'], 32)
-        for wrong in ('0', '-1', 'nan', 'inf', 'x.svg'):
-            self.refused(USAGE, 'convert', result, '-o', self.path('x.svg'), '--grid=' + wrong,
-                         says='--grid')
-        self.refused(USAGE, 'convert', result, '-o', self.path('x.svg'), '--grid', '1e-9',
-                     says='spacing')
-
-    def test_info(self):
-        report = self.path('info.json')
-        out = self.run_ok('info', self.meshes['cube'], '--report', report).out
-        self.assertIn('texture: seamless, 8 cones, 12 chains of 48 seam edges', out)
-        self.assertIn('parametrize --seamless can run', out)
-        with open(report) as f:
-            texture = json.load(f)['texture']
-        self.assertTrue(texture['seamless'])
-        self.assertEqual(len(texture['cones']), 8)
-        points, faces, coordinates, charts = triangles(cube(4))
-        coordinates[7] = (coordinates[7][0] + 0.01, coordinates[7][1])
-        coordinates[1] = (coordinates[1][0] + 0.01, coordinates[1][1])
-        path = self.write('bad.obj', textured_obj(points, faces, coordinates, charts))
-        out = self.run_ok('info', path).out
-        self.assertIn('texture: not seamless: ', out)
-        self.refused(UNSUPPORTED, 'parametrize', path, '--seamless', '-o', self.path('o.vtu'),
-                     says='edge (')
 
     # ---------------------------------------------------------------- the independent checker
     @unittest.skipUnless(os.path.exists(VERIFY), 'no ' + VERIFY)
