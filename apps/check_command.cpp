@@ -3,47 +3,27 @@
 
 #include <CLI/App.hpp>
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <memory>
-#include <unordered_set>
 
+#include "apps/check_claims.h"
+#include "apps/check_seams.h"
 #include "apps/command.h"
 #include "apps/energy_option.h"
 #include "apps/outputs.h"
 #include "apps/report.h"
 #include "majorant/io/read_map.h"
 #include "majorant/io/read_mesh.h"
-#include "majorant/parametrization/initial_map.h"
+#include "majorant/io/seamless_map.h"
 
 namespace majorant::app {
 namespace {
 
-constexpr double kClose = 1e-9;        // relative to the size of the map or surface
-constexpr double kEnergyClose = 1e-4;  // what reported energies are good to
-constexpr double kZeroEnergy = 1e-9;   // energies may vanish at isometries
-
 struct Request {
   CommonOptions common;
   std::string result, surface;
-  bool certify = false;
+  bool certify = false, seamless = false;
 };
-
-// Findings in words; empty means the check passed.
-class Findings {
- public:
-  void require(bool holds, std::string what) {
-    if (!holds) list_.push_back(std::move(what));
-  }
-  const std::vector<std::string>& list() const { return list_; }
-
- private:
-  std::vector<std::string> list_;
-};
-
-double extent(const Eigen::Ref<const Eigen::MatrixXd>& points) {
-  return (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff();
-}
 
 // Surface control points must be those of flat triangles, or the file shows another surface.
 void check_flat(const MapFile& file, Findings& findings) {
@@ -95,131 +75,24 @@ void check_surface(const MapFile& file, const std::string& path, Findings& findi
                              cells_of[f], surface.polygons[f].size() - 2));
 }
 
-// A map that claims no seams has one point for every vertex of the input.
-void check_cuts(const MapFile& file, Findings& findings) {
-  std::unordered_set<Index> seen;
-  for (const Index v : file.input_vertex)
-    if (v >= 0 && !seen.insert(v).second)
-      return findings.require(false,
-                              fmt::format("the map is not continuous: vertex {} of the input "
-                                          "has several points",
-                                          v));
-}
-
-// Nodes of the map by vertex of the input mesh.
-Index find_vertex(const MapFile& file, Index input_vertex) {
-  for (Index p = 0; p < file.input_vertex.size(); ++p)
-    if (file.input_vertex[p] == input_vertex) return p;
-  return -1;
-}
-
-void check_pins(const MapFile& file, const Json& claims, Findings& findings) {
-  const double size = extent(file.uv);
-  for (const Json& pin : claims.value("pins", Json::array())) {
-    const Index vertex = pin.at("vertex").get<Index>(), point = find_vertex(file, vertex);
-    const Eigen::RowVector2d target(pin.at("target").at(0).get<double>(),
-                                    pin.at("target").at(1).get<double>());
-    findings.require(point >= 0 && (file.uv.row(point) - target).norm() <= kClose * size,
-                     fmt::format("the pin of vertex {} is not held", vertex));
-  }
-}
-
-// A fixed boundary is that of the initial map: Tutte's, recomputed from the surface in the file, or
-// the texture coordinates of the input, for which the input is needed.
-void check_fixed_boundary(const MapFile& file, const BezierMap& map, const Json& claims,
-                          const Request& request, Findings& findings) {
-  if (claims.value("boundary", "") != "fixed") return;
-  Vec start;
-  if (claims.value("init", "tutte") == "tutte") {
-    start = tutte_map(map.mesh());
-  } else if (request.surface.empty()) {
-    return findings.require(false,
-                            "the boundary is that of texture coordinates: give the input with "
-                            "--surface to check it");
-  } else {
-    const SurfaceMesh input = SurfaceMesh::from_polygons(read_mesh(request.surface));
-    const Vec texture = texture_map(input);
-    start.resize(2 * map.mesh().vertex_count());
-    for (Index v = 0; v < map.mesh().vertex_count(); ++v) {
-      const Index source = input.find_input_vertex(file.input_vertex[map.mesh().input_vertex(v)]);
-      if (source < 0) return findings.require(false, "the file maps vertices the surface lacks");
-      start.segment<2>(2 * v) = texture.segment<2>(2 * source);
-    }
-  }
-  BezierMap initial = BezierMap::linear(map.shared_mesh(), start);
-  while (initial.degree() < map.degree()) initial = initial.elevated();
-  double worst = 0;
-  for (const Index node : map.space().boundary_nodes())
-    worst = std::max(worst, (map.control_points().segment<2>(2 * node) -
-                             initial.control_points().segment<2>(2 * node))
-                                .norm());
-  findings.require(worst <= kClose * map.control_points().cwiseAbs().maxCoeff(),
-                   fmt::format("the boundary is off the initial map's by {:g}", worst));
-}
-
-void check_arrays(const MapFile& file, const MapMeasures& measures, Findings& findings) {
-  for (Index f = 0; f < file.distortion.size(); ++f)
-    if (!(std::abs(file.distortion[f] - measures.face_value[f]) <=
-          kEnergyClose * (measures.face_value[f] + measures.value))) {
-      findings.require(false, fmt::format("cell {}: distortion {:.6g} is claimed, {:.6g} is found",
-                                          f, file.distortion[f], measures.face_value[f]));
-      break;
-    }
-  for (Index f = 0; f < file.min_det.size(); ++f)
-    if (!(file.min_det[f] <= measures.min_det[f] * (1 + kClose))) {
-      findings.require(false,
-                       fmt::format("cell {}: det J >= {:.6g} is claimed, only {:.6g} is proven", f,
-                                   file.min_det[f], measures.min_det[f]));
-      break;
-    }
-}
-
-void check_claims(const MapFile& file, const BezierMap& map, const MapMeasures& measures,
-                  const Json& claims, const Request& request, Findings& findings) {
-  if (claims.is_null()) return;
-  try {
-    const double value = claims.value("value", measures.value);
-    findings.require(
-        std::abs(value - measures.value) <= kEnergyClose * std::abs(measures.value) + kZeroEnergy,
-        fmt::format("energy {:.9g} is claimed, {:.9g} is found", value, measures.value));
-    findings.require(claims.value("degree", file.degree) == file.degree,
-                     fmt::format("degree {} is not the one claimed", file.degree));
-    if (!claims.value("seams", false)) check_cuts(file, findings);
-    check_pins(file, claims, findings);
-    check_fixed_boundary(file, map, claims, request, findings);
-    check_arrays(file, measures, findings);
-    for (const char* claim : {"bijective", "seams"})
-      findings.require(!claims.value(claim, false),
-                       fmt::format("the claim '{}' cannot be decided by this version", claim));
-  } catch (const Json::exception& e) {
-    findings.require(false, fmt::format("majorant_claims: {}", e.what()));
-  }
-}
-
-// The claims, null when there are none; undoes the normalization they tell of.
-Json read_claims(MapFile& file, Findings& findings) {
-  if (file.claims.empty()) return nullptr;
-  Json claims = Json::parse(file.claims, nullptr, false);
-  if (claims.is_discarded() || !claims.is_object()) {
-    findings.require(false, "majorant_claims is not a JSON object");
-    return nullptr;
-  }
-  if (const Json n = claims.value("normalized", Json()); n.is_object()) {
-    const Eigen::RowVector2d origin(n.at("origin").at(0).get<double>(),
-                                    n.at("origin").at(1).get<double>());
-    file.uv = ((file.uv * n.at("size").get<double>()).rowwise() + origin).eval();
-  }
-  return claims;
-}
-
 std::string claimed_energy(const Json& claims) {
   const Json energy = claims.is_object() ? claims.value("energy", Json()) : Json();
   return energy.is_string() ? energy.get<std::string>() : "symmetric-dirichlet";
 }
 
+BezierMap rebuild(const MapFile& file, const Request& request, const Json& claims,
+                  Findings& findings) {
+  const bool claims_seams = claims.is_object() && claims.value("seams", false);
+  if (!claims_seams && !request.seamless) return to_bezier_map(file, request.result);
+  BezierMap map = to_seamless_map(file, request.result);
+  if (!map.seams().empty()) return map;
+  findings.require(false, "the map has no seams: no vertex of the input has several points");
+  return to_bezier_map(file, request.result);
+}
+
 MapMeasures check_map(MapFile& file, const Request& request, Findings& findings, Json& report) {
   const Json claims = read_claims(file, findings);
-  const BezierMap map = to_bezier_map(file, request.result);
+  const BezierMap map = rebuild(file, request, claims, findings);
   const std::string energy = claimed_energy(claims);
   const MapMeasures measures = measure(map, parse_energy(energy).sum);
   report["result"] = measures_section(map, measures, energy);
@@ -230,7 +103,9 @@ MapMeasures check_map(MapFile& file, const Request& request, Findings& findings,
     }
   findings.require(measures.locally_injective || !findings.list().empty(),
                    "the map covers the neighbourhood of a vertex more than once");
-  check_claims(file, map, measures, claims, request, findings);
+  const CheckedMap checked{file, map, measures, claims, request.surface};
+  if (!map.seams().empty()) check_seams(checked, findings);
+  check_claims(checked, findings);
   return measures;
 }
 
@@ -258,8 +133,9 @@ int check(const Request& request) {
   if (!request.common.report.empty()) write_json(request.common.report, report);
   if (findings.list().empty()) {
     if (!request.common.quiet)
-      fmt::print(stderr, "{}: valid, degree {}, {} cells, {} {:.9g}\n", request.result, file.degree,
-                 file.cells.rows(), report["result"]["energy"].get<std::string>(), measures.value);
+      fmt::print(stderr, "{}: valid, degree {}, {} cells, {} {:.9g}{}\n", request.result,
+                 file.degree, file.cells.rows(), report["result"]["energy"].get<std::string>(),
+                 measures.value, seam_summary(report["result"]));
     return kSuccess;
   }
   fmt::print(stderr, "majorant: {}: invalid: {}\n", request.result,
@@ -275,6 +151,8 @@ void add_check(CLI::App& app, Action* run) {
   verb.add_option("result", request->result, "result: .vtu, or .obj with vt")->required();
   verb.add_option("--surface", request->surface, "the mesh it should be a map of")
       ->type_name("FILE");
+  verb.add_flag("--seamless", request->seamless,
+                "the map is seamless (implied where the file claims it)");
   verb.add_flag("--certify", request->certify, "prove global injectivity as well");
   request->common.add_to(verb);
   verb.footer("Example: majorant check bunny.vtu --surface bunny.obj --report check.json");

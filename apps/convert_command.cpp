@@ -5,6 +5,7 @@
 #include "apps/command.h"
 #include "apps/outputs.h"
 #include "majorant/io/read_map.h"
+#include "majorant/io/seamless_map.h"
 
 namespace majorant::app {
 namespace {
@@ -13,8 +14,24 @@ struct Request {
   CommonOptions common;
   std::string input, positional_output;
   std::vector<std::string> outputs;
-  int refine = 0;
+  FormatOptions formats;
 };
+
+// Files other than ours do not mark seams and cones: the points tell where they are. A map that is
+// cut in another way stays as it is.
+void mark_seams(MapFile& map, const std::string& name) {
+  if (map.seam.size() > 0 || !is_cut(map)) return;
+  try {
+    const MapFile marked = to_map_file(to_seamless_map(map, name));
+    map.seam = marked.seam;
+    map.cone = Eigen::VectorXi::Zero(map.points.rows());
+    for (Index c = 0; c < map.cells.rows(); ++c)
+      for (Index k = 0; k < 3; ++k) map.cone[map.cells(c, k)] = marked.cone[marked.cells(c, k)];
+  } catch (const Error&) {
+    map.seam.resize(0, 3);
+    map.cone.resize(0);
+  }
+}
 
 int convert(Request request) {
   if (!request.positional_output.empty()) request.outputs.push_back(request.positional_output);
@@ -22,8 +39,9 @@ int convert(Request request) {
     throw Error(ErrorKind::Usage, "no output file; add -o OUT.obj (or .svg .vtu)");
   require_writable(request.outputs, {".vtu", ".obj", ".svg"});
   request.common.apply();
-  const MapFile map = read_map(request.input);
-  for (const std::string& path : request.outputs) write_map(path, map, nullptr, request.refine);
+  MapFile map = read_map(request.input);
+  mark_seams(map, request.input);
+  for (const std::string& path : request.outputs) write_map(path, map, nullptr, request.formats);
   return kSuccess;
 }
 
@@ -36,8 +54,7 @@ void add_convert(CLI::App& app, Action* run) {
   verb.add_option("output", request->positional_output, "output file, same as -o");
   verb.add_option("-o,--output", request->outputs, "output: .vtu .obj .svg, repeatable")
       ->allow_extra_args(false);
-  verb.add_option("--refine", request->refine, "pieces per edge in OBJ output")
-      ->check(CLI::Range(1, 20));
+  request->formats.add_to(verb);
   request->common.add_to(verb);
   verb.footer("Example: majorant convert bunny.vtu -o bunny.obj --refine 8");
   verb.callback([request, run] { *run = [request] { return convert(*request); }; });

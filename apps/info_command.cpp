@@ -9,6 +9,7 @@
 #include "apps/outputs.h"
 #include "apps/report.h"
 #include "majorant/io/read_mesh.h"
+#include "majorant/parametrization/seamless_start.h"
 
 namespace majorant::app {
 namespace {
@@ -17,6 +18,28 @@ struct Request {
   CommonOptions common;
   std::string input;
 };
+
+// Says whether the texture coordinates, if there are any, are a seamless map; true if they have
+// seams that --seamless would hold.
+bool describe_texture(const SurfaceMesh& mesh, Json& report) {
+  if (mesh.corner_texcoords().rows() == 0) return false;
+  try {
+    const BezierMap map = seamless_from_texture(mesh).map;
+    const Seams& seams = map.seams();
+    const Json cones = cones_section(map);
+    fmt::print("texture: seamless, {} cones, {} chains of {} seam edges\n", cones.size(),
+               seams.chain_count(), seams.edges().size());
+    report["texture"] = {{"seamless", true},
+                         {"cones", cones},
+                         {"chains", seams.chain_count()},
+                         {"seam_edges", seams.edges().size()}};
+    return !seams.empty();
+  } catch (const Error& e) {
+    fmt::print("texture: not seamless: {}\n", e.what());
+    report["texture"] = {{"seamless", false}, {"message", e.what()}};
+    return false;
+  }
+}
 
 int info(const Request& request) {
   if (!request.common.report.empty()) require_writable({request.common.report}, {".json"});
@@ -35,7 +58,13 @@ int info(const Request& request) {
     report["input"] = input_section(polygons, mesh);
     for (const auto& repair : report["input"]["repairs"])
       fmt::print("note: {}\n", repair.get<std::string>());
-    mesh.require_disk();
+    const bool has_seams = describe_texture(mesh, report);
+    const bool is_disk = t.boundary_loops == 1 && t.euler_characteristic() == 1;
+    if (has_seams)
+      verdict =
+          is_disk ? "parametrize can run, with --seamless too" : "parametrize --seamless can run";
+    else
+      mesh.require_disk();
   } catch (const Error& e) {
     verdict = fmt::format("parametrize would refuse: {}", e.what());
   }

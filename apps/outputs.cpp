@@ -4,14 +4,30 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 
 #include "majorant/framework/error.h"
 #include "majorant/io/vtu.h"
 #include "majorant/io/write_obj.h"
-#include "majorant/io/write_svg.h"
 
 namespace majorant::app {
+namespace {
+
+constexpr const char* kAutomatic = "auto";
+
+// A positive number, 0 for kAutomatic.
+double parse_spacing(const std::string& text) {
+  if (text == kAutomatic) return 0;
+  double spacing = 0;
+  if (!CLI::detail::lexical_cast(text, spacing) || !(spacing > 0) || !std::isfinite(spacing))
+    throw CLI::ValidationError(
+        "--grid",
+        fmt::format("'{}' is no positive number; write --grid auto before a file name", text));
+  return spacing;
+}
+
+}  // namespace
 
 std::string extension(const std::string& path) {
   std::string e = std::filesystem::path(path).extension().string();
@@ -34,12 +50,24 @@ void require_writable(const std::vector<std::string>& paths,
   }
 }
 
-void write_map(const std::string& path, const MapFile& map, const PolygonMesh* input, int refine) {
+void FormatOptions::add_to(CLI::App& verb) {
+  verb.add_option("--refine", refine, "pieces per edge in OBJ output (degree 1: 1, else 3)")
+      ->check(CLI::Range(1, 20));
+  verb.add_option_function<std::string>(
+          "--grid", [this](const std::string& spacing) { svg.grid = parse_spacing(spacing); },
+          "SVG: draw lines of constant u and v this far apart in uv (alone: a 32nd of the layout)")
+      ->type_name("SPACING")
+      ->default_str(kAutomatic)  // what it is without a value
+      ->expected(0, 1);
+}
+
+void write_map(const std::string& path, const MapFile& map, const PolygonMesh* input,
+               const FormatOptions& options) {
   const std::string e = extension(path);
-  const int pieces = refine > 0 ? refine : (map.degree == 1 ? 1 : 3);
+  const int pieces = options.refine > 0 ? options.refine : (map.degree == 1 ? 1 : 3);
   if (e == ".vtu") write_vtu(path, map);
   if (e == ".obj") write_obj(path, map, input, pieces);
-  if (e == ".svg") write_svg(path, map);
+  if (e == ".svg") write_svg(path, map, options.svg);
 }
 
 }  // namespace majorant::app

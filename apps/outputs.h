@@ -1,10 +1,12 @@
 // Output files by extension: .vtu .obj .svg hold a map, .json a report, .csv an iteration trace.
 #pragma once
 
+#include <CLI/App.hpp>
 #include <string>
 #include <vector>
 
 #include "majorant/io/map_file.h"
+#include "majorant/io/write_svg.h"
 #include "majorant/parametrization/polygon_mesh.h"
 
 namespace majorant::app {
@@ -17,7 +19,16 @@ std::string extension(const std::string& path);
 void require_writable(const std::vector<std::string>& paths,
                       const std::vector<std::string>& allowed);
 
-// Writes one of the map formats. refine 0: 1 for degree 1, else 3. input may be null.
-void write_map(const std::string& path, const MapFile& map, const PolygonMesh* input, int refine);
+// How single formats are written, as said.
+struct FormatOptions {
+  int refine = 0;  // of OBJ; 0: 1 for degree 1, else 3
+  SvgOptions svg;
+
+  void add_to(CLI::App& verb);  // --refine --grid
+};
+
+// Writes one of the map formats. input may be null.
+void write_map(const std::string& path, const MapFile& map, const PolygonMesh* input,
+               const FormatOptions& options);
 
 }  // namespace majorant::app

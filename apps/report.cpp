@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
+#include <limits>
 #include <numbers>
 
 #include "majorant/io/atomic_file.h"
@@ -27,20 +28,52 @@ Json input_section(const PolygonMesh& polygons, const SurfaceMesh& mesh) {
           {"repairs", repairs}};
 }
 
+Json cones_section(const BezierMap& map) {
+  Json list = Json::array();
+  for (const Cone& cone : map.seams().cones())  // a vertex keeps its number on the cut surface
+    list.push_back({{"vertex", map.mesh().input_vertex(cone.vertex)},
+                    {"quarter_turns", cone.quarter_turns},
+                    {"index", (4 - cone.quarter_turns) / 4.0}});
+  return list;
+}
+
+namespace {
+
+// In units of what doubles of the layout's size can tell apart.
+double seam_residual_ulp(const BezierMap& map, double seam_residual) {
+  const auto uv = map.control_points().reshaped(2, map.space().node_count());
+  const double size = (uv.rowwise().maxCoeff() - uv.rowwise().minCoeff()).maxCoeff();
+  return seam_residual / (std::numeric_limits<double>::epsilon() * size);
+}
+
+}  // namespace
+
 Json measures_section(const BezierMap& map, const MapMeasures& m, const std::string& energy) {
-  return {{"degree", map.degree()},
-          {"control_points", map.space().node_count()},
-          {"energy", energy},
-          {"value", m.value},
-          {"max_density", m.max_density},
-          {"sigma_max", m.sigma_max},
-          {"sigma_min", m.sigma_min},
-          {"locally_injective", m.locally_injective},
-          {"min_det_bound", m.min_det.minCoeff()},
-          {"globally_injective", nullptr},
-          {"seam_residual", map.seams().empty() ? Json() : Json(m.seam_residual)},
-          {"max_boundary_angle_degrees", m.max_boundary_angle * 180 / std::numbers::pi},
-          {"boundary_vertices_over_360_degrees", m.boundary_over_full_turn}};
+  Json section{{"degree", map.degree()},
+               {"control_points", map.space().node_count()},
+               {"energy", energy},
+               {"value", m.value},
+               {"max_density", m.max_density},
+               {"sigma_max", m.sigma_max},
+               {"sigma_min", m.sigma_min},
+               {"locally_injective", m.locally_injective},
+               {"min_det_bound", m.min_det.minCoeff()},
+               {"globally_injective", nullptr},
+               {"seam_residual", map.seams().empty() ? Json() : Json(m.seam_residual)},
+               {"max_boundary_angle_degrees", m.max_boundary_angle * 180 / std::numbers::pi},
+               {"boundary_vertices_over_360_degrees", m.boundary_over_full_turn}};
+  if (map.seams().empty()) return section;
+  section["seam_residual_ulp"] = seam_residual_ulp(map, m.seam_residual);
+  section["cones"] = cones_section(map);
+  return section;
+}
+
+std::string seam_summary(const Json& measures_section) {
+  if (!measures_section.contains("cones")) return {};
+  return fmt::format(", {} cones, seams fit to {:.1g} ({:.1f} ulp of the layout)",
+                     measures_section["cones"].size(),
+                     measures_section["seam_residual"].get<double>(),
+                     measures_section["seam_residual_ulp"].get<double>());
 }
 
 Json iterations_section(const std::vector<TraceEntry>& trace) {

@@ -14,8 +14,13 @@ namespace majorant::app {
 using Json = nlohmann::ordered_json;
 
 Json input_section(const PolygonMesh& polygons, const SurfaceMesh& mesh);
-// value, extremes, injectivity of a map: the part of "result" that any map has.
+// [{"vertex": of the input, "quarter_turns": q, "index": (4 - q) / 4}] of a map with seams.
+Json cones_section(const BezierMap& map);
+// value, extremes, injectivity, and cones of maps with seams: the part of "result" that any map
+// has.
 Json measures_section(const BezierMap& map, const MapMeasures& measures, const std::string& energy);
+// What a line that sums up says of that section's seams, ", ..."; empty when there are none.
+std::string seam_summary(const Json& measures_section);
 Json iterations_section(const std::vector<TraceEntry>& trace);
 long peak_memory_bytes();
 

@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cstdio>
 
-#include "apps/outputs.h"
 #include "majorant/framework/evaluator.h"
 
 namespace majorant::app {
@@ -39,13 +38,14 @@ std::string claims(const FinishedRun& run, const Normalization& normalization) {
     const Vector2 uv = map.control_points().segment<2>(2 * pin.vertex);
     pins.push_back({{"vertex", map.mesh().input_vertex(pin.vertex)}, {"target", {uv.x(), uv.y()}}});
   }
-  return Json{{"version", MAJORANT_VERSION},    {"degree", run.map.degree},
+  Json claims{{"version", MAJORANT_VERSION},    {"degree", run.map.degree},
               {"energy", run.map.energy},       {"value", run.result.measures.value},
               {"boundary", run.map.boundary},   {"init", run.map.init},
               {"seams", !map.seams().empty()},  {"bijective", false},
               {"normalized", normalization},    {"pins", pins},
-              {"options", options_section(run)}}
-      .dump();
+              {"options", options_section(run)}};
+  if (!map.seams().empty()) claims["cones"] = cones_section(map);
+  return claims.dump();
 }
 
 void write_outputs(const FinishedRun& run) {
@@ -57,7 +57,7 @@ void write_outputs(const FinishedRun& run) {
   file.claims = claims(run, normalization);
   for (const std::string& path : run.outputs.files) {
     if (extension(path) == ".csv") write_trace(path, run.record.trace());
-    write_map(path, file, &run.in.polygons, run.outputs.refine);
+    write_map(path, file, &run.in.polygons, run.outputs.formats);
   }
 }
 
@@ -74,6 +74,14 @@ Json result_section(const FinishedRun& run) {
   return result;
 }
 
+Json seam_start_section(const SeamlessStart& start) {
+  const Seams& seams = start.map.seams();
+  return {{"residual", start.residual},
+          {"moved", start.moved},
+          {"chains", seams.chain_count()},
+          {"seam_edges", seams.edges().size()}};
+}
+
 void write_reports(const FinishedRun& run, double write_seconds) {
   std::vector<std::string> paths;
   if (!run.common.report.empty()) paths.push_back(run.common.report);
@@ -81,26 +89,27 @@ void write_reports(const FinishedRun& run, double write_seconds) {
     if (extension(path) == ".json") paths.push_back(path);
   if (paths.empty()) return;
   const ParametrizationResult& r = run.result;
-  const Json report{{"schema_version", 1},
-                    {"version", MAJORANT_VERSION},
-                    {"command", run.command},
-                    {"status", name(r.status)},
-                    {"message", r.message},
-                    {"input", input_section(run.in.polygons, *run.in.mesh)},
-                    {"options", options_section(run)},
-                    {"result", result_section(run)},
-                    {"iterations", iterations_section(run.record.trace())},
-                    {"injectivity_tests", {{"depth", r.injectivity_tests}}},
-                    {"flips", {{"intended", 0}, {"performed", 0}}},
-                    {"seconds",
-                     {{"read", run.read_seconds},
-                      {"initialize", r.initialize_seconds},
-                      {"optimize", r.optimize_seconds},
-                      {"measure", r.measure_seconds},
-                      {"write", write_seconds},
-                      {"total", seconds_since(run.start)}}},
-                    {"peak_memory_bytes", peak_memory_bytes()},
-                    {"threads", threads()}};
+  Json report{{"schema_version", 1},
+              {"version", MAJORANT_VERSION},
+              {"command", run.command},
+              {"status", name(r.status)},
+              {"message", r.message},
+              {"input", input_section(run.in.polygons, *run.in.mesh)},
+              {"options", options_section(run)},
+              {"result", result_section(run)},
+              {"iterations", iterations_section(run.record.trace())},
+              {"injectivity_tests", {{"depth", r.injectivity_tests}}},
+              {"flips", {{"intended", 0}, {"performed", 0}}},
+              {"seconds",
+               {{"read", run.read_seconds},
+                {"initialize", r.initialize_seconds},
+                {"optimize", r.optimize_seconds},
+                {"measure", r.measure_seconds},
+                {"write", write_seconds},
+                {"total", seconds_since(run.start)}}},
+              {"peak_memory_bytes", peak_memory_bytes()},
+              {"threads", threads()}};
+  if (run.in.start) report["seam_start"] = seam_start_section(*run.in.start);
   for (const std::string& path : paths) write_json(path, report);
 }
 
@@ -113,11 +122,13 @@ void summarize(const FinishedRun& run) {
                r.message);
     return;
   }
+  const std::string seams =
+      r.map ? seam_summary(measures_section(*r.map, r.measures, run.map.energy)) : "";
   fmt::print(
-      stderr, "{}: {} after {} iterations, {} {:.6f} (start {:.6g}){}, degree {}, {:.2f} s\n",
+      stderr, "{}: {} after {} iterations, {} {:.6f} (start {:.6g}){}, degree {}{}, {:.2f} s\n",
       run.map.input, name(r.status), run.record.trace().size(), run.map.energy, r.measures.value,
       r.initial_value, run.map.weights.empty() ? "" : ", both without the face weights",
-      run.map.degree, seconds_since(run.start));
+      run.map.degree, seams, seconds_since(run.start));
 }
 
 }  // namespace
@@ -126,8 +137,7 @@ void OutputRequest::add_to(CLI::App& verb) {
   verb.add_option("output", positional, "output file, same as -o");
   verb.add_option("-o,--output", files, "output: .vtu .obj .svg .json .csv, repeatable")
       ->allow_extra_args(false);
-  verb.add_option("--refine", refine, "pieces per edge in OBJ output (degree 1: 1, else 3)")
-      ->check(CLI::Range(1, 20));
+  formats.add_to(verb);
   verb.add_flag("--normalize", normalize, "scale the result into the unit square");
 }
 

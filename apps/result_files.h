@@ -1,7 +1,7 @@
 // What the verbs that optimize a map share at the end of a run: output options, files with their
 // claims, reports, and the line that sums up.
 //
-//   OutputRequest outputs;  outputs.add_to(verb);             // -o --refine --normalize
+//   OutputRequest outputs;  outputs.add_to(verb);             // -o --refine --grid ...
 //   outputs.require_usable(common, map_request);               // before any work
 //   FinishedRun run{"parametrize", common, outputs, map_request, in, result, record, options, ...};
 //   return write_result(run);
@@ -14,6 +14,7 @@
 
 #include "apps/command.h"
 #include "apps/map_request.h"
+#include "apps/outputs.h"
 #include "apps/report.h"
 #include "majorant/parametrization/parametrize.h"
 
@@ -23,7 +24,7 @@ namespace majorant::app {
 struct OutputRequest {
   std::string positional;
   std::vector<std::string> files;
-  int refine = 0;
+  FormatOptions formats;
   bool normalize = false;
 
   // Adds a positional `output` too: call it after the verb's input.

@@ -103,7 +103,7 @@ AngleSums::AngleSums(std::shared_ptr<const BezierTriangleSpace> space, Vertices 
                      std::shared_ptr<const Seams> seams)
     : space_(std::move(space)), which_(which) {
   const auto count = static_cast<std::size_t>(space_->vertex_count());
-  if (seams && !seams->empty()) {
+  if (seams && !seams->quarter_turns().empty()) {  // cones may lie on no cut
     vertex_of_ = seams->surface_vertex();
     quarter_turns_ = seams->quarter_turns();
     return;

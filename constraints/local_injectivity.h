@@ -50,7 +50,7 @@ class AngleSums final : public FeasibilityChecker {
  public:
   enum class Vertices { Interior, Boundary };
   // Interior: the sum is 2 pi, at cones their angle; Boundary: at most 2 pi. Tolerance 1e-6.
-  // seams: of the cut surface that `space` is over; null or empty: not cut.
+  // seams: of the cut surface that `space` is over; null or default: no cuts, no cones.
   AngleSums(std::shared_ptr<const BezierTriangleSpace> space, Vertices which,
             std::shared_ptr<const Seams> seams = nullptr);
 

@@ -49,14 +49,6 @@ std::vector<std::vector<NodePair>> pairs_by_chain(const BezierTriangleSpace& spa
 
 }  // namespace
 
-std::vector<Index> edge_nodes(const BezierTriangleSpace& space, Index half_edge) {
-  const TriangleIndices& ix = TriangleIndices::of_degree(space.degree());
-  std::vector<Index> nodes;
-  for (const int local : ix.edge(half_edge % 3))
-    nodes.push_back(space.cells()(half_edge / 3, local));
-  return nodes;
-}
-
 SeamlessConstraint::SeamlessConstraint(std::shared_ptr<const BezierTriangleSpace> space,
                                        std::shared_ptr<const Seams> seams)
     : space_(std::move(space)), seams_(std::move(seams)) {}

@@ -14,6 +14,7 @@
 
 #include <memory>
 
+#include "majorant/constraints/axis_alignment.h"
 #include "majorant/constraints/seams.h"
 #include "majorant/elements/bezier_triangle_space.h"
 #include "majorant/framework/constraint.h"
@@ -31,9 +32,6 @@ class SeamlessConstraint final : public Constraint {
   std::shared_ptr<const BezierTriangleSpace> space_;
   std::shared_ptr<const Seams> seams_;
 };
-
-// Nodes of the space along a half-edge, from its start to its end: degree + 1 of them.
-std::vector<Index> edge_nodes(const BezierTriangleSpace& space, Index half_edge);
 
 // Nodes on the boundary of the uncut surface, sorted: those of the space's boundary that lie on an
 // edge that is no seam.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <utility>
 
 namespace majorant {
 namespace {
@@ -51,6 +52,36 @@ std::vector<Index> local_order(const Cells& nodes) {
   return order;
 }
 
+// More elements than are around almost any vertex.
+constexpr Index kWide = 24;
+
+// Calls visit(j) for the reduced unknowns of an element, repeatedly where they occur repeatedly.
+template <class Visit>
+void visit_unknowns(const Stencils& s, const Elimination& z, Index e, const Visit& visit) {
+  for (Index k = 0; k < s.nodes.cols(); ++k)
+    for (int c = 0; c < s.block; ++c) {
+      const Index x = s.block * s.nodes(e, k) + c;
+      for (auto q = z.begin(x); q != z.end(x); ++q) visit(q->reduced);
+    }
+}
+
+// By element: its first unknown that more than kWide elements have, or -1.
+std::vector<Index> wide_unknowns(const Stencils& s, const Elimination& z) {
+  const auto at = [](Index i) { return static_cast<std::size_t>(i); };
+  std::vector<Index> count(at(z.reduced_size()), 0), last(at(z.reduced_size()), -1);
+  for (Index e = 0; e < s.element_count(); ++e)
+    visit_unknowns(s, z, e, [&](Index j) {
+      if (last[at(j)] != e) ++count[at(j)];
+      last[at(j)] = e;
+    });
+  std::vector<Index> wide(at(s.element_count()), -1);
+  for (Index e = 0; e < s.element_count(); ++e)
+    visit_unknowns(s, z, e, [&](Index j) {
+      if (count[at(j)] > kWide && (wide[at(e)] < 0 || j < wide[at(e)])) wide[at(e)] = j;
+    });
+  return wide;
+}
+
 }  // namespace
 
 // Greedy: the lowest colour that no chunk sharing anything has. Colours are bits of a mask per
@@ -75,7 +106,7 @@ void ChunkPlan::colour(Index count, const Touched& touched) {
 }
 
 ChunkPlan::ChunkPlan(const Stencils& stencils, const std::vector<RuleId>& element_rule) {
-  make_chunks(stencils, element_rule);
+  make_chunks(stencils, element_rule, {});
   const Cells& nodes = stencils.nodes;
   colour(nodes.size() ? nodes.maxCoeff() + 1 : 0, [&](Index e, const auto& visit) {
     for (Index k = 0; k < nodes.cols(); ++k) visit(nodes(e, k));
@@ -84,23 +115,23 @@ ChunkPlan::ChunkPlan(const Stencils& stencils, const std::vector<RuleId>& elemen
 
 ChunkPlan::ChunkPlan(const Stencils& stencils, const std::vector<RuleId>& element_rule,
                      const Elimination& elimination) {
-  make_chunks(stencils, element_rule);
-  colour(elimination.reduced_size(), [&](Index e, const auto& visit) {
-    for (Index k = 0; k < stencils.nodes.cols(); ++k)
-      for (int c = 0; c < stencils.block; ++c) {
-        const Index x = stencils.block * stencils.nodes(e, k) + c;
-        for (auto q = elimination.begin(x); q != elimination.end(x); ++q) visit(q->reduced);
-      }
-  });
+  make_chunks(stencils, element_rule, wide_unknowns(stencils, elimination));
+  colour(elimination.reduced_size(),
+         [&](Index e, const auto& visit) { visit_unknowns(stencils, elimination, e, visit); });
 }
 
-void ChunkPlan::make_chunks(const Stencils& stencils, const std::vector<RuleId>& element_rule) {
+void ChunkPlan::make_chunks(const Stencils& stencils, const std::vector<RuleId>& element_rule,
+                            const std::vector<Index>& group) {
+  const auto key = [&](Index e) {
+    const auto k = static_cast<std::size_t>(e);
+    return std::pair(element_rule.empty() ? 0 : element_rule[k], group.empty() ? 0 : group[k]);
+  };
   const auto rule = [&](Index e) {
     return element_rule.empty() ? 0 : element_rule[static_cast<std::size_t>(e)];
   };
   elements_ = local_order(stencils.nodes);
   std::stable_sort(elements_.begin(), elements_.end(),
-                   [&](Index a, Index b) { return rule(a) < rule(b); });
+                   [&](Index a, Index b) { return key(a) < key(b); });
   starts_.push_back(0);
   for (std::size_t k = 0; k < elements_.size();) {
     std::size_t end = k + 1;

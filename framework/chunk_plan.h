@@ -1,6 +1,8 @@
 // Groups a term's elements into chunks of one rule each and colours the chunks: chunks of one
-// colour share no node, so they can be assembled at the same time. The plan depends on the term's
-// stencils and rules alone, never on the number of threads.
+// colour share no node, so they can be assembled at the same time. Elements that share an unknown
+// with many others (the translation of a seam, an aligned line) come together in few chunks, which
+// would otherwise need a colour each. The plan depends on the term's stencils, rules and the
+// elimination alone, never on the number of threads.
 #pragma once
 
 #include <vector>
@@ -28,7 +30,9 @@ class ChunkPlan {
   const std::vector<std::vector<Index>>& colours() const { return colours_; }
 
  private:
-  void make_chunks(const Stencils& stencils, const std::vector<RuleId>& element_rule);
+  // group: by element, what keeps elements together, empty = all the same.
+  void make_chunks(const Stencils& stencils, const std::vector<RuleId>& element_rule,
+                   const std::vector<Index>& group);
   // touched(e, visit) calls visit(k) for everything that element e shares, 0 <= k < count.
   template <class Touched>
   void colour(Index count, const Touched& touched);

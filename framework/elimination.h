@@ -47,6 +47,9 @@ class Elimination {
   // y that equals x in the free unknowns (auxiliary ones: see ConstraintRows::add_auxiliary), and
   // the largest |x - (Z y + c)|.
   Vec reduce(VecIn x, double* residual) const;
+  // y whose Z y + c is the point closest to x, up to 1e-10 of the distance; reduce(x) where x
+  // satisfies the constraints to rounding.
+  Vec project(VecIn x) const;
 
  private:
   // value = constant + sum coefficient * (x, auxiliary values)[unknown]

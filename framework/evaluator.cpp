@@ -113,7 +113,8 @@ void Evaluator::assemble_term(std::size_t k, Curvature curvature, Vec& gradient,
   constexpr std::size_t stride = LocalSystem::stride;
   chunk_energies.assign(static_cast<std::size_t>(plan.chunk_count()), 0.0);
   for (const std::vector<Index>& colour : plan.colours()) {
-#pragma omp parallel for schedule(static) if (plan.chunk_count() >= kParallelChunks)
+#pragma omp parallel for schedule(static) if (colour.size() > 1 && \
+                                              plan.chunk_count() >= kParallelChunks)
     for (std::size_t q = 0; q < colour.size(); ++q) {
       Scratch& s = *scratch_[static_cast<std::size_t>(omp_get_thread_num())];
       const Chunk chunk = plan.chunk(colour[q]);

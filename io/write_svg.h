@@ -1,11 +1,18 @@
 // The layout of a map as a vector drawing: what to look at, and to put into a paper.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "majorant/io/map_file.h"
 
 namespace majorant {
+
+struct SvgOptions {
+  // Grid lines at integer multiples of this in u and v (uv units of the file); 0: a 32nd of the
+  // layout's larger side; none: no grid.
+  std::optional<double> grid;
+};
 
 // One <path> per cell along its curved boundary: lines for degree 1, quadratic and cubic Bezier
 // curves for 2 and 3, exactly; higher degrees as four Hermite cubics an edge. The v axis points up.
@@ -16,8 +23,12 @@ namespace majorant {
 // (OKLab), from the smallest value to the 98 % quantile (a few extreme cells do not wash out the
 // rest); the legend says both numbers. Without distortion the cells are grey. The output depends on
 // nothing but the map.
+//
+// Over the cells: grid lines if asked for, cut off at the layout's boundary; where the map has
+// seams, thick lines along both sides of them in one colour a chain, and dots on the cones, blue
+// for index > 0 and green for index < 0; a second legend.
 // Throws Error(Invalid) if the map is unsound (map_check.h), Error(Usage) if the file cannot be
-// written.
-void write_svg(const std::string& path, const MapFile& map);
+// written or the grid cannot be drawn.
+void write_svg(const std::string& path, const MapFile& map, const SvgOptions& options = {});
 
 }  // namespace majorant

@@ -18,6 +18,7 @@ constexpr int kLargestMeanAngle = 120;
 const std::vector<char> kNoneFixed;
 // Cones move one edge a sweep; the smoothest field has them nearly in place.
 constexpr int kMaxSweeps = 20;
+constexpr Index kMostCones = 1000;
 constexpr double kLeastGain = 1e-6;  // of energy; rounding shall not move cones
 
 class Cleanup {
@@ -34,6 +35,9 @@ class Cleanup {
   }
 
   void lower_energy(double cone_cost) {
+    Index cones = 0;
+    for (Index v = 0; v < mesh_.vertex_count(); ++v) cones += !boundary(v) && turns(v) != 4;
+    if (cones > kMostCones) return;
     ConePotential potential(mesh_, geometry_, field_.quarter_turns);
     cancel_pairs(potential, cone_cost);
     for (int sweep = 0; sweep < kMaxSweeps && improve_places(potential, cone_cost); ++sweep)
@@ -151,12 +155,12 @@ class Cleanup {
     if (!found)
       throw Error(ErrorKind::Infeasible,
                   fmt::format("{}: vertex {}: the mesh is too coarse for the cones of a cross "
-                              "field; refine it",
+                              "field; refine it or align fewer edges",
                               mesh_.file(), mesh_.input_vertex(v) + 1));
   }
 
   // Moves a quarter turn from v to the nearest vertex that is a goal (step = 1), or from there to v
-  // (-1), over as few edges as possible and not through the boundary. False when there is none.
+  // (-1), over as few edges as possible. False when there is none, never if no face is fixed.
   template <class Goal>
   bool send(Index v, int step, const Goal& is_goal) {
     std::vector<Index> entered(at(mesh_.vertex_count()), -1), queue{v};
@@ -170,7 +174,7 @@ class Cleanup {
             move(step > 0 ? entered[at(u)] : mesh_.opposite(entered[at(u)]));
           return true;
         }
-        if (!boundary(w)) queue.push_back(w);
+        queue.push_back(w);
       }
     return false;
   }

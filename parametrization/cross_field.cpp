@@ -61,7 +61,6 @@ class PowerSystem {
     assemble(mesh, geometry, mass_weight);
   }
 
-  Index free_faces() const { return free_; }
   bool has_fixed() const { return free_ < static_cast<Index>(row_.size()); }
 
   // z of all faces that minimizes the energy for the data term sum (mass_weight) |z - q|^2; of
@@ -217,6 +216,8 @@ std::vector<Index> cone_vertices(const CrossField& field) {
 }
 
 void comb(const SurfaceMesh& mesh, const std::vector<char>& is_cut, CrossField& field) {
+  if (is_cut.size() != at(mesh.half_edge_count()) || field.turns.size() != is_cut.size())
+    throw std::invalid_argument("comb: is_cut and field.turns must have 3 #F entries");
   const auto turn = [&](Index f, int quarters) {  // the branch of f becomes the one `quarters` on
     field.angle[f] = std::remainder(field.angle[f] + quarters * kQuarter, 4 * kQuarter);
     for (Index h = 3 * f; h < 3 * f + 3; ++h) {

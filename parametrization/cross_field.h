@@ -53,10 +53,11 @@ struct CrossFieldOptions {
 // coarse to hold the cones, std::invalid_argument for sizes or weights that are not valid.
 CrossField smoothest_cross_field(const SurfaceMesh& mesh, const CrossFieldOptions& options = {});
 
-// The smoothest field with exactly these cones, all other interior vertices regular [CDS10];
-// its turning along loops that are not contractible is rounded to the nearest multiple of 90
-// degrees. Throws Error(Usage) for cones on the boundary, repeated or out of range, with less than
-// one quarter turn, or (closed surfaces) when sum (4 - quarter_turns) is not 4 chi.
+// The smoothest field with exactly these cones, all other interior vertices regular [CDS10]; how
+// it turns along loops that are not contractible is rounded to multiples of 90 degrees such that
+// the field stays smooth. Throws Error(Usage) for cones on the boundary, repeated or out of range,
+// with less than one quarter turn or at least two for every face, or (closed surfaces) when
+// sum (4 - quarter_turns) is not 4 chi.
 CrossField cross_field_with_cones(const SurfaceMesh& mesh, const std::vector<Cone>& cones);
 
 // Interior vertices with other than 4 quarter turns.

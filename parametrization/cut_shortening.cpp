@@ -1,5 +1,7 @@
 #include "majorant/parametrization/cut_shortening.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <queue>
@@ -43,9 +45,14 @@ class Shortening {
 
   void run() {
     for (int sweep = 0; sweep < kMaxSweeps; ++sweep) {
+      list_sides();
       bool any = false;
-      for (Index h = 0; h < mesh_.half_edge_count(); ++h)
-        if (is_cut_[at(h)] && is_node(mesh_.from_vertex(h))) any |= shorten(chain_from(h));
+      for (std::size_t k = 0, count = sides_.size(); k < count; ++k) {
+        const Index h = sides_[k];
+        if (!is_cut_[at(h)] || !is_node(mesh_.from_vertex(h))) continue;
+        const std::vector<Index> chain = chain_from(h);
+        if (h <= mesh_.opposite(chain.back())) any |= shorten(chain);  // else: met from there
+      }
       if (!any) return;
     }
   }
@@ -111,6 +118,7 @@ class Shortening {
     labelled_.clear();
     for (const Index h : path.empty() ? chain : path) set_cut(h, 1);
     if (path.empty()) return false;
+    for (const Index h : path) sides_.insert(sides_.end(), {h, mesh_.opposite(h)});
     for (const Index v : ends) prune_from(v);
     return true;
   }
@@ -120,12 +128,18 @@ class Shortening {
     labelled_.push_back(h);
   }
 
+  void list_sides() {
+    sides_.clear();
+    for (Index h = 0; h < mesh_.half_edge_count(); ++h)
+      if (is_side(h)) sides_.push_back(h);
+  }
+
   // Gives every half-edge that leaves the boundary of the cut surface into its inside the number of
   // the boundary component there. Returns the number of components.
   int label_sides(const Index (&ends)[2]) {
     int count = 0;
-    for (Index start = 0; start < mesh_.half_edge_count() && count <= 2; ++start) {
-      if (!is_side(start) || side_[at(start)] != kNoSide) continue;
+    for (const Index start : sides_) {
+      if (!is_side(start) || side_[at(start)] != kNoSide || count > 2) continue;
       for (Index h = start; side_[at(h)] == kNoSide;) {
         label(h, static_cast<char>(count));
         Index g = next(h);
@@ -142,8 +156,12 @@ class Shortening {
     return count;
   }
 
-  // Half-edges from component 0 to component 1 through the inside, empty if none is shorter.
+  // Half-edges from one component to the other through the inside, empty if none is shorter.
   std::vector<Index> shortest_path(double limit) {
+    // From the one with fewer half-edges, often a single vertex.
+    const auto zeros = std::count_if(labelled_.begin(), labelled_.end(),
+                                     [&](Index h) { return side_[at(h)] == 0; });
+    const char start = 2 * zeros <= static_cast<std::ptrdiff_t>(labelled_.size()) ? 0 : 1;
     using Entry = std::pair<double, Index>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
     std::vector<Index> touched;
@@ -151,7 +169,7 @@ class Shortening {
     const auto reach = [&](Index h, double d) {
       const Index w = mesh_.to_vertex(h);
       if (is_barrier(w)) {
-        if (d < limit && side_[at(mesh_.opposite(h))] == 1) limit = d, last = h;
+        if (d < limit && side_[at(mesh_.opposite(h))] == 1 - start) limit = d, last = h;
       } else if (d < limit && d < distance_[at(w)]) {
         if (distance_[at(w)] == kFar) touched.push_back(w);
         distance_[at(w)] = d;
@@ -160,7 +178,7 @@ class Shortening {
       }
     };
     for (const Index h : labelled_)
-      if (side_[at(h)] == 0 && !is_side(h)) reach(h, length_[h]);
+      if (side_[at(h)] == start && !is_side(h)) reach(h, length_[h]);
     while (!front.empty() && front.top().first < limit) {
       const auto [d, v] = front.top();
       front.pop();
@@ -180,10 +198,11 @@ class Shortening {
   std::vector<std::vector<Index>> leaving_;  // per vertex, half-edges of interior edges
   Vec length_;
   std::vector<int> cuts_at_;      // per vertex, cut edges
-  std::vector<double> distance_;  // from component 0
+  std::vector<double> distance_;  // from where the search starts
   std::vector<Index> entered_;    // half-edge over which a vertex was reached
   std::vector<char> side_;
   std::vector<Index> labelled_;
+  std::vector<Index> sides_;  // all half-edges with is_side(), and some that were
 };
 
 }  // namespace

@@ -12,6 +12,10 @@ namespace {
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
+// Beyond this ratio of lengths a face is as good as degenerate; larger weights would only spoil the
+// factorizations.
+constexpr double kLargestWeight = 1e4;
+
 }  // namespace
 
 FieldGeometry::FieldGeometry(const SurfaceMesh& mesh)
@@ -48,7 +52,8 @@ FieldGeometry::FieldGeometry(const SurfaceMesh& mesh)
     // The centroid of a face has a third of its height: the distance is (2/3) (A + A') / length.
     const Vector3 edge =
         mesh.positions().row(mesh.to_vertex(h)) - mesh.positions().row(mesh.from_vertex(h));
-    weight[h] = 1.5 * edge.squaredNorm() / (face_area[h / 3] + face_area[o / 3]);
+    weight[h] = std::clamp(1.5 * edge.squaredNorm() / (face_area[h / 3] + face_area[o / 3]),
+                           1 / kLargestWeight, kLargestWeight);
     weight[o] = weight[h];
   }
 }

@@ -6,6 +6,7 @@
 // face of its opposite; transport[opposite] = -transport. [CdGDS13] Ch. 8.
 #pragma once
 
+#include <memory>
 #include <numbers>
 #include <vector>
 
@@ -21,9 +22,9 @@ struct FieldGeometry {
 
   Vec edge_direction;  // 3 #F: of half-edge h in its face, radians
   Vec transport;       // 3 #F: see above, 0 at the boundary
-  Vec weight;          // 3 #F: edge length / distance of the two faces, 0 at the boundary
-  Vec face_area;       // #F
-  Vec angle_sum;       // #V: of the corners at a vertex, radians
+  Vec weight;     // 3 #F: edge length / distance of the faces, within bounds; 0 at the boundary
+  Vec face_area;  // #F
+  Vec angle_sum;  // #V: of the corners at a vertex, radians
   std::vector<char> is_boundary;  // #V
   std::vector<int> valence;       // #V: faces at a vertex
 };

@@ -91,6 +91,7 @@ Problem map_problem(const MapSpecification& spec,
     builder.add(
         std::make_shared<const AngleSums>(space, AngleSums::Vertices::Boundary, spec.seams));
   if (!seams_of(spec).empty()) builder.add(SeamlessConstraint(space, spec.seams));
+  if (!spec.aligned.empty()) builder.add(AxisAlignment(space, spec.aligned));
   if (spec.boundary == BoundaryCondition::Fixed)
     builder.add(FixedPoints::at(boundary_nodes(*space, seams_of(spec)), start));
   if (!spec.handles.empty())

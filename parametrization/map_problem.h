@@ -10,6 +10,7 @@
 #include <memory>
 #include <vector>
 
+#include "majorant/constraints/axis_alignment.h"
 #include "majorant/constraints/fixed_points.h"
 #include "majorant/constraints/local_injectivity.h"
 #include "majorant/constraints/seams.h"
@@ -29,6 +30,7 @@ struct MapSpecification {
   BoundaryCondition boundary = BoundaryCondition::Free;
   BoundaryAngles boundary_angles = BoundaryAngles::Free;
   std::shared_ptr<const Seams> seams;  // hold exactly; null: none
+  std::vector<AlignedEdge> aligned;    // stay parallel to an axis
   std::vector<FixedPoint> pins;        // hard, vertices
   std::vector<FixedPoint> handles;     // soft, vertices
   double handle_weight = 1e3;          // w of w * sum |x - target|^2 / area

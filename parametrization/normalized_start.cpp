@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "majorant/constraints/seamless_constraint.h"
+#include "majorant/framework/elimination.h"
 #include "majorant/framework/error.h"
+#include "majorant/parametrization/seamless_start.h"
 
 namespace majorant {
 namespace {
@@ -78,9 +81,10 @@ std::vector<FixedPoint> place_pins(const SurfaceMesh& mesh, const Seams& seams,
     if (contains(points, pin.vertex))
       throw Error(ErrorKind::Unsupported, fmt::format("{}: vertex {} is pinned twice; pin it once",
                                                       mesh.file(), mesh.input_vertex(pin.vertex)));
-    // A fixed boundary or a seam may already say the same, up to rounding.
-    const bool held = !seams.empty() || (options.boundary == BoundaryCondition::Fixed &&
-                                         on_boundary(mesh, pin.vertex));
+    // A fixed boundary, a seam or an aligned edge may already say the same, up to rounding.
+    const bool held =
+        !seams.empty() || !options.aligned.empty() ||
+        (options.boundary == BoundaryCondition::Fixed && on_boundary(mesh, pin.vertex));
     points.push_back({pin.vertex, held ? here : target});
   }
   return points;
@@ -108,18 +112,69 @@ void require_injective(const BezierMap& map) {
                     map.mesh().file(), map.mesh().input_vertex(vertices.blocking.front()) + 1));
 }
 
-Vec moved(Vec x, const Vector2& by) {
+// The axis that each edge is nearer to: u is constant along it, or v.
+std::vector<AlignedEdge> nearest_axes(const BezierMap& start, const std::vector<Index>& edges) {
+  const SurfaceMesh& mesh = start.mesh();
+  const auto edge = [&](Index h) -> Vector2 {
+    return start.control_points().segment<2>(2 * mesh.to_vertex(h)) -
+           start.control_points().segment<2>(2 * mesh.from_vertex(h));
+  };
+  double mean = 0;
+  for (Index h = 0; h < mesh.half_edge_count(); ++h) mean += edge(h).norm();
+  mean /= mesh.half_edge_count();
+  std::vector<AlignedEdge> aligned;
+  for (const Index h : edges) {
+    if (h < 0 || h >= mesh.half_edge_count())
+      throw Error(ErrorKind::Usage,
+                  fmt::format("{}: aligned half-edge {} does not exist", mesh.file(), h));
+    const Vector2 off = edge(h).cwiseAbs();
+    aligned.push_back({h, off.x() <= off.y() ? 0 : 1});
+    if (!(off.minCoeff() <= kSeamTolerance * mean))
+      throw Error(ErrorKind::Infeasible,
+                  fmt::format("{}: edge ({}, {}) cannot stay parallel to an axis: the initial map "
+                              "has it {:.3g} edge lengths off (tolerance {:g}); give another start "
+                              "or do not align it",
+                              mesh.file(), mesh.input_vertex(mesh.from_vertex(h)) + 1,
+                              mesh.input_vertex(mesh.to_vertex(h)) + 1, off.minCoeff() / mean,
+                              kSeamTolerance));
+  }
+  return aligned;
+}
+
+// The closest map that has these edges along their axes and keeps its seams.
+BezierMap aligned_map(const BezierMap& start, const std::vector<AlignedEdge>& aligned) {
+  ConstraintRows rows;
+  if (!start.seams().empty())
+    SeamlessConstraint(start.shared_space(), start.shared_seams()).append_rows(rows);
+  AxisAlignment(start.shared_space(), aligned).append_rows(rows);
+  const Elimination elimination(2 * start.space().node_count(), rows);
+  Vec x;
+  elimination.expand(elimination.project(start.control_points()), x);
+  return start.with(start.shared_space(), std::move(x));
+}
+
+double largest_distance(const Vec& a, const Vec& b) {
+  double largest = 0;
+  for (Index k = 0; k < a.size(); k += 2)
+    largest = std::max(largest, (a.segment<2>(k) - b.segment<2>(k)).norm());
+  return largest;
+}
+
+Vec translated(Vec x, const Vector2& by) {
   for (Index k = 0; k < x.size(); k += 2) x.segment<2>(k) += by;
   return x;
 }
 
 }  // namespace
 
-NormalizedStart::NormalizedStart(const BezierMap& start, const ParametrizationOptions& options)
-    : scale_(normalizing_scale(start.mesh())), map_(start) {
-  require_face_weights(start.mesh(), options.face_weight);
-  require_injective(start);
+NormalizedStart::NormalizedStart(const BezierMap& given, const ParametrizationOptions& options)
+    : scale_(normalizing_scale(given.mesh())), map_(given) {
+  require_face_weights(given.mesh(), options.face_weight);
   MapSpecification& spec = specification_;
+  spec.aligned = nearest_axes(given, options.aligned);
+  const BezierMap start = spec.aligned.empty() ? given : aligned_map(given, spec.aligned);
+  moved_ = largest_distance(given.control_points(), start.control_points());
+  require_injective(start);
   spec.rest = flat_triangles(start.mesh().positions() * scale_, start.mesh().faces());
   spec.energy = options.energy;
   spec.face_weight = options.face_weight;
@@ -135,12 +190,12 @@ NormalizedStart::NormalizedStart(const BezierMap& start, const ParametrizationOp
     origin_ = start.control_points().segment<2>(2 * gauge.front());
   for (auto* points : {&spec.pins, &spec.handles})
     for (FixedPoint& p : *points) p.position = (p.position - origin_) * scale_;
-  map_ = start.with(start.shared_space(), moved(start.control_points(), -origin_) * scale_);
+  map_ = start.with(start.shared_space(), translated(start.control_points(), -origin_) * scale_);
 }
 
 BezierMap NormalizedStart::in_model_units(const BezierMap& normalized) const {
   return normalized.with(normalized.shared_space(),
-                         moved(normalized.control_points() / scale_, origin_));
+                         translated(normalized.control_points() / scale_, origin_));
 }
 
 }  // namespace majorant

@@ -14,18 +14,22 @@ namespace majorant {
 
 class NormalizedStart {
  public:
-  // Throws Error(Infeasible) when the start is not locally injective or does not meet the pins,
+  // options.aligned: edges are projected onto their axis, seams kept, before anything else.
+  // Throws Error(Infeasible) when the start is not locally injective, does not meet the pins or has
+  // an aligned edge off its axis by more than kSeamTolerance,
   // Error(Unsupported) when a vertex is held twice, Error(Usage) for vertices that do not exist and
   // face weights that do not fit.
   NormalizedStart(const BezierMap& start, const ParametrizationOptions& options);
 
   double scale() const { return scale_; }
   const BezierMap& map() const { return map_; }  // (uv - origin) * scale
+  // How far aligning edges moved the start, at most; model units.
+  double moved() const { return moved_; }
   const MapSpecification& specification() const { return specification_; }
   BezierMap in_model_units(const BezierMap& normalized) const;
 
  private:
-  double scale_;
+  double scale_, moved_ = 0;
   Vector2 origin_ = Vector2::Zero();  // model units; where a free map's held vertex is, else 0
   BezierMap map_;
   MapSpecification specification_;

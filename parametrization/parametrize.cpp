@@ -39,6 +39,7 @@ class Run {
 
   ParametrizationResult solve() {
     const double started = record_.seconds();
+    result_.start_moved = start_.moved();
     Vec unused;
     result_.initial_value = mean_density(map_, setup_.map.rest, options_.energy, unused);
     if (!std::isfinite(result_.initial_value)) enter_domain();

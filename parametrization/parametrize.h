@@ -39,12 +39,13 @@ struct ParametrizationOptions {
   BoundaryCondition boundary = BoundaryCondition::Free;
   BoundaryAngles boundary_angles = BoundaryAngles::Free;
   Elevation elevation = Elevation::Incremental;
-  std::vector<Pin> pins;              // hard
-  std::vector<Pin> handles;           // soft
-  double handle_weight = 1e3;         // w: mean density + w * sum |x - target|^2 / area
-  std::optional<Vec> initial;         // u, v per vertex; none: Tutte's map
-  int quadrature_points = 0;          // lattice points per triangle; 0: our own rule
-  double tolerance = 1e-6;            // relative energy decrease per iteration
+  std::vector<Pin> pins;       // hard
+  std::vector<Index> aligned;  // half-edges of the start's mesh that stay parallel to an axis
+  std::vector<Pin> handles;    // soft
+  double handle_weight = 1e3;  // w: mean density + w * sum |x - target|^2 / area
+  std::optional<Vec> initial;  // u, v per vertex; none: Tutte's map
+  int quadrature_points = 0;   // lattice points per triangle; 0: our own rule
+  double tolerance = 1e-6;     // relative energy decrease per iteration
   double elevation_tolerance = 1e-4;  // the degree is raised below this decrease
   int injectivity_depth = 5;          // of bisection; deeper when a run is held back
 };
@@ -57,6 +58,7 @@ struct ParametrizationResult {
   double value_quadrature = 0;     // the optimizer's own energy at the end
   double newton_decrement = 0;     // relative to the energy
   double constraint_residual = 0;  // model units
+  double start_moved = 0;          // by aligning edges, largest distance, model units
   double handle_distance = 0;      // largest distance of a soft handle from its target, model units
   Index variables = 0;
   MapMeasures measures;
@@ -68,9 +70,10 @@ struct ParametrizationResult {
 // Error(Unsupported) when the mesh is no disk, Error(Usage) when the given one has the wrong size.
 Vec initial_map(const SurfaceMesh& mesh, const ParametrizationOptions& options);
 
-// Throws Error as initial_map; Error(Infeasible) when the start is not locally injective or does
-// not meet the pins; Error(Unsupported) when a vertex is pinned twice or pinned and a handle;
-// Error(Usage) when the energy does not support the curvature or options are out of range.
+// Throws Error as initial_map; Error(Infeasible) when the start is not locally injective, does not
+// meet the pins or has an aligned edge off its axis by more than kSeamTolerance (seamless_start.h);
+// Error(Unsupported) when a vertex is pinned twice or pinned and a handle; Error(Usage) when the
+// energy does not support the curvature or options are out of range.
 ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,
                                   const ParametrizationOptions& options, RunRecord& record);
 ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,

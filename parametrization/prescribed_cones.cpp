@@ -32,6 +32,12 @@ std::vector<int> checked_quarter_turns(const SurfaceMesh& mesh, const FieldGeome
     if (cone.quarter_turns < 1)
       refuse(mesh, fmt::format("vertex {} has {} quarter turns, must have at least 1", name,
                                cone.quarter_turns));
+    // Angles of a map are below 180 degrees.
+    const int faces = geometry.valence[at(v)];
+    if (cone.quarter_turns >= 2 * faces)
+      refuse(mesh, fmt::format("vertex {} has {} quarter turns, but its {} faces hold at most {}; "
+                               "refine the mesh there",
+                               name, cone.quarter_turns, faces, 2 * faces - 1));
     seen[at(v)] = 1;
     turns[at(v)] = cone.quarter_turns;
   }

@@ -65,41 +65,45 @@ void require_oriented(const SurfaceMesh& mesh, const CornerView& view) {
                               mesh.file(), mesh.input_face(f) + 1));
 }
 
-// Transitions of all cut edges; *worst receives the largest mismatch.
+// Transitions of all cut edges; *residual receives the largest mismatch.
 std::vector<int> snap_rotations(const SurfaceMesh& mesh, const std::vector<char>& is_cut,
-                                const CornerView& view, double* worst) {
+                                const CornerView& view, double* residual) {
   std::vector<int> turns(is_cut.size(), 0);
+  Index worst = -1;
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
     const Index opposite = mesh.opposite(h);
     if (!is_cut[at(h)] || opposite < h) continue;
     const auto [k, mismatch] = view.transition(h);
-    *worst = std::max(*worst, mismatch);
-    if (!(mismatch <= kSeamTolerance * view.mean_length()))
-      throw Error(
-          ErrorKind::Unsupported,
-          fmt::format("{}: the seam at edge ({}, {}) is not seamless: its sides differ by {:.3g} "
-                      "edge lengths after the best rotation by a multiple of 90 degrees "
-                      "(tolerance {:g}); repair the coordinates or use `majorant seamless`",
-                      mesh.file(), mesh.input_vertex(mesh.from_vertex(h)) + 1,
-                      mesh.input_vertex(mesh.to_vertex(h)) + 1, mismatch / view.mean_length(),
-                      kSeamTolerance));
     turns[at(h)] = k;
     turns[at(opposite)] = (4 - k) % 4;
+    if (worst >= 0 && mismatch <= *residual) continue;
+    worst = h;
+    *residual = mismatch;
   }
+  if (!(*residual <= kSeamTolerance * view.mean_length()))
+    throw Error(
+        ErrorKind::Unsupported,
+        fmt::format("{}: the seam at edge ({}, {}) is not seamless: its sides differ by {:.3g} "
+                    "edge lengths after the best rotation by a multiple of 90 degrees (tolerance "
+                    "{:g}); repair the coordinates or use `majorant seamless`",
+                    mesh.file(), mesh.input_vertex(mesh.from_vertex(worst)) + 1,
+                    mesh.input_vertex(mesh.to_vertex(worst)) + 1, *residual / view.mean_length(),
+                    kSeamTolerance));
   return turns;
 }
 
 std::vector<int> measure_quarter_turns(const SurfaceMesh& mesh, const CornerView& view) {
   std::vector<double> sum(at(mesh.vertex_count()), 0);
   for (Index h = 0; h < mesh.half_edge_count(); ++h) sum[at(mesh.from_vertex(h))] += view.angle(h);
-  std::vector<int> quarter_turns;
-  for (Index v = 0; v < mesh.vertex_count(); ++v)
-    quarter_turns.push_back(static_cast<int>(std::lround(2 * sum[at(v)] / std::numbers::pi)));
+  std::vector<char> on_boundary(sum.size(), 0);
   for (const auto& loop : mesh.boundary_loops())
-    for (const Index v : loop) quarter_turns[at(v)] = 0;
+    for (const Index v : loop) on_boundary[at(v)] = 1;
+  std::vector<int> quarter_turns(sum.size(), 0);
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
-    const int turns = quarter_turns[at(v)];
-    if (turns == 0 || std::abs(sum[at(v)] - turns * std::numbers::pi / 2) <= kAngleTolerance)
+    if (on_boundary[at(v)]) continue;
+    const auto turns = static_cast<int>(std::lround(2 * sum[at(v)] / std::numbers::pi));
+    quarter_turns[at(v)] = turns;
+    if (turns > 0 && std::abs(sum[at(v)] - turns * std::numbers::pi / 2) <= kAngleTolerance)
       continue;
     throw Error(
         ErrorKind::Unsupported,
