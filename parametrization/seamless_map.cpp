@@ -29,8 +29,8 @@ struct CutField {
 };
 
 CutField cut_field(const SurfaceMesh& mesh, const SeamlessOptions& options) {
-  CutField out{options.cones.empty() ? smoothest_cross_field(mesh, options.field)
-                                     : cross_field_with_cones(mesh, options.cones),
+  CutField out{options.cones ? cross_field_with_cones(mesh, *options.cones)
+                             : smoothest_cross_field(mesh, options.field),
                {}};
   out.is_cut = cut_graph(mesh, cone_vertices(out.field));
   comb(mesh, out.is_cut, out.field);

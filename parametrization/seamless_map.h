@@ -10,6 +10,7 @@
 // is positively oriented. The map is valid, not good: optimize it.
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -27,7 +28,8 @@ std::string_view name(SeamlessMethod method);  // "automatic", "field", "conform
 struct SeamlessOptions {
   SeamlessMethod method = SeamlessMethod::Automatic;
   CrossFieldOptions field;
-  std::vector<Cone> cones;  // vertices of the mesh; empty: those of the field
+  // Vertices of the mesh; all others are regular, an empty list has no cones. Nothing: the field's.
+  std::optional<std::vector<Cone>> cones;
 };
 
 struct SeamlessMap {
