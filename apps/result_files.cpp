@@ -85,6 +85,8 @@ Json seam_start_section(const SeamlessStart& start) {
   const Seams& seams = start.map.seams();
   return {{"residual", start.residual},
           {"moved", start.moved},
+          {"inverted", start.inverted},
+          {"untangling_steps", start.untangling_steps},
           {"chains", seams.chain_count()},
           {"seam_edges", seams.edges().size()}};
 }

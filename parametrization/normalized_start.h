@@ -32,7 +32,9 @@ class NormalizedStart {
 
  private:
   double scale_, moved_ = 0;
-  Vector2 origin_ = Vector2::Zero();  // model units; where a free map's held vertex is, else 0
+  // Where a free map's held vertex is, else 0, and where it is put back to: the same place unless
+  // that is so far from 0 that coordinates would lose digits. Model units.
+  Vector2 origin_ = Vector2::Zero(), destination_ = Vector2::Zero();
   BezierMap map_;
   MapSpecification specification_;
 };
