@@ -12,7 +12,7 @@ namespace majorant {
 namespace {
 
 constexpr int kMostSteps = 40;          // towards positive B_l; failing flips stop long before
-constexpr int kQualitySteps = 4;        // with all B_l positive; more would move points by little
+constexpr int kQualitySteps = 12;       // with all B_l positive; mostly two are enough
 constexpr double kGoodEnough = 1e-2;    // relative decrease of F below which steps stop to pay
 constexpr double kWidestGap = 0.1;      // min B - mu, relative to 1 - min B [TGRL13]
 constexpr double kSmallestGap = 1e-3;   // closer barriers make F too stiff to get any further

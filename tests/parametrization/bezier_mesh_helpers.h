@@ -113,11 +113,17 @@ inline BezierMesh curved(const PlaneTriangulation& t, int degree, double part, u
     const Vector2 by(uniform(random), uniform(random));
     if (v >= space.vertex_count()) shift.segment<2>(2 * v) = by * size[v] / degree;
   }
-  for (int round = 0; round < 60; ++round)
-    for (Index f = 0; f < space.element_count(); ++f)
-      if (space.certify(f, x + shift, 5).result != Positivity::Certified)
-        for (Index l = 0; l < space.cells().cols(); ++l)
-          shift.segment<2>(2 * space.cells()(f, l)) *= 0.5;
+  bool folded = true;
+  for (int round = 0; folded && round < 60; ++round) {
+    folded = false;
+    const Vec moved = x + shift;
+    for (Index f = 0; f < space.element_count(); ++f) {
+      if (space.certify(f, moved, 5).result == Positivity::Certified) continue;
+      folded = true;
+      for (Index l = 0; l < space.cells().cols(); ++l)
+        shift.segment<2>(2 * space.cells()(f, l)) *= 0.5;
+    }
+  }
   x += shift;
   EXPECT_TRUE(is_certified(space, x));
   return bezier_mesh(degree, t.faces, space.cells(), x);

@@ -1,12 +1,11 @@
 // Flips of Bezier triangles: what stays, what is refused, Delaunay triangulations.
 #include "majorant/parametrization/edge_flip.h"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <chrono>
 #include <map>
 #include <set>
 
-#include "majorant/parametrization/moving_barrier.h"
 #include "parametrization/bezier_mesh_helpers.h"
 
 namespace majorant {
@@ -48,69 +47,6 @@ std::set<std::pair<double, double>> boundary_points(const BezierMesh& mesh) {
       for (const int l : TriangleIndices::of_degree(mesh.degree).edge(h % 3))
         out.insert({mesh.point(h / 3, l)[0], mesh.point(h / 3, l)[1]});
   return out;
-}
-
-TEST(MovingBarrier, CoefficientsAreThoseOfTheElement) {
-  std::mt19937 random(3);
-  std::uniform_real_distribution<double> uniform(-1, 1);
-  for (int n = 1; n <= 8; ++n) {
-    const MovingBarrier& barrier = MovingBarrier::of_degree(n);
-    Points2 grid((n + 1) * (n + 1), 2);
-    for (int q = 0; q <= n; ++q)
-      for (int p = 0; p <= n; ++p)
-        grid.row(q * (n + 1) + p) << p + 0.6 * uniform(random), q + 0.6 * uniform(random);
-    const Vec b = barrier.coefficients(grid);
-    const TriangleIndices& indices = TriangleIndices::of_degree(n);
-    const int count = barrier.coefficient_count() / 2, last = (n + 1) * (n + 1) - 1;
-    const TriangleIndices& determinant = TriangleIndices::of_degree(2 * n - 2);
-    for (int half = 0; half < 2; ++half) {
-      Points2 local(indices.count(), 2);
-      for (int l = 0; l < indices.count(); ++l) {
-        const auto [i, j, k] = indices.multi(l);
-        const int row = (j + k) * (n + 1) + j;
-        local.row(l) = grid.row(half == 0 ? row : last - row);
-      }
-      const double straight = triangle_determinant(local, 0, 1, 2);
-      EXPECT_NEAR(barrier.straight_determinants(grid)[at(half)], straight, 1e-13);
-      for (int trial = 0; trial < 20; ++trial) {
-        const Barycentric xi = random_point(random);
-        const Eigen::Matrix2d j = local.transpose() * bernstein_gradients(n, xi);
-        const Vec values = bernstein_values(2 * n - 2, xi);
-        ASSERT_EQ(values.size(), determinant.count());
-        EXPECT_NEAR(values.dot(b.segment(half * count, count)), j.determinant() / straight, 1e-11)
-            << n;
-      }
-    }
-  }
-}
-
-TEST(MovingBarrier, DerivativesAreThoseOfDifferences) {
-  std::mt19937 random(4);
-  std::uniform_real_distribution<double> uniform(-1, 1);
-  for (int n = 2; n <= 5; ++n) {
-    const MovingBarrier& barrier = MovingBarrier::of_degree(n);
-    Points2 grid((n + 1) * (n + 1), 2);
-    for (int q = 0; q <= n; ++q)
-      for (int p = 0; p <= n; ++p)
-        grid.row(q * (n + 1) + p) << p + 0.3 * uniform(random), q + 0.3 * uniform(random);
-    const double mu = barrier.coefficients(grid).minCoeff() - 0.5;
-    const auto model = barrier.model(grid, mu);
-    const double step = 1e-6;
-    for (int v = 0; v < barrier.variable_count(); ++v) {
-      const int row = (v / 2 / (n - 1) + 1) * (n + 1) + v / 2 % (n - 1) + 1;
-      Points2 plus = grid, minus = grid;
-      plus(row, v % 2) += step;
-      minus(row, v % 2) -= step;
-      const auto after = barrier.model(plus, mu), before = barrier.model(minus, mu);
-      const double scale = model.gradient.norm();
-      EXPECT_NEAR((after.value - before.value) / (2 * step), model.gradient[v], 1e-6 * scale);
-      EXPECT_LT(((after.gradient - before.gradient) / (2 * step) - model.hessian.col(v)).norm(),
-                1e-5 * model.hessian.norm());
-    }
-    EXPECT_LT((model.hessian - model.hessian.transpose()).norm(), 1e-12 * model.hessian.norm());
-    EXPECT_GE(model.gauss_newton.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff(),
-              -1e-12 * model.gauss_newton.norm());
-  }
 }
 
 TEST(FlipEdge, OfRandomQuadrilaterals) {
@@ -176,14 +112,13 @@ TEST(FlipEdge, OfParallelogramsIsStraight) {
 TEST(FlipEdge, RefusesTheImpossible) {
   const double thin = 1e-16;
   const std::vector<PlaneTriangulation> impossible{
-      quad({0, 0}, {1, -1}, {1, 0}, {0.5, 0.2}),       // b's corner is straight or reflex:
       quad({0, 0}, {2, -0.5}, {1, 0}, {2, 0.6}),       // not convex
       quad({0, 0}, {1, -1}, {2, 0}, {3, 1}),           // three corners in line
       quad({0, 0}, {1, -thin}, {2, 0}, {1, thin}, 4),  // slivers, also as they are
       quad({1, 1e9}, {2, 1e9}, {1, 1e9}, {0.5, 1e9}),  // no area at all
   };
   for (int n = 1; n <= 5; ++n)
-    for (std::size_t k = 1; k < impossible.size(); ++k) {
+    for (std::size_t k = 0; k < impossible.size(); ++k) {
       const BezierTriangleSpace space(impossible[k].faces, 4, n);
       const RowMatrix x = space.node_positions(impossible[k].points);
       const Vec flat = Eigen::Map<const Vec>(x.data(), x.size());
@@ -324,13 +259,14 @@ TEST(MakeDelaunay, OfRandomPoints) {
     }
 }
 
+// What is not performed cannot be: curved sides leave one triangle an angle of more than pi, or no
+// room. Where triangles are long and thin that happens to about one per cent of the wishes.
 TEST(MakeDelaunay, OfCurvedTriangles) {
   for (int n = 2; n <= 4; ++n) {
-    FlipCounts all;
-    for (unsigned seed = 1; seed <= 5; ++seed)
-      for (const BezierMesh& start : {curved(jittered_grid(14, 0.35, seed), n, 0.1, seed),
-                                      curved(inserted_points(120, seed), n, 0.05, seed)}) {
-        BezierMesh mesh = start;
+    const auto performed_part = [n](const std::string& name, const auto& start) {
+      FlipCounts all;
+      for (unsigned seed = 1; seed <= 5; ++seed) {
+        BezierMesh mesh = start(seed);
         std::vector<char> none;
         const FlipCounts counts = make_delaunay(mesh, none);
         EXPECT_LE(counts.performed, counts.intended);
@@ -339,10 +275,16 @@ TEST(MakeDelaunay, OfCurvedTriangles) {
         expect_sound(mesh);
         EXPECT_EQ(make_delaunay(mesh, none).performed, 0);
       }
-    RecordProperty("intended_" + std::to_string(n), static_cast<int>(all.intended));
-    RecordProperty("performed_" + std::to_string(n), static_cast<int>(all.performed));
-    EXPECT_GT(all.intended, 300);
-    EXPECT_GE(static_cast<double>(all.performed), 0.98 * static_cast<double>(all.intended));
+      EXPECT_GT(all.intended, 300);
+      const std::string of = "_" + name + "_" + std::to_string(n);
+      testing::Test::RecordProperty("intended" + of, static_cast<int>(all.intended));
+      testing::Test::RecordProperty("performed" + of, static_cast<int>(all.performed));
+      return static_cast<double>(all.performed) / static_cast<double>(all.intended);
+    };
+    const auto grid = [n](unsigned s) { return curved(jittered_grid(14, 0.35, s), n, 0.1, s); };
+    const auto thin = [n](unsigned s) { return curved(inserted_points(120, s), n, 0.05, s); };
+    EXPECT_GE(performed_part("grid", grid), 0.99) << n;
+    EXPECT_GE(performed_part("thin", thin), 0.98) << n;
   }
 }
 
@@ -421,18 +363,19 @@ TEST(FlipEdges, FollowsWishesAndEnds) {
 
 TEST(FlipEdge, Speed) {
   for (int n = 1; n <= 8; ++n) {
-    BezierMesh mesh = curved(jittered_grid(20, 0.2, 1), n, 0.1, 2);
+    BezierMesh mesh = curved(jittered_grid(10, 0.2, 1), n, 0.1, 2);
     std::mt19937 random(3);
     const auto start = std::chrono::steady_clock::now();
     long flips = 0;
     double seconds = 0;
-    while (seconds < 0.2) {
-      for (int k = 0; k < 50; ++k)
+    while (seconds < 0.1) {
+      for (int k = 0; k < 10; ++k)
         flips += flip_edge(mesh, static_cast<Index>(random() % mesh.opposite.size()));
       seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
-    RecordProperty("per_second_" + std::to_string(n), static_cast<int>(flips / seconds));
-    EXPECT_GT(flips / seconds, n <= 3 ? 100 : 1);
+    RecordProperty("per_second_" + std::to_string(n),
+                   static_cast<int>(static_cast<double>(flips) / seconds));
+    EXPECT_GT(static_cast<double>(flips) / seconds, n <= 3 ? 100 : 1);
   }
 }
 
