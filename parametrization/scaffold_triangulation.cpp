@@ -390,7 +390,8 @@ ScaffoldTriangulation ScaffoldBuilder::result() const {
 
 }  // namespace
 
-ScaffoldTriangulation triangulate_scaffold(const std::vector<Points2>& loops, const ScaffoldOptions& options) {
+ScaffoldTriangulation triangulate_scaffold(const std::vector<Points2>& loops,
+                                           const ScaffoldOptions& options) {
   if (!(options.margin > 0 && std::isfinite(options.margin)) || !(options.quality >= 1))
     throw std::invalid_argument("triangulate_scaffold: margin > 0 and quality >= 1 are needed");
   if (loops.empty()) throw std::invalid_argument("triangulate_scaffold: no loops");

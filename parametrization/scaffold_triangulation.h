@@ -45,7 +45,8 @@ struct ScaffoldTriangulation {
 // Throws Error(Infeasible) naming the two edges where boundary edges intersect or touch, or naming
 // the loop when one has the image on its right; std::invalid_argument for no loops, loops with
 // fewer than 3 points, positions that are not finite, and options out of range.
-ScaffoldTriangulation triangulate_scaffold(const std::vector<Points2>& loops, const ScaffoldOptions& = {});
+ScaffoldTriangulation triangulate_scaffold(const std::vector<Points2>& loops,
+                                           const ScaffoldOptions& = {});
 
 // The ring between an old frame (#P by 2, a convex polygon, counterclockwise) and a new one around
 // it, `margin` larger extents of the old frame away: for an image that has come close to its frame.
