@@ -15,7 +15,7 @@ constexpr double kScaffoldShare = 1e-4;  // [MC20] Sec. 6: lambda E_conf / E
 constexpr double kSameLambda = 0.02;
 constexpr double kSoftStart = 1e5;     // mean density, as in DegreeSolver
 constexpr double kStillMoving = 1e-3;  // relative decrease above which the scaffold is relaxed
-constexpr int kRelaxSteps = 2;
+constexpr int kRelaxSteps = 5;
 constexpr int kDeepest = 13;  // bisections, as in DegreeSolver
 constexpr int kHelpRounds = 30;
 constexpr int kAccuracyRounds = 3;
@@ -50,7 +50,9 @@ void BijectiveSolver::rebuild() {
       std::make_shared<const LocalInjectivity>(space_, 2 * setup_.map.rest.measure, depth_);
   ProblemBuilder builder(2 * scaffold_.joint_node_count());
   add_map(builder, setup_.map, space_, scaffold_.joined(start_), terms_);
-  builder.add(scaffold_.energy_term(), 1.0);
+  TermState around;
+  around.element_rule = scaffold_.levels();
+  builder.add(scaffold_.energy_term(), around);
   builder.add(std::make_shared<const ScaffoldInjectivity>(
       injectivity_, space_->element_count(),
       std::make_shared<const LocalInjectivity>(scaffold_.space(), Vec::Ones(scaffold_.face_count()),
@@ -78,6 +80,7 @@ void BijectiveSolver::set_states() {
   lambda_ = lambda;
   std::vector<TermState> states = energy_states(setup_.map, problem_, levels_.of_faces(), weight);
   states[last].weight = lambda;
+  states[last].element_rule = scaffold_.levels();
   problem_ = problem_.with(std::move(states));
   if (stepper_)
     stepper_->reset(problem_);
@@ -101,13 +104,16 @@ Stepper::Step BijectiveSolver::iterate(SolveResult& result) {
   return step;
 }
 
-// Flips, relaxes and enlarges the scaffold; whether its triangulation changed.
-bool BijectiveSolver::maintain(double relative_decrease) {
+// Enlarges, flips and relaxes the scaffold after a step; whether its triangulation changed. Near
+// the end of a run that nothing hinders the scaffold is left alone.
+bool BijectiveSolver::maintain(const IterationRecord& step, const std::vector<Index>& blocking) {
   scaffold_.take(x_);
+  refine_scaffold(blocking);
   const bool grown = scaffold_.grow();
   FlipCounts counts = scaffold_.flip();
-  if (grown || counts.performed > 0 || relative_decrease > kStillMoving) {
-    scaffold_.relax(kRelaxSteps);
+  if (grown || counts.performed > 0 || step.relative_decrease > kStillMoving ||
+      step.step_bound < 1) {
+    scaffold_.relax(kRelaxSteps, depth_);
     const FlipCounts more = scaffold_.flip();
     counts.intended += more.intended;
     counts.performed += more.performed;
@@ -118,6 +124,16 @@ bool BijectiveSolver::maintain(double relative_decrease) {
   const bool changed = grown || counts.performed > 0;
   if (changed) rebuild();
   return changed;
+}
+
+// Scaffold faces that block a step get a finer quadrature rule: theirs does not see the barrier.
+void BijectiveSolver::refine_scaffold(const std::vector<Index>& blocking) {
+  std::vector<Index> faces;
+  for (const Index e : blocking)
+    if (e >= space_->element_count()) faces.push_back(e - space_->element_count());
+  if (faces.empty()) return;
+  scaffold_.refine(faces);
+  lambda_ = 0;
 }
 
 // For a step that was blocked: certificates that look deeper, then finer quadrature on the faces
@@ -153,14 +169,14 @@ SolveResult BijectiveSolver::run(const StoppingRules& rules, RunRecord& record) 
     if (step.outcome == Stepper::Outcome::Breakdown) return finish(Status::Failed, "no direction");
     if (step.outcome == Stepper::Outcome::AtMinimum) return finish(Status::Converged, "decrement");
     if (step.outcome != Stepper::Outcome::Moved) {
-      if (maintain(1.0)) continue;
+      if (maintain(step.record, result.blocking)) continue;
       return finish(near ? Status::Converged : Status::Stalled, "no further decrease");
     }
     step.record.energy = result.energy;
     const Directive directive = observe(step.record, x_);
     const double decrease = step.record.relative_decrease;
     const bool small = decrease <= rules.relative_decrease;
-    const bool changed = maintain(decrease);
+    const bool changed = maintain(step.record, result.blocking);
     if (small && !changed &&
         result.newton_decrement <= rules.tail_factor * rules.relative_decrease * scale)
       return finish(Status::Converged, "relative decrease");

@@ -39,7 +39,8 @@ class BijectiveSolver {
   double scaffold_energy() const;  // E_conf of all scaffold triangles at x_
   SolveResult run(const StoppingRules& rules, RunRecord& record);
   Stepper::Step iterate(SolveResult& result);
-  bool maintain(double relative_decrease);
+  bool maintain(const IterationRecord& step, const std::vector<Index>& blocking);
+  void refine_scaffold(const std::vector<Index>& blocking);
   bool help(const std::vector<Index>& blocking);
 
   const DegreeSolver::Setup& setup_;

@@ -8,18 +8,47 @@
 
 #include "majorant/constraints/fixed_points.h"
 #include "majorant/constraints/seamless_constraint.h"
+#include "majorant/elements/quadrature.h"
 #include "majorant/energies/named_energies.h"
 #include "majorant/framework/newton.h"
-#include "majorant/parametrization/quadrature_ladder.h"
 #include "majorant/parametrization/scaffold_triangulation.h"
 
 namespace majorant {
 namespace {
 
 constexpr double kClearance = 0.25;  // of the frame's smaller extent: closer images make it grow
+constexpr double kEdgeWeight = 0.5;  // of the quadrature points on the edges of a triangle
 constexpr double kMargin = 1.0;  // a new frame's distance, in larger extents of what it encloses
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+// `rule` scaled by 1 - kEdgeWeight, and `pieces` + 1 points on every edge sharing that weight.
+Quadrature with_edges(const Quadrature& rule, int pieces) {
+  Quadrature out;
+  const Index inside = rule.weights.size(), count = 3 * pieces;
+  out.points.resize(inside + count, rule.points.cols());
+  out.weights.resize(inside + count);
+  out.points.topRows(inside) = rule.points;
+  out.weights.head(inside) = (1 - kEdgeWeight) * rule.weights;
+  out.weights.tail(count).setConstant(kEdgeWeight / count * rule.weights.sum());
+  for (int k = 0; k < 3; ++k)
+    for (int i = 0; i < pieces; ++i) {
+      Eigen::RowVector3d xi = Eigen::RowVector3d::Zero();
+      xi[k] = 1 - static_cast<double>(i) / pieces;
+      xi[(k + 1) % 3] = static_cast<double>(i) / pieces;
+      out.points.row(inside + k * pieces + i) = xi;
+    }
+  return out;
+}
+
+// Accuracy does not matter here, seeing det J fall towards 0 does, and it does so on the edges
+// first: rules with many points there, by level.
+std::vector<Quadrature> scaffold_rules(int degree) {
+  if (degree == 1) return {lattice_rule(1)};
+  const Quadrature inside = composite_rule(radon_rule(), std::min(degree, 4));
+  return {with_edges(inside, 8 * degree), with_edges(inside, 32 * degree),
+          with_edges(inside, 128 * degree)};
+}
 
 // Boundary of a space as loops of half-edges, the surface on the left.
 std::vector<std::vector<Index>> boundary_loops(const Cells& faces) {
@@ -113,6 +142,7 @@ void Scaffold::number() {
   NodeNumbering numbering{own_->cells(), joint_node_count_, {}};
   for (Index& node : numbering.cells.reshaped()) node = joint[at(node)];
   space_ = std::make_shared<const BezierTriangleSpace>(std::move(numbering), mesh_.degree);
+  levels_.resize(at(face_count()), 0);
   frame_nodes_.clear();
   for (std::size_t k = 0; k < frame_.size(); ++k)
     for (const Index node :
@@ -134,9 +164,16 @@ RestShapes Scaffold::rest() const {
   return rest;
 }
 
-std::shared_ptr<const DensityTerm> Scaffold::energy_term() const {
-  return find_energy("mips")->make(space_, rest(),
-                                   {optimizer_ladder(mesh_.degree, 0).guarded.front()});
+std::shared_ptr<const DensityTerm> Scaffold::term_on(
+    std::shared_ptr<const BezierTriangleSpace> space) const {
+  return find_energy("mips")->make(std::move(space), rest(), scaffold_rules(mesh_.degree));
+}
+
+std::shared_ptr<const DensityTerm> Scaffold::energy_term() const { return term_on(space_); }
+
+void Scaffold::refine(const std::vector<Index>& faces) {
+  const auto top = static_cast<RuleId>(scaffold_rules(mesh_.degree).size()) - 1;
+  for (const Index f : faces) levels_[at(f)] = std::min(levels_[at(f)] + 1, top);
 }
 
 Vec Scaffold::joined(VecIn image) const {
@@ -161,16 +198,16 @@ FlipCounts Scaffold::flip() {
   return counts;
 }
 
-void Scaffold::relax(int steps) {
+void Scaffold::relax(int steps, int depth) {
   Vec x(2 * own_->node_count());
   for (Index f = 0; f < face_count(); ++f)
     for (Index l = 0; l < own_->cells().cols(); ++l)
       x.segment<2>(2 * own_->cells()(f, l)) = mesh_.points.row(f).segment<2>(2 * l);
   ProblemBuilder builder(x.size());
-  builder.add(
-      find_energy("mips")->make(own_, rest(), {optimizer_ladder(mesh_.degree, 0).guarded.front()}),
-      1.0);
-  builder.add(std::make_shared<const LocalInjectivity>(own_, Vec::Ones(face_count())));
+  TermState state;
+  state.element_rule = levels_;
+  builder.add(term_on(own_), state);
+  builder.add(std::make_shared<const LocalInjectivity>(own_, Vec::Ones(face_count()), depth));
   builder.add(FixedPoints::at(own_->boundary_nodes(), x));
   const Problem problem = builder.build();
   NewtonStepper stepper(problem, {});

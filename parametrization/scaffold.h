@@ -38,8 +38,11 @@ class Scaffold {
 
   // Every triangle is measured against a unit equilateral one.
   RestShapes rest() const;
-  // E_conf of the triangles.
+  // E_conf of the triangles, on rules that get finer; levels() says which face uses which, and
+  // refine() makes faces climb that block a step: their rule does not see why.
   std::shared_ptr<const DensityTerm> energy_term() const;
+  const std::vector<RuleId>& levels() const { return levels_; }
+  void refine(const std::vector<Index>& faces);
 
   Vec joined(VecIn image) const;
   void take(VecIn joint);
@@ -47,8 +50,8 @@ class Scaffold {
   // Flips edges until the corner points are locally Delaunay. What flips changes numbers the nodes
   // anew: space() and so on are others if the result has performed > 0; so with grow().
   FlipCounts flip();
-  // Newton steps on the shape of the scaffold, image and frame fixed.
-  void relax(int steps);
+  // Newton steps on the shape of the scaffold, image and frame fixed. depth: of the certificates.
+  void relax(int steps, int depth);
   // Encloses the frame in a larger one where the image comes close to it; whether it did.
   bool grow();
   // Around the same image in a space of one degree more.
@@ -58,12 +61,14 @@ class Scaffold {
   Scaffold() = default;
   void number();
   Points2 frame_points() const;
+  std::shared_ptr<const DensityTerm> term_on(std::shared_ptr<const BezierTriangleSpace>) const;
 
   std::shared_ptr<const BezierTriangleSpace> image_, space_;
   std::shared_ptr<const BezierTriangleSpace> own_;  // the scaffold alone, numbered by itself
   BezierMesh mesh_;           // vertices: those of the image, then the scaffold's own
   std::vector<Index> frame_;  // vertices of the frame, counterclockwise
   std::vector<Index> frame_nodes_;
+  std::vector<RuleId> levels_;  // by face
   Index joint_node_count_ = 0;
 };
 
