@@ -5,27 +5,24 @@
 #include <array>
 #include <deque>
 #include <limits>
-#include <optional>
 #include <stdexcept>
 
 #include "majorant/constraints/local_injectivity.h"
 #include "majorant/elements/bernstein.h"
 #include "majorant/elements/bezier_triangle_space.h"
 #include "majorant/parametrization/moving_barrier.h"
+#include "majorant/parametrization/quadrilateral.h"
 
 namespace majorant {
 namespace {
 
-// Sines of angles below this are 0 up to the rounding of differences and products of coordinates.
-constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
+constexpr double kSine = Quadrilateral::kRounding;
 // Contradicting wishes come to an end; Delaunay flips, of a few per face, always do.
 constexpr long kMostFlipsPerFace = 100;
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 Index next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
 Index previous(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
-
-double cross(const Vector2& a, const Vector2& b) { return a[0] * b[1] - a[1] * b[0]; }
 
 // What flips of one degree share.
 class FlipTables {
@@ -124,52 +121,15 @@ RowMatrix upper_half(const Points2& grid, const std::vector<FlipTables::Place>& 
   return points;
 }
 
-// Sine of the turn from a -> b to b -> c.
-double turn(const Vector2& a, const Vector2& b, const Vector2& c) {
-  const Vector2 in = b - a, out = c - b;
-  return cross(in, out) / (in.norm() * out.norm());
+Quadrilateral corners(const BezierMesh& mesh, Index h) {
+  const Index o = mesh.opposite[at(h)];
+  const auto corner = [&](Index side) { return mesh.point(side / 3, side % 3); };
+  return {corner(h), corner(previous(o)), corner(next(h)), corner(previous(h))};
 }
-
-// Of the half whose diagonal runs from `a` to `b`; also what a degenerate triangle is not.
-bool is_positive(const Vector2& a, const Vector2& b, const Vector2& c) {
-  return turn(a, b, c) > kRounding && turn(b, c, a) > kRounding && turn(c, a, b) > kRounding;
-}
-
-struct QuadCorners {
-  Vector2 a, d, b, c;  // counterclockwise; the edge runs from a to b, c is on its left
-
-  QuadCorners(const BezierMesh& mesh, Index h) {
-    const Index o = mesh.opposite[at(h)];
-    const auto corner = [&](Index side) { return mesh.point(side / 3, side % 3); };
-    a = corner(h);
-    b = corner(next(h));
-    c = corner(previous(h));
-    d = corner(previous(o));
-  }
-  bool flips_to_positive() const { return is_positive(d, c, a) && is_positive(c, d, b); }
-  bool is_strictly_convex() const {
-    return is_positive(a, b, c) && is_positive(b, a, d) && flips_to_positive();
-  }
-  // The angles opposite the edge add up to more than pi, in a way that does not depend on scale:
-  // the sine of their sum is negative.
-  bool wants_delaunay_flip() const {
-    const Vector2 ca = a - c, cb = b - c, da = a - d, db = b - d;
-    const double sine = cross(ca, cb) * da.dot(db) + ca.dot(cb) * cross(db, da);
-    return sine < -kRounding * ca.norm() * cb.norm() * da.norm() * db.norm();
-  }
-};
-
-// The outer half-edges of a quadrilateral before and after its flip: bc, ca, ad, db.
-struct OuterMoves {
-  std::array<Index, 4> from, to;
-  OuterMoves(Index h, Index o)
-      : from{next(h), previous(h), next(o), previous(o)},
-        to{previous(o), next(h), previous(h), next(o)} {}
-};
 
 void flip_connectivity(BezierMesh& mesh, Index h) {
   const Index o = mesh.opposite[at(h)];
-  const OuterMoves moves(h, o);
+  const FlippedSides moves = flipped_sides(h, o);
   std::array<Index, 4> outside{};
   for (std::size_t k = 0; k < 4; ++k) outside[k] = mesh.opposite[at(moves.from[k])];
   for (std::size_t k = 0; k < 4; ++k) {
@@ -219,7 +179,7 @@ FlipCounts flip_while(BezierMesh& mesh, std::vector<char>& is_fixed, long most,
     }
     ++counts.performed;
     // Sides get other numbers; what was noted about a number is told to its new owner.
-    const OuterMoves moves(h, o);
+    const FlippedSides moves = flipped_sides(h, o);
     std::array<char, 4> fixed{};
     for (std::size_t k = 0; k < 4 && !is_fixed.empty(); ++k) fixed[k] = is_fixed[at(moves.from[k])];
     for (std::size_t k = 0; k < 4; ++k) {
@@ -235,19 +195,24 @@ FlipCounts flip_while(BezierMesh& mesh, std::vector<char>& is_fixed, long most,
 
 }  // namespace
 
+FlippedSides flipped_sides(Index half_edge, Index opposite) {
+  return {{next(half_edge), previous(half_edge), next(opposite), previous(opposite)},
+          {previous(opposite), next(half_edge), previous(half_edge), next(opposite)}};
+}
+
 bool flip_edge(BezierMesh& mesh, Index half_edge) {
   require_degree(mesh);
   if (half_edge < 0 || at(half_edge) >= mesh.opposite.size())
     throw std::invalid_argument(fmt::format("flip_edge: no half-edge {}", half_edge));
   if (!has_free_diagonal(mesh, half_edge)) return false;
-  if (!QuadCorners(mesh, half_edge).flips_to_positive()) return false;
+  if (!corners(mesh, half_edge).flips_to_positive(kSine)) return false;
 
   const int n = mesh.degree;
   const Index h = half_edge, o = mesh.opposite[at(h)];
   const FlipTables& tables = FlipTables::of_degree(n);
   Points2 grid = turned(read_grid(mesh, h), n);
   const auto corner_determinant = [&](int corner, int out, int in) {
-    return cross(grid.row(out) - grid.row(corner), grid.row(in) - grid.row(corner));
+    return Quadrilateral::cross(grid.row(out) - grid.row(corner), grid.row(in) - grid.row(corner));
   };
   // The two corners that become one triangle's: det J there has no say in it.
   const int first = n * (n + 1), last = n;
@@ -267,8 +232,8 @@ bool flip_edge(BezierMesh& mesh, Index half_edge) {
 FlipCounts make_delaunay(BezierMesh& mesh, std::vector<char>& is_fixed) {
   return flip_while(mesh, is_fixed, std::numeric_limits<long>::max(),
                     [](const BezierMesh& m, Index h) {
-                      const QuadCorners corners(m, h);
-                      return corners.is_strictly_convex() && corners.wants_delaunay_flip();
+                      const Quadrilateral quad = corners(m, h);
+                      return quad.is_strictly_convex(kSine) && quad.wants_delaunay_flip(kSine);
                     });
 }
 

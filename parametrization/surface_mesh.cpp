@@ -204,6 +204,18 @@ SurfaceMesh SurfaceMesh::cut_along(const std::vector<char>& is_cut,
   return out;
 }
 
+SurfaceMesh SurfaceMesh::with_faces(const Cells& faces, std::vector<Index> input_face) const {
+  SurfaceMesh out;
+  out.file_ = file_;
+  out.positions_ = positions_;
+  out.faces_ = faces;
+  out.input_vertex_ = input_vertex_;
+  out.input_face_ = std::move(input_face);
+  out.vertex_of_input_ = vertex_of_input_;
+  out.build_connectivity();
+  return out;
+}
+
 void SurfaceMesh::require_disk() const {
   const auto refuse = [&](const std::string& what) {
     throw Error(ErrorKind::Unsupported, fmt::format("{}: {}", file_, what));

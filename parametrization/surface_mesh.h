@@ -70,6 +70,11 @@ class SurfaceMesh {
   // vertex of the result, which may fall into several pieces.
   SurfaceMesh cut_along(const std::vector<char>& is_cut, std::vector<Index>* surface_vertex) const;
 
+  // Other faces over the same vertices (#F by 3, counterclockwise; manifold, connected and using
+  // every vertex, which is the caller's promise), with the polygon of the file that each belongs
+  // to. Texture coordinates, which are those of other corners, are left out.
+  SurfaceMesh with_faces(const Cells& faces, std::vector<Index> input_face) const;
+
  private:
   SurfaceMesh() = default;
   void build_connectivity();

@@ -1,0 +1,43 @@
+// Four corners around an edge: what decides about a flip before anything curved is looked at.
+//
+//   const Quadrilateral q{a, d, b, c};     // counterclockwise; the edge runs from a to b
+//   if (q.is_strictly_convex(kSine) && q.wants_delaunay_flip(kSine)) ...
+//
+// Tolerances are sines of angles: what does not exceed them counts as 0, whatever the scale.
+#pragma once
+
+#include <limits>
+
+#include "majorant/framework/types.h"
+
+namespace majorant {
+
+struct Quadrilateral {
+  // What differences and products of coordinates may add to the sine of an angle.
+  static constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
+
+  Vector2 a, d, b, c;
+
+  static double cross(const Vector2& x, const Vector2& y) { return x[0] * y[1] - x[1] * y[0]; }
+  // All angles of the counterclockwise triangle p, q, r have sines above the tolerance.
+  static bool is_positive(const Vector2& p, const Vector2& q, const Vector2& r, double sine) {
+    const auto turns = [sine](const Vector2& in, const Vector2& out) {
+      return cross(in, out) > sine * in.norm() * out.norm();
+    };
+    return turns(q - p, r - q) && turns(r - q, p - r) && turns(p - r, q - p);
+  }
+  bool flips_to_positive(double sine) const {
+    return is_positive(d, c, a, sine) && is_positive(c, d, b, sine);
+  }
+  bool is_strictly_convex(double sine) const {
+    return is_positive(a, b, c, sine) && is_positive(b, a, d, sine) && flips_to_positive(sine);
+  }
+  // The angles opposite the edge add up to more than pi: the sine of their sum is negative.
+  bool wants_delaunay_flip(double sine) const {
+    const Vector2 ca = a - c, cb = b - c, da = a - d, db = b - d;
+    const double sum = cross(ca, cb) * da.dot(db) + ca.dot(cb) * cross(db, da);
+    return sum < -sine * ca.norm() * cb.norm() * da.norm() * db.norm();
+  }
+};
+
+}  // namespace majorant
