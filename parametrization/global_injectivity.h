@@ -48,9 +48,10 @@ struct GlobalInjectivity {
   std::string reason;
 };
 
-// The boundary is that of the map's mesh: both sides of its seams are part of it, and a map of a
-// cut surface is injective when no two of its faces overlap anywhere in the plane. Precondition,
-// not checked: det J > 0 on every element (LocalInjectivity, or measure()). About 2 us per edge.
+// The boundary is that of the map's mesh, both sides of its seams included: of a cut surface the
+// charts must not overlap, nor touch, not even where a cut opens no gap. Precondition, not checked:
+// det J > 0 on every element (LocalInjectivity, or measure()). A few microseconds per boundary
+// edge.
 GlobalInjectivity check_boundary(const BezierMap& map);
 
 }  // namespace majorant
