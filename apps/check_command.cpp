@@ -86,8 +86,8 @@ BezierMap rebuild(const MapFile& file, const Request& request, const Json& claim
   const bool claims_seams = claims.is_object() && claims.value("seams", false);
   if (!claims_seams && !request.seamless) return to_bezier_map(file, request.result);
   BezierMap map = to_seamless_map(file, request.result);
-  if (!map.seams().empty()) return map;
-  findings.require(false, "the map has no seams: no vertex of the input has several points");
+  if (!map.seams().trivial()) return map;
+  findings.require(false, "the map has no seams and no cones");
   return to_bezier_map(file, request.result);
 }
 
@@ -105,7 +105,7 @@ MapMeasures check_map(MapFile& file, const Request& request, Findings& findings,
   findings.require(measures.locally_injective || !findings.list().empty(),
                    "the map covers the neighbourhood of a vertex more than once");
   const CheckedMap checked{file, map, measures, claims, request.surface};
-  if (!map.seams().empty()) check_seams(checked, findings);
+  if (!map.seams().trivial()) check_seams(checked, findings);
   const GlobalVerdict verdict = judge_global_injectivity(map, measures, vertices_of(file));
   verdict.add_to(report["result"]);
   if (request.certify || (claims.is_object() && claims.value("bijective", false)))

@@ -26,7 +26,8 @@ struct Request {
 };
 
 SeamlessMethod find_method(const std::string& wanted) {
-  for (const SeamlessMethod m : {SeamlessMethod::Field, SeamlessMethod::Conformal})
+  for (const SeamlessMethod m :
+       {SeamlessMethod::Field, SeamlessMethod::ScaledField, SeamlessMethod::Conformal})
     if (name(m) == wanted) return m;
   return SeamlessMethod::Automatic;
 }
@@ -63,7 +64,7 @@ int run_job(Request request) {
     SeamlessMap made = make_seamless(mesh, options, record);
     initialize_seconds = seconds() - read_seconds;
     request.map.init = name(made.method);
-    return SeamlessStart{std::move(made.map)};
+    return SeamlessStart{std::move(made.map), 0, 0, made.inverted, made.untangling_steps};
   });
   request.solve.apply(in.options);
   ParametrizationResult result = parametrize(in.start->map, in.options, record);
@@ -91,7 +92,7 @@ void add_seamless(CLI::App& app, Action* run) {
   verb.add_option("--cones", r.cones, "the cones, JSON (default: those of a smooth cross field)")
       ->type_name("FILE");
   verb.add_option("--start", r.start, "what the map is made from (automatic)")
-      ->check(CLI::IsMember({"automatic", "field", "conformal"}));
+      ->check(CLI::IsMember({"automatic", "field", "scaled-field", "conformal"}));
   verb.add_option("--curvature-alignment", r.curvature_alignment,
                   "pull of principal directions on the cross field, 5 to 50 are useful (0)")
       ->check(CLI::NonNegativeNumber);

@@ -54,19 +54,20 @@ def run(command, timeout, env=None):
     return Finished(code, out, err, time.monotonic() - start)
 
 
-def parametrize(options, mesh, outputs, *flags):
-    """majorant parametrize MESH -o OUT... FLAGS --quiet"""
-    command = [options.binary.resolve(), 'parametrize', mesh]
+def parametrize(options, mesh, outputs, *flags, verb='parametrize'):
+    """majorant VERB MESH -o OUT... FLAGS --quiet"""
+    command = [options.binary.resolve(), verb, mesh]
     for path in outputs:
         command += ['-o', path]
     return run(command + list(flags) + ['--quiet'], options.timeout)
 
 
-def verify(options, result, mesh=None, constraints=None):
+def verify(options, result, mesh=None, constraints=None, *flags):
     """The JSON object that verify.py prints, or {"error": reason}."""
     command = [PYTHON, options.shared / 'tools/verify.py', result]
     command += ['--mesh', mesh] if mesh else []
     command += ['--constraints', constraints] if constraints else []
+    command += flags
     single = dict(os.environ, OMP_NUM_THREADS='1', OPENBLAS_NUM_THREADS='1')
     done = run(command, options.timeout, single)
     try:

@@ -1,7 +1,8 @@
-// Small test surfaces, each a topological disk of a few hundred triangles. Standard library only.
+// Small test surfaces: topological disks of a few hundred triangles, and a closed one of genus 1.
+// Standard library only.
 //
 //   g++ -std=c++20 -O2 -Wall -Wextra generate_shapes.cpp -o generate_shapes
-//   ./generate_shapes .       # writes wavy_disk.obj cap.obj ribbon.obj tube.obj into this folder
+//   ./generate_shapes .       # writes wavy_disk.obj cap.obj ribbon.obj tube.obj buckle.obj here
 //
 // What: wavy_disk  a bumpy height field over a noisy triangular grid: mild distortion, the easy
 // case
@@ -9,7 +10,9 @@
 //       ribbon     two turns of a helicoid: long, thin, negatively curved, two long boundary sides
 //       tube       a crinkled L-shaped sheet; a tube with a closed end grows out of its long leg:
 //                  the map has to flatten the whole tube around the interior of the sheet
-// How: every shape is a planar triangulation whose vertices are then moved into space. Noise comes
+//       buckle     a closed rounded square ring with waves: corners and a handle, for seamless maps
+// How: every disk is a planar triangulation whose vertices are then moved into space; the buckle is
+// the surface of small cubes, smoothed. Noise comes
 // from a linear congruential generator of fixed seed: the output is the same on every machine up to
 // the last digits of sin and cos.
 #include <array>
@@ -200,6 +203,69 @@ Mesh tube() {
   return mesh;
 }
 
+// The surface of 3 by 3 blocks without the middle one, each of 6^3 cubes, squares cut in two.
+Mesh square_ring() {
+  constexpr int block = 6;
+  const auto is_full = [](std::array<int, 3> c) {
+    for (const int x : c)
+      if (x < 0) return false;
+    c = {c[0] / block, c[1] / block, c[2] / block};
+    return c[0] < 3 && c[1] < 3 && c[2] < 1 && !(c[0] == 1 && c[1] == 1);
+  };
+  Mesh mesh;
+  std::map<std::array<int, 3>, int> number;
+  const auto vertex = [&](const std::array<int, 3>& p) {
+    const auto [entry, is_new] = number.try_emplace(p, static_cast<int>(mesh.vertices.size()));
+    if (is_new)
+      mesh.vertices.push_back(
+          {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])});
+    return entry->second;
+  };
+  const auto add_square = [&](const std::array<int, 3>& cube, int axis, int side) {
+    std::array<int, 4> corner = {};
+    for (int k = 0; k < 4; ++k) {  // counterclockwise, seen from outside
+      std::array<int, 3> p = cube;
+      const int s = k == 1 || k == 2, t = k >= 2;
+      p[axis] += side;
+      p[(axis + 1) % 3] += side ? s : t;
+      p[(axis + 2) % 3] += side ? t : s;
+      corner[k] = vertex(p);
+    }
+    const int first = (cube[0] + cube[1] + cube[2]) % 2;  // alternating diagonals
+    for (const int k : {1, 2})
+      mesh.faces.push_back({corner[first], corner[(first + k) % 4], corner[(first + k + 1) % 4]});
+  };
+  for (int x = 0; x < 3 * block; ++x)
+    for (int y = 0; y < 3 * block; ++y)
+      for (int z = 0; z < block; ++z)
+        for (int axis = 0; axis < 3; ++axis)
+          for (const int side : {0, 1}) {
+            std::array<int, 3> beyond = {x, y, z};
+            beyond[axis] += 2 * side - 1;
+            if (is_full({x, y, z}) && !is_full(beyond)) add_square({x, y, z}, axis, side);
+          }
+  return mesh;
+}
+
+Mesh buckle() {
+  Mesh mesh = square_ring();
+  for (int round = 0; round < 2; ++round) {  // every vertex to the mean of its neighbours
+    std::vector<Point> sum(mesh.vertices.size());
+    std::vector<int> count(mesh.vertices.size());
+    for (const auto& face : mesh.faces)
+      for (int k = 0; k < 3; ++k) {
+        const Point& p = mesh.vertices[face[(k + 1) % 3]];
+        Point& s = sum[face[k]];
+        s = {s.x + p.x, s.y + p.y, s.z + p.z};
+        ++count[face[k]];
+      }
+    for (std::size_t v = 0; v < sum.size(); ++v)
+      mesh.vertices[v] = {sum[v].x / count[v], sum[v].y / count[v], sum[v].z / count[v]};
+  }
+  for (Point& p : mesh.vertices) p.z += 0.7 * std::sin(0.5 * p.x) * std::cos(0.4 * p.y);
+  return mesh;
+}
+
 void write_obj(const std::string& path, const Mesh& mesh) {
   std::FILE* file = std::fopen(path.c_str(), "w");
   if (file == nullptr) throw std::runtime_error("cannot write " + path);
@@ -226,6 +292,7 @@ int main(int argc, char** argv) {
     write_obj(folder + "cap.obj", cap());
     write_obj(folder + "ribbon.obj", ribbon());
     write_obj(folder + "tube.obj", tube());
+    write_obj(folder + "buckle.obj", buckle());
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s: %s\n", argv[0], error.what());
     return 1;

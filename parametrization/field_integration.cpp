@@ -13,15 +13,16 @@
 namespace majorant {
 namespace {
 
-// area * (|grad u - X|^2 + |grad v - Y|^2) of every face.
+// area / scale^2 * (|grad u - X|^2 + |grad v - Y|^2) of every face, X and Y of length scale.
 class FieldTerm final : public EnergyTerm {
  public:
-  FieldTerm(const SurfaceMesh& surface, const CrossField& field)
+  FieldTerm(const SurfaceMesh& surface, const CrossField& field, const Vec& scale)
       : stencils_{surface.faces(), 2},
         gradients_(surface.face_count(), 6),
         targets_(surface.face_count(), 4),
-        area_(surface.face_count()) {
-    for (Index f = 0; f < surface.face_count(); ++f) tabulate(surface, field, f);
+        weight_(surface.face_count()) {
+    for (Index f = 0; f < surface.face_count(); ++f)
+      tabulate(surface, field, scale.size() > 0 ? scale[f] : 1.0, f);
   }
 
   std::string_view name() const override { return "field"; }
@@ -33,7 +34,7 @@ class FieldTerm final : public EnergyTerm {
               std::span<double> f) const override {
     for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
       const Index e = chunk.elements[p];
-      f[p] = area_[e] * difference(x, e).squaredNorm();
+      f[p] = weight_[e] * difference(x, e).squaredNorm();
     }
   }
   void local(VecIn x, const Chunk& chunk, Curvature, const TermState& state, Workspace& workspace,
@@ -44,18 +45,18 @@ class FieldTerm final : public EnergyTerm {
       const Eigen::Matrix2d d = difference(x, e);
       for (int i = 0, k = 0; i < 6; ++i) {
         out.gradient[i * LocalSystem::stride + static_cast<int>(p)] =
-            2 * area_[e] * gradient(e, i / 2).dot(d.row(i % 2));
+            2 * weight_[e] * gradient(e, i / 2).dot(d.row(i % 2));
         if (!out.hessian) continue;
         for (int j = 0; j <= i; ++j, ++k)
           out.hessian[k * LocalSystem::stride + static_cast<int>(p)] =
-              i % 2 == j % 2 ? 2 * area_[e] * gradient(e, i / 2).dot(gradient(e, j / 2)) : 0.0;
+              i % 2 == j % 2 ? 2 * weight_[e] * gradient(e, i / 2).dot(gradient(e, j / 2)) : 0.0;
       }
     }
   }
 
  private:
   // In the face's frame: first axis along the edge corner 0 -> corner 1, as CrossField has it.
-  void tabulate(const SurfaceMesh& surface, const CrossField& field, Index f) {
+  void tabulate(const SurfaceMesh& surface, const CrossField& field, double scale, Index f) {
     const auto p = [&](int k) { return Vector3(surface.positions().row(surface.faces()(f, k))); };
     const Vector3 a = p(1) - p(0), b = p(2) - p(0);
     const double length = a.norm();
@@ -67,9 +68,9 @@ class FieldTerm final : public EnergyTerm {
       const Vector2 e = corner[(next + 1) % 3] - corner[next];  // opposite edge
       gradients_.row(f).segment<2>(2 * k) << -e.y() / twice_area, e.x() / twice_area;
     }
-    const Vector2 x(std::cos(field.angle[f]), std::sin(field.angle[f]));
+    const Vector2 x = scale * Vector2(std::cos(field.angle[f]), std::sin(field.angle[f]));
     targets_.row(f) << x.x(), x.y(), -x.y(), x.x();
-    area_[f] = 0.5 * twice_area;
+    weight_[f] = 0.5 * twice_area / (scale * scale);
   }
   Eigen::RowVector2d gradient(Index e, int corner) const {
     return gradients_.row(e).segment<2>(2 * corner);
@@ -85,19 +86,19 @@ class FieldTerm final : public EnergyTerm {
   Stencils stencils_;
   RowMatrix gradients_;  // #F by 6: of the three hat functions
   RowMatrix targets_;    // #F by 4: X, Y
-  Vec area_;
+  Vec weight_;
 };
 
 }  // namespace
 
 BezierMap integrate_field(const SurfaceMesh& mesh, const std::vector<char>& is_cut,
-                          const CrossField& field) {
+                          const CrossField& field, const Vec& scale) {
   const CutSurface cut = cut_open(mesh, is_cut, field.turns, field.quarter_turns);
   BezierMap map = BezierMap::linear(cut.mesh, Vec::Zero(2 * cut.mesh->vertex_count()), cut.seams);
   MapSpecification spec;
   spec.seams = cut.seams;
   ProblemBuilder builder(map.control_points().size());
-  builder.add(std::make_shared<const FieldTerm>(*cut.mesh, field), 1.0 / mesh.area());
+  builder.add(std::make_shared<const FieldTerm>(*cut.mesh, field, scale), 1.0 / mesh.area());
   builder.add(SeamlessConstraint(map.shared_space(), cut.seams));
   builder.add(FixedPoints::at(gauge_vertices(spec, map.space()), map.control_points()));
   const Problem problem = builder.build();

@@ -13,6 +13,9 @@
 namespace majorant {
 namespace {
 
+// Extents of the surface beyond which the position of a free map is given up for its digits.
+constexpr double kFarAway = 1000;
+
 // The optimizer works on a surface of size about 1: a power of two, so that scaling is exact.
 double normalizing_scale(const SurfaceMesh& mesh) {
   const Eigen::RowVector3d extent =
@@ -188,6 +191,8 @@ NormalizedStart::NormalizedStart(const BezierMap& given, const ParametrizationOp
   if (const auto gauge = gauge_vertices(spec, start.space());
       !gauge.empty() && spec.pins.empty() && spec.handles.empty())
     origin_ = start.control_points().segment<2>(2 * gauge.front());
+  if (origin_.norm() * scale_ <= kFarAway || spec.boundary == BoundaryCondition::Fixed)
+    destination_ = origin_;
   for (auto* points : {&spec.pins, &spec.handles})
     for (FixedPoint& p : *points) p.position = (p.position - origin_) * scale_;
   map_ = start.with(start.shared_space(), translated(start.control_points(), -origin_) * scale_);
@@ -195,7 +200,13 @@ NormalizedStart::NormalizedStart(const BezierMap& given, const ParametrizationOp
 
 BezierMap NormalizedStart::in_model_units(const BezierMap& normalized) const {
   return normalized.with(normalized.shared_space(),
-                         translated(normalized.control_points() / scale_, origin_));
+                         translated(normalized.control_points() / scale_, destination_));
+}
+
+BezierMesh NormalizedStart::in_model_units(BezierMesh normalized) const {
+  for (Index k = 0; k < normalized.points.cols(); ++k)
+    normalized.points.col(k) = (normalized.points.col(k) / scale_).array() + origin_[k % 2];
+  return normalized;
 }
 
 }  // namespace majorant

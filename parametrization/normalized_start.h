@@ -7,6 +7,7 @@
 #pragma once
 
 #include "majorant/parametrization/bezier_map.h"
+#include "majorant/parametrization/bezier_mesh.h"
 #include "majorant/parametrization/map_problem.h"
 #include "majorant/parametrization/parametrize.h"
 
@@ -27,10 +28,13 @@ class NormalizedStart {
   double moved() const { return moved_; }
   const MapSpecification& specification() const { return specification_; }
   BezierMap in_model_units(const BezierMap& normalized) const;
+  BezierMesh in_model_units(BezierMesh normalized) const;
 
  private:
   double scale_, moved_ = 0;
-  Vector2 origin_ = Vector2::Zero();  // model units; where a free map's held vertex is, else 0
+  // Where a free map's held vertex is, else 0, and where it is put back to: the same place unless
+  // that is so far from 0 that coordinates would lose digits. Model units.
+  Vector2 origin_ = Vector2::Zero(), destination_ = Vector2::Zero();
   BezierMap map_;
   MapSpecification specification_;
 };

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <optional>
 #include <utility>
@@ -19,6 +20,8 @@ namespace majorant {
 namespace {
 
 constexpr std::size_t kNamedCones = 5;  // in messages
+// Scaled fields leave few inverted triangles, and those nearly of the right sizes.
+constexpr double kScaledFirstEps = 0.01;
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
@@ -29,12 +32,23 @@ struct CutField {
 };
 
 CutField cut_field(const SurfaceMesh& mesh, const SeamlessOptions& options) {
-  CutField out{options.cones.empty() ? smoothest_cross_field(mesh, options.field)
-                                     : cross_field_with_cones(mesh, options.cones),
+  CutField out{options.cones ? cross_field_with_cones(mesh, *options.cones)
+                             : smoothest_cross_field(mesh, options.field),
                {}};
   out.is_cut = cut_graph(mesh, cone_vertices(out.field));
   comb(mesh, out.is_cut, out.field);
   return out;
+}
+
+// Lengths of a conformal metric's edges over the surface's, per face (geometric mean of corners).
+Vec face_scale(const SurfaceMesh& mesh, const ConformalMetric& metric) {
+  Vec scale(mesh.face_count());
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    double sum = 0;
+    for (int k = 0; k < 3; ++k) sum += metric.log_factor[mesh.faces()(f, k)];
+    scale[f] = std::exp(sum / 3);
+  }
+  return scale;
 }
 
 bool is_sphere_or_disk(const SurfaceMesh& mesh) {
@@ -42,8 +56,8 @@ bool is_sphere_or_disk(const SurfaceMesh& mesh) {
   return t.boundary_loops <= 1 && t.euler_characteristic() == 2 - t.boundary_loops;
 }
 
-BezierMap conformal_start(const SurfaceMesh& mesh, const CutField& cut) {
-  const ConformalMetric metric = conformal_metric(mesh, cut.field.quarter_turns);
+BezierMap conformal_start(const SurfaceMesh& mesh, const CutField& cut,
+                          const ConformalMetric& metric) {
   return seamless_from_layout(mesh, cut.is_cut, lay_out(mesh, metric, cut.is_cut),
                               cut.field.quarter_turns)
       .map;
@@ -74,9 +88,10 @@ class Maker {
       : mesh_(mesh), record_(record), cut_(cut_field(mesh, options)) {}
 
   std::optional<SeamlessMap> attempt(SeamlessMethod method) {
-    SeamlessMap out{method == SeamlessMethod::Field
-                        ? integrate_field(mesh_, cut_.is_cut, cut_.field)
-                        : conformal_start(mesh_, cut_),
+    const Vec scale = method == SeamlessMethod::ScaledField ? face_scale(mesh_, metric()) : Vec();
+    SeamlessMap out{method == SeamlessMethod::Conformal
+                        ? conformal_start(mesh_, cut_, metric())
+                        : integrate_field(mesh_, cut_.is_cut, cut_.field, scale),
                     method};
     MapSpecification spec;
     spec.seams = out.map.shared_seams();
@@ -84,8 +99,10 @@ class Maker {
     Defects found = defects(out.map, spec);
     out.inverted = static_cast<Index>(found.faces.size());
     if (!found.faces.empty()) {
-      const UntangleResult r =
-          untangle(spec, out.map.shared_space(), out.map.control_points(), record_);
+      // Towards triangles of the sizes that a scaled field gives them.
+      for (Index f = 0; f < scale.size(); ++f) spec.rest.inverse.row(f) /= scale[f];
+      const UntangleResult r = untangle(spec, out.map.shared_space(), out.map.control_points(),
+                                        record_, scale.size() > 0 ? kScaledFirstEps : kFirstEps);
       out.untangling_steps = r.iterations;
       out.map = out.map.with(out.map.shared_space(), r.x);
       found = defects(out.map, spec);
@@ -112,6 +129,11 @@ class Maker {
   }
 
  private:
+  const ConformalMetric& metric() {
+    if (!metric_) metric_ = conformal_metric(mesh_, cut_.field.quarter_turns);
+    return *metric_;
+  }
+
   // The cones nearest to the defects, along edges.
   std::string place() const {
     std::vector<Index> seeds = defects_.vertices;
@@ -154,6 +176,7 @@ class Maker {
   const SurfaceMesh& mesh_;
   const RunRecord& record_;
   CutField cut_;
+  std::optional<ConformalMetric> metric_;
   Defects defects_;
 };
 
@@ -163,6 +186,8 @@ std::string_view name(SeamlessMethod method) {
   switch (method) {
     case SeamlessMethod::Field:
       return "field";
+    case SeamlessMethod::ScaledField:
+      return "scaled-field";
     case SeamlessMethod::Conformal:
       return "conformal";
     default:
@@ -177,13 +202,21 @@ SeamlessMap make_seamless(const SurfaceMesh& mesh, const SeamlessOptions& option
     throw Error(ErrorKind::Usage,
                 mesh.file() +
                     ": a conformal start needs a sphere or a disk, where cones alone "
-                    "determine the transitions; use --start field");
+                    "determine the transitions; use --start scaled-field");
   Maker maker(mesh, options, record);
-  if (options.method != SeamlessMethod::Conformal)
-    if (auto found = maker.attempt(SeamlessMethod::Field)) return *std::move(found);
-  if (options.method != SeamlessMethod::Field && conformal_exists &&
-      record.directive() == Directive::Continue)
-    if (auto found = maker.attempt(SeamlessMethod::Conformal)) return *std::move(found);
+  for (const SeamlessMethod method :
+       {SeamlessMethod::Field, SeamlessMethod::ScaledField, SeamlessMethod::Conformal}) {
+    const bool is_first = method == SeamlessMethod::Field;
+    const bool is_possible = method != SeamlessMethod::Conformal || conformal_exists;
+    const bool is_next = options.method == SeamlessMethod::Automatic && is_possible &&
+                         (is_first || record.directive() == Directive::Continue);
+    if (options.method != method && !is_next) continue;
+    try {
+      if (auto found = maker.attempt(method)) return *std::move(found);
+    } catch (const Error&) {  // a metric that was not found: what came before says more
+      if (options.method == method || is_first) throw;
+    }
+  }
   maker.give_up();
 }
 

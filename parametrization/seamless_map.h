@@ -7,9 +7,10 @@
 //
 // Cones, those of a cross field unless they are given -> cut graph through them -> a map with these
 // seams: the field integrated, or a conformal metric laid out -> untangling, until every triangle
-// is positively oriented. The map is valid, not good: optimize it.
+// is positively oriented and no vertex is covered twice. The map is valid, not good: optimize it.
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -19,15 +20,18 @@
 
 namespace majorant {
 
-// Where a seamless map comes from. Conformal: for spheres and disks only, where the cones determine
-// all transitions. Automatic: the field, and if that cannot be untangled the conformal metric.
-enum class SeamlessMethod { Automatic, Field, Conformal };
-std::string_view name(SeamlessMethod method);  // "automatic", "field", "conformal"
+// Where a seamless map comes from. Field: a cross field, integrated. ScaledField: likewise, with
+// the lengths of the conformal metric that has the field's cones. Conformal: that metric, laid out;
+// for spheres and disks only, where the cones determine all transitions. Automatic: the first of
+// these that can be untangled.
+enum class SeamlessMethod { Automatic, Field, ScaledField, Conformal };
+std::string_view name(SeamlessMethod method);  // "automatic", "field", "scaled-field", "conformal"
 
 struct SeamlessOptions {
   SeamlessMethod method = SeamlessMethod::Automatic;
   CrossFieldOptions field;
-  std::vector<Cone> cones;  // vertices of the mesh; empty: those of the field
+  // Vertices of the mesh; all others are regular, an empty list has no cones. Nothing: the field's.
+  std::optional<std::vector<Cone>> cones;
 };
 
 struct SeamlessMap {

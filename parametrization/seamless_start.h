@@ -18,6 +18,9 @@ struct SeamlessStart {
   BezierMap map;        // of degree 1, of the cut surface; seams hold to rounding
   double residual = 0;  // largest mismatch found along a seam edge, uv units
   double moved = 0;     // largest distance by which the projection moved a corner, uv units
+  // Of maps that were made (seamless_map.h): triangles inverted at first, Newton steps to repair.
+  Index inverted = 0;
+  int untangling_steps = 0;
 };
 
 // Mismatch along a seam edge beyond which coordinates are not taken for seamless, in mean lengths

@@ -15,21 +15,19 @@ namespace {
 constexpr int kRounds = 100;              // values of eps
 constexpr int kStepsPerRound = 10;        // Newton steps
 constexpr double kRoundTolerance = 1e-2;  // relative decrease that ends a round
-// A larger eps makes collapse (2 / eps for a map shrunk to a point, where nothing holds its size)
-// as good as an isometry (4).
-constexpr double kFirstEps = 0.1;
-constexpr double kSmallestShrink = 0.1;  // sigma of [GKKPRS21]
+constexpr double kSmallestShrink = 0.1;   // sigma of [GKKPRS21]
 
 class Untangler {
  public:
   Untangler(const MapSpecification& spec, const std::shared_ptr<const BezierTriangleSpace>& space,
-            VecIn start)
+            VecIn start, double first_eps)
       : spec_(untangling(spec)),
         injectivity_(space, 2 * spec.rest.measure),
         problem_(map_problem(spec_, space, start, energy_terms(spec_, space, {lattice_rule(1)}),
                              nullptr)),
         stepper_(problem_, newton_options()),
-        y_(problem_.reduce(start)) {}
+        y_(problem_.reduce(start)),
+        eps_(first_eps) {}
 
   UntangleResult run(const RunRecord& record) {
     double worst = update();
@@ -96,7 +94,7 @@ class Untangler {
   Problem problem_;
   NewtonStepper stepper_;
   Vec y_;
-  double eps_ = kFirstEps;
+  double eps_;
   UntangleResult result_;
 };
 
@@ -104,8 +102,8 @@ class Untangler {
 
 UntangleResult untangle(const MapSpecification& spec,
                         const std::shared_ptr<const BezierTriangleSpace>& space, VecIn start,
-                        const RunRecord& record) {
-  return Untangler(spec, space, start).run(record);
+                        const RunRecord& record, double first_eps) {
+  return Untangler(spec, space, start, first_eps).run(record);
 }
 
 }  // namespace majorant

@@ -14,16 +14,21 @@
 
 namespace majorant {
 
+// The eps to begin with. A larger one makes collapse (2 / eps for a map shrunk to a point, where
+// nothing holds its size) as good as an isometry (4).
+inline constexpr double kFirstEps = 0.1;
+
 struct UntangleResult {
   Vec x;                        // 2 numbers per node; satisfies the constraints
   std::vector<Index> inverted;  // elements not proven positive; empty: success
   int iterations = 0;           // Newton steps
 };
 
-// spec: seams, pins, boundary; its energy is not looked at. space: of degree 1. start: any finite
-// positions, which need not satisfy the constraints. Ends early when `record` says so.
+// spec: seams, pins, boundary; its energy is not looked at; its rest shapes should have the sizes
+// that images are to get. space: of degree 1. start: any finite positions, which need not satisfy
+// the constraints. first_eps: smaller changes a good start less. Ends early when `record` says so.
 UntangleResult untangle(const MapSpecification& spec,
                         const std::shared_ptr<const BezierTriangleSpace>& space, VecIn start,
-                        const RunRecord& record);
+                        const RunRecord& record, double first_eps = kFirstEps);
 
 }  // namespace majorant
