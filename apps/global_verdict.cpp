@@ -57,7 +57,7 @@ GlobalVerdict judge_global_injectivity(const BezierMap& map, const MapMeasures& 
   Json contacts = Json::array();
   for (const BoundaryContact& c : proof.contacts) {
     const Edge a = edge(c.half_edge_a), b = edge(c.half_edge_b);
-    if (contacts.empty()) reason = in_words(c, a, b);
+    if (contacts.empty()) reason += (reason.empty() ? "" : "; ") + in_words(c, a, b);
     contacts.push_back({{"edges", {a, b}},
                         {"uv", {c.where.x(), c.where.y()}},
                         {"certain", c.kind == Contact::Certain}});

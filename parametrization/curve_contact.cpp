@@ -23,7 +23,7 @@ constexpr double kLargest = 1e150;
 constexpr long kWork = 1 << 18;
 constexpr long kQuadWork = 1 << 14;  // quadruple precision takes 30 times as long
 // Once a place is found that cannot be decided, the rest is searched for a crossing, but not long.
-constexpr long kWorkAfterDoubt = 1 << 10;
+constexpr long kWorkAfterDoubt = 1 << 8;
 
 template <class Real>
 struct Limits {
@@ -85,14 +85,29 @@ bool crosses(const Piece<Real>& a, const Piece<Real>& b) {
   return (before(front, slab) && before(slab, back)) || (before(back, slab) && before(slab, front));
 }
 
-// Where the chords meet.
+// Some place of two pieces, known to cross, where parts smaller than `size` may do so. False once
+// `work` is used up.
+template <class Real>
+bool find_crossing(const Piece<Real>& a, const Piece<Real>& b, Real size, int& work,
+                   Direction<Real>& place) {
+  if (--work < 0 || separated(a, b)) return false;
+  if (a.size() < size && b.size() < size) {
+    place = {a.x[0], a.y[0]};
+    return true;
+  }
+  const bool of_a = a.size() >= b.size();
+  const auto [first, second] = split(of_a ? a : b);
+  return find_crossing(first, of_a ? b : a, size, work, place) ||
+         find_crossing(second, of_a ? b : a, size, work, place);
+}
+
 template <class Real>
 Direction<Real> crossing_place(const Piece<Real>& a, const Piece<Real>& b) {
-  const Direction<Real> along_a = a.chord(), up = normal(b.chord());
-  const Real rise = up.x * along_a.x + up.y * along_a.y;
-  const Real height = up.x * (b.x[0] - a.x[0]) + up.y * (b.y[0] - a.y[0]);
-  const Real s = rise == 0 ? Real(0) : height / rise;
-  return {a.x[0] + s * along_a.x, a.y[0] + s * along_a.y};
+  constexpr double kRelativeSize = 1e-7;  // places are for people
+  int work = 1000;
+  Direction<Real> place{a.x[0], a.y[0]};
+  find_crossing(a, b, Real(kRelativeSize) * std::max(a.size(), b.size()), work, place);
+  return place;
 }
 
 // The end of `a` is the start of `b`: strictly on one side of a line through it lie all other

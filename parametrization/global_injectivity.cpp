@@ -143,10 +143,14 @@ double binomial(int n, int k) {
   return value;
 }
 
-// Sign of the area inside a loop; 0: too close to zero. Twice the area is the integral of
-// c x c' dt, for Bernstein coefficients a sum of c_i x (c_{j+1} - c_j) with the weights
-// C(n,i) C(n-1,j) / (2 C(2n-1,i+j)).
-int orientation(const Boundary& boundary, const BoundaryLoop& loop) {
+struct Area {
+  double value = 0, bound = 0;  // and of its error
+  int sign() const { return value > bound ? 1 : value < -bound ? -1 : 0; }
+};
+
+// Twice the area inside a loop is the integral of c x c' dt, for Bernstein coefficients a sum of
+// c_i x (c_{j+1} - c_j) with the weights C(n,i) C(n-1,j) / (2 C(2n-1,i+j)).
+Area area_inside(const Boundary& boundary, const BoundaryLoop& loop) {
   const Vector2 origin = boundary.curves[at(loop.first)].front();
   double sum = 0, size = 0;
   for (Index k = loop.first; k < loop.last; ++k) {
@@ -167,7 +171,7 @@ int orientation(const Boundary& boundary, const BoundaryLoop& loop) {
   // Roundings of a term (10), of the sum over a curve (at most 72) and over the curves.
   const double bound =
       1.01 * kUnit * (100.0 + loop.last - loop.first) * size + std::numeric_limits<double>::min();
-  return sum > bound ? 1 : sum < -bound ? -1 : 0;
+  return {sum, bound};
 }
 
 // Angle by which a piece turns around the origin, none if that is not found.
@@ -182,21 +186,27 @@ std::optional<double> angle_around_origin(const curve_piece::Piece<double>& piec
     return std::atan2(cross(a, b), a.dot(b));  // in a half-plane: less than pi
   }
   constexpr int kDepth = 60;
-  if (piece.depth >= kDepth) return {};
+  if (piece.depth >= kDepth || !(piece.size() > 4 * piece.largest_error())) return {};
   const auto [first, second] = split(piece);
-  const auto one = angle_around_origin(first), two = angle_around_origin(second);
-  return one && two ? std::optional(*one + *two) : std::nullopt;
+  const auto one = angle_around_origin(first);
+  if (!one) return {};
+  const auto two = angle_around_origin(second);
+  return two ? std::optional(*one + *two) : std::nullopt;
 }
 
-// Winding number of a component's loops around p.
+// Sum of the winding numbers around p of the loops of one component, or of all: how often the map
+// covers p. None if p may lie on the boundary.
+constexpr Index kAll = -1;
 std::optional<long> winding(const Boundary& boundary, Index component, const Vector2& p) {
   double angle = 0;
-  for (const BoundaryLoop& loop : boundary.loops)
-    for (Index k = loop.first; k < loop.last && loop.component == component; ++k) {
+  for (const BoundaryLoop& loop : boundary.loops) {
+    if (component != kAll && loop.component != component) continue;
+    for (Index k = loop.first; k < loop.last; ++k) {
       const auto part = angle_around_origin({boundary.curves[at(k)], p});
       if (!part) return {};
       angle += *part;
     }
+  }
   return std::lround(angle / (2 * std::numbers::pi));
 }
 
@@ -205,20 +215,53 @@ struct Finding {
   std::string reason;
 };
 
+// A point that is covered several times, near contacts that could not be decided: proves what pairs
+// of curves do not show, such as boundaries that cross at their vertices.
+Finding find_double_cover(const BezierMap& map, const Boundary& boundary,
+                          const std::vector<BoundaryContact>& contacts) {
+  constexpr std::size_t kPlaces = 8;  // every point costs a pass over the boundary
+  constexpr int kDirections = 6;
+  for (std::size_t k = 0; k < std::min(kPlaces, contacts.size()); ++k) {
+    const BoundaryContact& contact = contacts[k];
+    const PlanarCurve edge = curve_of(map, contact.half_edge_a);
+    const double size = (edge.back() - edge.front()).norm();
+    for (const double relative : {0x1p-3, 0x1p-8, 0x1p-16, 0x1p-32})  // sizes of the edge
+      for (int d = 0; d < kDirections; ++d) {
+        const double angle = 0.3 + 2 * std::numbers::pi * d / kDirections;
+        const Vector2 p =
+            contact.where + relative * size * Vector2(std::cos(angle), std::sin(angle));
+        const std::optional<long> times = winding(boundary, kAll, p);
+        if (times && *times > 1)
+          return {Injectivity::Violated,
+                  fmt::format("({:.9g}, {:.9g}) is covered {} times", p.x(), p.y(), *times)};
+      }
+  }
+  return {Injectivity::Undecided, ""};
+}
+
 // Every component has one counterclockwise loop: these loops, by component.
 Finding find_outer_loops(const Boundary& boundary, std::vector<const BoundaryLoop*>& outer) {
+  std::vector<Area> total(at(boundary.components));
   outer.assign(at(boundary.components), nullptr);
   for (const BoundaryLoop& loop : boundary.loops) {
-    const int sign = orientation(boundary, loop);
-    if (sign == 0)
+    const std::size_t component = at(loop.component);
+    const Area area = area_inside(boundary, loop);
+    total[component].value += area.value;
+    total[component].bound += area.bound + kUnit * std::abs(total[component].value);
+    if (area.sign() == 0)
       return {Injectivity::Undecided, "a boundary loop encloses too little area to tell its sense"};
-    if (sign < 0) continue;
-    if (outer[at(loop.component)])
+    if (area.sign() < 0) continue;
+    if (outer[component])
       return {Injectivity::Violated, "two boundary loops of one component are counterclockwise"};
-    outer[at(loop.component)] = &loop;
+    outer[component] = &loop;
   }
-  if (std::find(outer.begin(), outer.end(), nullptr) != outer.end())
-    return {Injectivity::Violated, "a component has no counterclockwise boundary loop"};
+  for (std::size_t c = 0; c < total.size(); ++c) {
+    if (!outer[c])
+      return {Injectivity::Violated, "a component has no counterclockwise boundary loop"};
+    // Of a map with det J > 0 it is the area covered.
+    if (total[c].sign() < 0) return {Injectivity::Violated, "a component is turned over"};
+    if (total[c].sign() == 0) return {Injectivity::Undecided, "a component covers hardly any area"};
+  }
   return {Injectivity::Proven, ""};
 }
 
@@ -252,8 +295,13 @@ GlobalInjectivity check_boundary(const BezierMap& map) {
   std::stable_partition(out.contacts.begin(), out.contacts.end(),
                         [](const BoundaryContact& c) { return c.kind == Contact::Certain; });
   if (!out.contacts.empty()) {
-    const bool certain = out.contacts.front().kind == Contact::Certain;
-    out.result = certain ? Injectivity::Violated : Injectivity::Undecided;
+    if (out.contacts.front().kind == Contact::Certain) {
+      out.result = Injectivity::Violated;
+      return out;
+    }
+    const Finding finding = find_double_cover(map, boundary, out.contacts);
+    out.result = finding.result;
+    out.reason = finding.reason;
     return out;
   }
   const Finding finding = check_nesting(boundary);

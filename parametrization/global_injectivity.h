@@ -19,7 +19,8 @@
 // (each excess would be N >= 2 close by). That the loops of one component are as required follows,
 // in turn, from such angle sums and simple loops by counting turning numbers, 2 pi (2 - 2 genus -
 // #loops) in all; to compute orientations is simpler than to trust sums of angles. Neighbouring
-// edges that fold back onto each other are contacts like any other.
+// edges that fold back onto each other are contacts like any other. Where contacts remain possible
+// only, a point close by that the loops wind around twice proves the violation.
 #pragma once
 
 #include <string>
@@ -39,16 +40,18 @@ struct BoundaryContact {
 };
 
 struct GlobalInjectivity {
-  // Violated: some contact is Certain, or a loop turns the wrong way, or components overlap.
+  // Violated: some contact is Certain, or `reason` says what is wrong.
   Injectivity result = Injectivity::Undecided;
   std::vector<BoundaryContact> contacts;  // the first few dozen, Certain ones first
   long pairs_tested = 0;                  // of boundary edges with overlapping bounding boxes
-  std::string reason;                     // one line; empty when Proven or there are contacts
+  // One line; empty when Proven and where the contacts say it all.
+  std::string reason;
 };
 
-// The boundary is that of the map's mesh: both sides of its seams are part of it, and a map of a
-// cut surface is injective when no two of its faces overlap anywhere in the plane. Precondition,
-// not checked: det J > 0 on every element (LocalInjectivity, or measure()). About 2 us per edge.
+// The boundary is that of the map's mesh, both sides of its seams included: of a cut surface the
+// charts must not overlap, nor touch, not even where a cut opens no gap. Precondition, not checked:
+// det J > 0 on every element (LocalInjectivity, or measure()). A few microseconds per boundary
+// edge.
 GlobalInjectivity check_boundary(const BezierMap& map);
 
 }  // namespace majorant

@@ -124,10 +124,106 @@ class Check(CommandTest):
     def test_a_free_boundary_that_claims_to_be_fixed(self):
         self.tampered('free3', lambda vtu: vtu.claims.update(boundary='fixed'), 'boundary')
 
-    def test_claims_that_cannot_be_decided(self):
-        for claim in ('bijective', 'seams'):
-            self.tampered('free1', lambda vtu: vtu.claims.update({claim: True}), claim)
-        self.refused(INVALID, 'check', self.results['free1'], '--certify', says='global')
+    def test_a_claim_of_seams(self):
+        self.tampered('free1', lambda vtu: vtu.claims.update(seams=True), 'seams')
+
+    def ramp(self, turns):
+        """A textured OBJ: a ramp of 40 quads mapped straight down, over itself beyond one turn."""
+        lines = []
+        for i in range(41):
+            t = 2 * math.pi * turns * i / 40
+            for r in (1, 2):
+                x, y = r * math.cos(t), r * math.sin(t)
+                lines.append('v %r %r %r\nvt %r %r' % (x, y, i / 40, x, y))
+        for i in range(40):
+            a, b, c, d = 2 * i + 1, 2 * i + 2, 2 * i + 3, 2 * i + 4
+            lines += ['f %d/%d %d/%d %d/%d' % (p, p, q, q, r, r) for p, q, r in ((a, b, d), (a, d, c))]
+        return self.write('ramp.obj', '\n'.join(lines) + '\n')
+
+    def report_of(self, *args, code=OK):
+        report = self.path('report.json')
+        self.run_ok('check', *args, '--report', report, code=code)
+        with open(report) as f:
+            return json.load(f)
+
+    def test_global_injectivity(self):
+        for path in self.results.values():
+            result = self.report_of(path, '--certify')['result']
+            self.assertIs(result['globally_injective'], True)
+            self.assertGreater(result['boundary']['pairs_tested'], 10)
+            self.assertEqual(result['boundary']['contacts'], [])
+        for turns in (0.5, 0.99):
+            self.run_ok('check', self.ramp(turns), '--certify')
+
+    def test_an_overlap(self):
+        path = self.ramp(1.2)
+        self.run_ok('check', path)  # nobody said that it is injective
+        result = self.report_of(path)['result']
+        self.assertIs(result['globally_injective'], False)
+        contact = result['boundary']['contacts'][0]
+        self.assertTrue(contact['certain'])
+        edges, (u, v) = contact['edges'], contact['uv']
+        for a, b in edges:  # sides or ends of the ramp
+            self.assertIn((abs(a - b), {a, b} & {0, 81} != set()), ((2, False), (2, True), (1, True)))
+        self.assertTrue(0.9 < math.hypot(u, v) < 2.1)
+        self.refused(INVALID, 'check', path, '--certify',
+                     says=['not globally injective', '(%d, %d) and (%d, %d) meet near'
+                           % (*edges[0], *edges[1])])
+
+    def test_touching_ends(self):
+        # Two corners of the last edge are moved onto corners of the first.
+        path = self.ramp(0.99)
+        lines = self.read('ramp.obj').decode().split('\n')
+        texture = [k for k, line in enumerate(lines) if line.startswith('vt ')]
+        for k in (0, 1):
+            lines[texture[80 + k]] = lines[texture[k]]
+        self.run_ok('check', path)
+        self.refused(INVALID, 'check', self.write('ramp.obj', '\n'.join(lines)), '--certify',
+                     says='meet near')
+
+    def test_claims_to_be_bijective(self):
+        def claim(vtu):
+            vtu.claims['bijective'] = True
+        vtu = Vtu(self.results['free3'])
+        claim(vtu)
+        self.run_ok('check', vtu.write(self.path('claim.vtu')))
+
+        def pull(vtu):  # a corner of the boundary to the other side: also inverts its triangles
+            claim(vtu)
+            uv, edges = vtu.arrays['uv'], {}
+            for cell in vtu.cells():
+                for k in range(3):
+                    edges.setdefault(frozenset((cell[k], cell[(k + 1) % 3])), []).append(cell)
+            a = min(next(e for e, cells in edges.items() if len(cells) == 1))
+            middle = [sum(uv[c::2]) / (len(uv) // 2) for c in (0, 1)]
+            for c in (0, 1):
+                uv[2 * a + c] += 2.5 * (middle[c] - uv[2 * a + c])
+        self.tampered('free3', pull, 'not globally injective')
+
+    def test_what_is_not_locally_injective_is_not_certified(self):
+        def swap(vtu):
+            a, b = vtu.cells()[200][:2]
+            uv = vtu.arrays['uv']
+            for c in (0, 1):
+                uv[2 * a + c], uv[2 * b + c] = uv[2 * b + c], uv[2 * a + c]
+        path = self.tampered('free1', swap, 'det J')
+        report = self.report_of(path, '--certify', code=INVALID)
+        self.assertIs(report['result']['globally_injective'], None)
+        self.assertTrue(any('could not be decided' in finding for finding in report['findings']))
+
+    def test_shared_meshes(self):
+        folder = os.path.join(SHARED, 'data', 'public', 'disks')
+        if not os.path.isdir(folder):
+            self.skipTest('no ' + folder)
+        for name, injective in {'plane_500': False, 'spot_500': True}.items():
+            mesh, out = os.path.join(folder, name + '.obj'), self.path('out.vtu')
+            if not os.path.exists(mesh):
+                continue
+            report = self.path('run.json')
+            self.run_ok('parametrize', '--quiet', mesh, '-o', out, '--degree', '2', '--report', report)
+            with open(report) as f:
+                self.assertIs(json.load(f)['result']['globally_injective'], injective)
+            self.run_ok('check', out, '--certify', code=OK if injective else INVALID)
 
     def test_claims_of_the_wrong_type(self):
         for wrong in ({'value': 'four'}, {'pins': [{'vertex': 3}]}, {'pins': 7}, {'degree': 'three'},
