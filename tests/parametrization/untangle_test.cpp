@@ -55,9 +55,11 @@ TEST(Untangle, ShuffledGridWithFixedBoundary) {
     const UntangleResult result = untangle(square.spec, square.space, start, RunRecord());
     square.expect_valid(result);
     EXPECT_GT(result.iterations, 0);
-    for (Index v = 0; v < square.mesh.vertex_count(); ++v)
-      if (square.on_boundary(v))
-        EXPECT_EQ((result.x - start).segment<2>(2 * v), Vector2(0, 0)) << v;
+    EXPECT_LT(result.iterations, 200);
+    for (Index v = 0; v < square.mesh.vertex_count(); ++v) {
+      if (!square.on_boundary(v)) continue;
+      EXPECT_EQ(Vector2((result.x - start).segment<2>(2 * v)), Vector2(0, 0)) << v;
+    }
   }
 }
 
@@ -97,7 +99,7 @@ TEST(Untangle, ImpossibleBoundary) {
   const UntangleResult result = untangle(square.spec, square.space, mirrored, RunRecord());
   EXPECT_FALSE(result.inverted.empty());
   EXPECT_TRUE(result.x.allFinite());
-  EXPECT_LE(result.iterations, 1000);
+  EXPECT_LE(result.iterations, 2000);
 }
 
 TEST(Untangle, EndsWithItsTime) {
@@ -121,6 +123,8 @@ void expect_seamless(const SurfaceMesh& mesh, const SeamlessMap& made,
           .check(made.map.control_points())
           .feasible);
   std::vector<int> turns(at(mesh.vertex_count()), 4);
+  for (const auto& loop : mesh.boundary_loops())
+    for (const Index v : loop) turns[at(v)] = 0;
   for (const Cone& cone : cones) turns[at(cone.vertex)] = cone.quarter_turns;
   EXPECT_EQ(made.map.seams().quarter_turns(), turns);
 }
