@@ -10,6 +10,7 @@
 #include "apps/check_seams.h"
 #include "apps/command.h"
 #include "apps/energy_option.h"
+#include "apps/global_verdict.h"
 #include "apps/outputs.h"
 #include "apps/report.h"
 #include "majorant/io/read_map.h"
@@ -85,8 +86,8 @@ BezierMap rebuild(const MapFile& file, const Request& request, const Json& claim
   const bool claims_seams = claims.is_object() && claims.value("seams", false);
   if (!claims_seams && !request.seamless) return to_bezier_map(file, request.result);
   BezierMap map = to_seamless_map(file, request.result);
-  if (!map.seams().empty()) return map;
-  findings.require(false, "the map has no seams: no vertex of the input has several points");
+  if (!map.seams().trivial()) return map;
+  findings.require(false, "the map has no seams and no cones");
   return to_bezier_map(file, request.result);
 }
 
@@ -104,7 +105,11 @@ MapMeasures check_map(MapFile& file, const Request& request, Findings& findings,
   findings.require(measures.locally_injective || !findings.list().empty(),
                    "the map covers the neighbourhood of a vertex more than once");
   const CheckedMap checked{file, map, measures, claims, request.surface};
-  if (!map.seams().empty()) check_seams(checked, findings);
+  if (!map.seams().trivial()) check_seams(checked, findings);
+  const GlobalVerdict verdict = judge_global_injectivity(map, measures, vertices_of(file));
+  verdict.add_to(report["result"]);
+  if (request.certify || (claims.is_object() && claims.value("bijective", false)))
+    findings.require(verdict.finding.empty(), verdict.finding);
   check_claims(checked, findings);
   return measures;
 }
@@ -125,8 +130,6 @@ int check(const Request& request) {
   } catch (const Json::exception& e) {
     findings.require(false, fmt::format("majorant_claims: {}", e.what()));
   }
-  if (request.certify)
-    findings.require(false, "global injectivity cannot be decided by this version");
   report["status"] = findings.list().empty() ? "valid" : "invalid";
   report["message"] = findings.list().empty() ? "" : findings.list().front();
   report["findings"] = findings.list();

@@ -65,12 +65,12 @@ void check_cones(const BezierMap& map, const Json& claims, Findings& findings) {
                                vertex, turns(claimed, vertex), turns(found, vertex)));
 }
 
-// The arrays `seam` and `cone` of the file.
+// The arrays `seam_edges` and `cone` of the file.
 void check_marks(const MapFile& file, const BezierMap& map, Findings& findings) {
   const MapFile found = to_map_file(map);
-  for (Index h = 0; h < 3 * file.seam.rows(); ++h) {
-    const bool is_marked = file.seam(h / 3, h % 3) != 0;
-    if (is_marked == (found.seam(h / 3, h % 3) != 0)) continue;
+  for (Index h = 0; h < 3 * file.seam_edges.rows(); ++h) {
+    const bool is_marked = file.seam_edges(h / 3, h % 3) != 0;
+    if (is_marked == (found.seam_edges(h / 3, h % 3) != 0)) continue;
     findings.require(
         false,
         fmt::format("cell {}: {} is {}", h / 3, place(input_edge(map.mesh(), h)),
@@ -111,7 +111,10 @@ void check_cut(const BezierMap& map, const SurfaceMesh& surface, Findings& findi
 }  // namespace
 
 bool keeps_texture_cuts(const Json& claims) {
-  return claims.is_null() || claims.value("options", Json::object()).value("seamless", false);
+  if (claims.is_null()) return true;
+  const std::string init = claims.value("init", "tutte");
+  return claims.value("options", Json::object()).value("seamless", false) &&
+         (init == "tutte" || init == "input");
 }
 
 void check_seams(const CheckedMap& checked, Findings& findings) {

@@ -11,7 +11,8 @@ namespace majorant::app {
 inline constexpr double kSeamClose = 1e-9;
 
 // Whether the cut of the map should be that of the texture coordinates of --surface: results of
-// `parametrize --seamless`, and files that do not say where they come from.
+// `parametrize --seamless`, and files that do not say where they come from. Those of `seamless`
+// name the method that made their start as `init`.
 bool keeps_texture_cuts(const Json& claims);
 
 // For maps with seams: residual, cones, marks; the cut, if --surface has texture coordinates.

@@ -37,6 +37,7 @@ struct CommonOptions {
 using Action = std::function<int()>;
 void add_parametrize(CLI::App& app, Action* run);
 void add_seamless(CLI::App& app, Action* run);
+void add_deform(CLI::App& app, Action* run);
 void add_check(CLI::App& app, Action* run);
 void add_compare(CLI::App& app, Action* run);
 void add_convert(CLI::App& app, Action* run);

@@ -20,15 +20,15 @@ struct Request {
 // Files other than ours do not mark seams and cones: the points tell where they are. A map that is
 // cut in another way stays as it is.
 void mark_seams(MapFile& map, const std::string& name) {
-  if (map.seam.size() > 0 || !is_cut(map)) return;
+  if (map.seam_edges.size() > 0 || !is_cut(map)) return;
   try {
     const MapFile marked = to_map_file(to_seamless_map(map, name));
-    map.seam = marked.seam;
+    map.seam_edges = marked.seam_edges;
     map.cone = Eigen::VectorXi::Zero(map.points.rows());
     for (Index c = 0; c < map.cells.rows(); ++c)
       for (Index k = 0; k < 3; ++k) map.cone[map.cells(c, k)] = marked.cone[marked.cells(c, k)];
   } catch (const Error&) {
-    map.seam.resize(0, 3);
+    map.seam_edges.resize(0, 3);
     map.cone.resize(0);
   }
 }

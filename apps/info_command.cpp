@@ -33,7 +33,7 @@ bool describe_texture(const SurfaceMesh& mesh, Json& report) {
                          {"cones", cones},
                          {"chains", seams.chain_count()},
                          {"seam_edges", seams.edges().size()}};
-    return !seams.empty();
+    return !seams.trivial();
   } catch (const Error& e) {
     fmt::print("texture: not seamless: {}\n", e.what());
     report["texture"] = {{"seamless", false}, {"message", e.what()}};

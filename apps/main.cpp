@@ -75,6 +75,7 @@ int run(int argc, char** argv) {
   Action action;
   add_parametrize(app, &action);
   add_seamless(app, &action);
+  add_deform(app, &action);
   add_check(app, &action);
   add_compare(app, &action);
   add_convert(app, &action);

@@ -34,6 +34,7 @@ std::vector<Pin> read_points(const std::string& path, const PolygonMesh& polygon
 
 // Every copy of a vertex on a seam is held, each by itself.
 std::vector<Pin> on_cut_surface(const std::vector<Pin>& points, const Seams& seams) {
+  if (seams.empty()) return points;
   std::vector<Pin> out;
   for (const Pin& p : points)
     for (std::size_t v = 0; v < seams.surface_vertex().size(); ++v)

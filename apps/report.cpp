@@ -59,10 +59,10 @@ Json measures_section(const BezierMap& map, const MapMeasures& m, const std::str
                {"locally_injective", m.locally_injective},
                {"min_det_bound", m.min_det.minCoeff()},
                {"globally_injective", nullptr},
-               {"seam_residual", map.seams().empty() ? Json() : Json(m.seam_residual)},
+               {"seam_residual", map.seams().trivial() ? Json() : Json(m.seam_residual)},
                {"max_boundary_angle_degrees", m.max_boundary_angle * 180 / std::numbers::pi},
                {"boundary_vertices_over_360_degrees", m.boundary_over_full_turn}};
-  if (map.seams().empty()) return section;
+  if (map.seams().trivial()) return section;
   section["seam_residual_ulp"] = seam_residual_ulp(map, m.seam_residual);
   section["cones"] = cones_section(map);
   return section;

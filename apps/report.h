@@ -14,7 +14,7 @@ namespace majorant::app {
 using Json = nlohmann::ordered_json;
 
 Json input_section(const PolygonMesh& polygons, const SurfaceMesh& mesh);
-// [{"vertex": of the input, "quarter_turns": q, "index": (4 - q) / 4}] of a map with seams.
+// [{"vertex": of the input, "quarter_turns": q, "index": (4 - q) / 4}].
 Json cones_section(const BezierMap& map);
 // value, extremes, injectivity, and cones of maps with seams: the part of "result" that any map
 // has.

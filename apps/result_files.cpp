@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdio>
 
+#include "apps/global_verdict.h"
 #include "majorant/framework/evaluator.h"
 
 namespace majorant::app {
@@ -38,13 +39,18 @@ std::string claims(const FinishedRun& run, const Normalization& normalization) {
     const Vector2 uv = map.control_points().segment<2>(2 * pin.vertex);
     pins.push_back({{"vertex", map.mesh().input_vertex(pin.vertex)}, {"target", {uv.x(), uv.y()}}});
   }
-  Json claims{{"version", MAJORANT_VERSION},    {"degree", run.map.degree},
-              {"energy", run.map.energy},       {"value", run.result.measures.value},
-              {"boundary", run.map.boundary},   {"init", run.map.init},
-              {"seams", !map.seams().empty()},  {"bijective", false},
-              {"normalized", normalization},    {"pins", pins},
+  Json claims{{"version", MAJORANT_VERSION},
+              {"degree", run.map.degree},
+              {"energy", run.map.energy},
+              {"value", run.result.measures.value},
+              {"boundary", run.map.boundary},
+              {"init", run.map.init},
+              {"seams", !map.seams().trivial()},
+              {"bijective", run.in.options.injectivity == MapInjectivity::Global},
+              {"normalized", normalization},
+              {"pins", pins},
               {"options", options_section(run)}};
-  if (!map.seams().empty()) claims["cones"] = cones_section(map);
+  if (!map.seams().trivial()) claims["cones"] = cones_section(map);
   return claims.dump();
 }
 
@@ -65,6 +71,7 @@ Json result_section(const FinishedRun& run) {
   const ParametrizationResult& r = run.result;
   if (!r.map) return nullptr;
   Json result = measures_section(*r.map, r.measures, run.map.energy);
+  judge_global_injectivity(*r.map, r.measures, vertices_of(*r.map)).add_to(result);
   result["variables"] = r.variables;
   result["initial_value"] = r.initial_value;
   result["value_quadrature"] = r.value_quadrature;
@@ -101,7 +108,7 @@ void write_reports(const FinishedRun& run, double write_seconds) {
               {"result", result_section(run)},
               {"iterations", iterations_section(run.record.trace())},
               {"injectivity_tests", {{"depth", r.injectivity_tests}}},
-              {"flips", {{"intended", 0}, {"performed", 0}}},
+              {"flips", {{"intended", r.flips.intended}, {"performed", r.flips.performed}}},
               {"seconds",
                {{"read", run.read_seconds},
                 {"initialize", r.initialize_seconds},

@@ -15,6 +15,7 @@ void SolveRequest::add_to(CLI::App& verb, std::string& curvature) {
       ->check(CLI::IsMember(curvatures));
   verb.add_option("--elevation", elevation, "how the degree is reached")
       ->check(CLI::IsMember({"incremental", "direct"}));
+  verb.add_flag("--bijective", bijective, "keep the image free of overlaps");
   verb.add_option("--tolerance", tolerance, "relative energy decrease to stop at (1e-6)")
       ->check(CLI::PositiveNumber);
   verb.add_option("--max-iterations", max_iterations, "(1000)")->check(CLI::NonNegativeNumber);
@@ -24,11 +25,15 @@ void SolveRequest::add_to(CLI::App& verb, std::string& curvature) {
 
 void SolveRequest::apply(ParametrizationOptions& options) const {
   if (elevation == "direct") options.elevation = Elevation::Direct;
+  if (bijective) options.injectivity = MapInjectivity::Global;
   options.tolerance = tolerance;
 }
 
 Json SolveRequest::to_json() const {
-  return {{"elevation", elevation}, {"tolerance", tolerance}, {"max_iterations", max_iterations}};
+  return {{"elevation", elevation},
+          {"bijective", bijective},
+          {"tolerance", tolerance},
+          {"max_iterations", max_iterations}};
 }
 
 RunRecord SolveRequest::make_record(const CommonOptions& common) const {

@@ -14,6 +14,7 @@ namespace majorant::app {
 struct SolveRequest {
   std::string elevation = "incremental";
   int max_iterations = 1000;
+  bool bijective = false;
   double tolerance = 1e-6, time_limit = std::numeric_limits<double>::infinity();
 
   // Adds --curvature, which a MapRequest holds, too.

@@ -7,8 +7,9 @@
 // t. The translation is kept as an auxiliary unknown: eliminating it would tie every control point
 // of a chain to those of one edge. It is counted in halves, t = 2 s, so that a cone, which
 // satisfies (1 - i^K) c = (a sum of translations), is an integer combination of half-translations:
-// 1 - i^K divides 2. Elimination then keeps the entries of Z in {0, +-1, +-2} unless pins or
-// alignment interfere. Redundant rows (around closed chains, at the ends of slits, where chains
+// 1 - i^K divides 2. Elimination then keeps the entries of Z in {0, +-1, +-2} on cuts that the map
+// needs and in small integers (4 at most in tests) on any, unless pins or alignment interfere.
+// Redundant rows (around closed chains, at the ends of slits, where chains
 // meet) are recognized there. Positions follow to a few units in the last place of the map's size.
 #pragma once
 

@@ -38,6 +38,8 @@ class Seams {
         std::vector<int> quarter_turns);
 
   bool empty() const { return edges_.empty(); }
+  // Neither seams nor cones: what any plain map has. (A cone of 720 degrees needs no seam.)
+  bool trivial() const { return empty() && cones().empty(); }
   const std::vector<SeamEdge>& edges() const { return edges_; }
   Index chain_count() const { return chain_count_; }
   // Vertices of the cut surface -> vertices of the uncut one; empty when nothing is cut.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "majorant/elements/small_buffer.h"
 
@@ -37,6 +38,19 @@ BernsteinSpace::BernsteinSpace(const BernsteinElement& element, const Cells& cel
       numbering_(number_nodes(lattice_, cells, vertex_count, element.name)),
       det_(element),
       subdivision_(det_.basis(), element.bisections) {}
+
+BernsteinSpace::BernsteinSpace(const BernsteinElement& element, NodeNumbering numbering)
+    : element_(checked(element)),
+      vertex_count_(numbering.node_count),
+      basis_(element.basis(element.degrees())),
+      lattice_(basis_),
+      numbering_(std::move(numbering)),
+      det_(element),
+      subdivision_(det_.basis(), element.bisections) {
+  if (numbering_.cells.cols() != lattice_.node_count())
+    throw std::invalid_argument(fmt::format("{}: cells of {} nodes, {} are needed", element.name,
+                                            numbering_.cells.cols(), lattice_.node_count()));
+}
 
 RowMatrix BernsteinSpace::node_positions(const RowMatrix& vertices) const {
   if (vertices.rows() != vertex_count_)

@@ -37,6 +37,8 @@ class BernsteinSpace : public ElementSpace {
   // cells: #E by corners, positively oriented. Throws std::invalid_argument for a degree outside
   // 1..max_degree and what number_nodes() refuses.
   BernsteinSpace(const BernsteinElement& element, const Cells& cells, Index vertex_count);
+  // With nodes numbered by the caller: any node may be a vertex.
+  BernsteinSpace(const BernsteinElement& element, NodeNumbering numbering);
 
  private:
   // store(i, k): number i of element e (D per local node) is unknown k.

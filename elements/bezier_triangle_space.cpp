@@ -1,5 +1,7 @@
 #include "majorant/elements/bezier_triangle_space.h"
 
+#include <utility>
+
 #include "majorant/elements/bernstein.h"
 
 namespace majorant {
@@ -36,6 +38,9 @@ LatticeNumbering number_lattice(const Cells& faces, Index vertex_count, int n) {
 
 BezierTriangleSpace::BezierTriangleSpace(const Cells& faces, Index vertex_count, int degree)
     : BernsteinSpace(triangle(degree), faces, vertex_count), faces_(faces) {}
+
+BezierTriangleSpace::BezierTriangleSpace(NodeNumbering numbering, int degree)
+    : BernsteinSpace(triangle(degree), std::move(numbering)), faces_(cells().leftCols<3>()) {}
 
 Vec BezierTriangleSpace::elevate(VecIn x, const BezierTriangleSpace& higher) const {
   const Eigen::MatrixXd e = elevation_matrix(degree());

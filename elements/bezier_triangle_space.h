@@ -25,6 +25,12 @@ class BezierTriangleSpace final : public BernsteinSpace {
   // vertex numbers, or when an edge has more than two faces.
   BezierTriangleSpace(const Cells& faces, Index vertex_count, int degree);
 
+  // Faces whose nodes the caller has numbered (#F by (n+1)(n+2)/2, the corners first): part of a
+  // larger numbering, say that of a map and the space around it. Its vertices are not the first
+  // nodes: not for what says "vertex" of a space. Throws std::invalid_argument for another number
+  // of columns.
+  BezierTriangleSpace(NodeNumbering numbering, int degree);
+
   const Cells& faces() const { return faces_; }
 
   // Control points of the same map in `higher`, a space of degree + 1 over the same faces.

@@ -32,7 +32,7 @@ std::string map_defect(const MapFile& map) {
                                     size_defect("distortion", map.distortion.size(), cells),
                                     size_defect("min_det", map.min_det.size(), cells),
                                     size_defect("cone", map.cone.size(), points),
-                                    size_defect("seam", map.seam.rows(), cells)}) {
+                                    size_defect("seam_edges", map.seam_edges.rows(), cells)}) {
     if (!defect.empty()) return defect;
   }
   for (Eigen::Index f = 0; f < cells; ++f) {

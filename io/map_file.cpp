@@ -14,10 +14,10 @@ namespace {
 
 void mark_seams(const BezierMap& map, MapFile& file) {
   const Seams& seams = map.seams();
-  if (seams.empty()) return;
-  file.seam = Cells::Zero(map.mesh().face_count(), 3);
+  if (seams.trivial()) return;
+  file.seam_edges = Cells::Zero(map.mesh().face_count(), 3);
   for (const SeamEdge& edge : seams.edges())
-    for (const Index h : {edge.side, edge.opposite}) file.seam(h / 3, h % 3) = edge.chain + 1;
+    for (const Index h : {edge.side, edge.opposite}) file.seam_edges(h / 3, h % 3) = edge.chain + 1;
   file.cone = Eigen::VectorXi::Zero(file.points.rows());
   for (Index v = 0; v < map.mesh().vertex_count(); ++v) {
     const Index surface = seams.surface_vertex()[static_cast<std::size_t>(v)];

@@ -24,11 +24,12 @@ struct MapFile {
   Vec distortion;                // #F, mean density; may be empty
   Vec min_det;                   // #F, certified lower bound of det J; may be empty
   Eigen::VectorXi cone;          // #N, quarter turns at cones (every copy), else 0; may be empty
-  Cells seam;                    // #F by 3, edges 01, 12, 20: chain + 1, 0 for none; may be empty
+  Cells seam_edges;              // #F by 3, edges 01, 12, 20: chain + 1, 0 for none; may be empty
   std::string claims;            // JSON object, what the file promises; may be empty
 };
 
-// Distortion, min_det and claims are left empty, cone and seam too unless the map has seams.
+// Distortion, min_det and claims are left empty, cone and seam_edges too unless the map has seams or
+// cones.
 MapFile to_map_file(const BezierMap& map);
 // A triangle mesh with texture coordinates as a map of degree 1: one point per (v, vt) pair. Throws
 // Error(Invalid) where a corner has none or a face is no triangle.

@@ -92,7 +92,7 @@ void add_grid(SvgLayout& layout, double spacing) {
   layout.add(
       "\"/></clipPath>\n<path clip-path=\"url(#layout)\" fill=\"none\" stroke=\"{}\" "
       "stroke-width=\"{:.3g}\" d=\"",
-      kGridColor, std::max(0.6, 1.5 * layout.stroke_width()));
+      kGridColor, std::max(1.0, 2 * layout.stroke_width()));
   for (double i = std::ceil(low[0]); i <= high[0]; ++i) {
     layout.add_point('M', layout.place(Vector2(i * spacing, layout.low()[1])));
     layout.add_point('L', layout.place(Vector2(i * spacing, layout.high()[1])));
@@ -107,9 +107,9 @@ void add_grid(SvgLayout& layout, double spacing) {
 void add_seams(SvgLayout& layout) {
   const MapFile& map = layout.map();
   std::map<Index, std::vector<CellEdge>> chains;
-  for (Index f = 0; f < map.seam.rows(); ++f)
+  for (Index f = 0; f < map.seam_edges.rows(); ++f)
     for (int k = 0; k < 3; ++k)
-      if (map.seam(f, k) > 0) chains[map.seam(f, k) - 1].push_back({f, k});
+      if (map.seam_edges(f, k) > 0) chains[map.seam_edges(f, k) - 1].push_back({f, k});
   if (chains.empty()) return;
   layout.add("<g fill=\"none\" stroke-width=\"{}\" stroke-linecap=\"round\">\n", kSeamWidth);
   for (const auto& [chain, edges] : chains) {
@@ -156,9 +156,9 @@ void add_marks_legend(SvgLayout& layout, double y, double grid_spacing) {
     add_dot(layout, {x + kConeRadius, y}, turns);
     label(fmt::format("{} cone{}, {}", count, count == 1 ? "" : "s", text));
   }
-  if (map.seam.size() > 0 && map.seam.maxCoeff() > 0) {
+  if (map.seam_edges.size() > 0 && map.seam_edges.maxCoeff() > 0) {
     line(chain_color(0));
-    label(fmt::format("seams ({} chains)", map.seam.maxCoeff()));
+    label(fmt::format("seams ({} chains)", map.seam_edges.maxCoeff()));
   }
   if (grid_spacing > 0) {
     line(kGridColor);

@@ -170,10 +170,10 @@ class VtuReader {
     if (const XmlElement* array = find_array(section, "min_det")) {
       map_.min_det = matrix<Vec>(*array, 1, 1);
     }
-    if (const XmlElement* array = find_array(section, "seam")) {
+    if (const XmlElement* array = find_array(section, "seam_edges")) {
       const Eigen::VectorXi values = index_array(*array);
-      if (values.size() != 3 * map_.cells.rows()) fail("CellData seam is not 3 numbers per cell");
-      map_.seam = values.reshaped<Eigen::RowMajor>(map_.cells.rows(), 3);
+      if (values.size() != 3 * map_.cells.rows()) fail("seam_edges is not 3 numbers per cell");
+      map_.seam_edges = values.reshaped<Eigen::RowMajor>(map_.cells.rows(), 3);
     }
   }
 

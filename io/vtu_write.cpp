@@ -82,8 +82,8 @@ Eigen::VectorXi seam_of_points(const MapFile& map) {
   Eigen::VectorXi seam = Eigen::VectorXi::Zero(map.points.rows());
   for (int edge = 0; edge < 3; ++edge) {
     const std::vector<int> on_edge = bezier_edge_points(map.degree, edge);
-    for (Index f = 0; f < map.seam.rows(); ++f) {
-      const Index chain = map.seam(f, edge);
+    for (Index f = 0; f < map.seam_edges.rows(); ++f) {
+      const Index chain = map.seam_edges(f, edge);
       if (chain == 0) continue;
       for (const int local : on_edge) {
         int& value = seam[map.cells(f, local)];
@@ -113,12 +113,13 @@ void write_vtu(const std::string& path, const MapFile& map) {
   text.add_array("uv", 2, map.uv.data(), map.uv.size());
   text.add_array("input_vertex", 1, map.input_vertex.data(), map.input_vertex.size());
   text.add_array("cone", 1, map.cone.data(), map.cone.size());
-  if (map.seam.size() > 0) text.add_array("seam", 1, seam_of_points(map).data(), map.points.rows());
+  if (map.seam_edges.size() > 0)
+    text.add_array("seam", 1, seam_of_points(map).data(), map.points.rows());
   text.add("</PointData>\n<CellData>\n");
   text.add_array("distortion", 1, map.distortion.data(), map.distortion.size());
   text.add_array("min_det", 1, map.min_det.data(), map.min_det.size());
   text.add_array("input_face", 1, map.input_face.data(), map.input_face.size());
-  text.add_array("seam", 3, map.seam.data(), map.seam.size());
+  text.add_array("seam_edges", 3, map.seam_edges.data(), map.seam_edges.size());
   text.add("</CellData>\n<Points>\n");
   text.add_array("Points", 3, map.points.data(), map.points.size());
   text.add("</Points>\n");

@@ -85,7 +85,7 @@ std::string draw(const MapFile& map, const SvgOptions& options) {
   SvgLayout layout(map);
   const double spacing = grid_spacing(layout, options);
   const bool has_distortion = map.distortion.size() > 0;
-  const bool has_marks = spacing != 0 || map.seam.size() > 0 || map.cone.size() > 0;
+  const bool has_marks = spacing != 0 || map.seam_edges.size() > 0 || map.cone.size() > 0;
   const double legend_top = layout.height() + (has_distortion ? kLegendHeight : 0.0);
   layout.add(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "majorant/framework/curvature_name.h"
 #include "majorant/framework/error.h"
@@ -21,13 +20,6 @@ constexpr int kStallRounds = 60;
 constexpr double kIsometry = 4;  // symmetric Dirichlet density
 constexpr double kBarrierTolerance = 1e-4;
 constexpr int kAccuracyRounds = 3;
-constexpr double kQuadratureError = 3e-5;  // of the energy, all elements together
-
-std::vector<Quadrature> all_rules(const QuadratureLadder& ladder) {
-  std::vector<Quadrature> rules = ladder.guarded;
-  rules.insert(rules.end(), ladder.plain.begin(), ladder.plain.end());
-  return rules;
-}
 
 NewtonOptions newton_options(const ParametrizationOptions& options) {
   NewtonOptions newton;
@@ -43,12 +35,12 @@ DegreeSolver::DegreeSolver(const Setup& setup, std::shared_ptr<const BezierTrian
       space_(std::move(space)),
       x_(std::move(x)),
       start_(x_),
-      ladder_(optimizer_ladder(space_->degree(), setup.options.quadrature_points)),
-      terms_(energy_terms(setup.map, space_, all_rules(ladder_))),
+      levels_(optimizer_ladder(space_->degree(), setup.options.quadrature_points),
+              space_->element_count()),
+      terms_(energy_terms(setup.map, space_, levels_.rules())),
       depth_(setup.options.injectivity_depth),
       injectivity_(
           std::make_shared<const LocalInjectivity>(space_, 2 * setup.map.rest.measure, depth_)),
-      level_(static_cast<std::size_t>(space_->element_count()), 0),
       element_weight_(Vec::Ones(space_->element_count())),
       problem_(build_problem()),
       stepper_(problem_, newton_options(setup.options)) {}
@@ -94,10 +86,11 @@ void DegreeSolver::soften_start(RunRecord& record) {
   Vec y = problem_.reduce(x_);
   bool go_on = true;
   while (go_on && record.iterations_left() > 0) {
-    const Vec energy_of = energy_by_face(setup_.map, terms_, level_, problem_.expand(y));
+    const Vec energy_of =
+        energy_by_face(setup_.map, terms_, levels_.of_faces(), problem_.expand(y));
     if (!(energy_of.sum() >= kSoftStart * measure.sum()) || !energy_of.allFinite()) break;
     const Vec weight = energy_of.cwiseQuotient(measure).cwiseSqrt().cwiseInverse();
-    stepper_.reset(problem_.with(energy_states(setup_.map, problem_, level_, weight)));
+    stepper_.reset(problem_.with(energy_states(setup_.map, problem_, levels_.of_faces(), weight)));
     double energy = stepper_.evaluator().value(y);
     const NewtonStepper::Step step = stepper_.step(y, energy);
     if (step.outcome != NewtonStepper::Outcome::Moved) break;
@@ -167,43 +160,23 @@ std::vector<long> DegreeSolver::injectivity_depth_counts() const {
 }
 
 void DegreeSolver::apply_state() {
-  problem_ = problem_.with(energy_states(setup_.map, problem_, level_, element_weight_));
+  problem_ =
+      problem_.with(energy_states(setup_.map, problem_, levels_.of_faces(), element_weight_));
   stepper_.reset(problem_);
 }
 
 bool DegreeSolver::climb(const std::vector<Index>& elements) {
-  bool climbed = false;
-  for (const Index e : elements) {
-    RuleId& level = level_[static_cast<std::size_t>(e)];
-    if (level >= ladder_.top()) continue;
-    ++level;
-    climbed = true;
-  }
+  const bool climbed = levels_.climb(elements);
   if (climbed) apply_state();
   return climbed;
 }
 
 // Raises the elements whose integrals are worst until the rest is within the bound.
 bool DegreeSolver::climb_inaccurate() {
-  if (ladder_.top() == 0 || setup_.options.quadrature_points > 0) return false;
-  const auto plain = [&](int above) {
-    std::vector<RuleId> rules = level_;
-    for (RuleId& rule : rules) rule = std::min(rule + above, ladder_.top()) + ladder_.top() + 1;
-    return energy_by_face(setup_.map, terms_, rules, x_);
-  };
-  const Vec now = plain(0);
-  const Vec error = (plain(1) - now).cwiseAbs();
-  std::vector<Index> order(static_cast<std::size_t>(error.size()));
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](Index a, Index b) { return error[a] > error[b]; });
-  double left = error.sum();
-  std::vector<Index> worst;
-  for (const Index e : order) {
-    if (left <= kQuadratureError * now.cwiseAbs().sum()) break;
-    left -= error[e];
-    worst.push_back(e);
-  }
-  return climb(worst);
+  if (setup_.options.quadrature_points > 0) return false;
+  const bool climbed = levels_.climb_inaccurate(setup_.map, terms_, x_);
+  if (climbed) apply_state();
+  return climbed;
 }
 
 // [MC20] Sec. 4.3: the blocking triangles lose their say for a few steps, not their positivity.

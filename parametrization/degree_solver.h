@@ -10,7 +10,7 @@
 #include "majorant/framework/newton.h"
 #include "majorant/parametrization/map_problem.h"
 #include "majorant/parametrization/parametrize.h"
-#include "majorant/parametrization/quadrature_ladder.h"
+#include "majorant/parametrization/quadrature_levels.h"
 
 namespace majorant {
 
@@ -56,12 +56,11 @@ class DegreeSolver {
   const Setup& setup_;
   std::shared_ptr<const BezierTriangleSpace> space_;
   Vec x_, start_;
-  QuadratureLadder ladder_;
+  QuadratureLevels levels_;
   DensityTerms terms_;
   int depth_;
   std::shared_ptr<const LocalInjectivity> injectivity_;
   std::vector<long> depth_counts_;  // of checkers that are gone
-  std::vector<RuleId> level_;       // by element
   Vec element_weight_;              // 1, or less where temporarily excluded
   Problem problem_;
   NewtonStepper stepper_;

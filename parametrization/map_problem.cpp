@@ -74,11 +74,9 @@ DensityTerms energy_terms(const MapSpecification& spec,
   return terms;
 }
 
-Problem map_problem(const MapSpecification& spec,
-                    const std::shared_ptr<const BezierTriangleSpace>& space, VecIn start,
-                    const DensityTerms& terms,
-                    std::shared_ptr<const FeasibilityChecker> injectivity) {
-  ProblemBuilder builder(2 * space->node_count());
+void add_map(ProblemBuilder& builder, const MapSpecification& spec,
+             const std::shared_ptr<const BezierTriangleSpace>& space, VecIn start,
+             const DensityTerms& terms) {
   const double area = spec.rest.measure.sum();
   for (std::size_t k = 0; k < terms.size(); ++k) {
     TermState state;
@@ -86,7 +84,6 @@ Problem map_problem(const MapSpecification& spec,
     state.element_weight = spec.face_weight;
     builder.add(terms[k], state);
   }
-  if (injectivity) builder.add(std::move(injectivity));
   if (spec.boundary_angles == BoundaryAngles::AtMostFullTurn)
     builder.add(
         std::make_shared<const AngleSums>(space, AngleSums::Vertices::Boundary, spec.seams));
@@ -98,6 +95,15 @@ Problem map_problem(const MapSpecification& spec,
     builder.add(std::make_shared<const QuadraticPenalty>(FixedPoints(spec.handles)),
                 spec.handle_weight / area);
   if (!spec.pins.empty()) builder.add(FixedPoints(spec.pins));
+}
+
+Problem map_problem(const MapSpecification& spec,
+                    const std::shared_ptr<const BezierTriangleSpace>& space, VecIn start,
+                    const DensityTerms& terms,
+                    std::shared_ptr<const FeasibilityChecker> injectivity) {
+  ProblemBuilder builder(2 * space->node_count());
+  add_map(builder, spec, space, start, terms);
+  if (injectivity) builder.add(std::move(injectivity));
   builder.add(FixedPoints::at(gauge_vertices(spec, *space), start));
   return builder.build();
 }

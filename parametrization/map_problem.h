@@ -47,6 +47,13 @@ DensityTerms energy_terms(const MapSpecification& spec,
 // the (cut) surface, which are the null space of the energy (method.md N3): one a piece.
 std::vector<Index> gauge_vertices(const MapSpecification& spec, const BezierTriangleSpace& space);
 
+// Adds to `builder` what is asked of a map whose nodes are the builder's first unknowns: terms,
+// constraints and the check of boundary angles; neither injectivity nor gauge vertices. For
+// problems with more unknowns than a map's (a scaffold); others use map_problem().
+void add_map(ProblemBuilder& builder, const MapSpecification& spec,
+             const std::shared_ptr<const BezierTriangleSpace>& space, VecIn start,
+             const DensityTerms& terms);
+
 // start: 2 numbers per node, whose boundary (where it is fixed) and gauge vertices stay.
 // injectivity may be null. Terms 0 .. terms.size() - 1 of the problem are `terms`, with the weights
 // of spec; the penalty of soft handles comes after them.

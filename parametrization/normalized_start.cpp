@@ -203,4 +203,10 @@ BezierMap NormalizedStart::in_model_units(const BezierMap& normalized) const {
                          translated(normalized.control_points() / scale_, destination_));
 }
 
+BezierMesh NormalizedStart::in_model_units(BezierMesh normalized) const {
+  for (Index k = 0; k < normalized.points.cols(); ++k)
+    normalized.points.col(k) = (normalized.points.col(k) / scale_).array() + origin_[k % 2];
+  return normalized;
+}
+
 }  // namespace majorant

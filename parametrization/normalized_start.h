@@ -7,6 +7,7 @@
 #pragma once
 
 #include "majorant/parametrization/bezier_map.h"
+#include "majorant/parametrization/bezier_mesh.h"
 #include "majorant/parametrization/map_problem.h"
 #include "majorant/parametrization/parametrize.h"
 
@@ -27,6 +28,7 @@ class NormalizedStart {
   double moved() const { return moved_; }
   const MapSpecification& specification() const { return specification_; }
   BezierMap in_model_units(const BezierMap& normalized) const;
+  BezierMesh in_model_units(BezierMesh normalized) const;
 
  private:
   double scale_, moved_ = 0;

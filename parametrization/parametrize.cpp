@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "majorant/framework/error.h"
+#include "majorant/parametrization/bijective_solver.h"
 #include "majorant/parametrization/degree_solver.h"
 #include "majorant/parametrization/initial_map.h"
 #include "majorant/parametrization/normalized_start.h"
@@ -47,16 +48,12 @@ class Run {
     for (;;) {
       const bool last = map_.degree() == options_.degree;
       if (last || options_.elevation == Elevation::Incremental) {
-        DegreeSolver solver(setup_, map_.shared_space(), map_.control_points());
-        solver.soften_start(record_);
-        solved =
-            last ? solver.finish(record_) : solver.approach(options_.elevation_tolerance, record_);
-        map_ = map_.with(map_.shared_space(), solver.x());
-        account(solver);
+        solved = options_.injectivity == MapInjectivity::Global ? optimize_bijective(last)
+                                                                : optimize(last);
         if (limited(solved.status)) break;
       }
       if (last) break;
-      map_ = map_.elevated();
+      elevate();
     }
     result_.optimize_seconds = record_.seconds() - started;
     return conclude(solved);
@@ -75,9 +72,38 @@ class Run {
     map_ = map_.with(map_.shared_space(), solver.x());
   }
 
+  SolveResult optimize(bool last) {
+    DegreeSolver solver(setup_, map_.shared_space(), map_.control_points());
+    solver.soften_start(record_);
+    SolveResult solved =
+        last ? solver.finish(record_) : solver.approach(options_.elevation_tolerance, record_);
+    map_ = map_.with(map_.shared_space(), solver.x());
+    account(solver);
+    return solved;
+  }
+
+  SolveResult optimize_bijective(bool last) {
+    if (!scaffold_) scaffold_.emplace(map_.shared_space(), map_.control_points());
+    BijectiveSolver solver(setup_, map_.shared_space(), map_.control_points(), *scaffold_);
+    SolveResult solved =
+        last ? solver.finish(record_) : solver.approach(options_.elevation_tolerance, record_);
+    map_ = map_.with(map_.shared_space(), solver.x());
+    scaffold_ = solver.scaffold();
+    result_.flips.intended += solver.flips().intended;
+    result_.flips.performed += solver.flips().performed;
+    account(solver);
+    return solved;
+  }
+
+  void elevate() {
+    map_ = map_.elevated();
+    if (scaffold_) scaffold_ = scaffold_->elevated(map_.shared_space());
+  }
+
   static bool limited(Status s) { return s != Status::Converged && s != Status::Stalled; }
 
-  void account(const DegreeSolver& solver) {
+  template <class Solver>
+  void account(const Solver& solver) {
     const std::vector<long> counts = solver.injectivity_depth_counts();
     if (result_.injectivity_tests.size() < counts.size())
       result_.injectivity_tests.resize(counts.size(), 0);
@@ -86,20 +112,21 @@ class Run {
     result_.constraint_residual = solver.constraint_residual() / start_.scale();
     result_.handle_distance = 0;
     for (const FixedPoint& h : setup_.map.handles)
-      result_.handle_distance =
-          std::max(result_.handle_distance,
-                   (solver.x().segment<2>(2 * h.node) - h.position).norm() / start_.scale());
+      result_.handle_distance = std::max(
+          result_.handle_distance,
+          (map_.control_points().segment<2>(2 * h.node) - h.position).norm() / start_.scale());
   }
 
   // A run that a limit ended below the degree asked for is elevated all the same: valid, and of
   // the promised degree.
   ParametrizationResult conclude(const SolveResult& solved) {
-    while (map_.degree() < options_.degree) map_ = map_.elevated();
+    while (map_.degree() < options_.degree) elevate();
     result_.status = solved.status;
     result_.message = solved.message;
     result_.value_quadrature = solved.energy;
     result_.newton_decrement = solved.newton_decrement / std::abs(solved.energy);
     result_.map = start_.in_model_units(map_);
+    if (scaffold_) result_.scaffold = start_.in_model_units(scaffold_->mesh());
     const double started = record_.seconds();
     result_.measures = measure(*result_.map, options_.energy);
     result_.measure_seconds = record_.seconds() - started;
@@ -114,6 +141,7 @@ class Run {
   NormalizedStart start_;
   BezierMap map_;  // normalised
   DegreeSolver::Setup setup_;
+  std::optional<Scaffold> scaffold_;  // around map_, of MapInjectivity::Global
   ParametrizationResult result_;
 };
 

@@ -18,6 +18,7 @@
 #include "majorant/energies/named_energies.h"
 #include "majorant/framework/curvature.h"
 #include "majorant/parametrization/bezier_map.h"
+#include "majorant/parametrization/edge_flip.h"
 #include "majorant/parametrization/map_problem.h"
 #include "majorant/parametrization/measure.h"
 #include "majorant/parametrization/run_record.h"
@@ -25,6 +26,9 @@
 namespace majorant {
 
 enum class Elevation { Incremental, Direct };
+
+// Local: det J > 0 and angle sums; Global: no overlaps either, held by a scaffold (scaffold.h).
+enum class MapInjectivity { Local, Global };
 
 struct Pin {
   Index vertex;                   // of the mesh
@@ -39,6 +43,7 @@ struct ParametrizationOptions {
   BoundaryCondition boundary = BoundaryCondition::Free;
   BoundaryAngles boundary_angles = BoundaryAngles::Free;
   Elevation elevation = Elevation::Incremental;
+  MapInjectivity injectivity = MapInjectivity::Local;
   std::vector<Pin> pins;       // hard
   std::vector<Index> aligned;  // half-edges of the start's mesh that stay parallel to an axis
   std::vector<Pin> handles;    // soft
@@ -63,6 +68,8 @@ struct ParametrizationResult {
   Index variables = 0;
   MapMeasures measures;
   std::vector<long> injectivity_tests;  // elements certified, by bisection depth
+  FlipCounts flips;                     // of the scaffold's edges
+  std::optional<BezierMesh> scaffold;   // around the map, model units; of MapInjectivity::Global
   double initialize_seconds = 0, optimize_seconds = 0, measure_seconds = 0;
 };
 

@@ -65,31 +65,36 @@ void require_oriented(const SurfaceMesh& mesh, const CornerView& view) {
                               mesh.file(), mesh.input_face(f) + 1));
 }
 
-// Transitions of all cut edges; *residual receives the largest mismatch.
-std::vector<int> snap_rotations(const SurfaceMesh& mesh, const std::vector<char>& is_cut,
-                                const CornerView& view, double* residual) {
-  std::vector<int> turns(is_cut.size(), 0);
+struct Transitions {
+  std::vector<int> turns;  // by half-edge
+  double residual = 0;     // largest mismatch
+};
+
+// Of all cut edges.
+Transitions snap_rotations(const SurfaceMesh& mesh, const std::vector<char>& is_cut,
+                           const CornerView& view) {
+  Transitions out{std::vector<int>(is_cut.size(), 0)};
   Index worst = -1;
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
     const Index opposite = mesh.opposite(h);
     if (!is_cut[at(h)] || opposite < h) continue;
     const auto [k, mismatch] = view.transition(h);
-    turns[at(h)] = k;
-    turns[at(opposite)] = (4 - k) % 4;
-    if (worst >= 0 && mismatch <= *residual) continue;
+    out.turns[at(h)] = k;
+    out.turns[at(opposite)] = (4 - k) % 4;
+    if (worst >= 0 && mismatch <= out.residual) continue;
     worst = h;
-    *residual = mismatch;
+    out.residual = mismatch;
   }
-  if (!(*residual <= kSeamTolerance * view.mean_length()))
+  if (!(out.residual <= kSeamTolerance * view.mean_length()))
     throw Error(
         ErrorKind::Unsupported,
         fmt::format("{}: the seam at edge ({}, {}) is not seamless: its sides differ by {:.3g} "
                     "edge lengths after the best rotation by a multiple of 90 degrees (tolerance "
                     "{:g}); repair the coordinates or use `majorant seamless`",
                     mesh.file(), mesh.input_vertex(mesh.from_vertex(worst)) + 1,
-                    mesh.input_vertex(mesh.to_vertex(worst)) + 1, *residual / view.mean_length(),
+                    mesh.input_vertex(mesh.to_vertex(worst)) + 1, out.residual / view.mean_length(),
                     kSeamTolerance));
-  return turns;
+  return out;
 }
 
 std::vector<int> measure_quarter_turns(const SurfaceMesh& mesh, const CornerView& view) {
@@ -113,6 +118,19 @@ std::vector<int> measure_quarter_turns(const SurfaceMesh& mesh, const CornerView
                     mesh.file(), mesh.input_vertex(v) + 1, sum[at(v)] * 180 / std::numbers::pi));
   }
   return quarter_turns;
+}
+
+SeamlessStart assemble(const SurfaceMesh& mesh, const std::vector<char>& is_cut,
+                       const CornerView& view, const Transitions& transitions,
+                       std::vector<int> quarter_turns) {
+  const CutSurface surface = cut_open(mesh, is_cut, transitions.turns, std::move(quarter_turns));
+  Vec uv(2 * surface.mesh->vertex_count());
+  for (Index h = 0; h < mesh.half_edge_count(); ++h)
+    uv.segment<2>(2 * surface.mesh->from_vertex(h)) = view.corner(h);
+  double moved = 0;
+  uv = project_to_seams(surface, uv, &moved);
+  return {BezierMap::linear(surface.mesh, std::move(uv), surface.seams), transitions.residual,
+          moved};
 }
 
 }  // namespace
@@ -167,20 +185,14 @@ SeamlessStart seamless_from_corners(const SurfaceMesh& mesh, const std::vector<c
                                     const CornerPoints& corners) {
   const CornerView view(mesh, corners);
   require_oriented(mesh, view);
-  return seamless_from_layout(mesh, is_cut, corners, measure_quarter_turns(mesh, view));
+  const Transitions transitions = snap_rotations(mesh, is_cut, view);
+  return assemble(mesh, is_cut, view, transitions, measure_quarter_turns(mesh, view));
 }
 
 SeamlessStart seamless_from_layout(const SurfaceMesh& mesh, const std::vector<char>& is_cut,
                                    const CornerPoints& corners, std::vector<int> quarter_turns) {
   const CornerView view(mesh, corners);
-  double residual = 0, moved = 0;
-  const std::vector<int> turns = snap_rotations(mesh, is_cut, view, &residual);
-  const CutSurface surface = cut_open(mesh, is_cut, turns, std::move(quarter_turns));
-  Vec uv(2 * surface.mesh->vertex_count());
-  for (Index h = 0; h < mesh.half_edge_count(); ++h)
-    uv.segment<2>(2 * surface.mesh->from_vertex(h)) = view.corner(h);
-  uv = project_to_seams(surface, uv, &moved);
-  return {BezierMap::linear(surface.mesh, std::move(uv), surface.seams), residual, moved};
+  return assemble(mesh, is_cut, view, snap_rotations(mesh, is_cut, view), std::move(quarter_turns));
 }
 
 SeamlessStart seamless_from_texture(const SurfaceMesh& mesh) {

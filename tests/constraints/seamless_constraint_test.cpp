@@ -5,10 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
-#include <cstdint>
-#include <optional>
 #include <set>
 
+#include "constraints/integer_rows.h"
 #include "majorant/constraints/fixed_points.h"
 #include "majorant/energies/named_energies.h"
 #include "majorant/framework/elimination.h"
@@ -21,72 +20,6 @@ namespace majorant {
 namespace {
 
 using test::Random;
-
-// A row of integers by unknown.
-using IntegerRow = std::map<Index, long>;
-
-// [MC20] Eq. 15 without translations: (c_i - c_{i+1}) - R^k (c'_i - c'_{i+1}) = 0, two rows for
-// every control point of every seam edge. R is spelled out here, not taken from the library.
-std::vector<IntegerRow> difference_rows(const BezierTriangleSpace& space, const Seams& seams) {
-  constexpr long kCosine[] = {1, 0, -1, 0}, kSine[] = {0, 1, 0, -1};
-  std::vector<IntegerRow> rows;
-  for (const SeamEdge& edge : seams.edges()) {
-    const std::vector<Index> a = edge_nodes(space, edge.side);
-    std::vector<Index> b = edge_nodes(space, edge.opposite);
-    std::reverse(b.begin(), b.end());
-    const long c = kCosine[edge.turns], s = kSine[edge.turns];
-    for (std::size_t i = 0; i + 1 < a.size(); ++i) {
-      IntegerRow u, v;
-      for (const auto& [p, q, sign] :
-           {std::tuple(a[i], b[i], 1L), std::tuple(a[i + 1], b[i + 1], -1L)}) {
-        u[2 * p] += sign;
-        u[2 * q] -= sign * c;
-        u[2 * q + 1] += sign * s;
-        v[2 * p + 1] += sign;
-        v[2 * q] -= sign * s;
-        v[2 * q + 1] -= sign * c;
-      }
-      rows.push_back(u);
-      rows.push_back(v);
-    }
-  }
-  return rows;
-}
-
-// Rank modulo a prime of 61 bits: never more than the rank.
-Index modular_rank(const std::vector<IntegerRow>& rows) {
-  constexpr std::int64_t p = (std::int64_t(1) << 61) - 1;
-  __extension__ typedef __int128 Wide;
-  const auto times = [](std::int64_t a, std::int64_t b) { return std::int64_t(Wide(a) * b % p); };
-  const auto inverse = [&](std::int64_t a) {
-    std::int64_t result = 1;
-    for (std::int64_t e = p - 2; e; e >>= 1, a = times(a, a))
-      if (e & 1) result = times(result, a);
-    return result;
-  };
-  std::map<Index, std::map<Index, std::int64_t>> pivots;  // by first unknown, scaled to 1 there
-  for (const IntegerRow& given : rows) {
-    std::map<Index, std::int64_t> row;
-    for (const auto& [i, c] : given)
-      if (c != 0) row[i] = (c % p + p) % p;
-    while (!row.empty()) {
-      const auto [first, c] = *row.begin();
-      const auto pivot = pivots.find(first);
-      if (pivot == pivots.end()) {
-        const std::int64_t factor = inverse(c);
-        for (auto& entry : row) entry.second = times(entry.second, factor);
-        pivots.emplace(first, row);
-        break;
-      }
-      for (const auto& [i, d] : pivot->second) {
-        std::int64_t& entry = row[i];
-        entry = (entry + p - times(c, d)) % p;
-        if (entry == 0) row.erase(i);
-      }
-    }
-  }
-  return static_cast<Index>(pivots.size());
-}
 
 struct Held {
   std::shared_ptr<const Seams> seams;
@@ -233,6 +166,31 @@ TEST(SeamlessConstraint, AnnuliKeepTheirTranslation) {
     for (Index j : {z.reduced_size() - 2, z.reduced_size() - 1})
       EXPECT_GE(z.full_index(j), z.full_size());
   }
+}
+
+// Any cuts: slits, loose triangles, closed chains, nodes of every kind.
+TEST(SeamlessConstraint, RandomCuts) {
+  Random random(6);
+  std::vector<SeamlessCase> bases{squares_case(unit_cube(), 2, Charts::OneWithoutSlits),
+                                  squares_case(square_torus(3, 3), 1, Charts::OneWithoutSlits),
+                                  squares_case(holed_plate(2), 1, Charts::One), fan_case(5, 3),
+                                  fan_case(2, 3, 1)};
+  std::set<double> seen;
+  for (std::size_t b = 0; b < bases.size(); ++b)
+    for (const double probability : {0.03, 0.1, 0.3, 0.6, 1.0})
+      for (unsigned seed = 1; seed <= 4; ++seed) {
+        const int n = 1 + int(seed) % 3;
+        SCOPED_TRACE(testing::Message() << "base " << b << ", " << probability << ", " << seed);
+        const Held h(with_random_cuts(bases[b], probability, seed), n);
+        const Elimination z = h.elimination();
+        expect_exact(difference_rows(*h.space, *h.seams), z);
+        expect_seams_hold(h, z, random);
+        double residual = -1;
+        z.reduce(h.x, &residual);
+        EXPECT_LE(residual, 1e-13 * h.x.cwiseAbs().maxCoeff());
+        seen.merge(entries(z));
+      }
+  for (const double c : seen) EXPECT_TRUE(c == std::floor(c) && c <= 4) << c;
 }
 
 TEST(SeamlessConstraint, RedundantRowsChangeNothing) {

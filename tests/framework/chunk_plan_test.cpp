@@ -79,6 +79,24 @@ TEST(ChunkPlan, OneNodeInEveryElement) {
   EXPECT_EQ(plan.colours().size(), 70u);
 }
 
+// An unknown that scattered elements share through the elimination: their chunks are few.
+TEST(ChunkPlan, SharedUnknownsTakeFewColours) {
+  const test::Mesh mesh = test::grid(100, 100);
+  const Stencils stencils{mesh.faces, 2};
+  ConstraintRows rows;
+  const Index shared = rows.add_auxiliary();
+  for (Index v = 50; v < mesh.positions.rows(); v += 101) {  // a line of vertices
+    rows.begin_row("line");
+    rows.add(2 * v, 1);
+    rows.add(shared, -2);
+    rows.end_row(0);
+  }
+  const Elimination z(2 * static_cast<Index>(mesh.positions.rows()), rows);
+  const ChunkPlan plan(stencils, {}, z);
+  expect_valid(plan, stencils, {});
+  EXPECT_LE(plan.colours().size(), 10u);
+}
+
 TEST(ChunkPlan, Empty) {
   const ChunkPlan plan(Stencils{Cells(0, 3), 2}, {});
   EXPECT_EQ(plan.chunk_count(), 0);

@@ -170,9 +170,35 @@ struct SquareLayout {
   std::vector<std::array<char, 4>> cut;
 };
 
+using SquareSides = std::map<Side, std::pair<std::size_t, int>>;  // square, number of the side
+
+// Glues cuts that end at a vertex of 360 degrees, from there on.
+inline void remove_slits(const Squares& s, const SquareSides& side_of, SquareLayout& out) {
+  const std::size_t count = s.squares.size();
+  for (bool changed = true; changed;) {
+    changed = false;
+    std::vector<int> cuts(s.positions.size(), 0), squares(s.positions.size(), 0);
+    for (std::size_t q = 0; q < count; ++q)
+      for (int k = 0; k < 4; ++k) {
+        ++squares[at(s.squares[q][at(k)])];
+        cuts[at(s.squares[q][at(k)])] += out.cut[q][at(k)];  // every edge once from each end
+      }
+    for (std::size_t q = 0; q < count && !changed; ++q)
+      for (int k = 0; k < 4 && !changed; ++k)
+        for (const int end : {k, (k + 1) % 4}) {
+          const auto v = at(s.squares[q][at(end)]);
+          if (!out.cut[q][at(k)] || cuts[v] != 1 || squares[v] != 4) continue;
+          const auto [n, side] = side_of.at({s.squares[q][at((k + 1) % 4)], s.squares[q][at(k)]});
+          out.cut[q][at(k)] = out.cut[n][at(side)] = 0;
+          changed = true;
+          break;
+        }
+  }
+}
+
 inline SquareLayout lay_out(const Squares& s, Charts charts) {
   const std::size_t count = s.squares.size();
-  std::map<std::pair<Index, Index>, std::pair<std::size_t, int>> side_of;
+  SquareSides side_of;
   for (std::size_t q = 0; q < count; ++q)
     for (int k = 0; k < 4; ++k)
       side_of[{s.squares[q][at(k)], s.squares[q][at((k + 1) % 4)]}] = {q, k};
@@ -205,25 +231,7 @@ inline SquareLayout lay_out(const Squares& s, Charts charts) {
                       rotated(square_corner(side), out.turns[n]);
     }
   if (charts != Charts::OneWithoutSlits) return out;
-  for (bool changed = true; changed;) {  // cuts that end at a vertex of 360 degrees
-    changed = false;
-    std::vector<int> cuts(s.positions.size(), 0), squares(s.positions.size(), 0);
-    for (std::size_t q = 0; q < count; ++q)
-      for (int k = 0; k < 4; ++k) {
-        ++squares[at(s.squares[q][at(k)])];
-        cuts[at(s.squares[q][at(k)])] += out.cut[q][at(k)];  // every edge once from each end
-      }
-    for (std::size_t q = 0; q < count && !changed; ++q)
-      for (int k = 0; k < 4 && !changed; ++k)
-        for (const int end : {k, (k + 1) % 4}) {
-          const auto v = at(s.squares[q][at(end)]);
-          if (!out.cut[q][at(k)] || cuts[v] != 1 || squares[v] != 4) continue;
-          const auto [n, side] = opposite(q, k);
-          out.cut[q][at(k)] = out.cut[n][at(side)] = 0;
-          changed = true;
-          break;
-        }
-  }
+  remove_slits(s, side_of, out);
   return out;
 }
 
@@ -275,6 +283,35 @@ inline SeamlessCase squares_case(
         cut.push_back({0, char(j + 1 == m && c[2]), char(i == 0 && c[3])});
       }
   return seamless_case(std::move(positions), triangles, uv, cut);
+}
+
+// The same surface with more cuts: every edge with this probability, and each piece then turned and
+// moved at random.
+inline SeamlessCase with_random_cuts(SeamlessCase c, double probability, unsigned seed) {
+  std::mt19937 random(seed);
+  for (Index h = 0; h < c.mesh->half_edge_count(); ++h) {
+    const Index o = c.mesh->opposite(h);
+    if (o > h && double(random()) < probability * 4294967296.0)
+      c.is_cut[at(h)] = c.is_cut[at(o)] = 1;
+  }
+  std::vector<char> met(at(c.mesh->face_count()), 0);
+  for (Index seed_face = 0; seed_face < c.mesh->face_count(); ++seed_face) {
+    if (met[at(seed_face)]) continue;
+    met[at(seed_face)] = 1;
+    const int turns = int(random() % 4);
+    const Vector2 offset(double(random() % 16), double(random() % 16));
+    std::vector<Index> queue{seed_face};
+    for (std::size_t head = 0; head < queue.size(); ++head)
+      for (Index k = 0; k < 3; ++k) {
+        const Index h = 3 * queue[head] + k, o = c.mesh->opposite(h);
+        auto corner = c.corners.row(h / 3).segment<2>(2 * k);
+        corner = (rotated(corner, turns) + offset).transpose().eval();
+        if (o < 0 || c.is_cut[at(h)] || met[at(o / 3)]) continue;
+        met[at(o / 3)] = 1;
+        queue.push_back(o / 3);
+      }
+  }
+  return c;
 }
 
 // ---- Fans ----

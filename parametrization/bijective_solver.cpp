@@ -1,0 +1,213 @@
+#include "majorant/parametrization/bijective_solver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "majorant/framework/evaluator.h"
+
+namespace majorant {
+namespace {
+
+constexpr double kScaffoldShare = 1e-4;  // [MC20] Sec. 6: lambda E_conf / E
+// A change of lambda below this part does not count: the stepper keeps what it has learned.
+constexpr double kSameLambda = 0.02;
+constexpr double kSoftStart = 1e5;     // mean density, as in DegreeSolver
+constexpr double kStillMoving = 1e-3;  // relative decrease above which the scaffold is relaxed
+constexpr int kRelaxSteps = 2;
+constexpr int kDeepest = 13;  // bisections, as in DegreeSolver
+constexpr int kHelpRounds = 30;
+constexpr int kAccuracyRounds = 3;
+
+NewtonOptions newton_options(const ParametrizationOptions& options) {
+  NewtonOptions newton;
+  newton.curvature = options.curvature;
+  return newton;
+}
+
+}  // namespace
+
+BijectiveSolver::BijectiveSolver(const DegreeSolver::Setup& setup,
+                                 std::shared_ptr<const BezierTriangleSpace> space, Vec x,
+                                 Scaffold scaffold)
+    : setup_(setup),
+      space_(std::move(space)),
+      x_(scaffold.joined(x)),
+      start_(std::move(x)),
+      scaffold_(std::move(scaffold)),
+      levels_(optimizer_ladder(space_->degree(), setup.options.quadrature_points),
+              space_->element_count()),
+      terms_(energy_terms(setup.map, space_, levels_.rules())),
+      depth_(setup.options.injectivity_depth) {
+  rebuild();
+}
+
+// The problem of the scaffold as it is now.
+void BijectiveSolver::rebuild() {
+  if (injectivity_) depth_counts_ = injectivity_depth_counts();
+  injectivity_ =
+      std::make_shared<const LocalInjectivity>(space_, 2 * setup_.map.rest.measure, depth_);
+  ProblemBuilder builder(2 * scaffold_.joint_node_count());
+  add_map(builder, setup_.map, space_, scaffold_.joined(start_), terms_);
+  builder.add(scaffold_.energy_term(), 1.0);
+  builder.add(std::make_shared<const ScaffoldInjectivity>(
+      injectivity_, space_->element_count(),
+      std::make_shared<const LocalInjectivity>(scaffold_.space(), Vec::Ones(scaffold_.face_count()),
+                                               depth_)));
+  builder.add(FixedPoints::at(scaffold_.frame_nodes(), x_));
+  problem_ = builder.build();
+  lambda_ = 0;
+  set_states();
+}
+
+// Weights of this iteration: lambda, and for a start of enormous energy those of DegreeSolver's
+// soft start.
+void BijectiveSolver::set_states() {
+  Vec weight;
+  const Vec energy_of = energy_by_face(setup_.map, terms_, levels_.of_faces(), x_);
+  double energy = energy_of.sum();
+  const double area = setup_.map.rest.measure.sum();
+  if (energy >= kSoftStart * area && energy_of.allFinite()) {
+    weight = energy_of.cwiseQuotient(setup_.map.rest.measure).cwiseSqrt().cwiseInverse();
+    energy = weight.dot(energy_of);
+  }
+  const std::size_t last = problem_.term_count() - 1;
+  const double lambda = kScaffoldShare * energy / area / scaffold_energy();
+  if (weight.size() == 0 && std::abs(lambda - lambda_) <= kSameLambda * lambda && stepper_) return;
+  lambda_ = lambda;
+  std::vector<TermState> states = energy_states(setup_.map, problem_, levels_.of_faces(), weight);
+  states[last].weight = lambda;
+  problem_ = problem_.with(std::move(states));
+  if (stepper_)
+    stepper_->reset(problem_);
+  else
+    stepper_ = std::make_unique<NewtonStepper>(problem_, newton_options(setup_.options));
+}
+
+double BijectiveSolver::scaffold_energy() const {
+  const std::size_t last = problem_.term_count() - 1;
+  return element_values(problem_.term(last), problem_.state(last), problem_.plan(last), x_).sum();
+}
+
+Stepper::Step BijectiveSolver::iterate(SolveResult& result) {
+  set_states();
+  Vec y = problem_.reduce(x_);
+  double energy = stepper_->evaluator().value(y);
+  Stepper::Step step = stepper_->step(y, energy);
+  x_ = problem_.expand(y);
+  result.energy = energy - lambda_ * scaffold_energy();
+  result.newton_decrement = step.record.newton_decrement;
+  return step;
+}
+
+// Flips, relaxes and enlarges the scaffold; whether its triangulation changed.
+bool BijectiveSolver::maintain(double relative_decrease) {
+  scaffold_.take(x_);
+  const bool grown = scaffold_.grow();
+  FlipCounts counts = scaffold_.flip();
+  if (grown || counts.performed > 0 || relative_decrease > kStillMoving) {
+    scaffold_.relax(kRelaxSteps);
+    const FlipCounts more = scaffold_.flip();
+    counts.intended += more.intended;
+    counts.performed += more.performed;
+  }
+  flips_.intended += counts.intended;
+  flips_.performed += counts.performed;
+  x_ = scaffold_.joined(x_);
+  const bool changed = grown || counts.performed > 0;
+  if (changed) rebuild();
+  return changed;
+}
+
+// For a step that was blocked: certificates that look deeper, then finer quadrature on the faces
+// that block. Whether anything was left to do.
+bool BijectiveSolver::help(const std::vector<Index>& blocking) {
+  if (depth_ < kDeepest) {
+    depth_ = std::min(depth_ + 4, kDeepest);
+    rebuild();
+    return true;
+  }
+  std::vector<Index> faces;
+  for (const Index e : blocking)
+    if (e < space_->element_count()) faces.push_back(e);
+  if (!levels_.climb(faces)) return false;
+  rebuild();
+  return true;
+}
+
+SolveResult BijectiveSolver::run(const StoppingRules& rules, RunRecord& record) {
+  const Observer observe = record.observer(space_->degree());
+  SolveResult result;
+  const auto finish = [&](Status status, const char* message) {
+    result.status = status;
+    result.message = message;
+    return result;
+  };
+  int idle = 0;
+  while (record.iterations_left() > 0) {
+    Stepper::Step step = iterate(result);
+    result.blocking = std::move(step.blocking);
+    const double scale = std::abs(result.energy);
+    const bool near = result.newton_decrement <= rules.stall_decrement * scale;
+    if (step.outcome == Stepper::Outcome::Breakdown) return finish(Status::Failed, "no direction");
+    if (step.outcome == Stepper::Outcome::AtMinimum) return finish(Status::Converged, "decrement");
+    if (step.outcome != Stepper::Outcome::Moved) {
+      if (maintain(1.0)) continue;
+      return finish(near ? Status::Converged : Status::Stalled, "no further decrease");
+    }
+    step.record.energy = result.energy;
+    const Directive directive = observe(step.record, x_);
+    const double decrease = step.record.relative_decrease;
+    const bool small = decrease <= rules.relative_decrease;
+    const bool changed = maintain(decrease);
+    if (small && !changed &&
+        result.newton_decrement <= rules.tail_factor * rules.relative_decrease * scale)
+      return finish(Status::Converged, "relative decrease");
+    idle = small ? idle + 1 : 0;
+    if (idle >= rules.stall_iterations)
+      return finish(near ? Status::Converged : Status::Stalled,
+                    "held at the limit of the feasible set");
+    if (directive == Directive::TimeLimit) return finish(Status::TimeLimit, "time limit");
+    if (directive == Directive::Interrupt) return finish(Status::Interrupted, "interrupted");
+  }
+  return finish(Status::MaxIterations, "iteration limit");
+}
+
+SolveResult BijectiveSolver::approach(double tolerance, RunRecord& record) {
+  StoppingRules rules;
+  rules.relative_decrease = tolerance;
+  rules.stall_decrement = std::numeric_limits<double>::infinity();
+  return run(rules, record);
+}
+
+SolveResult BijectiveSolver::finish(RunRecord& record) {
+  StoppingRules rules;
+  rules.relative_decrease = setup_.options.tolerance;
+  SolveResult result = run(rules, record);
+  for (int helped = 0, refined = 0;; result = run(rules, record)) {
+    if (result.status == Status::Stalled && helped++ < kHelpRounds && help(result.blocking))
+      continue;
+    if (result.status == Status::Converged && setup_.options.quadrature_points == 0 &&
+        refined++ < kAccuracyRounds && levels_.climb_inaccurate(setup_.map, terms_, x_)) {
+      rebuild();
+      continue;
+    }
+    return result;
+  }
+}
+
+double BijectiveSolver::constraint_residual() const {
+  double residual = 0;
+  problem_.reduce(x_, &residual);
+  return residual;
+}
+
+std::vector<long> BijectiveSolver::injectivity_depth_counts() const {
+  std::vector<long> counts = injectivity_->depth_counts();
+  counts.resize(std::max(counts.size(), depth_counts_.size()), 0);
+  for (std::size_t k = 0; k < depth_counts_.size(); ++k) counts[k] += depth_counts_[k];
+  return counts;
+}
+
+}  // namespace majorant

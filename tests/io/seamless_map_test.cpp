@@ -1,0 +1,226 @@
+#include "majorant/io/seamless_map.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "io_test_helpers.h"
+#include "majorant/constraints/seamless_constraint.h"
+#include "majorant/energies/named_energies.h"
+#include "majorant/io/read_mesh.h"
+#include "majorant/io/vtu.h"
+#include "majorant/io/write_obj.h"
+#include "majorant/io/write_svg.h"
+#include "majorant/parametrization/measure.h"
+#include "majorant/parametrization/seamless_start.h"
+
+namespace majorant {
+namespace {
+
+// A cube of 2 x 2 quads a side, in triangles; each side is a chart of its own, turned by s * 90
+// degrees.
+PolygonMesh cube() {
+  PolygonMesh mesh;
+  mesh.file = "cube";
+  const auto vertex = [&](const Vector3& p) {
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+      if (mesh.positions[v] == p) return static_cast<Index>(v);
+    mesh.positions.push_back(p);
+    return static_cast<Index>(mesh.positions.size() - 1);
+  };
+  for (int s = 0; s < 6; ++s) {
+    const Vector3 normal = (s < 3 ? 1 : -1) * Vector3::Unit(s % 3);
+    const Vector3 e = Vector3::Unit((s + 1) % 3), f = normal.cross(e);
+    const auto base = static_cast<Index>(mesh.texcoords.size());
+    std::vector<Index> corners;
+    for (int j = 0; j < 3; ++j)
+      for (int i = 0; i < 3; ++i) {
+        corners.push_back(vertex(normal + (i - 1) * e + (j - 1) * f));
+        mesh.texcoords.push_back(rotated(Vector2(i - 1, j - 1), s) + Vector2(3 * s, 0.25 * s));
+      }
+    for (const int a : {0, 1, 3, 4})
+      for (const auto& t : {std::array{a, a + 1, a + 4}, std::array{a, a + 4, a + 3}}) {
+        auto& polygon = mesh.polygons.emplace_back();
+        auto& texture = mesh.polygon_texcoords.emplace_back();
+        for (const int c : t) {
+          polygon.push_back(corners[static_cast<std::size_t>(c)]);
+          texture.push_back(base + c);
+        }
+      }
+  }
+  return mesh;
+}
+
+BezierMap cube_map(int degree) {
+  BezierMap map = seamless_from_texture(SurfaceMesh::from_polygons(cube())).map;
+  while (map.degree() < degree) map = map.elevated();
+  return map;
+}
+
+// A cell and an edge of it that is a seam.
+std::pair<Index, int> seam_edge(const MapFile& file) {
+  for (Index f = 0; f < file.seam_edges.rows(); ++f)
+    for (int k = 0; k < 3; ++k)
+      if (file.seam_edges(f, k) > 0) return {f, k};
+  ADD_FAILURE() << "no seam";
+  return {0, 0};
+}
+
+TEST(SeamlessMap, ComesBackFromTheFile) {
+  for (int degree = 1; degree <= 5; ++degree) {
+    const BezierMap map = cube_map(degree);
+    const MapFile file = to_map_file(map);
+    EXPECT_TRUE(is_cut(file));
+    const BezierMap again = to_seamless_map(file, "file");
+    EXPECT_EQ(again.control_points(), map.control_points());
+    EXPECT_EQ(again.mesh().faces(), map.mesh().faces());
+    EXPECT_EQ(again.space().cells(), map.space().cells());
+    EXPECT_EQ(again.seams().surface_vertex(), map.seams().surface_vertex());
+    EXPECT_EQ(again.seams().quarter_turns(), map.seams().quarter_turns());
+    ASSERT_EQ(again.seams().edges().size(), 24u);
+    EXPECT_EQ(again.seams().chain_count(), 12);
+    for (std::size_t e = 0; e < 24; ++e) {
+      const SeamEdge &a = again.seams().edges()[e], &b = map.seams().edges()[e];
+      EXPECT_EQ(std::tuple(a.side, a.opposite, a.turns, a.chain),
+                std::tuple(b.side, b.opposite, b.turns, b.chain));
+    }
+    EXPECT_EQ(again.seams().cones().size(), 8u);
+    EXPECT_EQ(to_map_file(again).cone, file.cone);
+    const MapMeasures measures = measure(again, {{symmetric_dirichlet(), 1.0}});
+    EXPECT_TRUE(measures.locally_injective);
+    EXPECT_NEAR(measures.value, 4, 1e-12);
+    EXPECT_LE(measures.seam_residual, 1e-14);
+  }
+}
+
+TEST(SeamlessMap, ShuffledCellsKeepTheirOrder) {
+  MapFile file = to_map_file(cube_map(3));
+  file.cells = file.cells.colwise().reverse().eval();
+  file.input_face = file.input_face.reverse().eval();
+  const BezierMap map = to_seamless_map(file, "file");
+  for (Index f = 0; f < file.cells.rows(); ++f)
+    for (Index k = 0; k < 3; ++k) {
+      const Vector2 uv = map.control_points().segment<2>(2 * map.mesh().faces()(f, k));
+      EXPECT_EQ(uv, Vector2(file.uv.row(file.cells(f, k))));
+      EXPECT_EQ(map.mesh().input_vertex(map.mesh().faces()(f, k)),
+                file.input_vertex[file.cells(f, k)]);
+    }
+  EXPECT_EQ(map.seams().chain_count(), 12);
+}
+
+TEST(SeamlessMap, ArraysSurviveVtu) {
+  const TemporaryFolder folder;
+  for (int degree = 1; degree <= 4; ++degree) {
+    const MapFile file = to_map_file(cube_map(degree));
+    write_vtu(folder.file("a.vtu"), file);
+    const MapFile again = read_vtu(folder.file("a.vtu"));
+    EXPECT_EQ(again.cone, file.cone);
+    EXPECT_EQ(again.seam_edges, file.seam_edges);
+    write_vtu(folder.file("b.vtu"), again);
+    EXPECT_EQ(content_of(folder.file("a.vtu")), content_of(folder.file("b.vtu")));
+  }
+  MapFile wrong = to_map_file(cube_map(1));
+  wrong.seam_edges.conservativeResize(5, 3);
+  EXPECT_NE(error_message(ErrorKind::Invalid, [&] { write_vtu(folder.file("c.vtu"), wrong); })
+                .find("seam_edges"),
+            std::string::npos);
+}
+
+TEST(SeamlessMap, AnUncutMapHasNoSeams) {
+  MapFile strip = random_strip(2, 4, 7);
+  EXPECT_FALSE(is_cut(strip));
+  EXPECT_TRUE(to_seamless_map(strip, "strip").seams().empty());
+  EXPECT_EQ(to_map_file(to_seamless_map(strip, "strip")).seam_edges.size(), 0);
+  strip.input_vertex.setConstant(-1);
+  EXPECT_NE(error_message(ErrorKind::Invalid, [&] { to_seamless_map(strip, "strip"); })
+                .find("input_vertex"),
+            std::string::npos);
+}
+
+TEST(SeamlessMap, SidesThatDoNotFitAreNamed) {
+  for (int degree = 1; degree <= 4; ++degree) {
+    MapFile file = to_map_file(cube_map(degree));
+    const auto [cell, k] = seam_edge(file);
+    const auto on_edge = bezier_edge_points(degree, k);
+    const Index point = file.cells(cell, on_edge[static_cast<std::size_t>(degree / 2)]);
+    file.uv(point, 0) += 0.01;
+    const std::string message =
+        error_message(ErrorKind::Invalid, [&] { to_seamless_map(file, "file"); });
+    EXPECT_NE(message.find("edge ("), std::string::npos) << message;
+    // What is too little to be refused is measured.
+    file.uv(point, 0) += 1e-6 - 0.01;
+    const BezierMap map = to_seamless_map(file, "file");
+    EXPECT_NEAR(measure(map, {{symmetric_dirichlet(), 1.0}}).seam_residual, 1e-6, 1e-9);
+    const SeamMismatch worst = worst_seam_edge(map.space(), map.seams(), map.control_points());
+    const SeamEdge edge = map.seams().edges()[static_cast<std::size_t>(worst.edge)];
+    EXPECT_TRUE(edge.side / 3 == cell || edge.opposite / 3 == cell || degree == 1);
+  }
+}
+
+TEST(SeamlessMap, PointsThatAreSharedInPartAreNamed) {
+  for (int degree = 2; degree <= 4; ++degree) {
+    MapFile file = to_map_file(cube_map(degree));
+    const auto [cell, k] = seam_edge(file);
+    const Index point = file.cells(cell, k), last = file.points.rows();
+    file.points.conservativeResize(last + 1, 3);
+    file.uv.conservativeResize(last + 1, 2);
+    file.input_vertex.conservativeResize(last + 1);
+    file.points.row(last) = file.points.row(point);
+    file.uv.row(last) = file.uv.row(point);
+    file.input_vertex[last] = file.input_vertex[point];
+    file.cells(cell, k) = last;
+    const std::string message =
+        error_message(ErrorKind::Invalid, [&] { to_seamless_map(file, "file"); });
+    EXPECT_NE(message.find("share some"), std::string::npos) << message;
+  }
+}
+
+TEST(SeamlessMap, ObjWeldsTheSurfaceAndNamesCones) {
+  const TemporaryFolder folder;
+  const PolygonMesh input = cube();
+  for (const int degree : {1, 3}) {
+    write_obj(folder.file("a.obj"), to_map_file(cube_map(degree)), &input, degree);
+    const PolygonMesh mesh = read_mesh(folder.file("a.obj"));
+    for (std::size_t v = 0; v < input.positions.size(); ++v)
+      EXPECT_EQ(mesh.positions[v], input.positions[v]);
+    EXPECT_EQ(SurfaceMesh::from_polygons(mesh).topology().boundary_loops, 0);
+    EXPECT_EQ(seamless_from_texture(SurfaceMesh::from_polygons(mesh)).map.seams().chain_count(),
+              12);
+    const std::string text = content_of(folder.file("a.obj"));
+    std::size_t cones = 0;
+    for (std::size_t at = 0; (at = text.find("# cone vertex ", at)) != std::string::npos; ++at)
+      ++cones;
+    EXPECT_EQ(cones, 8u);
+    EXPECT_EQ(to_seamless_map(to_map_file(mesh), "obj").seams().cones().size(), 8u);
+  }
+}
+
+TEST(SeamlessMap, SvgMarksSeamsConesAndGrid) {
+  const TemporaryFolder folder;
+  const MapFile file = to_map_file(cube_map(2));
+  write_svg(folder.file("a.svg"), file);
+  std::string text = content_of(folder.file("a.svg"));
+  const auto count = [&](const std::string& piece) {
+    std::size_t found = 0;
+    for (std::size_t at = 0; (at = text.find(piece, at)) != std::string::npos; ++at) ++found;
+    return found;
+  };
+  EXPECT_EQ(count("<circle"), 24u + 1u);  // every copy, and the legend's
+  EXPECT_EQ(count("stroke-linecap"), 1u);
+  EXPECT_EQ(count("<path"), 48u + 12u + 1u);
+  EXPECT_EQ(count("clip-path"), 0u);
+  write_svg(folder.file("a.svg"), file, {.grid = 1.0});
+  text = content_of(folder.file("a.svg"));
+  EXPECT_EQ(count("clip-path=\"url(#layout)\""), 1u);
+  EXPECT_EQ(count("grid 1<"), 1u);
+  const std::size_t start = text.find("<clipPath");
+  const std::string clip = text.substr(start, text.find("</clipPath>") - start);
+  EXPECT_EQ(std::count(clip.begin(), clip.end(), 'Z'), 6);  // charts
+  for (const double wrong : {-1.0, 1e-6, std::nan("")})
+    error_message(ErrorKind::Usage,
+                  [&] { write_svg(folder.file("b.svg"), file, {.grid = wrong}); });
+}
+
+}  // namespace
+}  // namespace majorant
