@@ -12,7 +12,8 @@
 namespace majorant {
 namespace {
 
-constexpr int kRounds = 100;              // values of eps
+constexpr int kPasses = 2;                // the second from where the first one got stuck
+constexpr int kRounds = 100;              // values of eps, each pass
 constexpr int kStepsPerRound = 10;        // Newton steps
 constexpr double kRoundTolerance = 1e-2;  // relative decrease that ends a round
 constexpr double kSmallestShrink = 0.1;   // sigma of [GKKPRS21]
@@ -27,11 +28,12 @@ class Untangler {
                              nullptr)),
         stepper_(problem_, newton_options()),
         y_(problem_.reduce(start)),
-        eps_(first_eps) {}
+        first_eps_(first_eps > 0 ? first_eps : own_first_eps(spec)) {}
 
   UntangleResult run(const RunRecord& record) {
     double worst = update();
-    for (int round = 0; round < kRounds && !result_.inverted.empty(); ++round) {
+    for (int round = 0; round < kPasses * kRounds && !result_.inverted.empty(); ++round) {
+      if (round % kRounds == 0) eps_ = first_eps_;
       set_eps();
       const double before = stepper_.evaluator().value(y_);
       const double after = descend(before, record);
@@ -48,6 +50,11 @@ class Untangler {
     spec.face_weight.resize(0);
     spec.boundary_angles = BoundaryAngles::Free;
     return spec;
+  }
+
+  static double own_first_eps(const MapSpecification& spec) {
+    const bool held = spec.boundary == BoundaryCondition::Fixed || spec.pins.size() >= 2;
+    return held ? kFirstEpsHeld : kFirstEps;
   }
 
   static NewtonOptions newton_options() {
@@ -94,7 +101,7 @@ class Untangler {
   Problem problem_;
   NewtonStepper stepper_;
   Vec y_;
-  double eps_;
+  double first_eps_, eps_ = 0;
   UntangleResult result_;
 };
 

@@ -14,9 +14,10 @@
 
 namespace majorant {
 
-// The eps to begin with. A larger one makes collapse (2 / eps for a map shrunk to a point, where
-// nothing holds its size) as good as an isometry (4).
-inline constexpr double kFirstEps = 0.1;
+// The eps to begin with. Where nothing holds the size of a map, a larger one makes collapse (2 /
+// eps for a map shrunk to a point) as good as an isometry (4). A fixed boundary or two pins hold
+// it.
+inline constexpr double kFirstEps = 0.1, kFirstEpsHeld = 1;
 
 struct UntangleResult {
   Vec x;                        // 2 numbers per node; satisfies the constraints
@@ -26,9 +27,10 @@ struct UntangleResult {
 
 // spec: seams, pins, boundary; its energy is not looked at; its rest shapes should have the sizes
 // that images are to get. space: of degree 1. start: any finite positions, which need not satisfy
-// the constraints. first_eps: smaller changes a good start less. Ends early when `record` says so.
+// the constraints. first_eps: smaller changes a good start less; 0: one of the above. Ends early
+// when `record` says so.
 UntangleResult untangle(const MapSpecification& spec,
                         const std::shared_ptr<const BezierTriangleSpace>& space, VecIn start,
-                        const RunRecord& record, double first_eps = kFirstEps);
+                        const RunRecord& record, double first_eps = 0);
 
 }  // namespace majorant
