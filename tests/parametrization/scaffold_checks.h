@@ -33,18 +33,19 @@ inline Points2 square(double size = 1) {
   return polygon({{0, 0}, {size, 0}, {size, size}, {0, size}});
 }
 
-// A band along an Archimedean spiral; the gap between its windings is `gap` of their distance.
+// A band along an Archimedean spiral; the gap between its windings is `gap` of their distance. Its
+// ends have pieces about as long as those of its inner winding.
 inline Points2 spiral(Index count, double turns, double gap) {
   std::vector<Vector2> points;
-  const auto side = [&](double offset, bool back) {
-    for (Index k = 0; k < count; ++k) {
-      const double s = static_cast<double>(back ? count - 1 - k : k) / (count - 1);
-      const double angle = 2 * kPi * turns * s, radius = 1 + turns * s + offset;
-      points.push_back({radius * std::cos(angle), radius * std::sin(angle)});
-    }
+  const auto add = [&](double s, double offset) {
+    const double angle = 2 * kPi * turns * s, radius = 1 + turns * s + offset * (1 - gap) / 2;
+    points.push_back({radius * std::cos(angle), radius * std::sin(angle)});
   };
-  side((1 - gap) / 2, false);
-  side(-(1 - gap) / 2, true);
+  const Index pieces = static_cast<Index>(std::ceil(count / (2 * kPi * turns)));
+  for (Index k = 0; k < count; ++k) add(k / (count - 1.0), 1);
+  for (Index k = 1; k < pieces; ++k) add(1, 1 - 2.0 * k / pieces);
+  for (Index k = 0; k < count; ++k) add(1 - k / (count - 1.0), -1);
+  for (Index k = 1; k < pieces; ++k) add(0, 2.0 * k / pieces - 1);
   return polygon(points);
 }
 

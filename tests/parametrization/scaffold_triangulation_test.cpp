@@ -154,7 +154,7 @@ TEST(Scaffold, OptionsKeepTheirPromise) {
       expect_valid(scaffold, loops, fmt::format("{} {}", margin, quality));
       EXPECT_NEAR(scaffold.positions.col(0).maxCoeff(), 1 + 2 * margin, 0.02 * (1 + margin));
       if (margin >= 0.05) {
-        EXPECT_GE(smallest_angles(scaffold).away, 0.75 * angle_of(quality)) << margin;
+        EXPECT_GE(smallest_angles(scaffold).away, std::min(17.0, 0.9 * angle_of(quality)));
       }
       EXPECT_LE(scaffold.faces.rows(), 1000);
     }
@@ -182,13 +182,13 @@ TEST(Scaffold, NamesBoundaryEdgesThatMeet) {
   // Two loops.
   const Points2 hole = polygon({{0.5, 0.2}, {0.2, 0.5}, {1.2, 0.5}});
   expect_refused({square(), hole}, b, "(5, 6) of loop 1");
-  expect_refused({square(), square()}, a, "(3, 0) of loop 0");
+  expect_refused({square(), square()}, a, "(4, 5) of loop 1");
   expect_refused({square(), polygon({{0.5, 0}, {0.2, 0.5}, {0.8, 0.5}})}, a, "(4, 5) of loop 1");
   // By one rounding error, or not at all.
   const double below = std::nextafter(1.0, 0.0), above = std::nextafter(1.0, 2.0);
   const auto notch = [](double y) {
     return Loops{polygon({{0, 0}, {3, 0}, {3, 2}, {1.5, y}, {0, 2}}),
-                 polygon({{1, 1}, {1.3, 0.5}, {2, 0.5}, {2, 1}})};
+                 polygon({{2, 1}, {2, 0.5}, {1.3, 0.5}, {1, 1}})};
   };
   checked(notch(above), "above", 0);
   expect_refused(notch(1), c, "(8, 5) of loop 1");
@@ -204,11 +204,11 @@ TEST(Scaffold, RefusesWhatIsNotAnImage) {
   infinite(2, 1) = std::numeric_limits<double>::infinity();
   for (const Loops& loops : {Loops{}, Loops{square(), polygon({{0, 0}, {1, 0}})}, Loops{infinite}})
     EXPECT_THROW(triangulate_scaffold(loops), std::invalid_argument);
-  Points2 far = square();
+  Points2 far = square(64);
   far.array() += 1e16;
   expect_contains(
-      error_message(ErrorKind::Infeasible, [&] { triangulate_scaffold({far}, {.margin = 0.1}); }),
-      {"no frame fits", "0.1"});
+      error_message(ErrorKind::Infeasible, [&] { triangulate_scaffold({far}, {.margin = 0.01}); }),
+      {"no frame fits", "0.01"});
 }
 
 TEST(EnlargedFrame, SurroundsTheOldOne) {
