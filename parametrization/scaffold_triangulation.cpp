@@ -26,8 +26,7 @@ namespace {
 // A frame of few pieces needs few triangles; pieces about as long as the frame is far from the
 // image fit the triangles between them.
 constexpr double kLeastFramePieces = 4, kMostFramePieces = 64;  // of a side
-// Refinement ends by itself; this bounds what strange input costs. Common boundaries take 1 an
-// edge.
+// Refinement ends by itself; this bounds its cost. Common boundaries take a point an edge.
 constexpr Index kInsertionsPerEdge = 6, kLeastInsertions = 2000;
 
 // New points see boundary edges at less than 120 degrees: the lenses of [Che93]. With circles

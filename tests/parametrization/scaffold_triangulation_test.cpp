@@ -195,6 +195,46 @@ TEST(Scaffold, NamesBoundaryEdgesThatMeet) {
   expect_refused(notch(below), c, "(8, 5) of loop 1");
 }
 
+// By integers: whether two edges of a loop of small integer positions meet where they should not.
+bool meets_itself(const Points2& p) {
+  const Index count = static_cast<Index>(p.rows());
+  const auto side = [&](Index a, Index b, Index c) {
+    const Vector2 x = p.row(b) - p.row(a), y = p.row(c) - p.row(a);
+    const double area = x.x() * y.y() - x.y() * y.x();
+    return area > 0 ? 1 : area < 0 ? -1 : 0;
+  };
+  const auto holds = [&](Index a, Index b, Index c) {  // whether c is on the edge ab
+    return side(a, b, c) == 0 && (p.row(a) - p.row(c)).dot(p.row(b) - p.row(c)) <= 0;
+  };
+  for (Index a = 0; a < count; ++a)
+    for (Index c = 0; c < count; ++c) {
+      const Index b = (a + 1) % count, d = (c + 1) % count;
+      if (c != a && c != b && holds(a, b, c)) return true;
+      if (c == a || c == b || d == a) continue;
+      if (side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0) return true;
+    }
+  return false;
+}
+
+TEST(Scaffold, RefusesExactlyWhatMeets) {
+  test::Random random(6);
+  int accepted = 0;
+  for (int round = 0; round < 3000; ++round) {
+    Points2 loop(random.integer(3, 7), 2);
+    for (double& x : loop.reshaped()) x = random.integer(0, 5);
+    if (meets_itself(loop)) {
+      const std::string message =
+          error_message(ErrorKind::Infeasible, [&] { triangulate_scaffold({loop}); });
+      expect_contains(message, {"intersect or touch"});
+      continue;
+    }
+    if (area_of(loop, numbers(0, static_cast<Index>(loop.rows()))) < 0) loop = reversed(loop);
+    expect_valid(triangulate_scaffold({loop}), {loop}, std::to_string(round));
+    ++accepted;
+  }
+  EXPECT_GT(accepted, 300);
+}
+
 TEST(Scaffold, RefusesWhatIsNotAnImage) {
   for (const Loops& loops : {Loops{reversed(square())}, Loops{circle(9), circle(9, 0.5)},
                              Loops{circle(9), reversed(circle(9, 0.5)), reversed(circle(9, 0.2))}})
