@@ -10,9 +10,9 @@
 //   scaffold.positions.row(scaffold.frame[0]);               // (-1, -1): one extent away
 //
 // The triangulation is constrained Delaunay, made with exact predicates, and refined by
-// circumcentres of badly shaped triangles [Rup95], [Che89] wherever that splits no edge of boundary
-// or frame. Triangles are small at short boundary edges and grow away from them. What is computed
-// depends on the boundary's points and edges only, not on where a loop starts.
+// circumcentres of badly shaped triangles [Rup95] wherever they do not come close to an edge of
+// boundary or frame [Che93]. Triangles are small at short boundary edges and grow away from them.
+// What is computed depends on the boundary's points and edges only, not on where a loop starts.
 #pragma once
 
 #include <vector>

@@ -2,181 +2,277 @@
 // is, and have good triangles where the boundary lets them.
 #include "majorant/parametrization/scaffold_triangulation.h"
 
-#include <algorithm>
-#include <array>
-#include <map>
-#include <set>
+#include <fmt/format.h>
 
-#include "majorant/parametrization/bezier_mesh.h"
-#include "parametrization/parametrization_test_helpers.h"
+#include "parametrization/scaffold_checks.h"
 
 namespace majorant {
 namespace {
 
-using Loops = std::vector<Points2>;
+// The smallest angle of a triangle of that circumradius to shortest edge, in degrees.
+double angle_of(double quality) { return std::asin(0.5 / quality) * 180 / kPi; }
 
-Points2 polygon(const std::vector<Vector2>& points) {
-  Points2 result(static_cast<Index>(points.size()), 2);
-  for (Index k = 0; k < result.rows(); ++k) result.row(k) = points[at(k)].transpose();
-  return result;
-}
-// Counterclockwise; radius by angle.
-Points2 star(Index count, const Vector2& centre, const std::function<double(double)>& radius) {
-  Points2 result(count, 2);
-  for (Index k = 0; k < count; ++k) {
-    const double angle = 2 * kPi * k / count, r = radius(angle);
-    result.row(k) << centre.x() + r * std::cos(angle), centre.y() + r * std::sin(angle);
-  }
-  return result;
-}
-Points2 circle(Index count, double radius = 1, const Vector2& centre = Vector2::Zero()) {
-  return star(count, centre, [&](double) { return radius; });
-}
-Points2 reversed(const Points2& loop) { return loop.colwise().reverse(); }
-Points2 square(double size = 1) { return polygon({{0, 0}, {size, 0}, {size, size}, {0, size}}); }
-
-// A band along an Archimedean spiral; the gap between its windings is `gap` of their distance.
-Points2 spiral(Index count, double turns, double gap) {
-  std::vector<Vector2> points;
-  const auto side = [&](double offset, bool back) {
-    for (Index k = 0; k < count; ++k) {
-      const double s = static_cast<double>(back ? count - 1 - k : k) / (count - 1);
-      const double angle = 2 * kPi * turns * s, radius = 1 + turns * s + offset;
-      points.push_back({radius * std::cos(angle), radius * std::sin(angle)});
-    }
-  };
-  side((1 - gap) / 2, false);
-  side(-(1 - gap) / 2, true);
-  return polygon(points);
-}
-
-// Sign of the area of a triangle; exact while coordinates, scaled by a power of two, have 53 bits
-// that 113 bits of products hold; double rounding aside, good for every test here.
-int orientation(const Points2& p, Index a, Index b, Index c) {
-  const auto x = [&](Index v) { return static_cast<__float128>(p(v, 0)); };
-  const auto y = [&](Index v) { return static_cast<__float128>(p(v, 1)); };
-  const __float128 area = (x(b) - x(a)) * (y(c) - y(a)) - (x(c) - x(a)) * (y(b) - y(a));
-  return area > 0 ? 1 : area < 0 ? -1 : 0;
-}
-
-// Relative to the first point: the sum does not cancel far from the origin.
-double area_of(const Points2& p, const std::vector<Index>& loop) {
-  long double area = 0;
-  const auto relative = [&](Index v, int c) {
-    return static_cast<long double>(p(v, c)) - p(loop[0], c);
-  };
-  for (std::size_t k = 0; k < loop.size(); ++k) {
-    const Index a = loop[k], b = loop[(k + 1) % loop.size()];
-    area += relative(a, 0) * relative(b, 1) - relative(a, 1) * relative(b, 0);
-  }
-  return static_cast<double>(area / 2);
-}
-
-double smallest_angle(const Points2& p, const Cells& faces, Index f) {
-  double least = kPi;
-  for (int k = 0; k < 3; ++k) {
-    const Vector2 o = p.row(faces(f, k)), a = p.row(faces(f, (k + 1) % 3)),
-                  b = p.row(faces(f, (k + 2) % 3));
-    least = std::min(least, std::acos(std::clamp((a - o).normalized().dot((b - o).normalized()),
-                                                 -1.0, 1.0)));
-  }
-  return least * 180 / kPi;
-}
-
-std::vector<Index> numbers(Index first, Index count) {
-  std::vector<Index> result(at(count));
-  for (Index k = 0; k < count; ++k) result[at(k)] = first + k;
-  return result;
-}
-
-// Every statement of the header that holds for all input.
-void expect_valid(const ScaffoldTriangulation& scaffold, const Loops& loops, const std::string& name) {
-  SCOPED_TRACE(name);
-  const Points2& p = scaffold.positions;
-  const Index face_count = static_cast<Index>(scaffold.faces.rows());
-  Index boundary = 0;
-  for (const Points2& loop : loops) {
-    ASSERT_EQ(p.middleRows(boundary, loop.rows()), loop);
-    boundary += static_cast<Index>(loop.rows());
-  }
-  long double total = 0;
-  std::vector<char> used(at(static_cast<Index>(p.rows())), 0);
-  for (Index f = 0; f < face_count; ++f) {
-    const std::vector<Index> corners = {scaffold.faces(f, 0), scaffold.faces(f, 1),
-                                        scaffold.faces(f, 2)};
-    ASSERT_EQ(orientation(p, corners[0], corners[1], corners[2]), 1) << f;
-    total += area_of(p, corners);
-    for (const Index v : corners) used[at(v)] = 1;
-  }
-  EXPECT_EQ(std::count(used.begin(), used.end(), 0), 0);
-
-  // The scaffold's boundary is made of the loops, from the other side, and of the frame: nothing is
-  // split, nothing is missing. opposite_half_edges throws on edges that are not manifold.
-  std::set<std::pair<Index, Index>> expected, found;
-  double image = 0;
-  Index first = 0;
-  for (const Points2& loop : loops) {
-    const Index count = static_cast<Index>(loop.rows());
-    for (Index k = 0; k < count; ++k) expected.insert({first + (k + 1) % count, first + k});
-    image += area_of(p, numbers(first, count));
-    first += count;
-  }
-  const std::vector<Index>& frame = scaffold.frame;
-  for (std::size_t k = 0; k < frame.size(); ++k) {
-    const Index a = frame[k], b = frame[(k + 1) % frame.size()], c = frame[(k + 2) % frame.size()];
-    expected.insert({a, b});
-    EXPECT_GE(orientation(p, a, b, c), 0);
-  }
-  const std::vector<Index> opposite = opposite_half_edges(scaffold.faces);
-  Index edges = 0;
-  for (Index h = 0; h < 3 * face_count; ++h) {
-    if (opposite[at(h)] < 0)
-      found.insert({scaffold.faces(h / 3, h % 3), scaffold.faces(h / 3, (h + 1) % 3)});
-    if (opposite[at(h)] < h) ++edges;
-  }
-  EXPECT_EQ(found, expected);
-  // Frame, minus the pieces of the image, plus its holes.
-  Index holes = 0, pieces = 0;
-  first = 0;
-  for (const Points2& loop : loops) {
-    const Index count = static_cast<Index>(loop.rows());
-    ++(area_of(p, numbers(first, count)) > 0 ? pieces : holes);
-    first += count;
-  }
-  EXPECT_EQ(p.rows() - edges + face_count, 1 - pieces + holes);
-  const double whole = area_of(p, frame);
-  EXPECT_NEAR((static_cast<double>(total) + image) / whole, 1, 1e-12);
+// Triangulates, checks what always holds, and what does for common images: few triangles, and all
+// those away from the image have angles of at least `away` degrees.
+ScaffoldTriangulation checked(const Loops& loops, const std::string& name, double away = 19) {
+  ScaffoldTriangulation scaffold = triangulate_scaffold(loops);
+  expect_valid(scaffold, loops, name);
+  const Angles angles = smallest_angles(scaffold);
+  EXPECT_GE(angles.away, away) << name;
+  EXPECT_LE(scaffold.faces.rows(), 5 * edge_count(loops) + 100) << name;
+  testing::Test::RecordProperty(
+      name, fmt::format("{} edges, {} faces, angles {:.1f}, away {:.1f}", edge_count(loops),
+                        scaffold.faces.rows(), angles.all, angles.away));
+  return scaffold;
 }
 
 TEST(Scaffold, OfASquare) {
-  const ScaffoldTriangulation scaffold = triangulate_scaffold({square()});
-  expect_valid(scaffold, {square()}, "square");
-  const Points2& p = scaffold.positions;
+  const ScaffoldTriangulation scaffold = checked({square()}, "square");
   EXPECT_EQ(scaffold.frame[0], 4);
-  EXPECT_EQ(Vector2(p.row(4)), Vector2(-1, -1));
-  EXPECT_EQ(p.colwise().maxCoeff(), Eigen::RowVector2d(2, 2));
+  EXPECT_EQ(Vector2(scaffold.positions.row(4)), Vector2(-1, -1));
+  EXPECT_EQ(Vector2(scaffold.positions.colwise().maxCoeff()), Vector2(2, 2));
   EXPECT_LE(scaffold.faces.rows(), 60);
-  for (Index f = 0; f < scaffold.faces.rows(); ++f)
-    EXPECT_GE(smallest_angle(p, scaffold.faces, f), 19.4);
+  EXPECT_GE(smallest_angles(scaffold).all, angle_of(1.5) - 1e-9);
 }
 
 TEST(Scaffold, OfCirclesGrowsWithTheBoundary) {
   for (const Index count : {3, 4, 5, 7, 10, 30, 100, 300, 1000, 5000}) {
-    const Loops loops = {circle(count)};
-    const auto start = std::chrono::steady_clock::now();
-    const ScaffoldTriangulation scaffold = triangulate_scaffold(loops);
-    const double ms =
-        1e3 * std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    expect_valid(scaffold, loops, std::to_string(count));
-    double least = 180;
-    for (Index f = 0; f < scaffold.faces.rows(); ++f)
-      least = std::min(least, smallest_angle(scaffold.positions, scaffold.faces, f));
-    std::printf("%d: faces %d ms %g angle %g\n", count, (int)scaffold.faces.rows(), ms, least);
+    const ScaffoldTriangulation scaffold =
+        checked({circle(count)}, "circle " + std::to_string(count));
+    EXPECT_GE(smallest_angles(scaffold).all, angle_of(1.5) - 1e-9) << count;
+    EXPECT_LE(scaffold.faces.rows(), 4 * count + 20);
   }
-  const Loops loops = {spiral(100,3,0.1)};
+}
+
+TEST(Scaffold, FillsHoles) {
+  checked({circle(100), reversed(circle(60, 0.7))}, "annulus");
+  checked({circle(100), reversed(circle(100, 0.99))}, "thin annulus");
+  checked({circle(40), reversed(circle(9, 0.2, {-0.5, 0})), reversed(circle(30, 0.4, {0.4, 0.2})),
+           reversed(circle(4, 0.1, {0, -0.7}))},
+          "holes");
+  checked({circle(40), reversed(circle(30, 0.8)), circle(20, 0.6), reversed(circle(9, 0.3)),
+           circle(5, 0.1), circle(12, 1, {3, 0})},
+          "pieces in holes");
+  // An equilateral hole needs one triangle.
+  const ScaffoldTriangulation scaffold =
+      checked({circle(30), reversed(circle(3, 0.5))}, "triangle");
+  Index inside = 0;
+  for (Index f = 0; f < scaffold.faces.rows(); ++f)
+    inside += scaffold.faces.row(f).minCoeff() >= 30 && scaffold.faces.row(f).maxCoeff() < 33;
+  EXPECT_EQ(inside, 1);
+}
+
+TEST(Scaffold, ReachesIntoCorridors) {
+  for (const double gap : {0.5, 0.1, 1e-2, 1e-4, 1e-8})
+    for (const Index count : {31, 301, 3001})
+      checked({spiral(count, 3, gap)}, fmt::format("spiral {} {}", count, gap), 15);
+}
+
+// Bounds in between, and the growth from the smallest edge to the frame.
+TEST(Scaffold, GrowsFromTheShortestEdge) {
+  for (const double tip : {1e-2, 1e-5, 1e-9}) {
+    const Loops loops = {polygon({{0, 0}, {1, 0}, {1, 1}, {tip, 1}, {0, 1 - tip}})};
     const ScaffoldTriangulation scaffold = triangulate_scaffold(loops);
-    expect_valid(scaffold, loops, "spiral");
-    std::printf("faces %d\n", (int)scaffold.faces.rows());
+    expect_valid(scaffold, loops, std::to_string(tip));
+    EXPECT_LE(scaffold.faces.rows(), 100 - 20 * std::log10(tip));
+  }
+}
+
+TEST(Scaffold, CollinearBoundaryPoints) {
+  for (const double slope : {0.0, 0.1, 1.0 / 3})
+    for (const Index count : {3, 40}) {
+      std::vector<Vector2> points;
+      const Vector2 x(1, slope), y(-slope, 1);
+      for (const auto& [from, to] : std::vector<std::pair<Vector2, Vector2>>{
+               {{0, 0}, x}, {x, x + y}, {x + y, y}, {y, {0, 0}}})
+        for (Index k = 0; k < count; ++k)
+          points.push_back(from + static_cast<double>(k) / count * (to - from));
+      checked({polygon(points)}, fmt::format("slope {} {}", slope, count));
+      checked({circle(9, 10), reversed(polygon(points))}, fmt::format("hole {} {}", slope, count));
+    }
+}
+
+// Jagged boundaries: long edges next to short ones leave worse triangles.
+TEST(Scaffold, RandomStarsInStars) {
+  test::Random random(3);
+  for (int round = 0; round < 200; ++round)
+    checked(random_stars(random, round % 3), "star " + std::to_string(round), 10);
+}
+
+TEST(Scaffold, AnySizeAnywhere) {
+  test::Random random(4);
+  const Loops loops = random_stars(random, 2);
+  for (const double scale : {1e-6, 1e-3, 1e3, 1e6, 1e-60, 1e60})
+    for (const double offset : {0.0, 1.0, 1e4, -1e8}) {
+      Loops moved = loops;
+      for (Points2& loop : moved) loop = (loop.array() + offset).matrix() * scale;
+      checked(moved, fmt::format("scale {} offset {}", scale, offset), 10);
+    }
+  // Powers of two change nothing.
+  const ScaffoldTriangulation scaffold = triangulate_scaffold(loops);
+  Loops scaled = loops;
+  for (Points2& loop : scaled) loop *= 1024;
+  const ScaffoldTriangulation same = triangulate_scaffold(scaled);
+  EXPECT_EQ(scaffold.faces, same.faces);
+  EXPECT_EQ(Points2(1024 * scaffold.positions), same.positions);
+}
+
+// Triangles by their corners' positions.
+std::set<std::set<std::pair<double, double>>> triangles(const ScaffoldTriangulation& scaffold) {
+  std::set<std::set<std::pair<double, double>>> result;
+  for (const auto& face : scaffold.faces.rowwise()) {
+    std::set<std::pair<double, double>> corners;
+    for (const Index v : face) corners.insert({scaffold.positions(v, 0), scaffold.positions(v, 1)});
+    result.insert(corners);
+  }
+  return result;
+}
+
+TEST(Scaffold, DoesNotDependOnWhereLoopsStart) {
+  test::Random random(5);
+  for (int round = 0; round < 30; ++round) {
+    const Loops loops = round == 0  ? Loops{square()}
+                        : round < 3 ? Loops{circle(64), reversed(circle(32, 0.5))}
+                                    : random_stars(random, round % 3);
+    const ScaffoldTriangulation scaffold = triangulate_scaffold(loops),
+                                again = triangulate_scaffold(loops);
+    EXPECT_EQ(scaffold.faces, again.faces);
+    EXPECT_EQ(scaffold.positions, again.positions);
+    Loops turned;
+    for (const Points2& loop : loops) {
+      const Index count = static_cast<Index>(loop.rows()), shift = random.integer(1, count - 1);
+      Points2 other(count, 2);
+      other << loop.bottomRows(count - shift), loop.topRows(shift);
+      turned.push_back(other);
+    }
+    EXPECT_EQ(triangles(scaffold), triangles(triangulate_scaffold(turned))) << round;
+  }
+}
+
+TEST(Scaffold, OptionsKeepTheirPromise) {
+  for (const double margin : {1e-3, 0.05, 0.3, 1.0, 4.0, 100.0})
+    for (const double quality : {1.0, 1.2, 1.5, 3.0}) {
+      const Loops loops = {circle(30), reversed(circle(20, 0.5))};
+      const ScaffoldTriangulation scaffold =
+          triangulate_scaffold(loops, {.margin = margin, .quality = quality});
+      expect_valid(scaffold, loops, fmt::format("{} {}", margin, quality));
+      EXPECT_NEAR(scaffold.positions.col(0).maxCoeff(), 1 + 2 * margin, 0.02 * (1 + margin));
+      if (margin >= 0.05) {
+        EXPECT_GE(smallest_angles(scaffold).away, std::min(17.0, 0.9 * angle_of(quality)));
+      }
+      EXPECT_LE(scaffold.faces.rows(), 1000);
+    }
+  EXPECT_THROW(triangulate_scaffold({square()}, {.margin = 0}), std::invalid_argument);
+  EXPECT_THROW(triangulate_scaffold({square()}, {.quality = 0.9}), std::invalid_argument);
+}
+
+void expect_refused(const Loops& loops, const std::string& first, const std::string& second) {
+  const std::string message =
+      error_message(ErrorKind::Infeasible, [&] { triangulate_scaffold(loops); });
+  expect_contains(message, {"edges " + first + " and " + second + " ", "intersect or touch"});
+}
+
+TEST(Scaffold, NamesBoundaryEdgesThatMeet) {
+  const std::string a = "(0, 1) of loop 0", b = "(1, 2) of loop 0", c = "(2, 3) of loop 0";
+  expect_refused({polygon({{0, 0}, {1, 1}, {1, 0}, {0, 1}})}, a, c);
+  // A corner on an edge, on another corner, next to it on itself, on the edge it comes from.
+  expect_refused({polygon({{0, 0}, {2, 0}, {2, 2}, {1, 0}, {0, 2}})}, a, c);
+  expect_refused({polygon({{0, 0}, {1, 0}, {1, 1}, {0, 0}, {-1, 1}})}, a, c);
+  expect_refused({polygon({{0, 0}, {1, 0}, {1, 0}, {0, 1}})}, a, b);
+  expect_refused({polygon({{0, 0}, {2, 0}, {1, 0}, {1, 1}})}, a, b);
+  // No area at all.
+  expect_refused({polygon({{0, 0}, {0, 0}, {0, 0}})}, a, b);
+  expect_refused({polygon({{0, 0}, {1, 1}, {2, 2}})}, a, "(2, 0) of loop 0");
+  // Two loops.
+  const Points2 hole = polygon({{0.5, 0.2}, {0.2, 0.5}, {1.2, 0.5}});
+  expect_refused({square(), hole}, b, "(5, 6) of loop 1");
+  expect_refused({square(), square()}, a, "(4, 5) of loop 1");
+  expect_refused({square(), polygon({{0.5, 0}, {0.2, 0.5}, {0.8, 0.5}})}, a, "(4, 5) of loop 1");
+  // By one rounding error, or not at all.
+  const double below = std::nextafter(1.0, 0.0), above = std::nextafter(1.0, 2.0);
+  const auto notch = [](double y) {
+    return Loops{polygon({{0, 0}, {3, 0}, {3, 2}, {1.5, y}, {0, 2}}),
+                 polygon({{2, 1}, {2, 0.5}, {1.3, 0.5}, {1, 1}})};
+  };
+  checked(notch(above), "above", 0);
+  expect_refused(notch(1), c, "(8, 5) of loop 1");
+  expect_refused(notch(below), c, "(8, 5) of loop 1");
+}
+
+// By integers: whether two edges of a loop of small integer positions meet where they should not.
+bool meets_itself(const Points2& p) {
+  const Index count = static_cast<Index>(p.rows());
+  const auto side = [&](Index a, Index b, Index c) {
+    const Vector2 x = p.row(b) - p.row(a), y = p.row(c) - p.row(a);
+    const double area = x.x() * y.y() - x.y() * y.x();
+    return area > 0 ? 1 : area < 0 ? -1 : 0;
+  };
+  const auto holds = [&](Index a, Index b, Index c) {  // whether c is on the edge ab
+    return side(a, b, c) == 0 && (p.row(a) - p.row(c)).dot(p.row(b) - p.row(c)) <= 0;
+  };
+  for (Index a = 0; a < count; ++a)
+    for (Index c = 0; c < count; ++c) {
+      const Index b = (a + 1) % count, d = (c + 1) % count;
+      if (c != a && c != b && holds(a, b, c)) return true;
+      if (c == a || c == b || d == a) continue;
+      if (side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0) return true;
+    }
+  return false;
+}
+
+TEST(Scaffold, RefusesExactlyWhatMeets) {
+  test::Random random(6);
+  int accepted = 0;
+  for (int round = 0; round < 3000; ++round) {
+    Points2 loop(random.integer(3, 7), 2);
+    for (double& x : loop.reshaped()) x = random.integer(0, 5);
+    if (meets_itself(loop)) {
+      const std::string message =
+          error_message(ErrorKind::Infeasible, [&] { triangulate_scaffold({loop}); });
+      expect_contains(message, {"intersect or touch"});
+      continue;
+    }
+    if (area_of(loop, numbers(0, static_cast<Index>(loop.rows()))) < 0) loop = reversed(loop);
+    expect_valid(triangulate_scaffold({loop}), {loop}, std::to_string(round));
+    ++accepted;
+  }
+  EXPECT_GT(accepted, 300);
+}
+
+TEST(Scaffold, RefusesWhatIsNotAnImage) {
+  for (const Loops& loops : {Loops{reversed(square())}, Loops{circle(9), circle(9, 0.5)},
+                             Loops{circle(9), reversed(circle(9, 0.5)), reversed(circle(9, 0.2))}})
+    expect_contains(error_message(ErrorKind::Infeasible, [&] { triangulate_scaffold(loops); }),
+                    {fmt::format("loop {} has the image on its right", loops.size() - 1)});
+  Points2 infinite = square();
+  infinite(2, 1) = std::numeric_limits<double>::infinity();
+  for (const Loops& loops : {Loops{}, Loops{square(), polygon({{0, 0}, {1, 0}})}, Loops{infinite}})
+    EXPECT_THROW(triangulate_scaffold(loops), std::invalid_argument);
+  Points2 far = square(64);
+  far.array() += 1e16;
+  expect_contains(
+      error_message(ErrorKind::Infeasible, [&] { triangulate_scaffold({far}, {.margin = 0.01}); }),
+      {"no frame fits", "0.01"});
+}
+
+TEST(EnlargedFrame, SurroundsTheOldOne) {
+  const ScaffoldTriangulation inner = triangulate_scaffold({circle(50)});
+  Points2 frame(static_cast<Index>(inner.frame.size()), 2);
+  for (Index k = 0; k < frame.rows(); ++k) frame.row(k) = inner.positions.row(inner.frame[at(k)]);
+  const ScaffoldTriangulation ring = enlarge_frame(frame, 0.5);
+  expect_valid(ring, {frame}, "ring");
+  EXPECT_NEAR(ring.positions.minCoeff(), -6, 0.1);  // 3 radii, and half of 6
+  EXPECT_GE(smallest_angles(ring).all, 19);
+  EXPECT_LE(ring.faces.rows(), 150);
+}
+
+TEST(FrameIsTight, ByDistanceToItsSides) {
+  const Points2 frame = polygon({{0, 0}, {5, 0}, {10, 0}, {10, 4}, {0, 4}});  // smaller extent 4
+  EXPECT_FALSE(frame_is_tight(frame, polygon({{0.5, 0.5}, {9, 2}}), 0.1));
+  EXPECT_TRUE(frame_is_tight(frame, polygon({{0.3, 0.5}, {9, 2}}), 0.1));
+  EXPECT_TRUE(frame_is_tight(frame, polygon({{5, 2}, {7, 3.7}}), 0.1));
+  EXPECT_TRUE(frame_is_tight(frame, polygon({{5, 2}, {20, 2}}), 0));  // outside
+  EXPECT_TRUE(frame_is_tight(frame, polygon({{5, 2}, {std::nan(""), 2}}), 0));
 }
 
 }  // namespace
