@@ -30,9 +30,10 @@ int run_job(Request request) {
   MapInput in = read_input(request.map);
   request.solve.apply(in.options);
   const std::chrono::duration<double> read_time = std::chrono::steady_clock::now() - start;
-  const ParametrizationResult result = in.start ? parametrize(in.start->map, in.options, record)
-                                                : parametrize(in.mesh, in.options, record);
+  ParametrizationResult result = in.start ? parametrize(in.start->map, in.options, record)
+                                          : parametrize(in.mesh, in.options, record);
   finish_progress(request.common);
+  request.solve.finish(in.options, result);
   return write_result({"parametrize", request.common, request.outputs, request.map, in, result,
                        record, request.solve.to_json(), start, read_time.count()});
 }

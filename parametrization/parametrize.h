@@ -69,6 +69,7 @@ struct ParametrizationResult {
   MapMeasures measures;
   std::vector<long> injectivity_tests;  // elements certified, by bisection depth
   FlipCounts flips;                     // of the scaffold's edges
+  bool other_triangles = false;         // the map's faces are not those of the input (improve_mesh)
   std::optional<BezierMesh> scaffold;   // around the map, model units; of MapInjectivity::Global
   double initialize_seconds = 0, optimize_seconds = 0, measure_seconds = 0;
 };
