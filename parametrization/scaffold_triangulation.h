@@ -11,8 +11,8 @@
 //
 // The triangulation is constrained Delaunay, made with exact predicates, and refined by
 // circumcentres of badly shaped triangles [Rup95] wherever they do not come close to an edge of
-// boundary or frame [Che93]. Triangles are small at short boundary edges and grow away from them. What is computed
-// depends on the boundary's points and edges only, not on where a loop starts.
+// boundary or frame [Che93]. Triangles are small at short boundary edges and grow away from them.
+// What is computed depends on the boundary's points and edges only, not on where a loop starts.
 #pragma once
 
 #include <vector>
@@ -22,11 +22,11 @@
 namespace majorant {
 
 struct ScaffoldOptions {
-  double margin = 1.0;  // distance of the frame from the image's bounding box, in larger extents of
-                        // the box; positive
-  double quality =
-      1.5;  // circumradius to shortest edge above which triangles are refined; at least
-            // 1. The smallest angle of others is arcsin(1 / (2 quality)), 19.5 degrees.
+  // Distance of the frame from the image's bounding box, in larger extents of the box; positive.
+  double margin = 1.0;
+  // Circumradius to shortest edge above which triangles are refined; at least 1. The others have
+  // angles of at least arcsin(1 / (2 quality)): 19.5 degrees.
+  double quality = 1.5;
 };
 
 struct Scaffold {
