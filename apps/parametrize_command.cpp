@@ -27,6 +27,7 @@ int run_job(Request request) {
   request.outputs.require_usable(request.common, request.map);
   RunRecord record = request.solve.make_record(request.common);
   request.common.apply();
+  request.map.holes = request.solve.bijective;
   MapInput in = read_input(request.map);
   request.solve.apply(in.options);
   const std::chrono::duration<double> read_time = std::chrono::steady_clock::now() - start;

@@ -20,6 +20,7 @@ void SolveRequest::add_to(CLI::App& verb, std::string& curvature) {
   verb.add_option("--elevation", elevation, "how the degree is reached")
       ->check(CLI::IsMember({"incremental", "direct"}));
   verb.add_flag("--bijective", bijective, "keep the image free of overlaps");
+  verb.add_flag("--no-flips", no_flips, "with --bijective: leave the scaffold's edges, to compare");
   verb.add_option("--write-scaffold", scaffold_file,
                   "with --bijective: the triangulated space around the image, .vtu or .svg")
       ->type_name("FILE");
@@ -35,6 +36,7 @@ void SolveRequest::add_to(CLI::App& verb, std::string& curvature) {
 void SolveRequest::apply(ParametrizationOptions& options) const {
   if (elevation == "direct") options.elevation = Elevation::Direct;
   if (bijective) options.injectivity = MapInjectivity::Global;
+  if (no_flips) options.scaffold_flips = ScaffoldFlips::Omitted;
   if (scaffold_file.empty()) return;
   if (!bijective) throw Error(ErrorKind::Usage, "--write-scaffold needs --bijective");
   require_writable({scaffold_file}, {".vtu", ".svg"});

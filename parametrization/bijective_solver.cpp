@@ -107,17 +107,22 @@ Stepper::Step BijectiveSolver::iterate(SolveResult& result) {
   return step;
 }
 
+FlipCounts BijectiveSolver::flip() {
+  return setup_.options.scaffold_flips == ScaffoldFlips::Performed ? scaffold_.flip()
+                                                                   : FlipCounts{};
+}
+
 // Enlarges, flips and relaxes the scaffold after a step; whether its triangulation changed. Near
 // the end of a run that nothing hinders the scaffold is left alone.
 bool BijectiveSolver::maintain(const IterationRecord& step, const std::vector<Index>& blocking) {
   scaffold_.take(x_);
   refine_scaffold(blocking);
   const bool grown = scaffold_.grow();
-  FlipCounts counts = scaffold_.flip();
+  FlipCounts counts = flip();
   if (grown || counts.performed > 0 || step.relative_decrease > kStillMoving ||
       step.step_bound < 1) {
     scaffold_.relax(kRelaxSteps, depth_);
-    const FlipCounts more = scaffold_.flip();
+    const FlipCounts more = flip();
     counts.intended += more.intended;
     counts.performed += more.performed;
   }

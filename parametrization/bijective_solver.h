@@ -36,6 +36,7 @@ class BijectiveSolver {
  private:
   void rebuild();
   void set_states();
+  FlipCounts flip();
   double scaffold_energy() const;  // E_conf of all scaffold triangles at x_
   SolveResult run(const StoppingRules& rules, RunRecord& record);
   Stepper::Step iterate(SolveResult& result);
