@@ -44,6 +44,7 @@ def summarize(done, report):
     flips = report.get('flips', {})
     return {'exit': done.code, 'status': report.get('status'), 'message': lines[-1] if lines else '',
             'value': result.get('value'), 'iterations': iterations, 'optimize': optimize,
+            'total': report.get('seconds', {}).get('total'),
             'per_iteration': optimize / iterations if optimize and iterations else None,
             'intended': flips.get('intended'), 'performed': flips.get('performed'),
             'decrement': result.get('newton_decrement'),
@@ -86,7 +87,7 @@ def execute(options, verb, mesh, flags, fields, check=None):
     sys.stderr.write('%s %s %s %s: exit %s (%s), E %s, %s iterations, %s s, %s\n' % (
         fields['part'], fields['mesh'], fields['how'], fields['degree'], entry['exit'],
         entry['status'], common.cell(entry.get('E'), '%.6g'), entry['iterations'],
-        common.cell(entry['optimize'], '%.1f'), '; '.join(entry['problems']) or 'ok'))
+        common.cell(entry['total'], '%.1f'), '; '.join(entry['problems']) or 'ok'))
     return entry
 
 
@@ -188,7 +189,7 @@ def show_disks(entries):
 def show_deform(entries):
     rows = [[e['mesh'], e['kind'], e['how'], e['degree'], outcome(e), common.cell(e.get('E'), '%.6g'),
              common.cell(e.get('off'), '%.1e'), answer(e), e['iterations'],
-             '%s / %s' % (e['performed'], e['intended']), common.cell(e['optimize'], '%.2f'),
+             '%s / %s' % (e['performed'], e['intended']), common.cell(e['total'], '%.2f'),
              '; '.join(e['problems']) or 'ok'] for e in entries]
     print('## Deformations (`deform`)\n')
     print('\n'.join(common.markdown_table(
