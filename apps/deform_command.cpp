@@ -35,8 +35,9 @@ int run_job(Request request) {
   });
   request.solve.apply(in.options);
   const std::chrono::duration<double> read_time = std::chrono::steady_clock::now() - start;
-  const ParametrizationResult result = deform(in.start->map, in.options, record);
+  ParametrizationResult result = deform(in.start->map, in.options, record);
   finish_progress(request.common);
+  request.solve.finish(in.options, result);
   return write_result({"deform", request.common, request.outputs, request.map, in, result, record,
                        request.solve.to_json(), start, read_time.count()});
 }

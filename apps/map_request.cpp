@@ -117,6 +117,8 @@ MapInput read_input(const MapRequest& request, const StartMaker& make_start) {
     in.start = make_start(in.polygons, *in.mesh);
   else if (request.seamless)
     in.start = seamless_from_texture(*in.mesh);
+  else if (request.holes)
+    in.mesh->require_planar();
   else
     in.mesh->require_disk();
   if (request.init == "input" && !request.seamless) options.initial = texture_map(*in.mesh);

@@ -21,6 +21,7 @@ struct MapRequest {
       pins, handles, weights;
   int degree = 3, quadrature = 0;
   double soft = 1e3;
+  bool holes = false;                              // several boundary loops are welcome
   bool boundary_angles = false, seamless = false;  // seamless: an option of parametrize only
 
   void add_to(CLI::App& verb);

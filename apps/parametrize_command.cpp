@@ -27,12 +27,14 @@ int run_job(Request request) {
   request.outputs.require_usable(request.common, request.map);
   RunRecord record = request.solve.make_record(request.common);
   request.common.apply();
+  request.map.holes = request.solve.bijective;
   MapInput in = read_input(request.map);
   request.solve.apply(in.options);
   const std::chrono::duration<double> read_time = std::chrono::steady_clock::now() - start;
-  const ParametrizationResult result = in.start ? parametrize(in.start->map, in.options, record)
-                                                : parametrize(in.mesh, in.options, record);
+  ParametrizationResult result = in.start ? parametrize(in.start->map, in.options, record)
+                                          : parametrize(in.mesh, in.options, record);
   finish_progress(request.common);
+  request.solve.finish(in.options, result);
   return write_result({"parametrize", request.common, request.outputs, request.map, in, result,
                        record, request.solve.to_json(), start, read_time.count()});
 }

@@ -63,7 +63,8 @@ void write_outputs(const FinishedRun& run) {
   file.claims = claims(run, normalization);
   for (const std::string& path : run.outputs.files) {
     if (extension(path) == ".csv") write_trace(path, run.record.trace());
-    write_map(path, file, &run.in.polygons, run.outputs.formats);
+    write_map(path, file, run.result.other_triangles ? nullptr : &run.in.polygons,
+              run.outputs.formats);
   }
 }
 
@@ -83,12 +84,9 @@ Json result_section(const FinishedRun& run) {
 
 Json seam_start_section(const SeamlessStart& start) {
   const Seams& seams = start.map.seams();
-  return {{"residual", start.residual},
-          {"moved", start.moved},
-          {"inverted", start.inverted},
-          {"untangling_steps", start.untangling_steps},
-          {"chains", seams.chain_count()},
-          {"seam_edges", seams.edges().size()}};
+  return {{"residual", start.residual},    {"moved", start.moved},
+          {"inverted", start.inverted},    {"untangling_steps", start.untangling_steps},
+          {"chains", seams.chain_count()}, {"seam_edges", seams.edges().size()}};
 }
 
 void write_reports(const FinishedRun& run, double write_seconds) {

@@ -70,6 +70,7 @@ int run_job(Request request) {
   ParametrizationResult result = parametrize(in.start->map, in.options, record);
   result.initialize_seconds = initialize_seconds;
   finish_progress(request.common);
+  request.solve.finish(in.options, result);
   Json options = request.solve.to_json();
   options["cones"] = request.cones;
   options["start"] = request.start;

@@ -2,9 +2,13 @@
 
 #include <vector>
 
+#include "apps/outputs.h"
 #include "apps/progress.h"
 #include "majorant/framework/curvature_name.h"
 #include "majorant/framework/error.h"
+#include "majorant/io/scaffold_file.h"
+#include "majorant/parametrization/improve_mesh.h"
+#include "majorant/parametrization/measure.h"
 
 namespace majorant::app {
 
@@ -16,6 +20,12 @@ void SolveRequest::add_to(CLI::App& verb, std::string& curvature) {
   verb.add_option("--elevation", elevation, "how the degree is reached")
       ->check(CLI::IsMember({"incremental", "direct"}));
   verb.add_flag("--bijective", bijective, "keep the image free of overlaps");
+  verb.add_flag("--no-flips", no_flips, "with --bijective: leave the scaffold's edges, to compare");
+  verb.add_option("--write-scaffold", scaffold_file,
+                  "with --bijective: the triangulated space around the image, .vtu or .svg")
+      ->type_name("FILE");
+  verb.add_flag("--improve-mesh", improve_mesh,
+                "flip edges inside flat parts of the surface where that lowers the energy");
   verb.add_option("--tolerance", tolerance, "relative energy decrease to stop at (1e-6)")
       ->check(CLI::PositiveNumber);
   verb.add_option("--max-iterations", max_iterations, "(1000)")->check(CLI::NonNegativeNumber);
@@ -26,11 +36,31 @@ void SolveRequest::add_to(CLI::App& verb, std::string& curvature) {
 void SolveRequest::apply(ParametrizationOptions& options) const {
   if (elevation == "direct") options.elevation = Elevation::Direct;
   if (bijective) options.injectivity = MapInjectivity::Global;
+  if (no_flips) options.scaffold_flips = ScaffoldFlips::Omitted;
+  if (scaffold_file.empty()) return;
+  if (!bijective) throw Error(ErrorKind::Usage, "--write-scaffold needs --bijective");
+  require_writable({scaffold_file}, {".vtu", ".svg"});
   options.tolerance = tolerance;
 }
 
+void SolveRequest::finish(const ParametrizationOptions& options,
+                          ParametrizationResult& result) const {
+  if (!result.map || result.status == Status::Failed) return;
+  if (improve_mesh) {
+    const ImprovedMap improved = majorant::improve_mesh(*result.map, options.energy);
+    result.flips.intended += improved.flips.intended;
+    result.flips.performed += improved.flips.performed;
+    result.map = improved.map;
+    result.other_triangles = improved.flips.performed > 0;
+    result.measures = measure(*result.map, options.energy);
+  }
+  if (!scaffold_file.empty() && result.scaffold)
+    write_map(scaffold_file, to_map_file(*result.scaffold), nullptr, {});
+}
+
 Json SolveRequest::to_json() const {
-  return {{"elevation", elevation},
+  return {{"improve_mesh", improve_mesh},
+          {"elevation", elevation},
           {"bijective", bijective},
           {"tolerance", tolerance},
           {"max_iterations", max_iterations}};

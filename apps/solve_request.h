@@ -14,12 +14,16 @@ namespace majorant::app {
 struct SolveRequest {
   std::string elevation = "incremental";
   int max_iterations = 1000;
-  bool bijective = false;
+  bool bijective = false, no_flips = false, improve_mesh = false;
+  std::string scaffold_file;  // or empty
   double tolerance = 1e-6, time_limit = std::numeric_limits<double>::infinity();
 
   // Adds --curvature, which a MapRequest holds, too.
   void add_to(CLI::App& verb, std::string& curvature);
+  // Throws Error(Usage) for a scaffold file without a scaffold.
   void apply(ParametrizationOptions& options) const;
+  // What is asked of a finished result: better triangles, a file of the scaffold.
+  void finish(const ParametrizationOptions& options, ParametrizationResult& result) const;
   Json to_json() const;
   // Limits, Ctrl-C and progress lines. Throws Error(Usage) for a time limit that is no number.
   RunRecord make_record(const CommonOptions& common) const;

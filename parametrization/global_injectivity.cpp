@@ -225,7 +225,7 @@ Finding find_double_cover(const BezierMap& map, const Boundary& boundary,
     const BoundaryContact& contact = contacts[k];
     const PlanarCurve edge = curve_of(map, contact.half_edge_a);
     const double size = (edge.back() - edge.front()).norm();
-    for (const double relative : {0x1p-3, 0x1p-8, 0x1p-16, 0x1p-32})  // sizes of the edge
+    for (const double relative : {0x1p-3, 0x1p-8, 0x1p-16, 0x1p-32, 0x1p-42})  // sizes of the edge
       for (int d = 0; d < kDirections; ++d) {
         const double angle = 0.3 + 2 * std::numbers::pi * d / kDirections;
         const Vector2 p =

@@ -14,8 +14,21 @@ namespace {
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
+// The boundary loop that goes to the circle: the longest on the surface.
+const std::vector<Index>& outer_loop(const SurfaceMesh& mesh) {
+  const auto length = [&](const std::vector<Index>& loop) {
+    double sum = 0;
+    for (std::size_t k = 0; k < loop.size(); ++k)
+      sum += (mesh.positions().row(loop[(k + 1) % loop.size()]) - mesh.positions().row(loop[k]))
+                 .norm();
+    return sum;
+  };
+  return *std::max_element(mesh.boundary_loops().begin(), mesh.boundary_loops().end(),
+                           [&](const auto& p, const auto& q) { return length(p) < length(q); });
+}
+
 void place_boundary(const SurfaceMesh& mesh, Vec& x) {
-  const std::vector<Index>& loop = mesh.boundary_loops().front();
+  const std::vector<Index>& loop = outer_loop(mesh);
   const double radius = std::sqrt(mesh.area() / std::numbers::pi);
   std::vector<double> arc{0.0};
   for (std::size_t k = 0; k < loop.size(); ++k)
@@ -29,16 +42,19 @@ void place_boundary(const SurfaceMesh& mesh, Vec& x) {
   }
 }
 
-// The graph Laplacian of the interior vertices; boundary terms go to the right-hand sides.
+// The graph Laplacian of all vertices but those of the outer loop, whose terms go to the right-hand
+// sides. Holes are filled with a vertex joined to their boundaries.
 struct Laplacian {
   SparsePattern pattern;
   Vec values, rhs_u, rhs_v;
   std::vector<Index> interior;  // by row
 
   Laplacian(const SurfaceMesh& mesh, const Vec& x) {
-    std::vector<Index> row(at(mesh.vertex_count()), 0);
-    for (const Index v : mesh.boundary_loops().front()) row[at(v)] = -1;
-    for (Index v = 0; v < mesh.vertex_count(); ++v)
+    const std::vector<Index>& outer = outer_loop(mesh);
+    const auto holes = static_cast<Index>(mesh.boundary_loops().size()) - 1;
+    std::vector<Index> row(at(mesh.vertex_count() + holes), 0);
+    for (const Index v : outer) row[at(v)] = -1;
+    for (Index v = 0; v < mesh.vertex_count() + holes; ++v)
       if (row[at(v)] == 0) {
         row[at(v)] = static_cast<Index>(interior.size());
         interior.push_back(v);
@@ -47,9 +63,20 @@ struct Laplacian {
     for (Index f = 0; f < mesh.face_count(); ++f)
       for (int k = 0; k < 3; ++k) {
         const Index a = mesh.faces()(f, k), b = mesh.faces()(f, (k + 1) % 3);
-        // Interior edges are met from both faces; an interior vertex has interior edges only.
+        // Interior edges are met from both faces, edges of a hole from one.
         if (row[at(a)] >= 0) neighbours[at(row[at(a)])].push_back(b);
+        if (row[at(b)] >= 0 && mesh.opposite(3 * f + k) < 0)
+          neighbours[at(row[at(b)])].push_back(a);
       }
+    Index filling = mesh.vertex_count();
+    for (const auto& loop : mesh.boundary_loops()) {
+      if (&loop == &outer) continue;
+      for (const Index v : loop) {
+        neighbours[at(row[at(v)])].push_back(filling);
+        neighbours[at(row[at(filling)])].push_back(v);
+      }
+      ++filling;
+    }
     const auto n = static_cast<Index>(interior.size());
     rhs_u.setZero(n);
     rhs_v.setZero(n);
@@ -95,6 +122,7 @@ Vec tutte_map(const SurfaceMesh& mesh) {
   solver->solve(laplacian.rhs_u, u);
   solver->solve(laplacian.rhs_v, v);
   for (std::size_t r = 0; r < laplacian.interior.size(); ++r) {
+    if (laplacian.interior[r] >= mesh.vertex_count()) continue;  // in a hole
     x[2 * laplacian.interior[r]] = u[static_cast<Index>(r)];
     x[2 * laplacian.interior[r] + 1] = v[static_cast<Index>(r)];
   }

@@ -148,7 +148,11 @@ class Run {
 }  // namespace
 
 Vec initial_map(const SurfaceMesh& mesh, const ParametrizationOptions& options) {
-  mesh.require_disk();
+  // Holes are kept open, and free of overlaps, by the scaffold inside them.
+  if (options.injectivity == MapInjectivity::Global)
+    mesh.require_planar();
+  else
+    mesh.require_disk();
   if (options.initial && options.initial->size() != 2 * mesh.vertex_count())
     throw Error(ErrorKind::Usage, mesh.file() + ": the initial map needs 2 numbers per vertex");
   return options.initial ? *options.initial : tutte_map(mesh);

@@ -30,6 +30,9 @@ enum class Elevation { Incremental, Direct };
 // Local: det J > 0 and angle sums; Global: no overlaps either, held by a scaffold (scaffold.h).
 enum class MapInjectivity { Local, Global };
 
+// Omitted: for comparison only; the scaffold's shape suffers.
+enum class ScaffoldFlips { Performed, Omitted };
+
 struct Pin {
   Index vertex;                   // of the mesh
   std::optional<Vector2> target;  // model units; none: where the initial map has the vertex
@@ -44,6 +47,7 @@ struct ParametrizationOptions {
   BoundaryAngles boundary_angles = BoundaryAngles::Free;
   Elevation elevation = Elevation::Incremental;
   MapInjectivity injectivity = MapInjectivity::Local;
+  ScaffoldFlips scaffold_flips = ScaffoldFlips::Performed;
   std::vector<Pin> pins;       // hard
   std::vector<Index> aligned;  // half-edges of the start's mesh that stay parallel to an axis
   std::vector<Pin> handles;    // soft
@@ -69,12 +73,14 @@ struct ParametrizationResult {
   MapMeasures measures;
   std::vector<long> injectivity_tests;  // elements certified, by bisection depth
   FlipCounts flips;                     // of the scaffold's edges
+  bool other_triangles = false;         // the map's faces are not those of the input (improve_mesh)
   std::optional<BezierMesh> scaffold;   // around the map, model units; of MapInjectivity::Global
   double initialize_seconds = 0, optimize_seconds = 0, measure_seconds = 0;
 };
 
 // The start that `options` ask for: Tutte's map or the given one, u, v per vertex. Throws
-// Error(Unsupported) when the mesh is no disk, Error(Usage) when the given one has the wrong size.
+// Error(Unsupported) when the mesh is no disk (for MapInjectivity::Global: no disk with or without
+// holes), Error(Usage) when the given one has the wrong size.
 Vec initial_map(const SurfaceMesh& mesh, const ParametrizationOptions& options);
 
 // Throws Error as initial_map; Error(Infeasible) when the start is not locally injective, does not

@@ -22,11 +22,11 @@
 namespace majorant {
 
 struct ScaffoldOptions {
-  double margin = 1.0;  // distance of the frame from the image's bounding box, in larger extents of
-                        // the box; positive
-  double quality =
-      1.5;  // circumradius to shortest edge above which triangles are refined; at least
-            // 1. The smallest angle of others is arcsin(1 / (2 quality)), 19.5 degrees.
+  // Distance of the frame from the image's bounding box, in larger extents of the box; positive.
+  double margin = 1.0;
+  // Circumradius to shortest edge above which triangles are refined; at least 1. The others have
+  // angles of at least arcsin(1 / (2 quality)): 19.5 degrees.
+  double quality = 1.5;
 };
 
 struct ScaffoldTriangulation {

@@ -236,6 +236,11 @@ void SurfaceMesh::require_disk() const {
                     genus_twice / 2, topology_.euler_characteristic()));
 }
 
+void SurfaceMesh::require_planar() const {
+  const Index loops = topology_.boundary_loops;
+  if (loops == 0 || topology_.euler_characteristic() != 2 - loops) require_disk();
+}
+
 Index SurfaceMesh::find_input_vertex(Index input) const {
   if (input < 0 || static_cast<std::size_t>(input) >= vertex_of_input_.size()) return -1;
   return vertex_of_input_[static_cast<std::size_t>(input)];

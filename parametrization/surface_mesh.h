@@ -35,6 +35,8 @@ class SurfaceMesh {
   // Throws Error(Unsupported) unless the surface is a disk (connected, one boundary loop, Euler
   // characteristic 1).
   void require_disk() const;
+  // Throws Error(Unsupported) unless the surface is a disk with or without holes: genus 0, bounded.
+  void require_planar() const;
 
   const std::string& file() const { return file_; }
   const Points3& positions() const { return positions_; }  // #V by 3, model units

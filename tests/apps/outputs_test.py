@@ -93,7 +93,7 @@ class Report(CommandTest):
              'repairs'}
     RESULT = {'degree', 'control_points', 'variables', 'energy', 'value', 'initial_value',
               'value_quadrature', 'max_density', 'sigma_max', 'sigma_min', 'locally_injective',
-              'min_det_bound', 'globally_injective', 'seam_residual', 'constraint_residual'}
+              'min_det_bound', 'globally_injective', 'boundary', 'seam_residual', 'constraint_residual'}
     ITERATION = {'iteration', 'degree', 'energy', 'relative_decrease', 'step', 'gradient_norm',
                  'seconds'}
     STEP_SECONDS = {'assemble', 'factorize', 'solve', 'line_search'}
@@ -128,7 +128,9 @@ class Report(CommandTest):
         self.assertEqual(result['control_points'], len(vtu.rows('uv')))
         self.assertEqual(result['variables'], 2 * result['control_points'] - 2)
         self.assertIs(result['locally_injective'], True)
-        self.assertIsNone(result['globally_injective'])
+        self.assertIs(result['globally_injective'], True)
+        self.assertEqual(result['boundary']['contacts'], [])
+        self.assertGreater(result['boundary']['pairs_tested'], 10)
         self.assertIsNone(result['seam_residual'])
         self.assertLess(result['constraint_residual'], 1e-12)
         self.assertLess(result['value'], result['initial_value'])
