@@ -45,30 +45,26 @@ TEST(Bijective, ARampThatWouldOverlap) {
     expect_valid(global, n);
     EXPECT_EQ(proof(global), static_cast<int>(Injectivity::Proven)) << n;
     EXPECT_GE(global.measures.value, local.measures.value);
-    EXPECT_TRUE(global.status == Status::Converged || global.status == Status::Stalled)
-        << n << ' ' << global.message;
+    EXPECT_LE(global.measures.value, 1.01 * local.measures.value);
+    EXPECT_EQ(static_cast<int>(global.status), static_cast<int>(Status::Converged));
     ASSERT_TRUE(global.scaffold.has_value());
     EXPECT_EQ(global.scaffold->degree, n);
     EXPECT_GT(global.flips.performed, 0);
     EXPECT_LE(global.flips.performed, global.flips.intended);
-    std::printf("[   ramp   ] degree %d: %.6f without, %.6f with, status %d\n", n,
-                local.measures.value, global.measures.value, static_cast<int>(global.status));
   }
 }
 
 TEST(Bijective, CostsNothingWhereNothingOverlaps) {
-  for (const char* name : {"cap", "creature"})
-    for (int n = 1; n <= (name[1] == 'a' ? 3 : 1); ++n) {
+  for (const auto& [name, highest] : {std::pair("cap", 3), std::pair("creature", 1)})
+    for (int n = 1; n <= highest; ++n) {
       const auto mesh = generated(name);
       const ParametrizationResult local = parametrize(mesh, options(n, MapInjectivity::Local));
-      if (proof(local) != static_cast<int>(Injectivity::Proven)) continue;
+      ASSERT_EQ(proof(local), static_cast<int>(Injectivity::Proven));
       const ParametrizationResult global = parametrize(mesh, options(n, MapInjectivity::Global));
       expect_valid(global, n);
       EXPECT_EQ(proof(global), static_cast<int>(Injectivity::Proven));
       EXPECT_EQ(static_cast<int>(global.status), static_cast<int>(Status::Converged));
       EXPECT_LE(global.measures.value, 1.01 * local.measures.value) << name << ' ' << n;
-      std::printf("[ no overlap] %s, degree %d: %.6f without, %.6f with\n", name, n,
-                  local.measures.value, global.measures.value);
     }
 }
 
@@ -80,8 +76,8 @@ TEST(Bijective, ADiskWithTwoHoles) {
   }
   polygons.polygon_lines.resize(polygons.polygons.size());
   const auto mesh = surface(polygons);
-  const BezierMap start = BezierMap::linear(
-      mesh, uv_of(*mesh, [](const Vector3& p) { return Vector2(p.x(), p.y()); }));
+  const BezierMap start =
+      BezierMap::linear(mesh, uv_of(*mesh, [](const Vector3& p) { return Vector2(p.x(), p.y()); }));
   for (int n = 1; n <= 3; ++n) {
     RunRecord record;
     const ParametrizationResult result =
@@ -90,7 +86,13 @@ TEST(Bijective, ADiskWithTwoHoles) {
     EXPECT_EQ(static_cast<int>(result.status), static_cast<int>(Status::Converged));
     EXPECT_EQ(proof(result), static_cast<int>(Injectivity::Proven));
     EXPECT_LT(result.measures.value, result.initial_value);
+    // Tutte's map has holes there, too.
+    const ParametrizationResult other = parametrize(mesh, options(n, MapInjectivity::Global));
+    expect_valid(other, n);
+    EXPECT_EQ(proof(other), static_cast<int>(Injectivity::Proven));
+    EXPECT_NEAR(other.measures.value, result.measures.value, 1e-4 * result.measures.value);
   }
+  error_message(ErrorKind::Unsupported, [&] { parametrize(mesh, degree(1)); });
 }
 
 TEST(Bijective, DirectElevationAndLimits) {
@@ -115,10 +117,10 @@ TEST(Bijective, PinsAndFixedBoundaryHold) {
   expect_valid(pinned, 2);
   const double size = start.cwiseAbs().maxCoeff();
   for (const Pin& p : o.pins)
-    EXPECT_LE((pinned.map->control_points().segment<2>(2 * p.vertex) -
-               start.segment<2>(2 * p.vertex))
-                  .norm(),
-              1e-14 * size);
+    EXPECT_LE(
+        (pinned.map->control_points().segment<2>(2 * p.vertex) - start.segment<2>(2 * p.vertex))
+            .norm(),
+        1e-14 * size);
   o.pins.clear();
   o.boundary = BoundaryCondition::Fixed;
   const ParametrizationResult fixed = parametrize(mesh, o);

@@ -28,8 +28,8 @@ struct Around {
 
 Around around(const PolygonMesh& polygons, int degree) {
   const auto mesh = surface(polygons);
-  BezierMap map = BezierMap::linear(
-      mesh, uv_of(*mesh, [](const Vector3& p) { return Vector2(p.x(), p.y()); }));
+  BezierMap map =
+      BezierMap::linear(mesh, uv_of(*mesh, [](const Vector3& p) { return Vector2(p.x(), p.y()); }));
   Scaffold scaffold(map.shared_space(), map.control_points());
   while (map.degree() < degree) {
     map = map.elevated();
@@ -133,8 +133,7 @@ TEST(ScaffoldElevation, KeepsShapes) {
       const Eigen::Map<const RowMatrix> low(a.scaffold.mesh().points.row(f).data(), e.cols(), 2);
       const RowMatrix expected = e * low;
       for (Index l = 0; l < e.rows(); ++l)
-        EXPECT_LE((joint.segment<2>(2 * more.space()->cells()(f, l)) -
-                   expected.row(l).transpose())
+        EXPECT_LE((joint.segment<2>(2 * more.space()->cells()(f, l)) - expected.row(l).transpose())
                       .norm(),
                   1e-14);
     }
