@@ -1,0 +1,144 @@
+"""--bijective and deform: exit codes, what is claimed, and that check proves it."""
+import json
+import os
+
+from command_helpers import *
+
+
+def ramp(turns, steps=36):
+    """A strip that climbs slowly around an axis: flattened without distortion it lies on itself."""
+    points = []
+    for i in range(steps + 1):
+        t = turns * i / steps
+        for r in (1, 1.25, 1.5):
+            points.append((r * math.cos(2 * math.pi * t), r * math.sin(2 * math.pi * t), 0.3 * t))
+    faces = []
+    for i in range(steps):
+        for a in (3 * i, 3 * i + 1):
+            faces += [(a, a + 1, a + 4), (a, a + 4, a + 3)]
+    return points, faces
+
+
+def without(faces, *quads):
+    return [f for k, f in enumerate(faces) if k // 2 not in quads]
+
+
+class Bijective(CommandTest):
+    def report_of(self, *args, code=OK):
+        report = self.path('report.json')
+        self.run_ok(*args, '--quiet', '--report', report, code=code)
+        with open(report) as f:
+            return json.load(f)
+
+    def test_a_ramp_that_would_overlap(self):
+        mesh = self.write('ramp.obj', obj_text(*ramp(1.3)))
+        for degree in (1, 2, 3):
+            free, held = self.path('free.vtu'), self.path('held.vtu')
+            report = self.report_of('parametrize', mesh, '-o', free, '--degree', degree)
+            self.assertIs(report['result']['globally_injective'], False)
+            self.assertEqual(report['flips'], {'intended': 0, 'performed': 0})
+            self.assertFalse(Vtu(free).claims.get('bijective'))
+            self.run_ok('check', free)  # nobody said that it is injective
+            self.refused(INVALID, 'check', free, '--certify', says='not globally injective')
+
+            report = self.report_of('parametrize', mesh, '-o', held, '--degree', degree, '--bijective')
+            self.assertEqual(report['status'], 'converged')
+            self.assertIs(report['result']['globally_injective'], True)
+            self.assertIs(report['options']['bijective'], True)
+            self.assertGreater(report['flips']['performed'], 0)
+            self.assertIs(Vtu(held).claims['bijective'], True)
+            self.run_ok('check', held, '--surface', mesh, '--certify')
+
+    def test_a_limit_leaves_an_injective_map(self):
+        mesh = self.write('ramp.obj', obj_text(*ramp(1.3)))
+        for iterations in (0, 3, 10):
+            out = self.path('out.vtu')
+            self.run_ok('parametrize', mesh, '-o', out, '--quiet', '--bijective',
+                        '--max-iterations', iterations, code=LIMIT)
+            self.run_ok('check', out, '--certify')
+
+    def test_a_start_that_overlaps(self):
+        points, faces = ramp(1.3)
+        mesh = self.write('ramp.obj', obj_text(points, faces, [p[:2] for p in points]))
+        self.run_ok('parametrize', mesh, '-o', self.path('out.vtu'), '--quiet', '--init', 'input')
+        self.refused(UNSUPPORTED, 'parametrize', mesh, '-o', self.path('other.vtu'), '--quiet',
+                     '--init', 'input', '--bijective')
+        self.assertNotIn('other.vtu', self.files())
+
+    def test_holes(self):
+        points, faces = grid(6)
+        mesh = self.write('holes.obj', obj_text(points, without(faces, 14, 15, 27)))
+        out = self.path('out.vtu')
+        self.refused(UNSUPPORTED, 'parametrize', mesh, '-o', out, '--quiet')
+        report = self.report_of('parametrize', mesh, '-o', out, '--bijective', '--degree', 2)
+        self.assertEqual(report['input']['boundary_loops'], 3)
+        self.assertIs(report['result']['globally_injective'], True)
+        self.run_ok('check', out, '--surface', mesh, '--certify')
+
+    def test_the_scaffold_as_a_file(self):
+        mesh = self.write('ramp.obj', obj_text(*ramp(1.3)))
+        for name in ('scaffold.vtu', 'scaffold.svg'):
+            self.run_ok('parametrize', mesh, '-o', self.path('out.vtu'), '--quiet', '--bijective',
+                        '--max-iterations', 5, '--write-scaffold', self.path(name), code=LIMIT)
+            self.assertGreater(len(self.read(name)), 1000)
+        self.refused(USAGE, 'parametrize', mesh, '-o', self.path('out.vtu'), '--quiet',
+                     '--write-scaffold', self.path('scaffold.vtu'), says='--bijective')
+
+
+class Deform(CommandTest):
+    def bar(self, height=lambda x, y: 0.0):
+        points, faces = grid(12, height)
+        return self.write('bar.obj', obj_text([(4 * x, y, z) for x, y, z in points], faces))
+
+    def targets(self, turn=2.0):
+        """The left end stays, the right one is turned and moved back."""
+        handles = []
+        for j in (0, 4, 8, 12):
+            y = j / 12
+            handles.append({'vertex': 13 * j, 'target': [0, y]})
+            handles.append({'vertex': 13 * j + 12,
+                            'target': [2.4 - math.sin(turn) * (y - 0.5), 1.8 + math.cos(turn) * (y - 0.5)]})
+        return self.write('targets.json', json.dumps({'handles': handles})), handles
+
+    def test_soft_and_hard(self):
+        mesh, (file, handles) = self.bar(), self.targets()
+        for flag, within in (('--handles', 0.01 * math.hypot(4, 1)), ('--pins', 1e-14)):
+            for more in ([], ['--bijective']):
+                out, report = self.path('bent.vtu'), self.path('report.json')
+                self.run_ok('deform', mesh, flag, file, '-o', out, '--degree', 2, '--quiet',
+                            '--report', report, *more)
+                vtu = Vtu(out)
+                place = dict(zip(vtu.arrays['input_vertex'], vtu.rows('uv')))
+                for h in handles:
+                    self.assertLessEqual(math.dist(place[h['vertex']][:2], h['target']), within)
+                with open(report) as f:
+                    data = json.load(f)
+                self.assertEqual((data['command'], data['status']), ('deform', 'converged'))
+                self.run_ok('check', out, '--surface', mesh)
+                if more:
+                    self.run_ok('check', out, '--certify')
+                    self.assertIs(vtu.claims['bijective'], True)
+
+    def test_every_output(self):
+        mesh, (file, _) = self.bar(), self.targets()
+        self.run_ok('deform', mesh, '--handles', file, '--quiet', '-o', self.path('a.svg'),
+                    '-o', self.path('a.obj'), '-o', self.path('a.json'))
+        self.assertTrue({'a.svg', 'a.obj', 'a.json'} <= set(self.files()))
+
+    def test_refusals(self):
+        mesh, (file, _) = self.bar(), self.targets()
+        out = self.path('out.vtu')
+        self.refused(USAGE, 'deform', mesh, '-o', out, says=['--handles', '--pins'])
+        self.refused(UNSUPPORTED, 'deform', self.bar(bumpy), '--handles', file, '-o', out,
+                     says='off the plane')
+        mesh = self.bar()
+        swapped = self.write('swapped.json', json.dumps({'handles': [
+            {'vertex': 40, 'target': [4 * 2 / 12, 3 / 12]}, {'vertex': 41, 'target': [4 / 12, 3 / 12]},
+            {'vertex': 54, 'target': [4 * 2 / 12, 4 / 12]}]}))
+        self.refused(UNSUPPORTED, 'deform', mesh, '--pins', swapped, '-o', out, '--degree', 1,
+                     '--quiet', says=["no valid way to the pins' targets", 'vertex '])
+        self.assertNotIn('out.vtu', self.files())
+
+
+if __name__ == '__main__':
+    main()
