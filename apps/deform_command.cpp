@@ -27,6 +27,7 @@ int run_job(Request request) {
     throw Error(ErrorKind::Usage,
                 "nothing to do: give --handles FILE (soft) or --pins FILE (hard)");
   request.outputs.require_usable(request.common, request.map);
+  request.solve.require_usable(request.outputs, request.map);
   RunRecord record = request.solve.make_record(request.common);
   request.common.apply();
   request.map.init = "planar";

@@ -25,6 +25,7 @@ struct Request {
 int run_job(Request request) {
   const auto start = std::chrono::steady_clock::now();
   request.outputs.require_usable(request.common, request.map);
+  request.solve.require_usable(request.outputs, request.map);
   RunRecord record = request.solve.make_record(request.common);
   request.common.apply();
   request.map.holes = request.solve.bijective;

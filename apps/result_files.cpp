@@ -49,6 +49,7 @@ std::string claims(const FinishedRun& run, const Normalization& normalization) {
               {"bijective", run.in.options.injectivity == MapInjectivity::Global},
               {"normalized", normalization},
               {"pins", pins},
+              {"other_triangles", run.result.other_triangles},
               {"options", options_section(run)}};
   if (!map.seams().trivial()) claims["cones"] = cones_section(map);
   return claims.dump();
@@ -116,7 +117,8 @@ void write_reports(const FinishedRun& run, double write_seconds) {
                 {"total", seconds_since(run.start)}}},
               {"peak_memory_bytes", peak_memory_bytes()},
               {"threads", threads()}};
-  if (run.in.start) report["seam_start"] = seam_start_section(*run.in.start);
+  if (run.in.start && !run.in.start->map.seams().trivial())
+    report["seam_start"] = seam_start_section(*run.in.start);
   for (const std::string& path : paths) write_json(path, report);
 }
 

@@ -52,6 +52,7 @@ int run_job(Request request) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
   request.outputs.require_usable(request.common, request.map);
+  request.solve.require_usable(request.outputs, request.map);
   RunRecord record = request.solve.make_record(request.common);
   request.common.apply();
   double read_seconds = 0, initialize_seconds = 0;

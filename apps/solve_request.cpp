@@ -35,12 +35,9 @@ void SolveRequest::add_to(CLI::App& verb, std::string& curvature) {
 
 void SolveRequest::apply(ParametrizationOptions& options) const {
   if (elevation == "direct") options.elevation = Elevation::Direct;
+  options.tolerance = tolerance;
   if (bijective) options.injectivity = MapInjectivity::Global;
   if (no_flips) options.scaffold_flips = ScaffoldFlips::Omitted;
-  if (scaffold_file.empty()) return;
-  if (!bijective) throw Error(ErrorKind::Usage, "--write-scaffold needs --bijective");
-  require_writable({scaffold_file}, {".vtu", ".svg"});
-  options.tolerance = tolerance;
 }
 
 void SolveRequest::finish(const ParametrizationOptions& options,
@@ -59,11 +56,21 @@ void SolveRequest::finish(const ParametrizationOptions& options,
 }
 
 Json SolveRequest::to_json() const {
-  return {{"improve_mesh", improve_mesh},
-          {"elevation", elevation},
-          {"bijective", bijective},
-          {"tolerance", tolerance},
+  return {{"improve_mesh", improve_mesh},    {"elevation", elevation},
+          {"bijective", bijective},          {"no_flips", no_flips},
+          {"write_scaffold", scaffold_file}, {"tolerance", tolerance},
           {"max_iterations", max_iterations}};
+}
+
+void SolveRequest::require_usable(const OutputRequest& outputs, const MapRequest& map) const {
+  const auto refuse = [](const char* what) { throw Error(ErrorKind::Usage, what); };
+  if (no_flips && !bijective) refuse("--no-flips needs --bijective");
+  if (improve_mesh && !map.weights.empty())
+    refuse("--improve-mesh changes the faces that --weights are for; leave one of the two out");
+  if (scaffold_file.empty()) return;
+  if (!bijective) refuse("--write-scaffold needs --bijective");
+  if (outputs.normalize) refuse("--normalize moves the map away from its scaffold; leave it out");
+  require_writable({scaffold_file}, {".vtu", ".svg"});
 }
 
 RunRecord SolveRequest::make_record(const CommonOptions& common) const {

@@ -7,6 +7,7 @@
 
 #include "apps/command.h"
 #include "apps/report.h"
+#include "apps/result_files.h"
 #include "majorant/parametrization/parametrize.h"
 
 namespace majorant::app {
@@ -20,7 +21,9 @@ struct SolveRequest {
 
   // Adds --curvature, which a MapRequest holds, too.
   void add_to(CLI::App& verb, std::string& curvature);
-  // Throws Error(Usage) for a scaffold file without a scaffold.
+  // Before any work. Throws Error(Usage) for options that do not go together and a scaffold file
+  // that cannot be written.
+  void require_usable(const OutputRequest& outputs, const MapRequest& map) const;
   void apply(ParametrizationOptions& options) const;
   // What is asked of a finished result: better triangles, a file of the scaffold.
   void finish(const ParametrizationOptions& options, ParametrizationResult& result) const;

@@ -16,11 +16,13 @@ namespace {
 constexpr double kScaffoldShare = 1e-3;
 // A change of lambda below this part does not count: the stepper keeps what it has learned.
 constexpr double kSameLambda = 0.02;
+constexpr double kLeastEnergy = 1e-3;  // mean density: where the map's vanishes, the scaffold stays
 constexpr double kSoftStart = 1e5;     // mean density, as in DegreeSolver
 constexpr double kStillMoving = 1e-3;  // relative decrease above which the scaffold is relaxed
 constexpr int kRelaxSteps = 5;
 constexpr int kDeepest = 13;  // bisections, as in DegreeSolver
 constexpr int kHelpRounds = 30;
+constexpr int kRoundsWithoutStep = 3;  // in which only the scaffold changes
 constexpr int kAccuracyRounds = 3;
 
 NewtonOptions newton_options(const ParametrizationOptions& options) {
@@ -43,6 +45,7 @@ BijectiveSolver::BijectiveSolver(const DegreeSolver::Setup& setup,
               space_->element_count()),
       terms_(energy_terms(setup.map, space_, levels_.rules())),
       depth_(setup.options.injectivity_depth) {
+  require_curvature(terms_, setup.options.curvature);
   rebuild();
 }
 
@@ -62,7 +65,7 @@ void BijectiveSolver::rebuild() {
                                                depth_)));
   builder.add(FixedPoints::at(scaffold_.frame_nodes(), x_));
   problem_ = builder.build();
-  lambda_ = 0;
+  lambda_.reset();
   set_states();
 }
 
@@ -78,8 +81,8 @@ void BijectiveSolver::set_states() {
     energy = weight.dot(energy_of);
   }
   const std::size_t last = problem_.term_count() - 1;
-  const double lambda = kScaffoldShare * energy / area / scaffold_energy();
-  if (weight.size() == 0 && std::abs(lambda - lambda_) <= kSameLambda * lambda && stepper_) return;
+  const double lambda = kScaffoldShare * std::max(energy / area, kLeastEnergy) / scaffold_energy();
+  if (weight.size() == 0 && lambda_ && std::abs(lambda - *lambda_) <= kSameLambda * lambda) return;
   lambda_ = lambda;
   std::vector<TermState> states = energy_states(setup_.map, problem_, levels_.of_faces(), weight);
   states[last].weight = lambda;
@@ -102,7 +105,7 @@ Stepper::Step BijectiveSolver::iterate(SolveResult& result) {
   double energy = stepper_->evaluator().value(y);
   Stepper::Step step = stepper_->step(y, energy);
   x_ = problem_.expand(y);
-  result.energy = energy - lambda_ * scaffold_energy();
+  result.energy = energy - *lambda_ * scaffold_energy();
   result.newton_decrement = step.record.newton_decrement;
   return step;
 }
@@ -141,7 +144,7 @@ void BijectiveSolver::refine_scaffold(const std::vector<Index>& blocking) {
     if (e >= space_->element_count()) faces.push_back(e - space_->element_count());
   if (faces.empty()) return;
   scaffold_.refine(faces);
-  lambda_ = 0;
+  lambda_.reset();
 }
 
 // For a step that was blocked: certificates that look deeper, then finer quadrature on the faces
@@ -168,7 +171,8 @@ SolveResult BijectiveSolver::run(const StoppingRules& rules, RunRecord& record) 
     result.message = message;
     return result;
   };
-  int idle = 0;
+  result.energy = stepper_->evaluator().value(problem_.reduce(x_)) - *lambda_ * scaffold_energy();
+  int idle = 0, without_step = 0;
   while (record.iterations_left() > 0) {
     Stepper::Step step = iterate(result);
     result.blocking = std::move(step.blocking);
@@ -177,9 +181,12 @@ SolveResult BijectiveSolver::run(const StoppingRules& rules, RunRecord& record) 
     if (step.outcome == Stepper::Outcome::Breakdown) return finish(Status::Failed, "no direction");
     if (step.outcome == Stepper::Outcome::AtMinimum) return finish(Status::Converged, "decrement");
     if (step.outcome != Stepper::Outcome::Moved) {
-      if (maintain(step.record, result.blocking)) continue;
+      if (without_step++ < kRoundsWithoutStep && record.directive() == Directive::Continue &&
+          maintain(step.record, result.blocking))
+        continue;
       return finish(near ? Status::Converged : Status::Stalled, "no further decrease");
     }
+    without_step = 0;
     step.record.energy = result.energy;
     const Directive directive = observe(step.record, x_);
     const double decrease = step.record.relative_decrease;

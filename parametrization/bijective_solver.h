@@ -7,6 +7,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "majorant/framework/newton.h"
@@ -55,7 +56,7 @@ class BijectiveSolver {
   std::shared_ptr<const LocalInjectivity> injectivity_;
   std::vector<long> depth_counts_;  // of checkers that are gone
   FlipCounts flips_;
-  double lambda_ = 0;  // 0: not set since the problem was built
+  std::optional<double> lambda_;  // none: not set since the problem was built
   Problem problem_;
   std::unique_ptr<NewtonStepper> stepper_;
 };

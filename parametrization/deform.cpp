@@ -77,6 +77,10 @@ class Deformation {
                               "or targets nearer to the start",
                               start_.mesh().file(), why));
     };
+    if (distance > enough && !going_on())
+      throw Error(ErrorKind::Infeasible, start_.mesh().file() +
+                                             ": stopped by a limit before the pins' targets were "
+                                             "reached; raise --max-iterations or --time-limit");
     const Index name = start_.mesh().input_vertex(vertex);
     if (distance > enough) refuse(fmt::format("vertex {} stays {:.3g} away", name, distance));
     Vec x = map_.control_points();
@@ -107,34 +111,36 @@ class Deformation {
 BezierMap planar_map(std::shared_ptr<const SurfaceMesh> mesh) {
   const Points3& p = mesh->positions();
   const double size = (p.colwise().maxCoeff() - p.colwise().minCoeff()).maxCoeff();
-  double area = 0;
-  std::vector<double> of_face;
-  for (Index f = 0; f < mesh->face_count(); ++f) {
-    const Eigen::RowVector2d a = p.row(mesh->faces()(f, 0)).head<2>();
-    const Eigen::RowVector2d b = p.row(mesh->faces()(f, 1)).head<2>() - a;
-    const Eigen::RowVector2d c = p.row(mesh->faces()(f, 2)).head<2>() - a;
-    of_face.push_back(b.x() * c.y() - b.y() * c.x());
-    area += of_face.back();
-  }
-  const double side = area < 0 ? -1 : 1;
-  for (Index f = 0; f < mesh->face_count(); ++f)
-    if (!(side * of_face[static_cast<std::size_t>(f)] > 0))
-      throw Error(ErrorKind::Unsupported,
-                  fmt::format("{}: face {} is turned over in the plane; repair the mesh",
-                              mesh->file(), mesh->input_face(f) + 1));
-  Vec uv(2 * mesh->vertex_count());
-  for (Index v = 0; v < mesh->vertex_count(); ++v) {
+  for (Index v = 0; v < mesh->vertex_count(); ++v)
     if (!(std::abs(p(v, 2) - p(0, 2)) <= kFlat * size))
       throw Error(ErrorKind::Unsupported,
                   fmt::format("{}: vertex {} is off the plane z = {:g}; deform needs a planar mesh",
                               mesh->file(), mesh->input_vertex(v) + 1, p(0, 2)));
-    uv.segment<2>(2 * v) << side * p(v, 0), p(v, 1);
+  Vec twice_area(mesh->face_count());
+  for (Index f = 0; f < mesh->face_count(); ++f) {
+    const Eigen::RowVector2d a = p.row(mesh->faces()(f, 0)).head<2>();
+    const Eigen::RowVector2d b = p.row(mesh->faces()(f, 1)).head<2>() - a;
+    const Eigen::RowVector2d c = p.row(mesh->faces()(f, 2)).head<2>() - a;
+    twice_area[f] = b.x() * c.y() - b.y() * c.x();
   }
+  const double side = twice_area.sum() < 0 ? -1 : 1;
+  for (Index f = 0; f < mesh->face_count(); ++f)
+    if (!(side * twice_area[f] > 0))
+      throw Error(ErrorKind::Unsupported,
+                  fmt::format("{}: face {} is turned over in the plane; repair the mesh",
+                              mesh->file(), mesh->input_face(f) + 1));
+  Vec uv(2 * mesh->vertex_count());
+  for (Index v = 0; v < mesh->vertex_count(); ++v) uv.segment<2>(2 * v) << side * p(v, 0), p(v, 1);
   return BezierMap::linear(std::move(mesh), std::move(uv));
 }
 
 ParametrizationResult deform(const BezierMap& start, const ParametrizationOptions& options,
                              RunRecord& record) {
+  for (const auto* points : {&options.pins, &options.handles})
+    for (const Pin& p : *points)
+      if (p.vertex < 0 || p.vertex >= start.mesh().vertex_count())
+        throw Error(ErrorKind::Usage,
+                    fmt::format("{}: vertex {} does not exist", start.mesh().file(), p.vertex));
   return Deformation(start, options, record).solve();
 }
 

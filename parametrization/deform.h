@@ -7,7 +7,8 @@
 //   ParametrizationResult bent = deform(rest, options, record);
 //
 // Targets are approached in steps at degree 1. Pins are first pulled by springs that get stiffer
-// until the distance left is tiny, then held exactly; the degree is raised after that.
+// until the distance left is tiny, then held exactly; the degree is raised after that. Meanwhile
+// soft handles are pulled as hard as pins.
 #pragma once
 
 #include "majorant/parametrization/parametrize.h"
@@ -21,7 +22,7 @@ BezierMap planar_map(std::shared_ptr<const SurfaceMesh> mesh);
 
 // start: of degree 1, locally (for MapInjectivity::Global also globally) injective. options: as for
 // parametrize(), but pins may have targets anywhere. Throws Error(Infeasible) naming the pin that
-// could not be reached; otherwise as parametrize().
+// could not be reached, or saying that a limit came first; otherwise as parametrize().
 ParametrizationResult deform(const BezierMap& start, const ParametrizationOptions& options,
                              RunRecord& record);
 

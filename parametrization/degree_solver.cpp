@@ -45,9 +45,8 @@ DegreeSolver::DegreeSolver(const Setup& setup, std::shared_ptr<const BezierTrian
       problem_(build_problem()),
       stepper_(problem_, newton_options(setup.options)) {}
 
-void DegreeSolver::require_curvature() const {
-  const Curvature asked = setup_.options.curvature;
-  for (const auto& term : terms_) {
+void require_curvature(const DensityTerms& terms, Curvature asked) {
+  for (const auto& term : terms) {
     if (term->supports(asked)) continue;
     std::vector<std::string_view> known;
     for (const Curvature c : kCurvatures)
@@ -59,7 +58,7 @@ void DegreeSolver::require_curvature() const {
 }
 
 Problem DegreeSolver::build_problem() const {
-  require_curvature();
+  require_curvature(terms_, setup_.options.curvature);
   return map_problem(setup_.map, space_, start_, terms_, injectivity_);
 }
 

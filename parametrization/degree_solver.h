@@ -14,6 +14,9 @@
 
 namespace majorant {
 
+// Throws Error(Usage), listing what there is, when a term has no such curvature model.
+void require_curvature(const DensityTerms& terms, Curvature asked);
+
 class DegreeSolver {
  public:
   struct Setup {
@@ -41,7 +44,6 @@ class DegreeSolver {
   std::vector<long> injectivity_depth_counts() const;
 
  private:
-  void require_curvature() const;
   Problem build_problem() const;
   SolveResult run_once(const StoppingRules& rules, RunRecord& record);
   bool deepen();

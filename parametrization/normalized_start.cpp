@@ -205,7 +205,7 @@ BezierMap NormalizedStart::in_model_units(const BezierMap& normalized) const {
 
 BezierMesh NormalizedStart::in_model_units(BezierMesh normalized) const {
   for (Index k = 0; k < normalized.points.cols(); ++k)
-    normalized.points.col(k) = (normalized.points.col(k) / scale_).array() + origin_[k % 2];
+    normalized.points.col(k) = (normalized.points.col(k) / scale_).array() + destination_[k % 2];
   return normalized;
 }
 

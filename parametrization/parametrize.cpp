@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "majorant/framework/curvature_name.h"
 #include "majorant/framework/error.h"
 #include "majorant/parametrization/bijective_solver.h"
 #include "majorant/parametrization/degree_solver.h"
+#include "majorant/parametrization/global_injectivity.h"
 #include "majorant/parametrization/initial_map.h"
 #include "majorant/parametrization/normalized_start.h"
 
@@ -20,6 +22,12 @@ void require_valid(const ParametrizationOptions& o) {
     refuse(fmt::format("degree {} is not one of 1..{}", o.degree, BezierTriangleSpace::kMaxDegree));
   if (!(o.tolerance > 0)) refuse("the tolerance must be positive");
   if (o.quadrature_points < 0) refuse("the number of quadrature points must not be negative");
+  if (o.injectivity == MapInjectivity::Global &&
+      (o.curvature == Curvature::Reweighted || o.curvature == Curvature::PaperMajorizer))
+    refuse(
+        fmt::format("the scaffold's energy has no curvature model '{}'; use projected, majorizer "
+                    "or exact",
+                    name(o.curvature)));
   if (o.energy.empty()) refuse("no energy is given");
   for (const WeightedEnergy& e : o.energy)
     if (!(e.weight > 0) || !std::isfinite(e.weight))
@@ -66,6 +74,14 @@ class Run {
     DegreeSolver::Setup gentle = setup_;
     gentle.map.energy = {{symmetric_dirichlet(), 1.0}};
     gentle.options.curvature = Curvature::Projected;
+    if (options_.injectivity == MapInjectivity::Global) {
+      make_scaffold();
+      BijectiveSolver solver(gentle, map_.shared_space(), map_.control_points(), *scaffold_);
+      solver.approach(options_.elevation_tolerance, record_);
+      map_ = map_.with(map_.shared_space(), solver.x());
+      scaffold_ = solver.scaffold();
+      return;
+    }
     DegreeSolver solver(gentle, map_.shared_space(), map_.control_points());
     solver.soften_start(record_);
     solver.approach(options_.elevation_tolerance, record_);
@@ -82,8 +98,29 @@ class Run {
     return solved;
   }
 
+  void make_scaffold() {
+    if (scaffold_) return;
+    try {
+      scaffold_.emplace(map_.shared_space(), map_.control_points());
+    } catch (const Error& e) {
+      throw Error(e.kind(),
+                  fmt::format("{}: the start overlaps itself ({}); start from another map "
+                              "(--init tutte), or leave out --bijective",
+                              map_.mesh().file(), e.what()));
+    }
+  }
+
+  // What was held by the scaffold, proven once more from the boundary of what is returned.
+  void prove_no_overlaps() {
+    const GlobalInjectivity proof = check_boundary(*result_.map);
+    if (proof.result == Injectivity::Violated) result_.status = Status::Failed;
+    if (proof.result != Injectivity::Undecided || result_.status != Status::Converged) return;
+    result_.status = Status::Stalled;
+    result_.message = "boundary curves touch to within rounding: " + proof.reason;
+  }
+
   SolveResult optimize_bijective(bool last) {
-    if (!scaffold_) scaffold_.emplace(map_.shared_space(), map_.control_points());
+    make_scaffold();
     BijectiveSolver solver(setup_, map_.shared_space(), map_.control_points(), *scaffold_);
     SolveResult solved =
         last ? solver.finish(record_) : solver.approach(options_.elevation_tolerance, record_);
@@ -133,6 +170,7 @@ class Run {
     if (!result_.measures.locally_injective) result_.status = Status::Failed;
     if (solved.status == Status::Failed && result_.measures.locally_injective)
       result_.status = Status::Stalled;
+    if (scaffold_ && result_.status != Status::Failed) prove_no_overlaps();
     return std::move(result_);
   }
 

@@ -1,8 +1,9 @@
 // A seamless map to start from: read from texture coordinates, or assembled from a cut surface
 // whose images nearly fit.
 //
-//   SeamlessStart start = seamless_from_texture(mesh);        // `mesh` closed or bounded, any
-//   genus ParametrizationResult result = parametrize(start.map, options, record);
+//   // mesh: closed or bounded, of any genus
+//   SeamlessStart start = seamless_from_texture(mesh);
+//   ParametrizationResult result = parametrize(start.map, options, record);
 //
 // Rotations between the sides of a seam are snapped to multiples of 90 degrees, translations are
 // fitted, and the remaining mismatch is projected out exactly before anything is optimized.
