@@ -28,6 +28,16 @@ class Limits(CommandTest):
             self.assertEqual(data['result']['degree'], 3)
             self.assertEqual(Vtu(self.path('out.vtu')).claims['degree'], 3)
 
+    def test_tolerance_is_heard(self):
+        counts = []
+        for tolerance in ('1e-1', '1e-9'):
+            report = self.path('report.json')
+            self.run_ok('parametrize', generated('tube'), '-o', self.path('out.vtu'), '--report',
+                        report, '--tolerance', tolerance, '--degree', 1)
+            with open(report) as f:
+                counts.append(len(json.load(f)['iterations']))
+        self.assertLess(counts[0], counts[1])
+
     def test_time_limit(self):
         for degree in (1, 3):
             data = self.stops('time_limit', '--time-limit', '0', '--degree', degree)
