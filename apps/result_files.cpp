@@ -7,6 +7,7 @@
 
 #include "apps/global_verdict.h"
 #include "majorant/framework/evaluator.h"
+#include "majorant/io/scaffold_file.h"
 
 namespace majorant::app {
 namespace {
@@ -62,10 +63,12 @@ void write_outputs(const FinishedRun& run) {
   Normalization normalization = nullptr;
   if (run.outputs.normalize) normalization = normalize(file.uv);
   file.claims = claims(run, normalization);
+  FormatOptions formats = run.outputs.formats;
+  if (run.result.scaffold && !run.outputs.normalize)
+    formats.svg.scaffold = to_map_file(*run.result.scaffold);
   for (const std::string& path : run.outputs.files) {
     if (extension(path) == ".csv") write_trace(path, run.record.trace());
-    write_map(path, file, run.result.other_triangles ? nullptr : &run.in.polygons,
-              run.outputs.formats);
+    write_map(path, file, run.result.other_triangles ? nullptr : &run.in.polygons, formats);
   }
 }
 

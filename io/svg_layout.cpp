@@ -67,10 +67,10 @@ void SvgLayout::add_point(char separator, const Vector2& point) {
   add_number(point[1]);
 }
 
-void SvgLayout::add_edge(Index cell, int edge) {
+void SvgLayout::add_edge(const MapFile& other, Index cell, int edge) {
   std::vector<Vector2> control;
   for (const int local : edges_[static_cast<std::size_t>(edge)])
-    control.push_back(place(map_.cells(cell, local)));
+    control.push_back(place(Vector2(other.uv.row(other.cells(cell, local)))));
   if (map_.degree > 3) {
     add_hermite_pieces(control);
     return;

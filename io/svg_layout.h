@@ -44,7 +44,9 @@ class SvgLayout {
   void add_number(double value);
   void add_point(char separator, const Vector2& point);
   // The path from where the pen is, the start of edge 0 (01), 1 (12) or 2 (20), along that edge.
-  void add_edge(Index cell, int edge);
+  void add_edge(Index cell, int edge) { add_edge(map_, cell, edge); }
+  // The same of another map of the same degree in the same plane.
+  void add_edge(const MapFile& other, Index cell, int edge);
   std::string text() const { return fmt::to_string(buffer_); }
 
  private:

@@ -51,6 +51,20 @@ void add_cells(SvgLayout& layout, const ValueRange& range) {
   layout.add("</g>\n");
 }
 
+// In a drawing of its own, which cuts off what is outside the layout.
+void add_scaffold(SvgLayout& layout, const MapFile& scaffold) {
+  layout.add("<svg width=\"{}\" height=\"{}\">\n", SvgLayout::kWidth, layout.height());
+  layout.add("<g fill=\"#f6f6f6\" stroke=\"#d0d0d0\" stroke-width=\"{:.3g}\">\n",
+             layout.stroke_width());
+  for (Index cell = 0; cell < scaffold.cells.rows(); ++cell) {
+    layout.add("<path d=\"");
+    layout.add_point('M', layout.place(Vector2(scaffold.uv.row(scaffold.cells(cell, 0)))));
+    for (int edge = 0; edge < 3; ++edge) layout.add_edge(scaffold, cell, edge);
+    layout.add("Z\"/>\n");
+  }
+  layout.add("</g>\n</svg>\n");
+}
+
 void add_distortion_legend(SvgLayout& layout, const ValueRange& range) {
   constexpr double kBarWidth = 240.0;
   constexpr double kBarHeight = 12.0;
@@ -93,6 +107,7 @@ std::string draw(const MapFile& map, const SvgOptions& options) {
       "viewBox=\"0 0 {0} {1}\">\n",
       SvgLayout::kWidth, std::ceil(legend_top + (has_marks ? kMarksHeight : 0.0)));
   const ValueRange range = has_distortion ? range_of(map.distortion) : ValueRange{};
+  if (options.scaffold) add_scaffold(layout, *options.scaffold);
   add_cells(layout, range);
   if (spacing != 0) add_grid(layout, spacing);
   add_seams(layout);
@@ -107,6 +122,7 @@ std::string draw(const MapFile& map, const SvgOptions& options) {
 
 void write_svg(const std::string& path, const MapFile& map, const SvgOptions& options) {
   require_sound(path, map);
+  if (options.scaffold) require_sound(path, *options.scaffold);
   write_file_atomically(path, draw(map, options));
 }
 

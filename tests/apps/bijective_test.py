@@ -75,6 +75,13 @@ class Bijective(CommandTest):
         self.assertIs(report['result']['globally_injective'], True)
         self.run_ok('check', out, '--surface', mesh, '--certify')
 
+    def test_the_scaffold_is_drawn_behind_the_map(self):
+        mesh = self.write('ramp.obj', obj_text(*ramp(1.3)))
+        for flags, drawings in ((['--bijective'], 2), ([], 1)):
+            self.run_ok('parametrize', mesh, '-o', self.path('out.svg'), '--quiet', '--degree', 2,
+                        '--max-iterations', 5, *flags, code=LIMIT)
+            self.assertEqual(self.read('out.svg').count(b'<svg '), drawings)
+
     def test_the_scaffold_as_a_file(self):
         mesh = self.write('ramp.obj', obj_text(*ramp(1.3)))
         for name in ('scaffold.vtu', 'scaffold.svg'):
