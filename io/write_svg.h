@@ -14,7 +14,7 @@ struct SvgOptions {
   std::optional<double> grid;
   // The space around the map (scaffold_file.h), of its degree: drawn pale behind it, as far as the
   // drawing reaches.
-  std::optional<MapFile> scaffold;
+  std::optional<MapFile> scaffold = std::nullopt;
 };
 
 // One <path> per cell along its curved boundary: lines for degree 1, quadratic and cubic Bezier
