@@ -22,13 +22,8 @@ Curvature find_curvature(const std::string& wanted) {
 std::vector<Pin> read_points(const std::string& path, const PolygonMesh& polygons,
                              const SurfaceMesh& mesh) {
   std::vector<Pin> points;
-  for (const Handle& h : read_handles(path, static_cast<Index>(polygons.positions.size()))) {
-    const Index vertex = mesh.find_input_vertex(h.vertex);
-    if (vertex < 0)
-      throw Error(ErrorKind::Unsupported,
-                  fmt::format("{}: vertex {} belongs to no face; take another", path, h.vertex));
-    points.push_back({vertex, h.target});
-  }
+  for (const Handle& h : read_handles(path, static_cast<Index>(polygons.positions.size())))
+    points.push_back({used_vertex(path, mesh, h.vertex), h.target});
   return points;
 }
 
@@ -70,6 +65,14 @@ void require_scale(const EnergyChoice& energy, const MapRequest& request,
 }
 
 }  // namespace
+
+Index used_vertex(const std::string& path, const SurfaceMesh& mesh, Index input_vertex) {
+  const Index vertex = mesh.find_input_vertex(input_vertex);
+  if (vertex < 0)
+    throw Error(ErrorKind::Unsupported,
+                fmt::format("{}: vertex {} belongs to no face; take another", path, input_vertex));
+  return vertex;
+}
 
 void MapRequest::add_to(CLI::App& verb) {
   verb.add_option("input", input, "mesh: .obj .off .ply .stl .vtu")->required();

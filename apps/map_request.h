@@ -36,6 +36,10 @@ struct MapInput {
   std::optional<SeamlessStart> start;       // of seamless maps
 };
 
+// Vertex of the mesh for one of its file that `path` names. Throws Error(Unsupported) when no face
+// uses it.
+Index used_vertex(const std::string& path, const SurfaceMesh& mesh, Index input_vertex);
+
 // Reads the files and translates the options. make_start: gives the seamless map to start from;
 // empty: that of the texture coordinates if `request` is seamless, else a map of a disk. Throws
 // Error as the readers and starts do; Error(Unsupported) when a mesh should be a disk and is not,

@@ -29,7 +29,8 @@ void SolveRequest::add_to(CLI::App& verb, std::string& curvature) {
   verb.add_option("--tolerance", tolerance, "relative energy decrease to stop at (1e-6)")
       ->check(CLI::PositiveNumber);
   verb.add_option("--max-iterations", max_iterations, "(1000)")->check(CLI::NonNegativeNumber);
-  verb.add_option("--time-limit", time_limit, "seconds; the best valid map is written")
+  verb.add_option("--time-limit", time_limit,
+                  "seconds; the best valid map is written, if there is one")
       ->check(CLI::NonNegativeNumber);
 }
 
@@ -51,8 +52,8 @@ void SolveRequest::finish(const ParametrizationOptions& options,
     result.other_triangles = improved.flips.performed > 0;
     result.measures = measure(*result.map, options.energy);
   }
-  if (!scaffold_file.empty() && result.scaffold)
-    write_map(scaffold_file, to_map_file(*result.scaffold), nullptr, {});
+  if (!scaffold_file.empty())
+    write_map(scaffold_file, to_map_file(result.scaffold.value()), nullptr, {});
 }
 
 Json SolveRequest::to_json() const {

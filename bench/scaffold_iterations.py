@@ -21,6 +21,7 @@ MODELS = ['helix', 'plane', 'scorpion', 'skull', 'koala', 'spot', 'blub', 'goath
 
 def run(binary, mesh, folder, *flags):
     report = pathlib.Path(folder) / 'report.json'
+    report.unlink(missing_ok=True)
     subprocess.run([binary, 'parametrize', mesh, '--degree', '1', '--quiet', '--threads', '1',
                     '-o', str(pathlib.Path(folder) / 'out.vtu'), '--report', str(report), *flags],
                    check=False)

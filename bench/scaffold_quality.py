@@ -40,14 +40,16 @@ def main():
     parser.add_argument('--binary', default=str(DEFAULT_BINARY))
     parser.add_argument('models', nargs='*', default=['helix_500', 'scorpion_500', 'skull_500'])
     args = parser.parse_args()
-    print('| mesh | degree | flips | energy | iterations | triangles | median angle | below 5 |')
-    print('|---|---|---|---|---|---|---|---|')
+    print('| mesh | degree | flips | energy | iterations | triangles | median angle | below 5 | status |')
+    print('|---|---|---|---|---|---|---|---|---|')
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch)
         for model in args.models:
             mesh = DEFAULT_SHARED / 'data/public/disks' / (model + '.obj')
             for degree in (1, 2):
                 for flags in ([], ['--no-flips']):
+                    for old in folder.iterdir():
+                        old.unlink()
                     subprocess.run([args.binary, 'parametrize', str(mesh), '--bijective', '--quiet',
                                     '--degree', str(degree), '--threads', '1', '-o',
                                     str(folder / 'map.vtu'), '--report', str(folder / 'map.json'),
@@ -58,7 +60,8 @@ def main():
                     print(f"| {model} | {degree} | {'omitted' if flags else 'done'} "
                           f"| {report['result']['value']:.5f} | {len(report['iterations'])} "
                           f"| {len(angles)} | {np.median(angles):.1f} "
-                          f"| {100 * (angles < TINY).mean():.1f} % |", flush=True)
+                          f"| {100 * (angles < TINY).mean():.1f} % "
+                          f"| {report['status']} |", flush=True)
 
 
 if __name__ == '__main__':

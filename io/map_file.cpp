@@ -97,20 +97,12 @@ MapFile to_map_file(const PolygonMesh& textured) {
   return file;
 }
 
-BezierMap to_bezier_map(const MapFile& file, const std::string& name) {
-  PolygonMesh polygons;
-  polygons.file = name;
-  for (Index p = 0; p < file.points.rows(); ++p) polygons.positions.push_back(file.points.row(p));
-  for (Index c = 0; c < file.cells.rows(); ++c)
-    polygons.polygons.push_back({file.cells(c, 0), file.cells(c, 1), file.cells(c, 2)});
-  auto mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(polygons));
-  auto space =
-      std::make_shared<const BezierTriangleSpace>(mesh->faces(), mesh->vertex_count(), file.degree);
-  std::vector<Index> point_of(static_cast<std::size_t>(space->node_count()), -1);
-  Vec x(2 * space->node_count());
+Vec node_values(const MapFile& file, const BezierTriangleSpace& space, const std::string& name) {
+  std::vector<Index> point_of(static_cast<std::size_t>(space.node_count()), -1);
+  Vec x(2 * space.node_count());
   for (Index c = 0; c < file.cells.rows(); ++c)
     for (Index k = 0; k < file.cells.cols(); ++k) {
-      const Index node = space->cells()(c, k), point = file.cells(c, k);
+      const Index node = space.cells()(c, k), point = file.cells(c, k);
       Index& first = point_of[static_cast<std::size_t>(node)];
       if (first >= 0 && file.uv.row(first) != file.uv.row(point))
         throw Error(ErrorKind::Invalid,
@@ -120,6 +112,19 @@ BezierMap to_bezier_map(const MapFile& file, const std::string& name) {
       first = point;
       x.segment<2>(2 * node) = file.uv.row(point);
     }
+  return x;
+}
+
+BezierMap to_bezier_map(const MapFile& file, const std::string& name) {
+  PolygonMesh polygons;
+  polygons.file = name;
+  for (Index p = 0; p < file.points.rows(); ++p) polygons.positions.push_back(file.points.row(p));
+  for (Index c = 0; c < file.cells.rows(); ++c)
+    polygons.polygons.push_back({file.cells(c, 0), file.cells(c, 1), file.cells(c, 2)});
+  auto mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(polygons));
+  auto space =
+      std::make_shared<const BezierTriangleSpace>(mesh->faces(), mesh->vertex_count(), file.degree);
+  Vec x = node_values(file, *space, name);
   return BezierMap(std::move(mesh), std::move(space), std::move(x));
 }
 

@@ -28,12 +28,16 @@ struct MapFile {
   std::string claims;            // JSON object, what the file promises; may be empty
 };
 
-// Distortion, min_det and claims are left empty, cone and seam_edges too unless the map has seams or
-// cones.
+// Distortion, min_det and claims are left empty, cone and seam_edges too unless the map has seams
+// or cones.
 MapFile to_map_file(const BezierMap& map);
 // A triangle mesh with texture coordinates as a map of degree 1: one point per (v, vt) pair. Throws
 // Error(Invalid) where a corner has none or a face is no triangle.
 MapFile to_map_file(const PolygonMesh& textured);
+
+// u, v per node of a space over the file's cells, out of its points: points that are one node must
+// agree, or Error(Invalid) names the cell.
+Vec node_values(const MapFile& file, const BezierTriangleSpace& space, const std::string& name);
 
 // The map a file holds, strictly: throws Error(Unsupported) when the cells are no proper surface
 // (mesh_validation.h) and Error(Invalid) where neighbouring cells disagree on a control point.

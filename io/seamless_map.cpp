@@ -141,26 +141,6 @@ std::vector<int> find_turns(const SurfaceMesh& mesh, const std::vector<char>& is
   return turns;
 }
 
-// u, v per node out of the file's points. Points that are one node agree, but for a cut along a
-// single edge, which separates nothing.
-Vec node_values(const MapFile& file, const BezierTriangleSpace& space, const std::string& name) {
-  std::vector<Index> point_of(at(space.node_count()), -1);
-  Vec x(2 * space.node_count());
-  for (Index c = 0; c < file.cells.rows(); ++c)
-    for (Index k = 0; k < file.cells.cols(); ++k) {
-      const Index node = space.cells()(c, k), point = file.cells(c, k);
-      Index& first = point_of[at(node)];
-      if (first >= 0 && file.uv.row(first) != file.uv.row(point))
-        throw Error(ErrorKind::Invalid,
-                    fmt::format("{}: cell {}: control point {} differs from the neighbouring "
-                                "cell's, and no cut separates them",
-                                name, c, k));
-      first = point;
-      x.segment<2>(2 * node) = file.uv.row(point);
-    }
-  return x;
-}
-
 // Nearest numbers of quarter turns, 0 at the boundary of the uncut surface.
 std::vector<int> quarter_turns(const SurfaceMesh& mesh, const std::vector<Index>& surface_vertex,
                                VecIn angle_sums) {

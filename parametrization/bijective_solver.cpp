@@ -6,30 +6,22 @@
 #include <utility>
 
 #include "majorant/framework/evaluator.h"
+#include "majorant/parametrization/solver_rules.h"
 
 namespace majorant {
 namespace {
 
 // lambda E_conf / E. [MC20] Sec. 6 has 1e-4: too weak a barrier where curves touch (scorpion_500 at
-// degree 3 stalls at 5.386 with 1e-4 and converges to 4.996 with 1e-3); elsewhere the energy is
-// 3e-5 to 2e-4 higher (docs/bijective.md).
+// degree 3 stalls at 5.386 with 1e-4 and converges to 4.996 with 1e-3, own energies); elsewhere the
+// energy is 3e-5 to 2e-4 higher (docs/bijective.md).
 constexpr double kScaffoldShare = 1e-3;
 // A change of lambda below this part does not count: the stepper keeps what it has learned.
 constexpr double kSameLambda = 0.02;
 constexpr double kLeastEnergy = 1e-3;  // mean density: where the map's vanishes, the scaffold stays
-constexpr double kSoftStart = 1e5;     // mean density, as in DegreeSolver
 constexpr double kStillMoving = 1e-3;  // relative decrease above which the scaffold is relaxed
 constexpr int kRelaxSteps = 5;
-constexpr int kDeepest = 13;  // bisections, as in DegreeSolver
 constexpr int kHelpRounds = 30;
 constexpr int kRoundsWithoutStep = 3;  // in which only the scaffold changes
-constexpr int kAccuracyRounds = 3;
-
-NewtonOptions newton_options(const ParametrizationOptions& options) {
-  NewtonOptions newton;
-  newton.curvature = options.curvature;
-  return newton;
-}
 
 }  // namespace
 
@@ -69,19 +61,14 @@ void BijectiveSolver::rebuild() {
   set_states();
 }
 
-// Weights of this iteration: lambda, and for a start of enormous energy those of DegreeSolver's
-// soft start.
+// Weights of this iteration: lambda, and those of a soft start.
 void BijectiveSolver::set_states() {
-  Vec weight;
+  const Vec& measure = setup_.map.rest.measure;
   const Vec energy_of = energy_by_face(setup_.map, terms_, levels_.of_faces(), x_);
-  double energy = energy_of.sum();
-  const double area = setup_.map.rest.measure.sum();
-  if (energy >= kSoftStart * area && energy_of.allFinite()) {
-    weight = energy_of.cwiseQuotient(setup_.map.rest.measure).cwiseSqrt().cwiseInverse();
-    energy = weight.dot(energy_of);
-  }
+  const Vec weight = soft_weights(energy_of, measure);
+  const double mean = (weight.size() ? weight.dot(energy_of) : energy_of.sum()) / measure.sum();
   const std::size_t last = problem_.term_count() - 1;
-  const double lambda = kScaffoldShare * std::max(energy / area, kLeastEnergy) / scaffold_energy();
+  const double lambda = kScaffoldShare * std::max(mean, kLeastEnergy) / scaffold_energy();
   if (weight.size() == 0 && lambda_ && std::abs(lambda - *lambda_) <= kSameLambda * lambda) return;
   lambda_ = lambda;
   std::vector<TermState> states = energy_states(setup_.map, problem_, levels_.of_faces(), weight);
@@ -91,7 +78,7 @@ void BijectiveSolver::set_states() {
   if (stepper_)
     stepper_->reset(problem_);
   else
-    stepper_ = std::make_unique<NewtonStepper>(problem_, newton_options(setup_.options));
+    stepper_ = std::make_unique<NewtonStepper>(problem_, newton_options(setup_.options.curvature));
 }
 
 double BijectiveSolver::scaffold_energy() const {
@@ -150,8 +137,8 @@ void BijectiveSolver::refine_scaffold(const std::vector<Index>& blocking) {
 // For a step that was blocked: certificates that look deeper, then finer quadrature on the faces
 // that block. Whether anything was left to do.
 bool BijectiveSolver::help(const std::vector<Index>& blocking) {
-  if (depth_ < kDeepest) {
-    depth_ = std::min(depth_ + 4, kDeepest);
+  if (depth_ < kDeepestBisection) {
+    depth_ = std::min(depth_ + kBisectionsDeeper, kDeepestBisection);
     rebuild();
     return true;
   }
@@ -171,6 +158,7 @@ SolveResult BijectiveSolver::run(const StoppingRules& rules, RunRecord& record) 
     result.message = message;
     return result;
   };
+  set_states();
   result.energy = stepper_->evaluator().value(problem_.reduce(x_)) - *lambda_ * scaffold_energy();
   int idle = 0, without_step = 0;
   while (record.iterations_left() > 0) {
@@ -235,10 +223,7 @@ double BijectiveSolver::constraint_residual() const {
 }
 
 std::vector<long> BijectiveSolver::injectivity_depth_counts() const {
-  std::vector<long> counts = injectivity_->depth_counts();
-  counts.resize(std::max(counts.size(), depth_counts_.size()), 0);
-  for (std::size_t k = 0; k < depth_counts_.size(); ++k) counts[k] += depth_counts_[k];
-  return counts;
+  return add_counts(injectivity_->depth_counts(), depth_counts_);
 }
 
 }  // namespace majorant

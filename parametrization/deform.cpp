@@ -78,9 +78,10 @@ class Deformation {
                               start_.mesh().file(), why));
     };
     if (distance > enough && !going_on())
-      throw Error(ErrorKind::Infeasible, start_.mesh().file() +
-                                             ": stopped by a limit before the pins' targets were "
-                                             "reached; raise --max-iterations or --time-limit");
+      throw Error(ErrorKind::Infeasible,
+                  start_.mesh().file() +
+                      ": stopped by a limit or Ctrl-C before the pins' targets were "
+                      "reached; raise --max-iterations or --time-limit");
     const Index name = start_.mesh().input_vertex(vertex);
     if (distance > enough) refuse(fmt::format("vertex {} stays {:.3g} away", name, distance));
     Vec x = map_.control_points();

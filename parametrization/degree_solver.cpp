@@ -1,31 +1,20 @@
 #include "majorant/parametrization/degree_solver.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
-#include "majorant/framework/curvature_name.h"
-#include "majorant/framework/error.h"
+#include "majorant/parametrization/solver_rules.h"
 
 namespace majorant {
 namespace {
 
 constexpr double kExcludedWeight = 1e-6;  // method.md section 9
 constexpr int kExcludedIterations = 10;
-constexpr double kSoftStart = 1e5;  // mean density
-constexpr int kDeepest = 13;        // bisections, when the asked depth holds a run back
 constexpr int kStallRounds = 60;
 constexpr double kIsometry = 4;  // symmetric Dirichlet density
 constexpr double kBarrierTolerance = 1e-4;
-constexpr int kAccuracyRounds = 3;
-
-NewtonOptions newton_options(const ParametrizationOptions& options) {
-  NewtonOptions newton;
-  newton.curvature = options.curvature;
-  return newton;
-}
 
 }  // namespace
 
@@ -43,19 +32,7 @@ DegreeSolver::DegreeSolver(const Setup& setup, std::shared_ptr<const BezierTrian
           std::make_shared<const LocalInjectivity>(space_, 2 * setup.map.rest.measure, depth_)),
       element_weight_(Vec::Ones(space_->element_count())),
       problem_(build_problem()),
-      stepper_(problem_, newton_options(setup.options)) {}
-
-void require_curvature(const DensityTerms& terms, Curvature asked) {
-  for (const auto& term : terms) {
-    if (term->supports(asked)) continue;
-    std::vector<std::string_view> known;
-    for (const Curvature c : kCurvatures)
-      if (term->supports(c)) known.push_back(name(c));
-    throw Error(ErrorKind::Usage,
-                fmt::format("energy '{}' has no curvature model '{}'; use one of {}", term->name(),
-                            name(asked), fmt::join(known, " ")));
-  }
-}
+      stepper_(problem_, newton_options(setup.options.curvature)) {}
 
 Problem DegreeSolver::build_problem() const {
   require_curvature(terms_, setup_.options.curvature);
@@ -77,18 +54,15 @@ SolveResult DegreeSolver::run_once(const StoppingRules& rules, RunRecord& record
   return result;
 }
 
-// sqrt is concave, so weights 1 / sqrt(density) give a linear majorizer of sqrt at the current map:
-// each step on the reweighted energy decreases sum A sqrt(density).
 void DegreeSolver::soften_start(RunRecord& record) {
   const Observer observe = record.observer(space_->degree());
   const Vec& measure = setup_.map.rest.measure;
   Vec y = problem_.reduce(x_);
   bool go_on = true;
   while (go_on && record.iterations_left() > 0) {
-    const Vec energy_of =
-        energy_by_face(setup_.map, terms_, levels_.of_faces(), problem_.expand(y));
-    if (!(energy_of.sum() >= kSoftStart * measure.sum()) || !energy_of.allFinite()) break;
-    const Vec weight = energy_of.cwiseQuotient(measure).cwiseSqrt().cwiseInverse();
+    const Vec weight = soft_weights(
+        energy_by_face(setup_.map, terms_, levels_.of_faces(), problem_.expand(y)), measure);
+    if (weight.size() == 0) break;
     stepper_.reset(problem_.with(energy_states(setup_.map, problem_, levels_.of_faces(), weight)));
     double energy = stepper_.evaluator().value(y);
     const NewtonStepper::Step step = stepper_.step(y, energy);
@@ -136,8 +110,8 @@ SolveResult DegreeSolver::exhaust(RunRecord& record) {
 
 // The certificate may be too coarse rather than the map too close to degenerate: bisect deeper.
 bool DegreeSolver::deepen() {
-  if (depth_ >= kDeepest) return false;
-  depth_ = std::min(depth_ + 4, kDeepest);
+  if (depth_ >= kDeepestBisection) return false;
+  depth_ = std::min(depth_ + kBisectionsDeeper, kDeepestBisection);
   depth_counts_ = injectivity_depth_counts();
   injectivity_ =
       std::make_shared<const LocalInjectivity>(space_, 2 * setup_.map.rest.measure, depth_);
@@ -146,16 +120,8 @@ bool DegreeSolver::deepen() {
   return true;
 }
 
-void DegreeSolver::add_depth_counts(const std::vector<long>& counts) {
-  depth_counts_.resize(std::max(depth_counts_.size(), counts.size()), 0);
-  for (std::size_t k = 0; k < counts.size(); ++k) depth_counts_[k] += counts[k];
-}
-
 std::vector<long> DegreeSolver::injectivity_depth_counts() const {
-  std::vector<long> counts = injectivity_->depth_counts();
-  counts.resize(std::max(counts.size(), depth_counts_.size()), 0);
-  for (std::size_t k = 0; k < depth_counts_.size(); ++k) counts[k] += depth_counts_[k];
-  return counts;
+  return add_counts(injectivity_->depth_counts(), depth_counts_);
 }
 
 void DegreeSolver::apply_state() {
@@ -209,7 +175,7 @@ SolveResult DegreeSolver::follow_barrier(const SolveResult& stalled, RunRecord& 
     DegreeSolver inner(with, space_, x_);
     const SolveResult result = inner.approach(kBarrierTolerance, record);
     x_ = inner.x();
-    add_depth_counts(inner.injectivity_depth_counts());
+    depth_counts_ = add_counts(std::move(depth_counts_), inner.injectivity_depth_counts());
     if (result.status != Status::Converged && result.status != Status::Stalled) break;
   }
   const SolveResult result = exhaust(record);

@@ -14,9 +14,6 @@
 
 namespace majorant {
 
-// Throws Error(Usage), listing what there is, when a term has no such curvature model.
-void require_curvature(const DensityTerms& terms, Curvature asked);
-
 class DegreeSolver {
  public:
   struct Setup {
@@ -50,7 +47,6 @@ class DegreeSolver {
   void apply_state();
   bool climb(const std::vector<Index>& elements);
   bool climb_inaccurate();
-  void add_depth_counts(const std::vector<long>& counts);
   SolveResult exhaust(RunRecord& record);
   SolveResult follow_barrier(const SolveResult& stalled, RunRecord& record);
   SolveResult leave_stall(const SolveResult& stalled, RunRecord& record);

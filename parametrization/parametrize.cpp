@@ -12,6 +12,7 @@
 #include "majorant/parametrization/global_injectivity.h"
 #include "majorant/parametrization/initial_map.h"
 #include "majorant/parametrization/normalized_start.h"
+#include "majorant/parametrization/solver_rules.h"
 
 namespace majorant {
 namespace {
@@ -141,10 +142,8 @@ class Run {
 
   template <class Solver>
   void account(const Solver& solver) {
-    const std::vector<long> counts = solver.injectivity_depth_counts();
-    if (result_.injectivity_tests.size() < counts.size())
-      result_.injectivity_tests.resize(counts.size(), 0);
-    for (std::size_t k = 0; k < counts.size(); ++k) result_.injectivity_tests[k] += counts[k];
+    result_.injectivity_tests =
+        add_counts(std::move(result_.injectivity_tests), solver.injectivity_depth_counts());
     result_.variables = solver.variables();
     result_.constraint_residual = solver.constraint_residual() / start_.scale();
     result_.handle_distance = 0;

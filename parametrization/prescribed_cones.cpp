@@ -25,7 +25,7 @@ std::vector<int> checked_quarter_turns(const SurfaceMesh& mesh, const FieldGeome
     const Index v = cone.vertex;
     if (v < 0 || v >= mesh.vertex_count())
       refuse(mesh, fmt::format("there is no vertex {} (counting from 0)", v));
-    const Index name = mesh.input_vertex(v) + 1;
+    const Index name = mesh.input_vertex(v);  // from 0, as files of cones do
     if (geometry.is_boundary[at(v)])
       refuse(mesh, fmt::format("vertex {} lies on the boundary, where angles are free", name));
     if (seen[at(v)]) refuse(mesh, fmt::format("vertex {} is given twice", name));

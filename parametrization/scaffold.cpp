@@ -71,6 +71,18 @@ std::vector<std::vector<Index>> boundary_loops(const Cells& faces) {
   return loops;
 }
 
+// Between points kept by face and unknowns numbered by `cells`.
+void gather(const BezierMesh& mesh, const Cells& cells, Vec& x) {
+  for (Index f = 0; f < cells.rows(); ++f)
+    for (Index l = 0; l < cells.cols(); ++l)
+      x.segment<2>(2 * cells(f, l)) = mesh.points.row(f).segment<2>(2 * l);
+}
+void scatter(VecIn x, const Cells& cells, BezierMesh& mesh) {
+  for (Index f = 0; f < cells.rows(); ++f)
+    for (Index l = 0; l < cells.cols(); ++l)
+      mesh.points.row(f).segment<2>(2 * l) = x.segment<2>(2 * cells(f, l));
+}
+
 // Control points of straight triangles, one row per face.
 RowMatrix straight_points(int degree, const Cells& faces, const Points2& vertices) {
   const TriangleIndices& ix = TriangleIndices::of_degree(degree);
@@ -178,18 +190,12 @@ void Scaffold::refine(const std::vector<Index>& faces) {
 
 Vec Scaffold::joined(VecIn image) const {
   Vec joint(2 * joint_node_count_);
-  for (Index f = 0; f < face_count(); ++f)
-    for (Index l = 0; l < space_->cells().cols(); ++l)
-      joint.segment<2>(2 * space_->cells()(f, l)) = mesh_.points.row(f).segment<2>(2 * l);
+  gather(mesh_, space_->cells(), joint);
   joint.head(2 * image_->node_count()) = image.head(2 * image_->node_count());
   return joint;
 }
 
-void Scaffold::take(VecIn joint) {
-  for (Index f = 0; f < face_count(); ++f)
-    for (Index l = 0; l < space_->cells().cols(); ++l)
-      mesh_.points.row(f).segment<2>(2 * l) = joint.segment<2>(2 * space_->cells()(f, l));
-}
+void Scaffold::take(VecIn joint) { scatter(joint, space_->cells(), mesh_); }
 
 FlipCounts Scaffold::flip() {
   std::vector<char> none;
@@ -200,9 +206,7 @@ FlipCounts Scaffold::flip() {
 
 void Scaffold::relax(int steps, int depth) {
   Vec x(2 * own_->node_count());
-  for (Index f = 0; f < face_count(); ++f)
-    for (Index l = 0; l < own_->cells().cols(); ++l)
-      x.segment<2>(2 * own_->cells()(f, l)) = mesh_.points.row(f).segment<2>(2 * l);
+  gather(mesh_, own_->cells(), x);
   ProblemBuilder builder(x.size());
   TermState state;
   state.element_rule = levels_;
@@ -215,10 +219,7 @@ void Scaffold::relax(int steps, int depth) {
   double energy = stepper.evaluator().value(y);
   for (int k = 0; k < steps && std::isfinite(energy); ++k)
     if (stepper.step(y, energy).outcome != Stepper::Outcome::Moved) break;
-  x = problem.expand(y);
-  for (Index f = 0; f < face_count(); ++f)
-    for (Index l = 0; l < own_->cells().cols(); ++l)
-      mesh_.points.row(f).segment<2>(2 * l) = x.segment<2>(2 * own_->cells()(f, l));
+  scatter(problem.expand(y), own_->cells(), mesh_);
 }
 
 Points2 Scaffold::frame_points() const {
@@ -255,6 +256,10 @@ bool Scaffold::grow() {
   frame_.clear();
   for (const Index v : ring.frame) frame_.push_back(vertex_of[at(v)]);
   number();
+  // Points of the old frame, computed twice, become the same to the last bit.
+  Vec x(2 * own_->node_count());
+  gather(mesh_, own_->cells(), x);
+  scatter(x, own_->cells(), mesh_);
   return true;
 }
 

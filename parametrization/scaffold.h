@@ -5,7 +5,7 @@
 //   Vec joint = scaffold.joined(x);           // x, then the scaffold's own nodes
 //   ... a step on joint, certified on both spaces ...
 //   scaffold.take(joint);
-//   scaffold.flip();  scaffold.relax(2);      // keep it in good shape
+//   scaffold.flip();  scaffold.relax(2, depth);      // keep it in good shape
 //
 // Scaffold triangles are Bezier triangles of the map's degree and share its boundary control
 // points; the outer frame is straight and stays fixed. Map and scaffold together fill the convex

@@ -116,7 +116,7 @@ class Maker {
     if (record_.directive() != Directive::Continue)
       throw Error(ErrorKind::Invalid,
                   mesh_.file() +
-                      ": stopped by a limit before an injective seamless map was found; "
+                      ": stopped by a limit or Ctrl-C before an injective seamless map was found; "
                       "raise --time-limit");
     const std::string what =
         defects_.faces.empty()
@@ -134,12 +134,12 @@ class Maker {
     return *metric_;
   }
 
-  // The cones nearest to the defects, along edges.
+  // The cones nearest to the defects, along edges; vertices from 0, as files of cones have them.
   std::string place() const {
     std::vector<Index> seeds = defects_.vertices;
     for (const Index f : defects_.faces) seeds.push_back(mesh_.faces()(f, 0));
     const std::vector<Index> cones = cone_vertices(cut_.field);
-    if (cones.empty()) return fmt::format("near vertex {}", mesh_.input_vertex(seeds[0]) + 1);
+    if (cones.empty()) return fmt::format("near vertex {}", mesh_.input_vertex(seeds[0]));
     const std::vector<Index> nearest = nearest_of(cones);
     std::vector<Index> near;
     for (const Index v : seeds) near.push_back(nearest[at(v)]);
@@ -147,7 +147,7 @@ class Maker {
     near.erase(std::unique(near.begin(), near.end()), near.end());
     std::string list;
     for (std::size_t k = 0; k < std::min(near.size(), kNamedCones); ++k)
-      list += fmt::format("{}{} ({} degrees)", k ? ", " : "", mesh_.input_vertex(near[k]) + 1,
+      list += fmt::format("{}{} ({} degrees)", k ? ", " : "", mesh_.input_vertex(near[k]),
                           90 * cut_.field.quarter_turns[at(near[k])]);
     if (near.size() > kNamedCones) list += fmt::format(" and {} more", near.size() - kNamedCones);
     return fmt::format("near the cone{} at vert{} {}", near.size() > 1 ? "s" : "",
@@ -213,8 +213,10 @@ SeamlessMap make_seamless(const SurfaceMesh& mesh, const SeamlessOptions& option
     if (options.method != method && !is_next) continue;
     try {
       if (auto found = maker.attempt(method)) return *std::move(found);
-    } catch (const Error&) {  // a metric that was not found: what came before says more
-      if (options.method == method || is_first) throw;
+    } catch (const Error& e) {
+      // A start that does not fit its seams, or none: what came before says more.
+      const bool no_start = e.kind() == ErrorKind::Unsupported || e.kind() == ErrorKind::Infeasible;
+      if (options.method == method || is_first || !no_start) throw;
     }
   }
   maker.give_up();

@@ -11,8 +11,7 @@ namespace {
 
 TEST(VtkEvaluation, AgreesWithTheOrderOfControlPoints) {
   const TemporaryFolder folder;
-  const std::string script =
-      (std::filesystem::path(__FILE__).parent_path() / "vtk_evaluation.py").string();
+  const std::string script = MAJORANT_SOURCE_DIR "/tests/io/vtk_evaluation.py";
   ASSERT_TRUE(std::filesystem::exists(script)) << script;
   std::string command = "/usr/bin/python3 '" + script + "'";
   for (int degree = 1; degree <= 8; ++degree) {

@@ -224,8 +224,7 @@ TEST(WriteComparison, WholeOrAbsent) {
 // Headless Chromium opens every page, uses its controls and looks for errors.
 TEST(WriteComparisonHtml, WorksInABrowser) {
   const TemporaryFolder folder;
-  const std::string script =
-      (std::filesystem::path(__FILE__).parent_path() / "comparison_page.py").string();
+  const std::string script = MAJORANT_SOURCE_DIR "/tests/io/comparison_page.py";
   ASSERT_TRUE(std::filesystem::exists(script)) << script;
   std::string command = "/usr/bin/python3 '" + script + "'";
   auto all = odd_comparisons();

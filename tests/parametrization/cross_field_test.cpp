@@ -338,11 +338,11 @@ TEST(PrescribedCones, RefusesWhatCannotBe) {
   };
   expect_contains(message(sphere, {{0, 3}}), {"sum", " 1,", "must be 8"});
   expect_contains(message(sphere, {}), {"sum", " 0,", "must be 8"});
-  expect_contains(message(sphere, {{0, 2}, {0, 2}}), {"vertex 1", "twice"});
-  expect_contains(message(sphere, {{3, 0}}), {"vertex 4", "at least 1"});
-  expect_contains(message(sphere, {{2, 8}}), {"vertex 3", "4 faces", "at most 7"});
+  expect_contains(message(sphere, {{0, 2}, {0, 2}}), {"vertex 0", "twice"});
+  expect_contains(message(sphere, {{3, 0}}), {"vertex 3", "at least 1"});
+  expect_contains(message(sphere, {{2, 8}}), {"vertex 2", "4 faces", "at most 7"});
   expect_contains(message(sphere, {{6, 3}}), {"no vertex 6"});
-  expect_contains(message(disk, {{0, 3}}), {"vertex 1", "boundary"});
+  expect_contains(message(disk, {{0, 3}}), {"vertex 0", "boundary"});
 }
 
 TEST(Comb, RefusesCutsThatLeaveConesInside) {

@@ -2,7 +2,6 @@
 #include "majorant/parametrization/edge_flip.h"
 
 #include <Eigen/LU>
-#include <chrono>
 #include <map>
 #include <set>
 
@@ -359,24 +358,6 @@ TEST(FlipEdges, FollowsWishesAndEnds) {
   };
   EXPECT_GT(flip_edges(irregular, none, better).performed, 10);
   expect_sound(irregular);
-}
-
-TEST(FlipEdge, Speed) {
-  for (int n = 1; n <= 8; ++n) {
-    BezierMesh mesh = curved(jittered_grid(10, 0.2, 1), n, 0.1, 2);
-    std::mt19937 random(3);
-    const auto start = std::chrono::steady_clock::now();
-    long flips = 0;
-    double seconds = 0;
-    while (seconds < 0.1) {
-      for (int k = 0; k < 10; ++k)
-        flips += flip_edge(mesh, static_cast<Index>(random() % mesh.opposite.size()));
-      seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    }
-    RecordProperty("per_second_" + std::to_string(n),
-                   static_cast<int>(static_cast<double>(flips) / seconds));
-    EXPECT_GT(static_cast<double>(flips) / seconds, n <= 3 ? 100 : 1);
-  }
 }
 
 }  // namespace

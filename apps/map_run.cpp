@@ -1,0 +1,55 @@
+#include "apps/map_run.h"
+
+#include <utility>
+
+#include "apps/energy_option.h"
+#include "apps/progress.h"
+
+namespace majorant::app {
+
+void MapVerb::add_to(CLI::App& verb) {
+  map.add_to(verb);
+  outputs.add_to(verb);
+  solve.add_to(verb, map.curvature);
+  common.add_to(verb);
+}
+
+MapRun::MapRun(std::string verb, MapVerb& request)
+    : verb_(std::move(verb)),
+      request_(request),
+      record_(request.solve.make_record(request.common)) {
+  request.outputs.require_usable(request.common, request.map);
+  request.solve.require_usable(request.outputs, request.map);
+  request.common.apply();
+}
+
+MapInput& MapRun::read(const StartMaker& make_start) {
+  StartMaker timed;
+  if (make_start)
+    timed = [&](const PolygonMesh& polygons, const SurfaceMesh& mesh) {
+      const double before = seconds();
+      SeamlessStart start = make_start(polygons, mesh);
+      start_seconds_ = seconds() - before;
+      return start;
+    };
+  in_ = read_input(request_.map, timed);
+  request_.solve.apply(in_.options);
+  read_seconds_ = seconds() - start_seconds_;
+  return in_;
+}
+
+int MapRun::finish(ParametrizationResult result, const Json& extra) {
+  finish_progress(request_.common);
+  result.initialize_seconds += start_seconds_;
+  request_.solve.finish(in_.options, result);
+  Json options = request_.solve.to_json();
+  options.update(extra);
+  return write_result({verb_, request_.common, request_.outputs, request_.map, in_, result, record_,
+                       options, start_, read_seconds_});
+}
+
+double MapRun::seconds() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
+}  // namespace majorant::app

@@ -1,0 +1,52 @@
+// A run of a verb that makes a map (parametrize, seamless, deform): what all of them can be told,
+// what happens before the solve and after it.
+//
+//   MapRun run("parametrize", request);                 // checks what can be checked, starts
+//   clocks MapInput& in = run.read(); return run.finish(parametrize(in.mesh, in.options,
+//   run.record()));   // files, reports: exit code
+#pragma once
+
+#include <CLI/App.hpp>
+#include <chrono>
+#include <string>
+
+#include "apps/command.h"
+#include "apps/map_request.h"
+#include "apps/result_files.h"
+#include "apps/solve_request.h"
+
+namespace majorant::app {
+
+// Everything the user can say, as said.
+struct MapVerb {
+  CommonOptions common;
+  MapRequest map;
+  OutputRequest outputs;
+  SolveRequest solve;
+
+  void add_to(CLI::App& verb);
+};
+
+class MapRun {
+ public:
+  // request: outlives the run. Throws Error(Usage) before any work.
+  MapRun(std::string verb, MapVerb& request);
+
+  // As read_input; the time that make_start takes counts as initialization.
+  MapInput& read(const StartMaker& make_start = {});
+  RunRecord& record() { return record_; }
+  // extra: options of the verb alone, for reports and claims.
+  int finish(ParametrizationResult result, const Json& extra = Json::object());
+
+ private:
+  double seconds() const;
+
+  std::string verb_;
+  MapVerb& request_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  RunRecord record_;
+  MapInput in_;
+  double read_seconds_ = 0, start_seconds_ = 0;
+};
+
+}  // namespace majorant::app
