@@ -8,6 +8,7 @@
 
 #include "apps/check_claims.h"
 #include "apps/check_seams.h"
+#include "apps/claims.h"
 #include "apps/command.h"
 #include "apps/energy_option.h"
 #include "apps/global_verdict.h"
@@ -142,6 +143,7 @@ int check(const Request& request) {
   if (!request.common.report.empty()) require_writable({request.common.report}, {".json"});
   request.common.apply();
   MapFile file = read_map(request.result);
+  parse_claims(file.claims, request.result);  // strict, before anything is believed
   Findings findings;
   Json report{{"schema_version", 1}, {"version", MAJORANT_VERSION}, {"command", "check"}};
   check_flat(file, findings);

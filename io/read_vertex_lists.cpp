@@ -10,6 +10,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/io/input_file.h"
+#include "majorant/io/json_depth.h"
 
 namespace majorant {
 namespace {
@@ -45,6 +46,7 @@ class VertexList {
  private:
   json parse() const {
     const std::string content = read_whole_file(path_);
+    require_shallow_json(path_, content);
     try {
       return json::parse(content);
     } catch (const json::parse_error& error) {

@@ -227,11 +227,6 @@ class Check(CommandTest):
                 self.assertIs(json.load(f)['result']['globally_injective'], injective)
             self.run_ok('check', out, '--certify', code=OK if injective else INVALID)
 
-    def test_claims_of_the_wrong_type(self):
-        for wrong in ({'value': 'four'}, {'pins': [{'vertex': 3}]}, {'pins': 7}, {'degree': 'three'},
-                      {'pins': [{'vertex': 3, 'target': [0]}]}):
-            self.tampered('pins1', lambda vtu: vtu.claims.update(wrong))
-
     def test_a_bent_surface(self):
         def bend(vtu):
             vtu.arrays['Points'][3 * vtu.cells()[200][-1] + 2] += 0.05
