@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <Eigen/Geometry>
 #include <cmath>
+#include <limits>
 #include <map>
-#include <unordered_set>
 
 #include "apps/check_seams.h"
-#include "majorant/io/read_mesh.h"
+#include "apps/energy_option.h"
+#include "majorant/framework/error.h"
 #include "majorant/parametrization/initial_map.h"
 
 namespace majorant::app {
@@ -16,17 +18,6 @@ namespace {
 
 constexpr double kEnergyClose = 1e-4;  // what reported energies are good to
 constexpr double kZeroEnergy = 1e-9;   // energies may vanish at isometries
-
-// A map that claims no seams has one point for every vertex of the input.
-void check_cuts(const MapFile& file, Findings& findings) {
-  std::unordered_set<Index> seen;
-  for (const Index v : file.input_vertex)
-    if (v >= 0 && !seen.insert(v).second)
-      return findings.require(false,
-                              fmt::format("the map is not continuous: vertex {} of the input "
-                                          "has several points",
-                                          v));
-}
 
 // Points of the map by vertex of the input mesh.
 std::vector<Index> find_vertex(const MapFile& file, Index input_vertex) {
@@ -38,11 +29,10 @@ std::vector<Index> find_vertex(const MapFile& file, Index input_vertex) {
 
 // A vertex on a seam has a point for each of its copies, pinned each by itself: every point must be
 // at one of the vertex's targets, and no target without a point.
-void check_pins(const MapFile& file, const Json& claims, Findings& findings) {
+void check_pins(const MapFile& file, const Claims& claims, Findings& findings) {
   std::map<Index, std::vector<Eigen::RowVector2d>> targets;
-  for (const Json& pin : claims.value("pins", Json::array()))
-    targets[pin.at("vertex").get<Index>()].emplace_back(pin.at("target").at(0).get<double>(),
-                                                        pin.at("target").at(1).get<double>());
+  for (const ClaimedPin& pin : claims.pins.value_or(std::vector<ClaimedPin>{}))
+    targets[pin.vertex].emplace_back(pin.target);
   const double size = extent(file.uv);
   const auto close = [&](Index point, const Eigen::RowVector2d& target) {
     return (file.uv.row(point) - target).norm() <= kClose * size;
@@ -65,44 +55,57 @@ void check_pins(const MapFile& file, const Json& claims, Findings& findings) {
 void check_fixed_boundary(const CheckedMap& checked, Findings& findings) {
   const BezierMap& map = checked.map;
   Vec start;
-  if (checked.claims.value("init", "tutte") == "tutte") {
+  if (checked.claims.init.value_or("tutte") == "tutte") {
     start = tutte_map(map.mesh());
-  } else if (checked.surface.empty()) {
-    return findings.require(false,
-                            "the boundary is that of texture coordinates: give the input with "
-                            "--surface to check it");
+  } else if (checked.surface == nullptr) {
+    return;  // not asked
   } else {
-    const SurfaceMesh input = SurfaceMesh::from_polygons(read_mesh(checked.surface));
+    const SurfaceMesh input = SurfaceMesh::from_polygons(*checked.surface);
     const Vec texture = texture_map(input);
     start.resize(2 * map.mesh().vertex_count());
     for (Index v = 0; v < map.mesh().vertex_count(); ++v) {
-      const Index source =
-          input.find_input_vertex(checked.file.input_vertex[map.mesh().input_vertex(v)]);
-      if (source < 0) return findings.require(false, "the file maps vertices the surface lacks");
+      const Index source = input.find_input_vertex(map.mesh().input_vertex(v));
+      if (source < 0) return findings.add_violation("the file maps vertices the surface lacks");
       start.segment<2>(2 * v) = texture.segment<2>(2 * source);
     }
   }
   BezierMap initial = BezierMap::linear(map.shared_mesh(), start);
   while (initial.degree() < map.degree()) initial = initial.elevated();
+  const Vec x = in_units_of_the_run(map.control_points(), checked.claims);
   double worst = 0;
   for (const Index node : map.space().boundary_nodes())
-    worst = std::max(worst, (map.control_points().segment<2>(2 * node) -
-                             initial.control_points().segment<2>(2 * node))
+    worst = std::max(worst, (x.segment<2>(2 * node) - initial.control_points().segment<2>(2 * node))
                                 .norm());
-  findings.require(worst <= kClose * map.control_points().cwiseAbs().maxCoeff(),
+  findings.require(worst <= kClose * x.cwiseAbs().maxCoeff(),
                    fmt::format("the boundary is off the initial map's by {:g}", worst));
 }
 
-void check_arrays(const MapFile& file, const MapMeasures& measures, Findings& findings) {
+// What rounding uv after normalizing may have changed of det J in a cell, in the units of the run:
+// steps between control points are off by at most `unit`, twice n of them make a derivative.
+double rounding_of_det(const CheckedMap& checked, Index cell) {
+  if (!checked.claims.normalized) return 0;
+  const ClaimedNormalization& n = *checked.claims.normalized;
+  const double unit = 4 * std::numeric_limits<double>::epsilon() *
+                      (n.origin.cwiseAbs().maxCoeff() + n.size);
+  const MapFile& file = checked.file;
+  const double reach = n.size * extent(file.uv(file.cells.row(cell), Eigen::all));
+  const auto corner = [&](Index k) { return Vector3(file.points.row(file.cells(cell, k))); };
+  const double rest = (corner(0) - corner(2)).cross(corner(1) - corner(2)).norm();
+  return 4.0 * file.degree * file.degree * unit * (reach + unit) / rest;
+}
+
+void check_arrays(const CheckedMap& checked, Findings& findings) {
+  const MapFile& file = checked.file;
+  const MapMeasures& measures = checked.measures;
   for (Index f = 0; f < file.distortion.size(); ++f)
     if (!(std::abs(file.distortion[f] - measures.face_value[f]) <=
-          kEnergyClose * (measures.face_value[f] + measures.value))) {
+          kEnergyClose * (measures.face_value[f] + measures.value) + kZeroEnergy)) {
       findings.require(false, fmt::format("cell {}: distortion {:.6g} is claimed, {:.6g} is found",
                                           f, file.distortion[f], measures.face_value[f]));
       break;
     }
   for (Index f = 0; f < file.min_det.size(); ++f)
-    if (!(file.min_det[f] <= measures.min_det[f] * (1 + kClose))) {
+    if (!(file.min_det[f] <= measures.min_det[f] * (1 + kClose) + rounding_of_det(checked, f))) {
       findings.require(false,
                        fmt::format("cell {}: det J >= {:.6g} is claimed, only {:.6g} is proven", f,
                                    file.min_det[f], measures.min_det[f]));
@@ -110,42 +113,50 @@ void check_arrays(const MapFile& file, const MapMeasures& measures, Findings& fi
     }
 }
 
+// The scale that a normalized result was made in.
+double claimed_scale(const Claims& claims) {
+  return claims.normalized ? claims.normalized->size : 1.0;
+}
+
 }  // namespace
 
+std::string claimed_energy(const Claims& claims) {
+  return claims.energy.value_or("symmetric-dirichlet");
+}
+
+Vec in_units_of_the_run(VecIn uv, const Claims& claims) {
+  Vec x = uv * claimed_scale(claims);
+  if (claims.normalized) x += claims.normalized->origin.replicate(x.size() / 2, 1);
+  return x;
+}
+
+MapMeasures measure_as_claimed(const BezierMap& map, const Claims& claims, Findings& findings) {
+  EnergySum energy{{symmetric_dirichlet(), 1.0}};
+  try {
+    energy = parse_energy(claimed_energy(claims)).sum;
+  } catch (const Error& e) {
+    findings.add_violation(fmt::format("majorant_claims: {}", e.what()));
+  }
+  return measure_normalized(map, claimed_scale(claims), energy);
+}
+
 void check_claims(const CheckedMap& checked, Findings& findings) {
-  const auto& [file, map, measures, claims, surface] = checked;
-  if (claims.is_null()) return;
-  const double value = claims.value("value", measures.value);
+  const auto& [file, map, measures, claims, surface, is_seamless] = checked;
+  const double value = claims.value.value_or(measures.value);
   findings.require(
       std::abs(value - measures.value) <= kEnergyClose * std::abs(measures.value) + kZeroEnergy,
       fmt::format("energy {:.9g} is claimed, {:.9g} is found", value, measures.value));
-  findings.require(claims.value("degree", file.degree) == file.degree,
+  findings.require(claims.degree.value_or(file.degree) == file.degree,
                    fmt::format("degree {} is not the one claimed", file.degree));
-  const bool has_seams = !map.seams().trivial();
-  if (!has_seams) check_cuts(file, findings);
   check_pins(file, claims, findings);
-  if (claims.value("boundary", "") == "fixed") {
-    if (has_seams)
+  if (!map.seams().trivial()) check_seams(checked, findings);
+  if (claims.boundary.value_or("") == "fixed") {
+    if (!map.seams().trivial())
       check_fixed_texture_boundary(checked, findings);
     else
       check_fixed_boundary(checked, findings);
   }
-  check_arrays(file, measures, findings);
-}
-
-Json read_claims(MapFile& file, Findings& findings) {
-  if (file.claims.empty()) return nullptr;
-  Json claims = Json::parse(file.claims, nullptr, false);
-  if (claims.is_discarded() || !claims.is_object()) {
-    findings.require(false, "majorant_claims is not a JSON object");
-    return nullptr;
-  }
-  if (const Json n = claims.value("normalized", Json()); n.is_object()) {
-    const Eigen::RowVector2d origin(n.at("origin").at(0).get<double>(),
-                                    n.at("origin").at(1).get<double>());
-    file.uv = ((file.uv * n.at("size").get<double>()).rowwise() + origin).eval();
-  }
-  return claims;
+  check_arrays(checked, findings);
 }
 
 }  // namespace majorant::app

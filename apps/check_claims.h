@@ -1,27 +1,35 @@
-// The claims of a result, majorant_claims, against what is found.
+// The claims of a result, majorant_claims, against what is found. Claims describe: none of them
+// changes what check_command proves.
 #pragma once
 
+#include <optional>
 #include <string>
 
+#include "apps/claims.h"
 #include "apps/findings.h"
-#include "apps/report.h"
 #include "majorant/io/map_file.h"
+#include "majorant/parametrization/measure.h"
 
 namespace majorant::app {
 
 // A result to be checked. Only refers.
 struct CheckedMap {
   const MapFile& file;
-  const BezierMap& map;  // faces in the order of the file's cells
-  const MapMeasures& measures;
-  const Json& claims;          // null when there are none
-  const std::string& surface;  // mesh file, may be empty
+  const BezierMap& map;         // faces in the order of the file's cells; uv of the file
+  const MapMeasures& measures;  // of measure_as_claimed()
+  const Claims& claims;
+  const PolygonMesh* surface;  // what it should be a map of; may be null
+  bool is_seamless;            // claimed or asked for
 };
 
-// The claims, null when there are none; undoes the normalization they tell of.
-Json read_claims(MapFile& file, Findings& findings);
+// Measured with the claimed energy, in the units of the run; an energy that does not exist is a
+// finding.
+MapMeasures measure_as_claimed(const BezierMap& map, const Claims& claims, Findings& findings);
+std::string claimed_energy(const Claims& claims);
+// uv of the file (2 numbers a node) in the units of the run, before --normalize.
+Vec in_units_of_the_run(VecIn uv, const Claims& claims);
 
-// Energy, degree, pins, boundary, arrays. Throws Json::exception for claims of the wrong type.
+// Energy, degree, pins, boundary, seams and cones, arrays.
 void check_claims(const CheckedMap& checked, Findings& findings);
 
 }  // namespace majorant::app

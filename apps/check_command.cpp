@@ -1,29 +1,30 @@
-// majorant check RESULT: measures a finished map and tests what it claims, from the file alone.
+// majorant check RESULT: proves and measures a finished map again, from the file alone. Claims of the
+// file describe; what is proven is decided from points and uv (io/map_proof.h).
 #include <fmt/format.h>
 
 #include <CLI/App.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include "apps/check_claims.h"
-#include "apps/check_seams.h"
-#include "apps/claims.h"
 #include "apps/command.h"
 #include "apps/energy_option.h"
 #include "apps/global_verdict.h"
 #include "apps/outputs.h"
 #include "apps/report.h"
+#include "majorant/io/map_proof.h"
 #include "majorant/io/read_map.h"
 #include "majorant/io/read_mesh.h"
-#include "majorant/io/seamless_map.h"
 
 namespace majorant::app {
 namespace {
 
 struct Request {
   CommonOptions common;
-  std::string result, surface;
+  std::string result, surface, cuts;  // cuts: none, free or, where nothing is said, empty
+  double time_limit = std::numeric_limits<double>::infinity();
   bool certify = false, seamless = false;
 };
 
@@ -44,132 +45,120 @@ void check_flat(const MapFile& file, Findings& findings) {
       fmt::format("surface control points are off their flat triangles by {:g}", worst));
 }
 
-// For maps whose triangulation was changed inside flat parts: the same vertices and the same area.
-void check_same_vertices(const MapFile& file, const PolygonMesh& surface, Findings& findings) {
-  const double size = extent(file.points);
-  for (Index p = 0; p < file.points.rows(); ++p) {
-    const Index v = file.input_vertex[p];
-    if (v < 0) continue;
-    if (static_cast<std::size_t>(v) >= surface.positions.size() ||
-        (surface.positions[static_cast<std::size_t>(v)].transpose() - file.points.row(p)).norm() >
-            kClose * size)
-      return findings.require(false, fmt::format("vertex {} is not where the surface has it", v));
+// Without a surface nothing says where a file that claims nothing should be continuous: its cuts are
+// counted and named then.
+CutRule cut_rule(const Request& request, const Claims& claims, bool is_seamless) {
+  const bool says_nothing = !claims.version && !claims.seams;
+  const bool free = request.cuts == "free" ||
+                    (request.cuts.empty() && request.surface.empty() && says_nothing);
+  if (free) return is_seamless ? CutRule::SeamsOrFree : CutRule::Free;
+  return is_seamless ? CutRule::Seams : CutRule::Nothing;
+}
+
+struct Check {
+  const Request& request;
+  const MapFile& file;
+  const Claims& claims;
+  const std::optional<PolygonMesh>& surface;
+  Findings findings = {};
+  Json report = {};
+  std::optional<MapMeasures> measures = {};
+  std::optional<MapProof> proof = {};
+};
+
+void prove(Check& check, const std::function<bool()>& stopped) {
+  const bool is_seamless = check.request.seamless || check.claims.seams.value_or(false);
+  ProofRequest wanted;
+  if (check.surface) wanted.surface = &*check.surface;
+  wanted.cuts = cut_rule(check.request, check.claims, is_seamless);
+  if (check.request.certify || check.claims.bijective.value_or(false))
+    wanted.overlap = ProofRequest::Overlap::Forbidden;
+  else if (!check.request.common.report.empty())
+    wanted.overlap = ProofRequest::Overlap::Reported;
+  if (extension(check.request.result) == ".vtu")
+    wanted.labels = ProofRequest::FaceLabels::Compared;
+  wanted.stopped = stopped;
+  check.proof.emplace(check.file, check.request.result, wanted);
+  for (const auto& [question, finding] : check.proof->findings()) {
+    if (finding->answer == Answer::Violated)
+      check.findings.add_violation(fmt::format("{}: {}", question, finding->detail));
+    if (finding->answer == Answer::Undecided)
+      check.findings.add_open(
+          fmt::format("{}: could not be decided: {}", question, finding->detail));
+    check.report["proofs"][question] = {{"answer", answer_name(finding->answer)},
+                                        {"detail", finding->detail}};
   }
-  PolygonMesh mapped;
-  for (Index p = 0; p < file.points.rows(); ++p) mapped.positions.push_back(file.points.row(p));
-  for (Index c = 0; c < file.cells.rows(); ++c)
-    mapped.polygons.push_back({file.cells(c, 0), file.cells(c, 1), file.cells(c, 2)});
-  const double area = SurfaceMesh::from_polygons(mapped).area();
-  const double wanted = SurfaceMesh::from_polygons(surface).area();
-  findings.require(std::abs(area - wanted) <= kClose * wanted,
-                   fmt::format("the mapped area {:g} is not the surface's {:g}", area, wanted));
+  const CutCount& cuts = check.proof->cuts;
+  check.report["cuts"] = {{"seam_edges", cuts.seams},
+                          {"other_edges", cuts.others},
+                          {"length", cuts.length},
+                          {"charts", cuts.charts}};
+  if (!check.proof->map()) return;
+
+  const BezierMap& map = *check.proof->map();
+  check.measures = measure_as_claimed(map, check.claims, check.findings);
+  Json result = measures_section(map, *check.measures, claimed_energy(check.claims));
+  if (check.proof->global)
+    add_global_injectivity(result, map, *check.measures, *check.proof->global);
+  check.report["result"] = result;
+  if (check.proof->surface.answer == Answer::Violated) return;  // claims are about another mesh
+  check_claims({check.file, map, *check.measures, check.claims, wanted.surface, is_seamless},
+               check.findings);
 }
 
-void check_surface(const MapFile& file, const std::string& path, Findings& findings) {
-  const PolygonMesh surface = read_mesh(path);
-  if (file.input_vertex.size() == 0 || file.input_face.size() == 0)
-    return findings.require(false, "the file does not say which input vertices it maps");
-  const Json claims = Json::parse(file.claims, nullptr, false);
-  if (claims.is_object() && claims.value("other_triangles", false))
-    return check_same_vertices(file, surface, findings);
-  const double size = extent(file.points);
-  std::vector<std::size_t> cells_of(surface.polygons.size(), 0);
-  for (Index c = 0; c < file.cells.rows(); ++c) {
-    const Index face = file.input_face[c];
-    if (face < 0 || static_cast<std::size_t>(face) >= surface.polygons.size())
-      return findings.require(false,
-                              fmt::format("cell {} names face {} the surface lacks", c, face));
-    const auto& polygon = surface.polygons[static_cast<std::size_t>(face)];
-    ++cells_of[static_cast<std::size_t>(face)];
-    for (int k = 0; k < 3; ++k) {
-      const Index point = file.cells(c, k), v = file.input_vertex[point];
-      const bool same =
-          std::find(polygon.begin(), polygon.end(), v) != polygon.end() &&
-          (surface.positions[static_cast<std::size_t>(v)].transpose() - file.points.row(point))
-                  .norm() <= kClose * size;
-      if (!same)
-        return findings.require(false,
-                                fmt::format("cell {}: corner {} is not where the surface has "
-                                            "it",
-                                            c, k));
-    }
+// "positive (486 cells), continuous (no cuts), ...; not asked: surface (--surface)".
+std::string in_words(const MapProof& proof) {
+  std::string proven, open;
+  for (const auto& [question, finding] : proof.findings()) {
+    if (finding->answer == Answer::Proven)
+      proven += fmt::format("{}{} ({})", proven.empty() ? "" : ", ", question, finding->detail);
+    if (finding->answer == Answer::NotAsked)
+      open += fmt::format("{}{}", open.empty() ? "; not asked: " : ", ",
+                          question == "surface" ? "surface (--surface)" : "overlaps (--certify)");
   }
-  for (std::size_t f = 0; f < cells_of.size(); ++f)
-    if (cells_of[f] + 2 != surface.polygons[f].size())
-      return findings.require(
-          false, fmt::format("face {} of the surface is mapped by {} cells, not {}", f + 1,
-                             cells_of[f], surface.polygons[f].size() - 2));
+  if (proof.cuts.others > 0)
+    proven += fmt::format(", cut along {} edges into {} charts", proof.cuts.others,
+                          proof.cuts.charts);
+  return proven + open;
 }
 
-std::string claimed_energy(const Json& claims) {
-  const Json energy = claims.is_object() ? claims.value("energy", Json()) : Json();
-  return energy.is_string() ? energy.get<std::string>() : "symmetric-dirichlet";
-}
-
-BezierMap rebuild(const MapFile& file, const Request& request, const Json& claims,
-                  Findings& findings) {
-  const bool claims_seams = claims.is_object() && claims.value("seams", false);
-  if (!claims_seams && !request.seamless) return to_bezier_map(file, request.result);
-  BezierMap map = to_seamless_map(file, request.result);
-  if (!map.seams().trivial()) return map;
-  findings.require(false, "the map has no seams and no cones");
-  return to_bezier_map(file, request.result);
-}
-
-MapMeasures check_map(MapFile& file, const Request& request, Findings& findings, Json& report) {
-  const Json claims = read_claims(file, findings);
-  const BezierMap map = rebuild(file, request, claims, findings);
-  const std::string energy = claimed_energy(claims);
-  const MapMeasures measures = measure(map, parse_energy(energy).sum);
-  report["result"] = measures_section(map, measures, energy);
-  for (Index f = 0; f < measures.min_det.size(); ++f)
-    if (!(measures.min_det[f] > 0)) {
-      findings.require(false, fmt::format("cell {}: det J is not proven positive", f));
-      break;
-    }
-  findings.require(measures.locally_injective || !findings.list().empty(),
-                   "the map covers the neighbourhood of a vertex more than once");
-  const CheckedMap checked{file, map, measures, claims, request.surface};
-  if (!map.seams().trivial()) check_seams(checked, findings);
-  const GlobalVerdict verdict = judge_global_injectivity(map, measures, vertices_of(file));
-  verdict.add_to(report["result"]);
-  if (request.certify || (claims.is_object() && claims.value("bijective", false)))
-    findings.require(verdict.finding.empty(), verdict.finding);
-  check_claims(checked, findings);
-  return measures;
+int conclude(Check& check) {
+  const std::vector<std::string>& list = check.findings.list();
+  const char* status = list.empty() ? "valid" : check.findings.violated() ? "invalid" : "undecided";
+  check.report["status"] = status;
+  check.report["message"] = list.empty() ? "" : list.front();
+  check.report["findings"] = list;
+  const Request& request = check.request;
+  if (!request.common.report.empty()) write_json(request.common.report, check.report);
+  if (!list.empty()) {
+    const bool is_torn = check.proof && check.proof->continuous.answer == Answer::Violated;
+    fmt::print(stderr, "majorant: {}: {}: {}{}\n", request.result, status, fmt::join(list, "; "),
+               is_torn ? "; if the map is meant to be cut there, add --cuts free" : "");
+    return kInvalid;
+  }
+  if (!request.common.quiet)
+    fmt::print(stderr, "{}: valid, degree {}: {}; {} {:.9g}{}\n", request.result, check.file.degree,
+               in_words(*check.proof), claimed_energy(check.claims), check.measures->value,
+               seam_summary(check.report["result"]));
+  return kSuccess;
 }
 
 int check(const Request& request) {
   if (!request.common.report.empty()) require_writable({request.common.report}, {".json"});
   request.common.apply();
-  MapFile file = read_map(request.result);
-  parse_claims(file.claims, request.result);  // strict, before anything is believed
-  Findings findings;
-  Json report{{"schema_version", 1}, {"version", MAJORANT_VERSION}, {"command", "check"}};
-  check_flat(file, findings);
-  if (!request.surface.empty()) check_surface(file, request.surface, findings);
-  MapMeasures measures;
-  try {
-    measures = check_map(file, request, findings, report);
-  } catch (const Error& e) {
-    findings.require(false, e.what());
-  } catch (const Json::exception& e) {
-    findings.require(false, fmt::format("majorant_claims: {}", e.what()));
-  }
-  report["status"] = findings.list().empty() ? "valid" : "invalid";
-  report["message"] = findings.list().empty() ? "" : findings.list().front();
-  report["findings"] = findings.list();
-  if (!request.common.report.empty()) write_json(request.common.report, report);
-  if (findings.list().empty()) {
-    if (!request.common.quiet)
-      fmt::print(stderr, "{}: valid, degree {}, {} cells, {} {:.9g}{}\n", request.result,
-                 file.degree, file.cells.rows(), report["result"]["energy"].get<std::string>(),
-                 measures.value, seam_summary(report["result"]));
-    return kSuccess;
-  }
-  fmt::print(stderr, "majorant: {}: invalid: {}\n", request.result,
-             fmt::join(findings.list(), "; "));
-  return kInvalid;
+  const MapFile file = read_map(request.result);
+  if (file.degree > BezierTriangleSpace::kMaxDegree)
+    throw Error(ErrorKind::Unsupported,
+                fmt::format("{}: cells of degree {}; check handles 1 to {}", request.result,
+                            file.degree, BezierTriangleSpace::kMaxDegree));
+  const Claims claims = parse_claims(file.claims, request.result);
+  std::optional<PolygonMesh> surface;
+  if (!request.surface.empty()) surface = read_mesh(request.surface);
+  Check check{request, file, claims, surface};
+  check.report = {{"schema_version", 1}, {"version", MAJORANT_VERSION}, {"command", "check"}};
+  check_flat(file, check.findings);
+  prove(check, {});
+  return conclude(check);
 }
 
 }  // namespace
@@ -180,8 +169,12 @@ void add_check(CLI::App& app, Action* run) {
   verb.add_option("result", request->result, "result: .vtu, or .obj with vt")->required();
   verb.add_option("--surface", request->surface, "the mesh it should be a map of")
       ->type_name("FILE");
+  verb.add_option("--cuts", request->cuts,
+                  "none: inner edges whose sides differ are violations; free: they are counted "
+                  "(default with --surface: none)")
+      ->check(CLI::IsMember({"none", "free"}));
   verb.add_flag("--seamless", request->seamless,
-                "the map is seamless (implied where the file claims it)");
+                "the map is seamless, its seams are no cuts (implied where the file claims it)");
   verb.add_flag("--certify", request->certify, "prove global injectivity as well");
   request->common.add_to(verb);
   verb.footer("Example: majorant check bunny.vtu --surface bunny.obj --report check.json");

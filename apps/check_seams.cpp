@@ -34,25 +34,11 @@ std::map<InputEdge, int> turns_by_edge(const BezierMap& map) {
   return turns;
 }
 
-void check_residual(const BezierMap& map, Findings& findings) {
-  const SeamMismatch worst = worst_seam_edge(map.space(), map.seams(), map.control_points());
-  if (worst.edge < 0) return;
-  const double size =
-      extent(map.control_points().reshaped<Eigen::RowMajor>(map.space().node_count(), 2));
-  const SeamEdge& edge = map.seams().edges()[static_cast<std::size_t>(worst.edge)];
-  findings.require(
-      worst.distance <= kSeamClose * size,
-      fmt::format("the seam at {} does not fit: its sides differ by {:.3g} after {} "
-                  "quarter turns",
-                  place(input_edge(map.mesh(), edge.side)), worst.distance, edge.turns));
-}
-
-void check_cones(const BezierMap& map, const Json& claims, Findings& findings) {
+void check_cones(const BezierMap& map, const std::vector<Cone>& claims, Findings& findings) {
   std::map<Index, int> found, claimed;
   for (const Cone& cone : map.seams().cones())
     found[map.mesh().input_vertex(cone.vertex)] = cone.quarter_turns;
-  for (const Json& cone : claims.value("cones", Json::array()))
-    claimed[cone.at("vertex").get<Index>()] = cone.at("quarter_turns").get<int>();
+  for (const Cone& cone : claims) claimed[cone.vertex] = cone.quarter_turns;
   const auto turns = [](const std::map<Index, int>& cones, Index vertex) {
     const auto cone = cones.find(vertex);
     return cone == cones.end() ? 4 : cone->second;
@@ -110,30 +96,27 @@ void check_cut(const BezierMap& map, const SurfaceMesh& surface, Findings& findi
 
 }  // namespace
 
-bool keeps_texture_cuts(const Json& claims) {
-  if (claims.is_null()) return true;
-  const std::string init = claims.value("init", "tutte");
-  return claims.value("options", Json::object()).value("seamless", false) &&
+bool keeps_texture_cuts(const CheckedMap& checked) {
+  if (checked.surface == nullptr || checked.surface->polygon_texcoords.empty()) return false;
+  const Claims& claims = checked.claims;
+  if (!claims.version && !claims.seams) return true;  // it does not say where it comes from
+  const std::string init = claims.init.value_or("tutte");
+  return claims.options && claims.options->seamless.value_or(false) &&
          (init == "tutte" || init == "input");
 }
 
 void check_seams(const CheckedMap& checked, Findings& findings) {
   const BezierMap& map = checked.map;
-  check_residual(map, findings);
-  if (!checked.claims.is_null()) check_cones(map, checked.claims, findings);
+  if (checked.claims.cones) check_cones(map, *checked.claims.cones, findings);
   check_marks(checked.file, map, findings);
-  if (checked.surface.empty() || !keeps_texture_cuts(checked.claims)) return;
-  const SurfaceMesh surface = SurfaceMesh::from_polygons(read_mesh(checked.surface));
+  if (!keeps_texture_cuts(checked)) return;
+  const SurfaceMesh surface = SurfaceMesh::from_polygons(*checked.surface);
   if (surface.corner_texcoords().rows() > 0) check_cut(map, surface, findings);
 }
 
 void check_fixed_texture_boundary(const CheckedMap& checked, Findings& findings) {
-  if (!keeps_texture_cuts(checked.claims) || checked.surface.empty())
-    return findings.require(false,
-                            "the boundary is that of texture coordinates: give the input with "
-                            "--surface to check it");
-  const BezierMap start =
-      seamless_from_texture(SurfaceMesh::from_polygons(read_mesh(checked.surface))).map;
+  if (!keeps_texture_cuts(checked)) return;  // not asked
+  const BezierMap start = seamless_from_texture(SurfaceMesh::from_polygons(*checked.surface)).map;
   const SurfaceMesh& start_mesh = start.mesh();
   std::map<InputEdge, Index> start_edges;  // of the boundary of the cut surface
   for (Index h = 0; h < start_mesh.half_edge_count(); ++h)
@@ -141,6 +124,7 @@ void check_fixed_texture_boundary(const CheckedMap& checked, Findings& findings)
 
   const BezierMap& map = checked.map;
   const std::map<InputEdge, int> seams = turns_by_edge(map);
+  const Vec x = in_units_of_the_run(map.control_points(), checked.claims);
   double worst = 0;
   for (Index h = 0; h < map.mesh().half_edge_count(); ++h) {
     const InputEdge edge = input_edge(map.mesh(), h);
@@ -155,12 +139,12 @@ void check_fixed_texture_boundary(const CheckedMap& checked, Findings& findings)
     const Vector2 to = at_start(start_mesh.to_vertex(source->second));
     const std::vector<Index> nodes = edge_nodes(map.space(), h);
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-      const Vector2 uv = map.control_points().segment<2>(2 * nodes[i]);
+      const Vector2 uv = x.segment<2>(2 * nodes[i]);
       const double s = static_cast<double>(i) / static_cast<double>(nodes.size() - 1);
       worst = std::max(worst, (uv - (1 - s) * from - s * to).norm());
     }
   }
-  findings.require(worst <= kClose * map.control_points().cwiseAbs().maxCoeff(),
+  findings.require(worst <= kClose * x.cwiseAbs().maxCoeff(),
                    fmt::format("the boundary is off the initial map's by {:g}", worst));
 }
 

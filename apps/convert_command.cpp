@@ -5,7 +5,7 @@
 #include "apps/command.h"
 #include "apps/outputs.h"
 #include "majorant/io/read_map.h"
-#include "majorant/io/seamless_map.h"
+#include "majorant/io/cut_map.h"
 
 namespace majorant::app {
 namespace {
@@ -22,7 +22,7 @@ struct Request {
 void mark_seams(MapFile& map, const std::string& name) {
   if (map.seam_edges.size() > 0 || !is_cut(map)) return;
   try {
-    const MapFile marked = to_map_file(to_seamless_map(map, name));
+    const MapFile marked = to_map_file(CutMap(map, name).seamless_map());
     map.seam_edges = marked.seam_edges;
     map.cone = Eigen::VectorXi::Zero(map.points.rows());
     for (Index c = 0; c < map.cells.rows(); ++c)

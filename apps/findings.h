@@ -11,15 +11,23 @@ namespace majorant::app {
 
 inline constexpr double kClose = 1e-9;  // relative to the size of the map or surface
 
-// Empty means the check passed.
+// Empty means the check passed. Violated findings come with a proof, open ones are questions that
+// could not be decided; both fail the check.
 class Findings {
  public:
   void require(bool holds, std::string what) {
-    if (!holds) list_.push_back(std::move(what));
+    if (!holds) add_violation(std::move(what));
   }
-  const std::vector<std::string>& list() const { return list_; }
+  void add_violation(std::string what) {
+    list_.insert(list_.begin() + static_cast<std::ptrdiff_t>(violations_++), std::move(what));
+  }
+  void add_open(std::string what) { list_.push_back(std::move(what)); }
+
+  bool violated() const { return violations_ > 0; }
+  const std::vector<std::string>& list() const { return list_; }  // violations first
 
  private:
+  std::size_t violations_ = 0;
   std::vector<std::string> list_;
 };
 

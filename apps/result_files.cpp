@@ -76,7 +76,7 @@ Json result_section(const FinishedRun& run) {
   const ParametrizationResult& r = run.result;
   if (!r.map) return nullptr;
   Json result = measures_section(*r.map, r.measures, run.map.energy);
-  judge_global_injectivity(*r.map, r.measures, vertices_of(*r.map)).add_to(result);
+  add_global_injectivity(result, *r.map, r.measures, check_boundary(*r.map));
   result["variables"] = r.variables;
   result["initial_value"] = r.initial_value;
   result["value_quadrature"] = r.value_quadrature;

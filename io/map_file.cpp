@@ -2,15 +2,48 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <utility>
 
 #include "majorant/framework/error.h"
+#include "majorant/parametrization/exact_positivity.h"
 
 namespace majorant {
 
 namespace {
+
+bool is_positive(const PolygonMesh& mesh, const std::vector<Index>& texture,
+                 const std::array<int, 3>& triangle) {
+  Points2 uv(3, 2);
+  for (int k = 0; k < 3; ++k)
+    uv.row(k) = mesh.texcoords[static_cast<std::size_t>(
+        texture[static_cast<std::size_t>(triangle[static_cast<std::size_t>(k)])])];
+  return exact_positivity(uv).result == Positivity::Certified;
+}
+
+// Corner numbers of the triangles of a textured polygon: those of its shape in space unless they are
+// not positive in the plane and others are. Who shows the polygon may choose either.
+std::vector<std::array<int, 3>> triangles_of(const PolygonMesh& mesh, std::size_t polygon) {
+  const auto& corners = mesh.polygons[polygon];
+  const auto& texture = mesh.polygon_texcoords[polygon];
+  if (corners.size() == 3) return {{0, 1, 2}};
+  const auto all_positive = [&](const std::vector<std::array<int, 3>>& triangles) {
+    return std::all_of(triangles.begin(), triangles.end(),
+                       [&](const auto& t) { return is_positive(mesh, texture, t); });
+  };
+  std::vector<Vector3> in_space, in_plane;
+  for (const Index v : corners) in_space.push_back(mesh.positions[static_cast<std::size_t>(v)]);
+  for (const Index t : texture) {
+    const Vector2& uv = mesh.texcoords[static_cast<std::size_t>(t)];
+    in_plane.emplace_back(uv.x(), uv.y(), 0);
+  }
+  const auto of_shape = triangulate_polygon(in_space);
+  if (all_positive(of_shape)) return of_shape;
+  const auto of_image = triangulate_polygon(in_plane);
+  return all_positive(of_image) ? of_image : of_shape;
+}
 
 void mark_seams(const BezierMap& map, MapFile& file) {
   const Seams& seams = map.seams();
@@ -69,17 +102,20 @@ MapFile to_map_file(const PolygonMesh& textured) {
   for (std::size_t p = 0; p < textured.polygons.size(); ++p) {
     const auto& corners = textured.polygons[p];
     const auto& texture = textured.polygon_texcoords[p];
-    if (corners.size() != 3 || texture.size() != 3)
-      throw Error(ErrorKind::Invalid,
-                  fmt::format("{}: face {} is not a triangle with texture coordinates",
-                              textured.file, p + 1));
-    std::array<Index, 3> cell{};
-    for (std::size_t k = 0; k < 3; ++k)
-      cell[k] =
-          point_of.emplace(std::pair(corners[k], texture[k]), static_cast<Index>(point_of.size()))
-              .first->second;
-    cells.push_back(cell);
-    faces.push_back(static_cast<Index>(p));
+    if (texture.size() != corners.size())
+      throw Error(ErrorKind::Unreadable,
+                  fmt::format("{}: face {} has no texture coordinates", textured.file, p + 1));
+    for (const auto& triangle : triangles_of(textured, p)) {
+      std::array<Index, 3>& cell = cells.emplace_back();
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto corner = static_cast<std::size_t>(triangle[k]);
+        cell[k] = point_of
+                      .emplace(std::pair(corners[corner], texture[corner]),
+                               static_cast<Index>(point_of.size()))
+                      .first->second;
+      }
+      faces.push_back(static_cast<Index>(p));
+    }
   }
   const auto count = static_cast<Index>(point_of.size());
   file.points.resize(count, 3);

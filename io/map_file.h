@@ -31,8 +31,9 @@ struct MapFile {
 // Distortion, min_det and claims are left empty, cone and seam_edges too unless the map has seams
 // or cones.
 MapFile to_map_file(const BezierMap& map);
-// A triangle mesh with texture coordinates as a map of degree 1: one point per (v, vt) pair. Throws
-// Error(Invalid) where a corner has none or a face is no triangle.
+// A mesh with texture coordinates as a map of degree 1: one point per (v, vt) pair; input_vertex and
+// input_face are the file's own. Polygons are triangulated, so that the triangles are positive in the
+// plane if the polygon has such a triangulation. Throws Error(Unreadable) where a corner has none.
 MapFile to_map_file(const PolygonMesh& textured);
 
 // u, v per node of a space over the file's cells, out of its points: points that are one node must

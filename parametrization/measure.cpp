@@ -110,10 +110,16 @@ double mean_density(const BezierMap& map, const RestShapes& rest, const EnergySu
 }
 
 MapMeasures measure(const BezierMap& map, const EnergySum& energy) {
+  return measure_normalized(map, 1.0, energy);
+}
+
+MapMeasures measure_normalized(const BezierMap& map, double scale, const EnergySum& energy) {
   MapMeasures m;
   const RestShapes rest = flat_triangles(map.mesh().positions(), map.mesh().faces());
-  m.value = mean_density(map, rest, energy, m.face_value);
-  sample_extremes(map, rest, energy, m);
+  const BezierMap scaled =
+      scale == 1 ? map : map.with(map.shared_space(), scale * map.control_points());
+  m.value = mean_density(scaled, rest, energy, m.face_value);
+  sample_extremes(scaled, rest, energy, m);
   m.min_det = LocalInjectivity(map.shared_space(), 2 * rest.measure, kProofDepth)
                   .lower_bounds(map.control_points());
   const bool interior_ok =
@@ -121,7 +127,8 @@ MapMeasures measure(const BezierMap& map, const EnergySum& energy) {
           .check(map.control_points())
           .feasible;
   m.locally_injective = interior_ok && m.min_det.minCoeff() > 0;
-  m.seam_residual = seam_residual(map.space(), map.seams(), map.control_points());
+  m.min_det *= scale * scale;
+  m.seam_residual = seam_residual(map.space(), map.seams(), scaled.control_points());
   const Vec sums = vertex_angle_sums(map.space(), map.control_points());
   for (const Index v : boundary_nodes(map.space(), map.seams())) {
     if (v >= map.space().vertex_count()) continue;

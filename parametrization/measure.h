@@ -26,5 +26,8 @@ double mean_density(const BezierMap& map, const RestShapes& rest, const EnergySu
                     Vec& face_value);
 
 MapMeasures measure(const BezierMap& map, const EnergySum& energy);
+// Of a map whose control points were divided by `scale` after it was made, in the units of before.
+// What is proven (min_det, angles, local injectivity) is proven of the control points as they are.
+MapMeasures measure_normalized(const BezierMap& map, double scale, const EnergySum& energy);
 
 }  // namespace majorant

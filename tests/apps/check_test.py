@@ -124,8 +124,11 @@ class Check(CommandTest):
     def test_a_free_boundary_that_claims_to_be_fixed(self):
         self.tampered('free3', lambda vtu: vtu.claims.update(boundary='fixed'), 'boundary')
 
-    def test_a_claim_of_seams(self):
-        self.tampered('free1', lambda vtu: vtu.claims.update(seams=True), 'seams')
+    def test_a_seamless_map_that_needs_no_seams(self):
+        vtu = Vtu(self.results['free1'])
+        vtu.claims.update(seams=True)
+        self.assertIn('0 seam edges', self.run_ok('check', vtu.write(self.path('seams.vtu'))).err)
+        self.assertIn('0 seam edges', self.run_ok('check', self.results['free3'], '--seamless').err)
 
     def ramp(self, turns):
         """A textured OBJ: a ramp of 40 quads mapped straight down, over itself beyond one turn."""

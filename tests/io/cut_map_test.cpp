@@ -1,4 +1,4 @@
-#include "majorant/io/seamless_map.h"
+#include "majorant/io/cut_map.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -58,6 +58,8 @@ BezierMap cube_map(int degree) {
   return map;
 }
 
+BezierMap seamless_map_of(const MapFile& file) { return CutMap(file, "file").seamless_map(); }
+
 // A cell and an edge of it that is a seam.
 std::pair<Index, int> seam_edge(const MapFile& file) {
   for (Index f = 0; f < file.seam_edges.rows(); ++f)
@@ -67,12 +69,12 @@ std::pair<Index, int> seam_edge(const MapFile& file) {
   return {0, 0};
 }
 
-TEST(SeamlessMap, ComesBackFromTheFile) {
+TEST(CutMap, ComesBackFromTheFile) {
   for (int degree = 1; degree <= 5; ++degree) {
     const BezierMap map = cube_map(degree);
     const MapFile file = to_map_file(map);
     EXPECT_TRUE(is_cut(file));
-    const BezierMap again = to_seamless_map(file, "file");
+    const BezierMap again = seamless_map_of(file);
     EXPECT_EQ(again.control_points(), map.control_points());
     EXPECT_EQ(again.mesh().faces(), map.mesh().faces());
     EXPECT_EQ(again.space().cells(), map.space().cells());
@@ -94,11 +96,11 @@ TEST(SeamlessMap, ComesBackFromTheFile) {
   }
 }
 
-TEST(SeamlessMap, ShuffledCellsKeepTheirOrder) {
+TEST(CutMap, ShuffledCellsKeepTheirOrder) {
   MapFile file = to_map_file(cube_map(3));
   file.cells = file.cells.colwise().reverse().eval();
   file.input_face = file.input_face.reverse().eval();
-  const BezierMap map = to_seamless_map(file, "file");
+  const BezierMap map = seamless_map_of(file);
   for (Index f = 0; f < file.cells.rows(); ++f)
     for (Index k = 0; k < 3; ++k) {
       const Vector2 uv = map.control_points().segment<2>(2 * map.mesh().faces()(f, k));
@@ -109,7 +111,7 @@ TEST(SeamlessMap, ShuffledCellsKeepTheirOrder) {
   EXPECT_EQ(map.seams().chain_count(), 12);
 }
 
-TEST(SeamlessMap, ArraysSurviveVtu) {
+TEST(CutMap, ArraysSurviveVtu) {
   const TemporaryFolder folder;
   for (int degree = 1; degree <= 4; ++degree) {
     const MapFile file = to_map_file(cube_map(degree));
@@ -127,18 +129,56 @@ TEST(SeamlessMap, ArraysSurviveVtu) {
             std::string::npos);
 }
 
-TEST(SeamlessMap, AnUncutMapHasNoSeams) {
+TEST(CutMap, AnUncutMapHasNoSeams) {
   MapFile strip = random_strip(2, 4, 7);
   EXPECT_FALSE(is_cut(strip));
-  EXPECT_TRUE(to_seamless_map(strip, "strip").seams().empty());
-  EXPECT_EQ(to_map_file(to_seamless_map(strip, "strip")).seam_edges.size(), 0);
-  strip.input_vertex.setConstant(-1);
-  EXPECT_NE(error_message(ErrorKind::Invalid, [&] { to_seamless_map(strip, "strip"); })
-                .find("input_vertex"),
-            std::string::npos);
+  EXPECT_TRUE(seamless_map_of(strip).seams().empty());
+  EXPECT_EQ(to_map_file(seamless_map_of(strip)).seam_edges.size(), 0);
 }
 
-TEST(SeamlessMap, SidesThatDoNotFitAreNamed) {
+// Where the file does not say which points are copies of a vertex, their places do.
+TEST(CutMap, PointsAtOnePlaceAreOneVertex) {
+  for (int degree = 1; degree <= 3; ++degree) {
+    MapFile file = to_map_file(cube_map(degree));
+    const BezierMap known = seamless_map_of(file);
+    file.input_vertex.setConstant(-1);
+    const BezierMap map = seamless_map_of(file);
+    EXPECT_EQ(map.seams().edges().size(), known.seams().edges().size());
+    EXPECT_EQ(map.seams().cones().size(), 8u);
+  }
+}
+
+TEST(CutMap, SidesAreComparedByTheirValues) {
+  for (int degree = 1; degree <= 3; ++degree) {
+    MapFile file = to_map_file(cube_map(degree));
+    const CutMap cube(file, "file");
+    const std::vector<char> cuts = cube.cuts();
+    EXPECT_EQ(std::count(cuts.begin(), cuts.end(), 1), 48);
+    for (Index h = 0; h < cube.surface().half_edge_count(); ++h)
+      EXPECT_EQ(cube.is_unshared(h), cube.differs(h));
+    // Points of their own with the same uv join; one bit takes them apart.
+    MapFile strip = random_strip(degree, 4, 7);
+    MapFile soup = strip;
+    soup.points = strip.points(strip.cells.reshaped<Eigen::RowMajor>(), Eigen::all);
+    soup.uv = strip.uv(strip.cells.reshaped<Eigen::RowMajor>(), Eigen::all);
+    soup.input_vertex = strip.input_vertex(strip.cells.reshaped<Eigen::RowMajor>());
+    for (Index k = 0; k < soup.cells.size(); ++k) soup.cells.data()[k] = k;
+    const CutMap joined(soup, "file");
+    Index inner = -1;
+    for (Index h = 0; h < joined.surface().half_edge_count(); ++h) {
+      EXPECT_FALSE(joined.differs(h));
+      if (joined.surface().opposite(h) < 0) continue;
+      EXPECT_TRUE(joined.is_unshared(h));
+      inner = h;
+    }
+    ASSERT_GE(inner, 0);
+    const Index point = soup.cells(inner / 3, inner % 3);
+    soup.uv(point, 0) = std::nextafter(soup.uv(point, 0), 1e9);
+    EXPECT_TRUE(CutMap(soup, "file").differs(inner));
+  }
+}
+
+TEST(CutMap, SidesThatDoNotFitAreNamed) {
   for (int degree = 1; degree <= 4; ++degree) {
     MapFile file = to_map_file(cube_map(degree));
     const auto [cell, k] = seam_edge(file);
@@ -146,11 +186,11 @@ TEST(SeamlessMap, SidesThatDoNotFitAreNamed) {
     const Index point = file.cells(cell, on_edge[static_cast<std::size_t>(degree / 2)]);
     file.uv(point, 0) += 0.01;
     const std::string message =
-        error_message(ErrorKind::Invalid, [&] { to_seamless_map(file, "file"); });
+        error_message(ErrorKind::Invalid, [&] { seamless_map_of(file); });
     EXPECT_NE(message.find("edge ("), std::string::npos) << message;
     // What is too little to be refused is measured.
     file.uv(point, 0) += 1e-6 - 0.01;
-    const BezierMap map = to_seamless_map(file, "file");
+    const BezierMap map = seamless_map_of(file);
     EXPECT_NEAR(measure(map, {{symmetric_dirichlet(), 1.0}}).seam_residual, 1e-6, 1e-9);
     const SeamMismatch worst = worst_seam_edge(map.space(), map.seams(), map.control_points());
     const SeamEdge edge = map.seams().edges()[static_cast<std::size_t>(worst.edge)];
@@ -158,25 +198,7 @@ TEST(SeamlessMap, SidesThatDoNotFitAreNamed) {
   }
 }
 
-TEST(SeamlessMap, PointsThatAreSharedInPartAreNamed) {
-  for (int degree = 2; degree <= 4; ++degree) {
-    MapFile file = to_map_file(cube_map(degree));
-    const auto [cell, k] = seam_edge(file);
-    const Index point = file.cells(cell, k), last = file.points.rows();
-    file.points.conservativeResize(last + 1, 3);
-    file.uv.conservativeResize(last + 1, 2);
-    file.input_vertex.conservativeResize(last + 1);
-    file.points.row(last) = file.points.row(point);
-    file.uv.row(last) = file.uv.row(point);
-    file.input_vertex[last] = file.input_vertex[point];
-    file.cells(cell, k) = last;
-    const std::string message =
-        error_message(ErrorKind::Invalid, [&] { to_seamless_map(file, "file"); });
-    EXPECT_NE(message.find("share some"), std::string::npos) << message;
-  }
-}
-
-TEST(SeamlessMap, ObjWeldsTheSurfaceAndNamesCones) {
+TEST(CutMap, ObjWeldsTheSurfaceAndNamesCones) {
   const TemporaryFolder folder;
   const PolygonMesh input = cube();
   for (const int degree : {1, 3}) {
@@ -192,11 +214,11 @@ TEST(SeamlessMap, ObjWeldsTheSurfaceAndNamesCones) {
     for (std::size_t at = 0; (at = text.find("# cone vertex ", at)) != std::string::npos; ++at)
       ++cones;
     EXPECT_EQ(cones, 8u);
-    EXPECT_EQ(to_seamless_map(to_map_file(mesh), "obj").seams().cones().size(), 8u);
+    EXPECT_EQ(seamless_map_of(to_map_file(mesh)).seams().cones().size(), 8u);
   }
 }
 
-TEST(SeamlessMap, SvgMarksSeamsConesAndGrid) {
+TEST(CutMap, SvgMarksSeamsConesAndGrid) {
   const TemporaryFolder folder;
   const MapFile file = to_map_file(cube_map(2));
   write_svg(folder.file("a.svg"), file);

@@ -1,0 +1,310 @@
+#include "majorant/io/map_proof.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "majorant/framework/error.h"
+#include "majorant/io/surface_match.h"
+#include "majorant/parametrization/exact_positivity.h"
+
+namespace majorant {
+namespace {
+
+constexpr int kProofDepth = 16;  // of bisection in floating point; what is left is decided exactly
+// Angle sums are whole multiples of a quarter turn by continuity; their rounding is some 1e-14.
+constexpr double kAngleTolerance = 1e-6;
+constexpr Index kCellsPerPoll = 256;
+
+std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+bool allows_seams(CutRule rule) { return rule == CutRule::Seams || rule == CutRule::SeamsOrFree; }
+bool allows_any(CutRule rule) { return rule == CutRule::Free || rule == CutRule::SeamsOrFree; }
+
+Finding stopped_finding() { return {Answer::Undecided, "stopped before it was decided"}; }
+
+}  // namespace
+
+std::string_view answer_name(Answer answer) {
+  constexpr std::array<std::string_view, 4> kNames = {"proven", "violated", "undecided",
+                                                      "not asked"};
+  return kNames[static_cast<std::size_t>(answer)];
+}
+
+std::string describe(const GlobalInjectivity& proof, const CornerNames& input_vertex) {
+  if (proof.contacts.empty()) return proof.reason;
+  const BoundaryContact& contact = proof.contacts.front();
+  const auto edge = [&](Index h) {
+    return fmt::format("({}, {})", input_vertex(h / 3, h % 3), input_vertex(h / 3, (h % 3 + 1) % 3));
+  };
+  const bool certain = contact.kind == Contact::Certain;
+  const std::string where =
+      fmt::format("near ({:.9g}, {:.9g})", contact.where.x(), contact.where.y());
+  const std::string before = proof.reason.empty() ? "" : proof.reason + "; ";
+  if (contact.half_edge_a == contact.half_edge_b)
+    return fmt::format("{}boundary edge {} {} itself {}", before, edge(contact.half_edge_a),
+                       certain ? "meets" : "may meet", where);
+  return fmt::format("{}boundary edges {} and {} {} {}", before, edge(contact.half_edge_a),
+                     edge(contact.half_edge_b), certain ? "meet" : "may meet", where);
+}
+
+// Asks one question after the other; later ones build on earlier answers.
+class MapProof::Judge {
+ public:
+  Judge(MapProof& proof, const MapFile& file, const std::string& name, const ProofRequest& request)
+      : proof_(proof), file_(file), name_(name), request_(request) {}
+
+  void run() {
+    judge_positivity();
+    try {
+      cut_.emplace(file_, name_);
+    } catch (const Error& e) {
+      return give_up(e.what());
+    }
+    judge_surface();
+    judge_cuts();
+    judge_angles();
+    try {
+      proof_.map_ = cut_->map_cut_along(cut_->cuts());
+    } catch (const Error& e) {  // an edge is open whose ends are not
+      if (proof_.continuous.answer == Answer::Proven)
+        proof_.continuous = {Answer::Undecided, e.what()};
+      if (request_.overlap == ProofRequest::Overlap::Forbidden)
+        proof_.injective = {Answer::Undecided, e.what()};
+      return;
+    }
+    proof_.cuts.charts = proof_.map_->mesh().topology().components;
+    judge_overlaps(*proof_.map_);
+    find_seams();
+  }
+
+ private:
+  bool is_stopped() const { return request_.stopped && request_.stopped(); }
+
+  // The cells are no surface: of one that was given, they are not its faces.
+  void give_up(const std::string& reason) {
+    const bool is_given = request_.surface != nullptr;
+    if (is_given) proof_.surface = {Answer::Violated, reason};
+    proof_.continuous = {Answer::Undecided, is_given ? "the cells are not the surface's" : reason};
+    proof_.angles = proof_.continuous;
+    if (request_.overlap == ProofRequest::Overlap::Forbidden) proof_.injective = proof_.continuous;
+  }
+
+  void judge_positivity() {
+    NodeNumbering numbering;
+    numbering.cells = file_.cells;
+    numbering.node_count = static_cast<Index>(file_.points.rows());
+    const BezierTriangleSpace space(std::move(numbering), file_.degree);
+    const Vec x = file_.uv.reshaped<Eigen::RowMajor>();
+    std::string worst;
+    bool is_violated = false;
+    for (Index c = 0; c < file_.cells.rows(); ++c) {
+      if (c % kCellsPerPoll == 0 && is_stopped()) {
+        if (!is_violated) proof_.positive = stopped_finding();
+        if (!is_violated) return;
+        break;
+      }
+      if (space.certify(c, x, kProofDepth).result == Positivity::Certified) continue;
+      const ExactPositivity exact = exact_positivity(file_.uv(file_.cells.row(c), Eigen::all));
+      if (exact.result == Positivity::Certified) continue;
+      proof_.not_positive.push_back(c);
+      if (is_violated) continue;
+      if (exact.result == Positivity::Violated) {
+        is_violated = true;
+        worst = fmt::format("cell {}: det J <= 0 at barycentric ({:.6g}, {:.6g}, {:.6g})", c,
+                            exact.at[0], exact.at[1], exact.at[2]);
+      } else if (worst.empty()) {
+        worst = fmt::format("cell {}: det J is not proven positive, nor is it refuted", c);
+      }
+    }
+    const std::size_t bad = proof_.not_positive.size();
+    if (bad > 1) worst += fmt::format(" ({} cells in all)", bad);
+    proof_.positive = bad == 0 ? Finding{Answer::Proven, fmt::format("{} cells", file_.cells.rows())}
+                      : is_violated ? Finding{Answer::Violated, worst}
+                                    : Finding{Answer::Undecided, worst};
+  }
+
+  void judge_surface() {
+    if (!request_.surface) return;
+    std::vector<Index> labels;
+    if (request_.labels == ProofRequest::FaceLabels::Compared && file_.input_face.size() > 0)
+      labels.assign(file_.input_face.begin(), file_.input_face.end());
+    const SurfaceMatch match = match_surface(cut_->surface(), *request_.surface, labels);
+    if (!match.defect.empty()) {
+      proof_.surface = {Answer::Violated, match.defect};
+      return;
+    }
+    proof_.surface = {Answer::Proven, fmt::format("{} faces", match.same + match.changed)};
+    if (match.changed > 0)
+      proof_.surface.detail += fmt::format(", {} of them in other triangles", match.changed);
+  }
+
+  void judge_cuts() {
+    const SurfaceMesh& surface = cut_->surface();
+    const double close = kSeamClose * cut_->extent();
+    is_free_.assign(at(surface.half_edge_count()), 0);
+    Index first = -1;
+    for (Index h = 0; h < surface.half_edge_count(); ++h) {
+      if (surface.opposite(h) < h || !cut_->differs(h)) continue;
+      proof_.cuts.length +=
+          (surface.positions().row(surface.to_vertex(h)) -
+           surface.positions().row(surface.from_vertex(h)))
+              .norm();
+      if (allows_seams(request_.cuts) && cut_->fit(h).mismatch <= close) {
+        ++proof_.cuts.seams;
+        continue;
+      }
+      ++proof_.cuts.others;
+      is_free_[at(h)] = is_free_[at(surface.opposite(h))] = 1;
+      if (first < 0) first = h;
+    }
+    if (first < 0 || allows_any(request_.cuts)) {
+      proof_.continuous = {Answer::Proven, count_of_cuts()};
+      return;
+    }
+    proof_.continuous = {
+        Answer::Violated,
+        allows_seams(request_.cuts)
+            ? fmt::format("the map is not seamless: the sides of {} inner edges differ by more than "
+                          "a quarter turn and a translation, those of {} by {:.3g}",
+                          proof_.cuts.others, cut_->place(first), cut_->fit(first).mismatch)
+            : fmt::format("the map is not continuous: the sides of {} inner edges differ, first of {}",
+                          proof_.cuts.others, cut_->place(first))};
+  }
+
+  std::string count_of_cuts() const {
+    const CutCount& cuts = proof_.cuts;
+    if (!allows_seams(request_.cuts) && cuts.others == 0) return "no cuts";
+    std::string text;
+    if (allows_seams(request_.cuts)) text = fmt::format("{} seam edges", cuts.seams);
+    if (allows_any(request_.cuts) && cuts.others > 0)
+      text += fmt::format("{}{} cut edges", text.empty() ? "" : ", ", cuts.others);
+    return text;
+  }
+
+  // Sum of the angles between the tangents of the map at the corners, by vertex of the surface.
+  Vec angle_sums() const {
+    const SurfaceMesh& surface = cut_->surface();
+    const TriangleIndices& ix = TriangleIndices::of_degree(file_.degree);
+    Vec sum = Vec::Zero(surface.vertex_count());
+    for (Index c = 0; c < file_.cells.rows(); ++c)
+      for (int k = 0; k < 3; ++k) {
+        const auto point = [&](int local) { return Vector2(file_.uv.row(file_.cells(c, local))); };
+        const Vector2 a = point(ix.edge(k)[1]) - point(k);
+        const Vector2 b = point(ix.edge((k + 2) % 3)[at(file_.degree) - 1]) - point(k);
+        sum[surface.faces()(c, k)] += std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
+      }
+    return sum;
+  }
+
+  void judge_angles() {
+    if (proof_.positive.answer != Answer::Proven) {
+      proof_.angles = {Answer::Undecided, "not all cells are positive"};
+      return;
+    }
+    const SurfaceMesh& surface = cut_->surface();
+    const Vec sum = angle_sums();
+    std::vector<char> is_inner(at(surface.vertex_count()), 1), is_on_seam(is_inner.size(), 0);
+    for (Index h = 0; h < surface.half_edge_count(); ++h)
+      for (const Index v : {surface.from_vertex(h), surface.to_vertex(h)}) {
+        if (surface.opposite(h) < 0 || is_free_[at(h)]) is_inner[at(v)] = 0;
+        if (cut_->differs(h)) is_on_seam[at(v)] = 1;
+      }
+    Index inner = 0;
+    for (Index v = 0; v < surface.vertex_count(); ++v) {
+      if (!is_inner[at(v)]) continue;
+      ++inner;
+      const double quarters = 2 * sum[v] / std::numbers::pi;
+      const auto nearest = static_cast<int>(std::lround(quarters));
+      const bool may_be_cone = allows_seams(request_.cuts);
+      if (!(std::abs(quarters - nearest) <= kAngleTolerance) || nearest < 1 ||
+          (nearest != 4 && !may_be_cone)) {
+        proof_.angles = {Answer::Violated,
+                         fmt::format("the angles around vertex {} sum up to {:.9g} degrees: the "
+                                     "map covers its neighbourhood more than once",
+                                     surface.input_vertex(v), 90 * quarters)};
+        if (may_be_cone)
+          proof_.angles.detail = fmt::format(
+              "the angles around vertex {} sum up to {:.9g} degrees, no multiple of 90",
+              surface.input_vertex(v), 90 * quarters);
+        return;
+      }
+      if (nearest != 4) proof_.cones.push_back({surface.input_vertex(v), nearest});
+    }
+    proof_.angles = {Answer::Proven, fmt::format("{} inner vertices", inner)};
+    if (allows_seams(request_.cuts))
+      proof_.angles.detail += fmt::format(", {} cones", proof_.cones.size());
+  }
+
+  void judge_overlaps(const BezierMap& plain) {
+    if (request_.overlap == ProofRequest::Overlap::NotAsked) return;
+    if (is_stopped()) {
+      if (request_.overlap == ProofRequest::Overlap::Forbidden) proof_.injective = stopped_finding();
+      return;
+    }
+    proof_.global = check_boundary(plain);
+    if (request_.overlap == ProofRequest::Overlap::Reported) return;
+    const SurfaceMesh& mesh = plain.mesh();
+    const std::string reason = describe(*proof_.global, [&](Index face, Index corner) {
+      return mesh.input_vertex(mesh.faces()(face, corner));
+    });
+    if (proof_.global->result == Injectivity::Violated)
+      proof_.injective = {Answer::Violated, "the map is not globally injective: " + reason};
+    else if (proof_.positive.answer != Answer::Proven)
+      proof_.injective = {Answer::Undecided, "not all cells are positive"};
+    else if (proof_.global->result == Injectivity::Undecided)
+      proof_.injective = {Answer::Undecided, reason};
+    else
+      proof_.injective = {Answer::Proven, fmt::format("{} charts", proof_.cuts.charts)};
+  }
+
+  void find_seams() {
+    if (!allows_seams(request_.cuts) || proof_.cuts.others > 0) return;
+    try {
+      BezierMap seamless = cut_->seamless_map();
+      if (!seamless.seams().trivial()) proof_.map_ = std::move(seamless);
+    } catch (const Error& e) {
+      proof_.continuous = {Answer::Undecided, e.what()};
+    }
+  }
+
+  MapProof& proof_;
+  const MapFile& file_;
+  const std::string& name_;
+  const ProofRequest& request_;
+  std::optional<CutMap> cut_;
+  std::vector<char> is_free_;  // half-edges of the surface that are cut and no seam
+};
+
+MapProof::MapProof(const MapFile& file, const std::string& name, const ProofRequest& request) {
+  Judge(*this, file, name, request).run();
+}
+
+Answer MapProof::verdict() const {
+  Answer verdict = Answer::Proven;
+  for (const auto& [ignored, finding] : findings()) {
+    if (finding->answer == Answer::Violated) return Answer::Violated;
+    if (finding->answer == Answer::Undecided) verdict = Answer::Undecided;
+  }
+  return verdict;
+}
+
+std::vector<std::pair<std::string_view, const Finding*>> MapProof::findings() const {
+  return {{"surface", &surface},
+          {"positive", &positive},
+          {"continuous", &continuous},
+          {"angles", &angles},
+          {"injective", &injective}};
+}
+
+std::string MapProof::first_defect() const {
+  for (const Answer wanted : {Answer::Violated, Answer::Undecided})
+    for (const auto& [question, finding] : findings())
+      if (finding->answer == wanted) return fmt::format("{}: {}", question, finding->detail);
+  return {};
+}
+
+}  // namespace majorant

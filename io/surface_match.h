@@ -1,0 +1,36 @@
+// Are the cells of a map the faces of a surface? Decided from vertices and positions, for maps on
+// the surface's own faces, on pieces of them (a tessellation) or on other triangles of its flat
+// parts.
+//
+//   const SurfaceMatch match = match_surface(cut.surface(), read_mesh("bunny.obj"));
+//   if (!match.defect.empty()) throw ...;                  // "face 7 is mapped by no cell"
+//
+// Edges of the surface that the mesh of the cells has too, whole or as a chain of edges on the
+// straight line, cut both into patches. Patches with the same edges around them are compared: the
+// corners of one polygon with n - 2 triangles over them are a triangulation of it; otherwise both
+// must lie in one plane, all triangles turned the same way and with the same area in all, so that
+// both cover what their common edges enclose, once.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "majorant/parametrization/polygon_mesh.h"
+#include "majorant/parametrization/surface_mesh.h"
+
+namespace majorant {
+
+struct SurfaceMatch {
+  std::string defect;  // one line naming a face, edge or vertex of the surface (from 0); or empty
+  // Of what is compared: faces of the surface that are single cells or triangulated polygons, and
+  // faces that were cut into pieces or joined with others of their plane.
+  Index same = 0, changed = 0;
+};
+
+// cells: vertices of the surface have its numbers as input_vertex(); others are new. face_of_cell:
+// what the file says, the face each cell belongs to, or empty. Positions may be off by kClose of
+// the surface's size.
+SurfaceMatch match_surface(const SurfaceMesh& cells, const PolygonMesh& surface,
+                           const std::vector<Index>& face_of_cell = {});
+
+}  // namespace majorant
