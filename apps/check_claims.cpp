@@ -142,10 +142,11 @@ MapMeasures measure_as_claimed(const BezierMap& map, const Claims& claims, Findi
 
 void check_claims(const CheckedMap& checked, Findings& findings) {
   const auto& [file, map, measures, claims, surface, is_seamless] = checked;
-  const double value = claims.value.value_or(measures.value);
-  findings.require(
-      std::abs(value - measures.value) <= kEnergyClose * std::abs(measures.value) + kZeroEnergy,
-      fmt::format("energy {:.9g} is claimed, {:.9g} is found", value, measures.value));
+  findings.require(!claims.value ||
+                       std::abs(*claims.value - measures.value) <=
+                           kEnergyClose * std::abs(measures.value) + kZeroEnergy,
+                   fmt::format("energy {:.9g} is claimed, {:.9g} is found",
+                               claims.value.value_or(0), measures.value));
   findings.require(claims.degree.value_or(file.degree) == file.degree,
                    fmt::format("degree {} is not the one claimed", file.degree));
   check_pins(file, claims, findings);

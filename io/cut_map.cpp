@@ -19,26 +19,9 @@ namespace {
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
-bool knows_vertices(const MapFile& file) {
-  return file.input_vertex.size() == file.points.rows() &&
-         file.input_vertex(file.cells.leftCols<3>().reshaped()).minCoeff() >= 0;
-}
-
-// The vertex of every point, by place.
-Eigen::VectorXi vertices_by_place(const MapFile& file) {
-  std::map<std::array<double, 3>, Index> number;
-  Eigen::VectorXi vertex(file.points.rows());
-  for (Index p = 0; p < file.points.rows(); ++p) {
-    const std::array<double, 3> place = {file.points(p, 0) + 0.0, file.points(p, 1) + 0.0,
-                                         file.points(p, 2) + 0.0};  // -0 is 0
-    vertex[p] = number.emplace(place, static_cast<Index>(number.size())).first->second;
-  }
-  return vertex;
-}
-
 SurfaceMesh weld(const MapFile& file, const std::string& name) {
   const Eigen::VectorXi vertex =
-      knows_vertices(file) ? file.input_vertex : vertices_by_place(file);
+      knows_vertices(file) ? file.input_vertex : number_by_place(file.points, {});
   const auto corners = file.cells.leftCols<3>();
   const Index largest = vertex(corners.reshaped()).maxCoeff();
   constexpr long long kUnsuspicious = 1LL << 22;  // vertices without a cell may exist, to a limit
@@ -63,7 +46,7 @@ SurfaceMesh weld(const MapFile& file, const std::string& name) {
       polygons.polygons.back().push_back(v);
     }
   }
-  return SurfaceMesh::from_polygons(polygons);
+  return SurfaceMesh::from_polygons(polygons, Components::Any);
 }
 
 // Nearest numbers of quarter turns, 0 at the boundary of the uncut surface.
@@ -81,6 +64,27 @@ std::vector<int> quarter_turns(const SurfaceMesh& mesh, const std::vector<Index>
 }
 
 }  // namespace
+
+bool knows_vertices(const MapFile& file) {
+  return file.input_vertex.size() == file.points.rows() &&
+         file.input_vertex(file.cells.leftCols<3>().reshaped()).minCoeff() >= 0;
+}
+
+Eigen::VectorXi number_by_place(const Points3& points, const std::vector<Vector3>& known) {
+  std::map<std::array<double, 3>, Index> number;
+  const auto key = [](const Vector3& p) {  // -0 is 0
+    return std::array<double, 3>{p.x() + 0.0, p.y() + 0.0, p.z() + 0.0};
+  };
+  for (std::size_t v = 0; v < known.size(); ++v) number.emplace(key(known[v]), static_cast<Index>(v));
+  auto next = static_cast<Index>(known.size());
+  Eigen::VectorXi vertex(points.rows());
+  for (Index p = 0; p < points.rows(); ++p) {
+    const auto [entry, is_new] = number.emplace(key(points.row(p)), next);
+    next += is_new;
+    vertex[p] = entry->second;
+  }
+  return vertex;
+}
 
 CutMap::CutMap(const MapFile& file, std::string name)
     : file_(file),

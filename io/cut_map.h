@@ -73,6 +73,12 @@ class CutMap {
   std::vector<char> differs_, is_unshared_;
 };
 
+// Whether the file says which vertex of the input every corner of a cell is.
+bool knows_vertices(const MapFile& file);
+// Where it does not: a number for every point, equal for points at exactly the same place; those at
+// a known place have its (first) number.
+Eigen::VectorXi number_by_place(const Points3& points, const std::vector<Vector3>& known);
+
 // Whether the file holds a vertex of the input several times: whether its map is cut.
 bool is_cut(const MapFile& file);
 

@@ -280,7 +280,13 @@ class MapProof::Judge {
 };
 
 MapProof::MapProof(const MapFile& file, const std::string& name, const ProofRequest& request) {
-  Judge(*this, file, name, request).run();
+  if (!request.surface || knows_vertices(file)) {
+    Judge(*this, file, name, request).run();
+    return;
+  }
+  MapFile numbered = file;
+  numbered.input_vertex = number_by_place(file.points, request.surface->positions);
+  Judge(*this, numbered, name, request).run();
 }
 
 Answer MapProof::verdict() const {

@@ -37,12 +37,12 @@ TriangleList triangulate(const PolygonMesh& input) {
 
 }  // namespace
 
-SurfaceMesh SurfaceMesh::from_polygons(const PolygonMesh& input) {
+SurfaceMesh SurfaceMesh::from_polygons(const PolygonMesh& input, Components components) {
   const TriangleList list = triangulate(input);
   require_proper_faces(input, list);
   require_usable_coordinates(input);
   require_manifold_edges(input, list);
-  require_one_piece(input, list);
+  if (components == Components::One) require_one_piece(input, list);
 
   SurfaceMesh mesh;
   mesh.file_ = input.file;

@@ -3,7 +3,8 @@
 //   SurfaceMesh mesh = SurfaceMesh::from_polygons(read_mesh("bunny.obj"));
 //   mesh.require_disk();
 //
-// Edge- and vertex-manifold, consistently oriented, connected, no degenerate or duplicate faces.
+// Edge- and vertex-manifold, consistently oriented, connected unless the caller says otherwise, no
+// degenerate or duplicate faces.
 // Polygons are triangulated, unreferenced vertices left out; input_vertex() and input_face() lead
 // back to the file. Immutable.
 //
@@ -27,10 +28,15 @@ struct Topology {
   Index euler_characteristic() const { return vertices - edges + faces; }
 };
 
+// Whether a mesh may fall into several components: what is solved must be one, what is judged may
+// be the layout of an atlas.
+enum class Components { One, Any };
+
 class SurfaceMesh {
  public:
   // Throws Error(Unsupported) naming file, place and remedy for the first defect found.
-  static SurfaceMesh from_polygons(const PolygonMesh& input);
+  static SurfaceMesh from_polygons(const PolygonMesh& input,
+                                   Components components = Components::One);
 
   // Throws Error(Unsupported) unless the surface is a disk (connected, one boundary loop, Euler
   // characteristic 1).
