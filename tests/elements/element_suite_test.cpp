@@ -110,6 +110,17 @@ TEST_P(Element, ProductsAreRecombinedMoments) {
   }
 }
 
+// Three columns are a point of a triangle or of a cube: the rule says which.
+TEST_P(Element, RulesOfOtherCellsAreRefused) {
+  for (const ElementCase& other : test::all_elements()) {
+    if (other.rule.cell == sample().rule.cell)
+      EXPECT_NO_THROW(space().tabulate(other.rule));
+    else
+      EXPECT_THROW(space().tabulate(other.rule), std::invalid_argument) << other.name;
+  }
+  EXPECT_THROW(curved_shapes(space(), straight(), gauss_rule(2)), std::invalid_argument);
+}
+
 // Each space of functions adds to 1 everywhere.
 TEST_P(Element, RulesIntegrateTheTables) {
   Quadrature rule = composite_rule(sample().rule, 2);
