@@ -1,10 +1,13 @@
 #include "majorant/constraints/local_injectivity.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <stdexcept>
 
 namespace majorant {
 namespace {
@@ -19,7 +22,12 @@ LocalInjectivity::LocalInjectivity(std::shared_ptr<const ElementSpace> space, Ve
                                    int max_depth)
     : space_(std::move(space)),
       rest_det_(std::move(rest_det)),
-      max_depth_(std::min(max_depth, kMaxDepth)) {}
+      max_depth_(std::min(max_depth, kMaxDepth)) {
+  if (!space_ || static_cast<Index>(rest_det_.size()) != space_->element_count())
+    throw std::invalid_argument(
+        fmt::format("LocalInjectivity: {} rest determinants for {} elements", rest_det_.size(),
+                    space_ ? space_->element_count() : 0));
+}
 
 Vec LocalInjectivity::lower_bounds(VecIn x) const {
   const Index count = space_->element_count();
@@ -27,8 +35,9 @@ Vec LocalInjectivity::lower_bounds(VecIn x) const {
 #pragma omp parallel for schedule(static) if (count >= kParallelElements)
   for (Index e = 0; e < count; ++e) {
     const PositivityProof proof = space_->certify(e, x, max_depth_);
-    const bool proven = proof.result == Positivity::Certified;
-    bounds[e] = (proven ? proof.lower_bound : std::min(proof.lower_bound, 0.0)) / rest_det_[e];
+    const bool proven = proof.result == Positivity::Certified && rest_det_[e] > 0;
+    bounds[e] =
+        (proven ? proof.lower_bound : std::min(proof.lower_bound, 0.0)) / std::abs(rest_det_[e]);
     if (proven)
       depth_counts_[static_cast<std::size_t>(std::min(proof.depth, kMaxDepth))].fetch_add(
           1, std::memory_order_relaxed);

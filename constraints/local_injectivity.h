@@ -23,7 +23,8 @@ class LocalInjectivity final : public FeasibilityChecker {
   static constexpr int kDefaultDepth = 5;
   static constexpr int kMaxDepth = 63;  // deeper is taken as this
   // rest_det: #E determinants of the rest shapes (their measures over the reference measure), to
-  // make margins dimensionless.
+  // make margins dimensionless. Where they are not positive nothing is certified. Throws
+  // std::invalid_argument for another number of them.
   LocalInjectivity(std::shared_ptr<const ElementSpace> space, Vec rest_det,
                    int max_depth = kDefaultDepth);
 

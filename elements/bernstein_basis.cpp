@@ -13,11 +13,17 @@ double power(double x, int e) {
   return r;
 }
 
-// (e_0 + e_1 + ...)! / (e_0! e_1! ...), exact while it fits 53 bits.
+double exact(double integer) {
+  if (!(integer < 0x1p53))
+    throw std::invalid_argument("BernsteinBasis: degree too high for exact weights");
+  return integer;
+}
+
+// (e_0 + e_1 + ...)! / (e_0! e_1! ...).
 double multinomial(const int* e, int size) {
   double out = 1;
   for (int k = 0, total = 0; k < size; ++k)
-    for (int j = 1; j <= e[k]; ++j) out = out * ++total / j;
+    for (int j = 1; j <= e[k]; ++j) out = exact(out * ++total) / j;
   return out;
 }
 
@@ -33,7 +39,7 @@ BernsteinBasis::BernsteinBasis(Factors factors, std::vector<Exponents> functions
     double weight = 1;
     const int* e = exponents(k).data();
     for (const int corners : factors_) {
-      weight *= multinomial(e, corners);
+      weight = exact(weight * multinomial(e, corners));
       e += corners;
     }
     weights_.push_back(weight);

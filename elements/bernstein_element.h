@@ -1,7 +1,8 @@
 // What distinguishes one element type of Bernstein polynomials from another: data, no algorithms.
 //
 // To add an element, describe it and derive its space from BernsteinSpace (bernstein_space.h);
-// bezier_tetrahedron_space.cpp is an example.
+// bezier_tetrahedron_space.cpp is an example. A space checks the description when it is made
+// (element_check.h).
 #pragma once
 
 #include <string_view>
@@ -14,8 +15,9 @@ struct BernsteinElement {
   std::string_view name;  // of its space, for messages
   int degree;             // of the map
   int max_degree;
-  Factors factors;
-  // Exponents of a polynomial space in the element's node order (VTK's), corners first.
+  Factors factors;  // 2 or 3 dimensions together
+  // Exponents of a polynomial space in the element's node order (VTK's), corners first; each once,
+  // also for degrees that are 0 or differ between the factors.
   std::vector<Exponents> (*lattice)(const Degrees& degrees);
   // Derivative by reference coordinate d: by homogeneous coordinate [0] minus by coordinate [1].
   std::vector<std::array<int, 2>> derivatives;
@@ -23,10 +25,13 @@ struct BernsteinElement {
 
   int dim() const { return static_cast<int>(derivatives.size()); }
   int corner_count() const;
-  double measure() const;  // of the reference cell
+  int coordinate_count() const;  // homogeneous ones
+  double measure() const;        // of the reference cell
 
   Degrees degrees() const { return Degrees(factors.size(), degree); }
-  BernsteinBasis basis(const Degrees& of) const { return {factors, lattice(of)}; }
+  // lattice(of), which must name every function of the space once. Throws std::invalid_argument.
+  std::vector<Exponents> functions(const Degrees& of) const;
+  BernsteinBasis basis(const Degrees& of) const { return {factors, functions(of)}; }
   // Factor that a homogeneous coordinate belongs to.
   int factor_of(int coordinate) const;
   // Degrees of the map's derivative by a coordinate of this factor.

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "majorant/elements/element_check.h"
 #include "majorant/elements/small_buffer.h"
 
 namespace majorant {
@@ -17,9 +18,7 @@ namespace {
 using Scratch = SmallBuffer<double, 128>;
 
 const BernsteinElement& checked(const BernsteinElement& element) {
-  if (element.degree < 1 || element.degree > element.max_degree)
-    throw std::invalid_argument(fmt::format("{}: degree must be 1..{}, is {}", element.name,
-                                            element.max_degree, element.degree));
+  check_description(element);
   return element;
 }
 
@@ -37,7 +36,9 @@ BernsteinSpace::BernsteinSpace(const BernsteinElement& element, const Cells& cel
       lattice_(basis_),
       numbering_(number_nodes(lattice_, cells, vertex_count, element.name)),
       det_(element),
-      subdivision_(det_.basis(), element.bisections) {}
+      subdivision_(det_.basis(), element.bisections) {
+  check_determinants(element, det_);
+}
 
 BernsteinSpace::BernsteinSpace(const BernsteinElement& element, NodeNumbering numbering)
     : element_(checked(element)),
@@ -47,6 +48,7 @@ BernsteinSpace::BernsteinSpace(const BernsteinElement& element, NodeNumbering nu
       numbering_(std::move(numbering)),
       det_(element),
       subdivision_(det_.basis(), element.bisections) {
+  check_determinants(element, det_);
   if (numbering_.cells.cols() != lattice_.node_count())
     throw std::invalid_argument(fmt::format("{}: cells of {} nodes, {} are needed", element.name,
                                             numbering_.cells.cols(), lattice_.node_count()));

@@ -35,7 +35,7 @@ class BernsteinSpace : public ElementSpace {
 
  protected:
   // cells: #E by corners, positively oriented. Throws std::invalid_argument for a degree outside
-  // 1..max_degree and what number_nodes() refuses.
+  // 1..max_degree, a description that is wrong (element_check.h) and what number_nodes() refuses.
   BernsteinSpace(const BernsteinElement& element, const Cells& cells, Index vertex_count);
   // With nodes numbered by the caller: any node may be a vertex.
   BernsteinSpace(const BernsteinElement& element, NodeNumbering numbering);
@@ -58,7 +58,8 @@ class BernsteinSpace : public ElementSpace {
 
 // First-order and product tables of an element on a rule, from its exponents (method.md section 4):
 // a derivative lowers one exponent, a product adds exponents. Directions: the barycentric ones of
-// a simplex, the reference ones of a product of simplices.
+// a simplex, the reference ones of a product of simplices. Throws std::invalid_argument for the
+// rule of another cell.
 ContractionTable contraction_table(const BernsteinElement& element, const Quadrature& rule);
 
 }  // namespace majorant

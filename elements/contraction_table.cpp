@@ -41,7 +41,7 @@ BernsteinBasis union_of(const BernsteinElement& element, std::vector<Degrees> sp
     if (std::find(spaces.begin(), spaces.begin() + static_cast<long>(k), spaces[k]) !=
         spaces.begin() + static_cast<long>(k))
       continue;
-    const std::vector<Exponents> more = element.lattice(spaces[k]);
+    const std::vector<Exponents> more = element.functions(spaces[k]);
     functions.insert(functions.end(), more.begin(), more.end());
   }
   return {element.factors, functions};
@@ -107,6 +107,7 @@ void fill_hessian(const BernsteinBasis& first, const BernsteinBasis& moment, con
 }  // namespace
 
 ContractionTable contraction_table(const BernsteinElement& element, const Quadrature& rule) {
+  require_cell(rule, element.factors, element.name);
   const std::vector<Direction> dirs = directions(element);
   std::vector<Degrees> lowered, products;
   for (int f = 0; f < static_cast<int>(element.factors.size()); ++f)

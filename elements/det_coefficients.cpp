@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <type_traits>
 
 #include "majorant/elements/small_buffer.h"
@@ -14,6 +15,7 @@ __extension__ typedef __float128 Quad;
 
 constexpr double kUnit = std::numeric_limits<double>::epsilon() / 2;  // 2^-53
 constexpr double kQuadUnit = 0x1p-113;
+constexpr double kExactIntegers = 0x1p53;  // doubles below are exact
 
 template <class Real>
 Real magnitude(Real a) {
@@ -130,18 +132,20 @@ ProductTable::ProductTable(const BernsteinBasis& a, const BernsteinBasis& b,
       for (std::size_t k = 0; k < e.size(); ++k) e[k] += b.exponents(s)[k];
       const int t = product.find(e);
       const double numerator = scale * a.weight(r) * b.weight(s), denominator = product.weight(t);
+      if (!(std::max(numerator, denominator) < kExactIntegers))
+        throw std::invalid_argument("det J: degree too high for exact Bernstein weights");
       entries_.push_back({t, numerator / denominator});
       fractions_.push_back({numerator, denominator});
     }
 }
 
 DetCoefficients::DetCoefficients(const BernsteinElement& element)
-    : dim_(element.dim()),
-      degree_(element.degree),
-      basis_(element.basis(det_degrees(element))),
-      derivative_count_(static_cast<int>(differences(element, 0).size())) {
-  for (int d = 0; d < dim_; ++d)
-    for (const Difference& w : differences(element, d)) differences_.push_back(w);
+    : dim_(element.dim()), degree_(element.degree), basis_(element.basis(det_degrees(element))) {
+  for (int d = 0; d < dim_; ++d) {
+    const std::vector<Difference> more = differences(element, d);
+    differences_.insert(differences_.end(), more.begin(), more.end());
+    starts_[static_cast<std::size_t>(d) + 1] = static_cast<int>(differences_.size());
+  }
   const auto basis_of = [&](int d) { return element.basis(derivative_degrees(element, d)); };
   const BernsteinBasis minor_basis = element.basis(minor_degrees(element));
   minors_ =
@@ -149,7 +153,11 @@ DetCoefficients::DetCoefficients(const BernsteinElement& element)
   if (dim_ == 3) products_ = ProductTable(basis_of(0), minor_basis, basis_, degree_);
   // Rows are directions, or, where these share a basis, components, as in [MC20].
   const bool shared = derivative_degrees(element, 0) == derivative_degrees(element, 1);
-  matrix_ = shared ? std::array{0, 2, 1, 3} : std::array{0, 1, 2, 3};
+  const auto at = [&](int direction, int component) {
+    return derivative_start(direction, component);
+  };
+  matrix_ = shared ? std::array{at(0, 0), at(1, 0), at(0, 1), at(1, 1)}
+                   : std::array{at(0, 0), at(0, 1), at(1, 0), at(1, 1)};
 }
 
 std::vector<DetCoefficients::Difference> DetCoefficients::differences(
@@ -167,22 +175,23 @@ std::vector<DetCoefficients::Difference> DetCoefficients::differences(
   return out;
 }
 
-// out: by direction, then component, derivative_count_ each.
+// out: by direction, then component, derivative_count() each.
 template <class Number, class First>
 void DetCoefficients::differentiate(const Number* c, First* out) const {
   const Difference* w = differences_.data();
-  for (int direction = 0; direction < dim_; ++direction, w += derivative_count_)
+  for (int direction = 0; direction < dim_; ++direction) {
+    const int count = derivative_count(direction);
     for (int component = 0; component < dim_; ++component)
-      for (int r = 0; r < derivative_count_; ++r)
+      for (int r = 0; r < count; ++r)
         *out++ = subtract<First>(c[dim_ * w[r].plus + component], c[dim_ * w[r].minus + component]);
+    w += count;
+  }
 }
 
 template <class Real, class First, class Second>
 void DetCoefficients::expand_in_plane(const First* derivatives, Second* out) const {
   std::fill(out, out + count(), Second{});
-  const auto at = [&](int k) {
-    return derivatives + matrix_[static_cast<std::size_t>(k)] * derivative_count_;
-  };
+  const auto at = [&](int k) { return derivatives + matrix_[static_cast<std::size_t>(k)]; };
   sum_minors<Real>(minors_, at(0), at(1), at(2), at(3), out);
 }
 
@@ -192,7 +201,7 @@ void DetCoefficients::expand_in_space(const First* derivatives, Second* cofactor
                                       Third* out) const {
   std::fill(out, out + count(), Third{});
   const auto at = [&](int direction, int component) {
-    return derivatives + (3 * direction + component % 3) * derivative_count_;
+    return derivatives + derivative_start(direction, component % 3);
   };
   for (int c = 0; c < 3; ++c) {
     std::fill(cofactor, cofactor + minors_.target_count(), Second{});
@@ -205,23 +214,28 @@ void DetCoefficients::expand_in_space(const First* derivatives, Second* cofactor
 }
 
 // Standard forward analysis of one term: differences and products carry one rounding each, a weight
-// two (rationals rounded once), the sum one per term; gamma_k <= 1.01 k u covers them. In space:
-// 3 differences, 3 products, 2 weights, sums of at most derivative_count_ and three times as many.
+// two (rationals rounded once), the sum one per term; gamma_k <= 1.01 k u covers them. A sum has at
+// most one term for each coefficient of one of its two operands. In space: 3 differences, 3
+// products, 2 weights, sums of at most `most` terms and three times as many. What is counted beyond
+// covers the subtraction of the bound.
 template <class Real>
 void DetCoefficients::with_error(const double* c, double unit, double* out, double* error) const {
   SmallBuffer<Real, 256> derivatives(derivative_size());
   differentiate(c, derivatives.data());
   SmallBuffer<Bounded<Real>, 256> sums(static_cast<std::size_t>(count()));
-  double roundings = 8.0 + derivative_count_, underflows = 1;
+  int most = 0;
+  for (int direction = 0; direction < dim_; ++direction)
+    most = std::max(most, derivative_count(direction));
+  double roundings = 8.0 + most, underflows = 1;
   if (dim_ == 2) {
     expand_in_plane<Real>(derivatives.data(), sums.data());
   } else {
     SmallBuffer<Bounded<Real>, 128> cofactor(static_cast<std::size_t>(minors_.target_count()));
     expand_in_space<Real>(derivatives.data(), cofactor.data(), sums.data());
-    roundings = 16.0 + 4 * derivative_count_;
+    roundings = 16.0 + 4 * most;
     // What underflowed in a cofactor was multiplied by the first derivative.
     double largest = 0;
-    for (int k = 0; k < 3 * derivative_count_; ++k)
+    for (int k = 0; k < derivative_start(1, 0); ++k)
       largest = std::max(largest, static_cast<double>(magnitude(derivatives.data()[k])));
     underflows += 4 * degree_ * largest;
   }

@@ -3,7 +3,12 @@
 // Derivatives of the map are differences of control points, times the degree n. In the plane det J
 // is bilinear in them ([MC20] Sec. 5.2 with the factor of method.md E6), in space it goes through
 // the cofactors D1 x D2 of the first derivative, so that the cost is a sum of two products rather
-// than a triple one. Degrees: 2(n-1) on triangles, 3(n-1) on tetrahedra, (2n-1, 2n-1) on squares.
+// than a triple one.
+//
+// A derivative in the direction of one factor of the cell has degree n - 1 in that factor and n in
+// the others, so a factor of dimension k contributes degree D n - k: 2(n-1) on triangles, 3(n-1) on
+// tetrahedra, (2n-1, 2n-1) on squares, (3n-2, 3n-1) on wedges. Directions of different factors have
+// different numbers of coefficients.
 #pragma once
 
 #include <vector>
@@ -25,6 +30,7 @@ class ProductTable {
     double numerator, denominator;  // integers
   };
   ProductTable() = default;
+  // Throws std::invalid_argument where a numerator or denominator does not fit a double exactly.
   ProductTable(const BernsteinBasis& a, const BernsteinBasis& b, const BernsteinBasis& product,
                double scale);
   int rows() const { return rows_; }
@@ -41,6 +47,8 @@ class ProductTable {
 
 class DetCoefficients {
  public:
+  // element: one that check_description() accepts (element_check.h). Throws std::invalid_argument
+  // for what BernsteinElement::basis() and ProductTable refuse.
   explicit DetCoefficients(const BernsteinElement& element);
 
   const BernsteinBasis& basis() const { return basis_; }
@@ -69,15 +77,24 @@ class DetCoefficients {
   void expand_in_space(const First* derivatives, Second* cofactors, Third* out) const;
   template <class Real>
   void with_error(const double* c, double unit, double* out, double* error) const;
+  int derivative_count(int direction) const {  // coefficients of one component of it
+    const auto d = static_cast<std::size_t>(direction);
+    return starts_[d + 1] - starts_[d];
+  }
+  // Where the derivative of a component stands in what differentiate() writes.
+  int derivative_start(int direction, int component) const {
+    return dim_ * starts_[static_cast<std::size_t>(direction)] +
+           component * derivative_count(direction);
+  }
   std::size_t derivative_size() const {
-    return static_cast<std::size_t>(dim_ * dim_ * derivative_count_);
+    return static_cast<std::size_t>(dim_) * differences_.size();
   }
 
   int dim_, degree_;
   BernsteinBasis basis_;
-  int derivative_count_;                 // coefficients of one derivative of one component
-  std::vector<Difference> differences_;  // derivative_count_ of each direction
-  std::array<int, 4> matrix_{};          // in the plane: which derivatives form the 2 by 2 matrix
+  std::vector<Difference> differences_;  // of the directions, one after the other
+  std::array<int, 4> starts_{};          // of each direction in differences_, and the end
+  std::array<int, 4> matrix_{};          // in the plane: starts of the four derivatives, by rows
   ProductTable minors_;                  // of the last two directions; in the plane det J itself
   ProductTable products_;                // in space: of the first direction and a cofactor
 };

@@ -8,6 +8,8 @@ namespace majorant {
 namespace {
 
 constexpr double kUnit = std::numeric_limits<double>::epsilon() / 2;  // 2^-53
+constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Depth-first bisection; two children for every depth that was reached, allocated once.
 template <class T>
@@ -56,10 +58,12 @@ class Certifier : Bisection<double> {
 
  private:
   void prove_children(const double* a, double error, int depth, PositivityProof& proof) {
-    // Averages round: each level adds at most one ulp of the largest coefficient.
+    // Averages round: each level adds at most half an ulp of the largest coefficient, and, where
+    // half of a sum underflows, half the smallest double. The sum of errors rounds as well.
     double largest = 0;
     for (int k = 0; k < cell_.count(); ++k) largest = std::max(largest, std::abs(a[k]));
-    const double child_error = error + 1.01 * cell_.levels(depth) * kUnit * largest;
+    const double rounding = 1.01 * cell_.levels(depth) * (kUnit * largest + kSmallest);
+    const double child_error = std::nextafter(error + rounding, kInfinity);
     const auto [first, second] = split(depth, a);
     const PositivityProof one = prove(first, child_error, depth + 1);
     proof.result = one.result;

@@ -1,45 +1,93 @@
 #include "majorant/elements/quadrature.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <cmath>
 #include <numbers>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace majorant {
 namespace {
 
-// A simplex inside the reference one: barycentric coordinates of its corners, one per row.
-using Piece = RowMatrix;
+constexpr double kTolerance = 1e-12;  // of what rules are rounded to
+
 using Point = Eigen::RowVectorXd;
+// A cell inside the reference one: homogeneous coordinates of the points where each homogeneous
+// coordinate of its own is 1, one per row; of a simplex its corners.
+using Piece = RowMatrix;
 
-struct RuleBuilder {
-  std::vector<Point> points;
-  std::vector<double> weights;
+Index column_count(const Factors& cell) {
+  Index columns = 0;
+  for (const int corners : cell) columns += corners == 2 ? 1 : corners;
+  return columns;
+}
 
-  void add(const Point& p, double w) {
-    points.push_back(p);
-    weights.push_back(w);
+// What Quadrature::points holds -> homogeneous coordinates, 1-t and t of a segment.
+Point homogeneous(const Factors& cell, const Point& point) {
+  Point out(std::accumulate(cell.begin(), cell.end(), 0));
+  Index from = 0, to = 0;
+  for (const int corners : cell) {
+    if (corners == 2) out[to++] = 1 - point[from];
+    for (const Index end = from + (corners == 2 ? 1 : corners); from < end;)
+      out[to++] = point[from++];
+  }
+  return out;
+}
+
+class RuleBuilder {
+ public:
+  explicit RuleBuilder(Factors cell) : cell_(std::move(cell)) {}
+
+  void add(const Point& homogeneous, double weight) {
+    Point p(column_count(cell_));
+    Index from = 0, to = 0;
+    for (const int corners : cell_) {
+      if (corners == 2) ++from;
+      for (const Index end = from + (corners == 2 ? 1 : corners); from < end;)
+        p[to++] = homogeneous[from++];
+    }
+    points_.push_back(p);
+    weights_.push_back(weight);
   }
   void add(const Quadrature& rule, const Piece& piece, double measure) {
     for (Index l = 0; l < rule.size(); ++l) {
-      Point p = rule.points(l, 0) * piece.row(0);
-      for (Index c = 1; c < piece.rows(); ++c) p += rule.points(l, c) * piece.row(c);
+      const Point x = homogeneous(cell_, rule.points.row(l));
+      Point p = x[0] * piece.row(0);
+      for (Index c = 1; c < piece.rows(); ++c) p += x[c] * piece.row(c);
       add(p, measure * rule.weights[l]);
     }
   }
   Quadrature build() const {
     Quadrature q;
-    q.points.resize(static_cast<Index>(points.size()), points.front().size());
-    q.weights.resize(static_cast<Index>(points.size()));
-    for (std::size_t l = 0; l < points.size(); ++l) {
-      q.points.row(static_cast<Index>(l)) = points[l];
-      q.weights[static_cast<Index>(l)] = weights[l];
+    q.cell = cell_;
+    q.points.resize(static_cast<Index>(points_.size()), points_.front().size());
+    q.weights.resize(static_cast<Index>(points_.size()));
+    for (std::size_t l = 0; l < points_.size(); ++l) {
+      q.points.row(static_cast<Index>(l)) = points_[l];
+      q.weights[static_cast<Index>(l)] = weights_[l];
     }
     return q;
   }
+
+ private:
+  Factors cell_;
+  std::vector<Point> points_;
+  std::vector<double> weights_;
 };
 
-bool on_square(const Quadrature& rule) { return rule.points.cols() == 2; }
-bool on_triangle(const Quadrature& rule) { return rule.points.cols() == 3; }
+void require_composable(const Quadrature& rule, std::string_view name) {
+  for (const int corners : rule.cell)
+    if (corners < 2 || corners > 4)
+      throw std::invalid_argument(
+          fmt::format("{}: cells are products of segments, triangles and "
+                      "tetrahedra, not of simplices with {} corners",
+                      name, corners));
+  require_cell(rule, rule.cell, name);
+}
 
 // The m^2 congruent subtriangles of `t`.
 std::vector<Piece> subdivide(const Piece& t, int m) {
@@ -78,15 +126,52 @@ std::vector<Point> lattice_points(int count, int m) {
   return out;
 }
 
+// All points of the cell whose homogeneous coordinates are multiples of 1/m, times m.
+std::vector<Point> lattice_points(const Factors& cell, int m) {
+  std::vector<Point> out{Point(0)};
+  for (const int corners : cell) {
+    std::vector<Point> longer;
+    for (const Point& head : out)
+      for (const Point& tail : lattice_points(corners, m)) {
+        longer.emplace_back(head.size() + tail.size());
+        longer.back() << head, tail;
+      }
+    out = longer;
+  }
+  return out;
+}
+
+struct WeightedPiece {
+  Piece piece;
+  double share;  // of the measure of the cell
+};
+
+std::vector<WeightedPiece> segment_pieces(int m) {
+  std::vector<WeightedPiece> out;
+  for (int k = 0; k < m; ++k) {
+    out.push_back({Piece(2, 2), 1.0 / m});
+    out.back().piece << m - k, k, m - k - 1, k + 1;
+    out.back().piece /= m;
+  }
+  return out;
+}
+
+std::vector<WeightedPiece> triangle_pieces(int m) {
+  std::vector<WeightedPiece> out;
+  for (const Piece& t : subdivide(Piece::Identity(3, 3), m))
+    out.push_back({t, 1.0 / (double(m) * m)});
+  return out;
+}
+
 // The lattice cuts a tetrahedron into small ones (as it stands, and upside down) and octahedra.
-Quadrature composite_tetrahedron_rule(const Quadrature& rule, int m) {
+std::vector<WeightedPiece> tetrahedron_pieces(int m) {
   const auto e = [](int k) -> Point { return Point::Unit(4, k); };
-  RuleBuilder builder;
+  std::vector<WeightedPiece> out;
   const auto add = [&](double cells, const Point& a, const Point& b, const Point& c,
                        const Point& d) {
     Piece piece(4, 4);
     piece << a, b, c, d;
-    builder.add(rule, piece / m, cells / (double(m) * m * m));
+    out.push_back({piece / m, cells / (double(m) * m * m)});
   };
   for (const Point& p : lattice_points(4, m - 1)) add(1, p + e(0), p + e(1), p + e(2), p + e(3));
   const Point one = Point::Ones(4);
@@ -103,22 +188,65 @@ Quadrature composite_tetrahedron_rule(const Quadrature& rule, int m) {
         add(0.5, centre, p + e(a) + e(b), p + e(a) + e(c), p + e(a) + e(d));
         add(0.5, centre, p + e(b) + e(c), p + e(c) + e(d), p + e(d) + e(b));
       }
-  return builder.build();
+  return out;
 }
 
-Quadrature composite_square_rule(const Quadrature& rule, int m) {
-  RuleBuilder builder;
-  for (int j = 0; j < m; ++j)
-    for (int i = 0; i < m; ++i)
-      for (Index l = 0; l < rule.size(); ++l)
-        builder.add((rule.points.row(l) + Eigen::RowVector2d(i, j)) / m,
-                    rule.weights[l] / (double(m) * m));
-  return builder.build();
+std::vector<WeightedPiece> simplex_pieces(int corners, int m) {
+  return corners == 2   ? segment_pieces(m)
+         : corners == 3 ? triangle_pieces(m)
+                        : tetrahedron_pieces(m);
 }
 
-// Gauss-Legendre points of [0, 1] and weights that add to 1, by Newton's method.
+// Products of the pieces of the factors.
+std::vector<WeightedPiece> pieces_of(const Factors& cell, int m) {
+  std::vector<WeightedPiece> out{{Piece(0, 0), 1}};
+  for (const int corners : cell) {
+    std::vector<WeightedPiece> larger;
+    for (const WeightedPiece& a : out)
+      for (const WeightedPiece& b : simplex_pieces(corners, m)) {
+        const Index size = a.piece.rows(), all = size + corners;
+        larger.push_back({Piece::Zero(all, all), a.share * b.share});
+        larger.back().piece.topLeftCorner(size, size) = a.piece;
+        larger.back().piece.bottomRightCorner(corners, corners) = b.piece;
+      }
+    out = larger;
+  }
+  return out;
+}
+
+}  // namespace
+
+void require_cell(const Quadrature& rule, const Factors& cell, std::string_view name) {
+  const auto refuse = [&](const std::string& what) {
+    throw std::invalid_argument(fmt::format("{}: quadrature {}", name, what));
+  };
+  const auto text = [](const Factors& f) { return fmt::format("{{{}}}", fmt::join(f, ", ")); };
+  if (rule.cell != cell)
+    refuse(fmt::format("of the cell {}, {} is needed (corners of each factor)", text(rule.cell),
+                       text(cell)));
+  if (rule.size() == 0 || rule.points.rows() != rule.size() ||
+      rule.points.cols() != column_count(cell))
+    refuse(fmt::format("with {} weights and {} by {} points, {} columns are needed", rule.size(),
+                       rule.points.rows(), rule.points.cols(), column_count(cell)));
+  if (!(std::abs(rule.weights.sum() - 1) <= kTolerance * static_cast<double>(rule.size())))
+    refuse(fmt::format("whose weights add to {} and not to 1", rule.weights.sum()));
+  for (Index l = 0; l < rule.size(); ++l) {
+    const Point x = homogeneous(cell, rule.points.row(l));
+    bool inside = std::isfinite(rule.weights[l]);
+    Index from = 0;
+    for (const int corners : cell) {
+      const auto block = x.segment(from, corners);
+      inside = inside && block.minCoeff() >= -kTolerance && std::abs(block.sum() - 1) <= kTolerance;
+      from += corners;
+    }
+    if (!inside) refuse(fmt::format("whose point {} is outside of the cell", l));
+  }
+}
+
+// Gauss-Legendre points, by Newton's method.
 Quadrature gauss_rule(int m) {
   Quadrature q;
+  q.cell = {2};
   q.points.resize(m, 1);
   q.weights.resize(m);
   for (int k = 0; k < m; ++k) {
@@ -139,10 +267,8 @@ Quadrature gauss_rule(int m) {
   return q;
 }
 
-}  // namespace
-
 Quadrature lattice_rule(int m) {
-  RuleBuilder builder;
+  RuleBuilder builder({3});
   const double third = 1.0 / 3.0;
   for (int i = 0; i < m; ++i)
     for (int j = 0; j < m - i; ++j)
@@ -153,7 +279,7 @@ Quadrature lattice_rule(int m) {
 
 Quadrature radon_rule() {
   const double root = std::sqrt(15.0);
-  RuleBuilder builder;
+  RuleBuilder builder({3});
   builder.add(Point::Constant(3, 1.0 / 3.0), 9.0 / 40.0);
   for (const double sign : {-1.0, 1.0}) {
     const double a = (6 + sign * root) / 21, w = (155 + sign * root) / 1200;
@@ -167,7 +293,7 @@ Quadrature radon_rule() {
 }
 
 Quadrature walkington_rule() {
-  RuleBuilder builder;
+  RuleBuilder builder({4});
   const auto add_corners = [&](double a, double w) {
     for (int k = 0; k < 4; ++k) {
       Point p = Point::Constant(4, a);
@@ -187,39 +313,43 @@ Quadrature walkington_rule() {
   return builder.build();
 }
 
-Quadrature tensor_gauss_rule(int m) {
-  const Quadrature line = gauss_rule(m);
-  RuleBuilder builder;
-  for (int j = 0; j < m; ++j)
-    for (int i = 0; i < m; ++i)
-      builder.add(Eigen::RowVector2d(line.points(i, 0), line.points(j, 0)),
-                  line.weights[i] * line.weights[j]);
+Quadrature product_rule(const Quadrature& a, const Quadrature& b) {
+  Quadrature q;
+  q.cell = a.cell;
+  q.cell.insert(q.cell.end(), b.cell.begin(), b.cell.end());
+  q.points.resize(a.size() * b.size(), a.points.cols() + b.points.cols());
+  q.weights.resize(a.size() * b.size());
+  for (Index j = 0, l = 0; j < b.size(); ++j)
+    for (Index i = 0; i < a.size(); ++i, ++l) {
+      q.points.row(l) << a.points.row(i), b.points.row(j);
+      q.weights[l] = a.weights[i] * b.weights[j];
+    }
+  return q;
+}
+
+Quadrature tensor_gauss_rule(int m) { return product_rule(gauss_rule(m), gauss_rule(m)); }
+
+Quadrature composite_rule(const Quadrature& rule, int m) {
+  require_composable(rule, "composite_rule");
+  RuleBuilder builder(rule.cell);
+  for (const WeightedPiece& p : pieces_of(rule.cell, m)) builder.add(rule, p.piece, p.share);
   return builder.build();
 }
 
-Quadrature composite_rule(const Quadrature& rule, int m) {
-  if (on_square(rule)) return composite_square_rule(rule, m);
-  if (on_triangle(rule)) return corner_graded_rule(rule, m, 0);
-  return composite_tetrahedron_rule(rule, m);
-}
-
 Quadrature corner_graded_rule(const Quadrature& rule, int m, int levels) {
-  RuleBuilder builder;
+  require_cell(rule, {3}, "corner_graded_rule");
+  RuleBuilder builder(rule.cell);
   for (const Piece& t : subdivide(Piece::Identity(3, 3), m))
     add_graded(rule, t, 1.0 / (double(m) * m), levels, builder);
   return builder.build();
 }
 
 Quadrature guarded_rule(const Quadrature& rule, int m, double weight) {
-  std::vector<Point> guards;
-  if (on_square(rule))
-    for (int j = 0; j <= m; ++j)
-      for (int i = 0; i <= m; ++i) guards.push_back(Eigen::RowVector2d(i, j));
-  else
-    guards = lattice_points(static_cast<int>(rule.points.cols()), m);
-  RuleBuilder builder;
+  require_composable(rule, "guarded_rule");
+  const std::vector<Point> guards = lattice_points(rule.cell, m);
+  RuleBuilder builder(rule.cell);
   for (Index l = 0; l < rule.size(); ++l)
-    builder.add(rule.points.row(l), (1 - weight) * rule.weights[l]);
+    builder.add(homogeneous(rule.cell, rule.points.row(l)), (1 - weight) * rule.weights[l]);
   for (const Point& p : guards) builder.add(p / m, weight / static_cast<double>(guards.size()));
   return builder.build();
 }

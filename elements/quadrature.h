@@ -1,9 +1,14 @@
-// Quadrature rules: points of a reference element and weights that add to 1.
+// Quadrature rules: points of a reference cell and weights that add to 1.
 //
-// Points of simplices are barycentric, those of the square are (s, t); the number of columns (3 or
-// 4, or 2) says which. All rules are symmetric under the symmetries of the element, so results do
-// not depend on where a cell starts, and all weights are positive.
+//   space.tabulate(radon_rule());                                  // triangles
+//   space.tabulate(product_rule(radon_rule(), gauss_rule(3)));     // wedges: triangle x segment
+//
+// A rule knows its cell, and spaces refuse the rule of another one: three columns are a point of a
+// triangle or of a cube. All rules here are symmetric under the symmetries of the cell, so results
+// do not depend on where a cell starts, and all weights are positive.
 #pragma once
+
+#include <string_view>
 
 #include "majorant/elements/bernstein.h"
 #include "majorant/elements/bernstein_basis.h"
@@ -11,11 +16,17 @@
 namespace majorant {
 
 struct Quadrature {
-  // #L by coordinates: 3 or 4 barycentric ones that add to 1, or (s, t) of the unit square.
+  Factors cell;  // corners of each factor: {3} triangle, {4} tetrahedron, {2, 2} square
+  // #L by coordinates, factor by factor: the barycentric ones of a triangle or tetrahedron, which
+  // add to 1; one number in [0, 1] for a segment: (s, t) of a square, 3 + 1 columns for a wedge.
   RowMatrix points;
   Vec weights;  // #L, add to 1
   Index size() const { return static_cast<Index>(weights.size()); }
 };
+
+// Throws std::invalid_argument, opened by `name` (of the space), unless the rule is one of `cell`:
+// made for it, its points inside, as many weights as points, adding to 1.
+void require_cell(const Quadrature& rule, const Factors& cell, std::string_view name);
 
 // Centroids of the m(m+1)/2 upright triangles of the m-fold subdivision, equal weights; exact for
 // linear functions. [MC20] Sec. 8.3 as repaired in method.md E5 (i).
@@ -27,20 +38,27 @@ Quadrature radon_rule();
 // 14 points of the tetrahedron, exact for degree 5 [Wal00].
 Quadrature walkington_rule();
 
+// m Gauss points of the unit segment, exact for degree 2m - 1: a factor for product_rule.
+Quadrature gauss_rule(int m);
+
+// The rule of the product of two cells, every point of `a` with every point of `b`.
+Quadrature product_rule(const Quadrature& a, const Quadrature& b);
+
 // m by m Gauss points of the unit square, exact for degree 2m - 1 in s and in t.
 Quadrature tensor_gauss_rule(int m);
 
-// `rule` on the pieces of the m-fold subdivision of its element: m^2 congruent triangles or
-// squares. Tetrahedra: m-fold lattice, its octahedra cut into 8 around their centres, together
-// (m^3 + 2m) / 3 + 8 (m^3 - m) / 6 pieces. Keeps the exactness of the rule.
+// `rule` on the pieces of the m-fold subdivision of its cell: m segments, m^2 congruent triangles,
+// products of the pieces of the factors. Tetrahedra: m-fold lattice, its octahedra cut into 8
+// around their centres, together (m^3 + 2m) / 3 + 8 (m^3 - m) / 6 pieces. Keeps the exactness of
+// the rule.
 Quadrature composite_rule(const Quadrature& rule, int m);
 
-// Triangles: `rule` on the subtriangles of a mesh graded towards the corners: `levels` times, the
-// corner subtriangles of the m-fold subdivision are halved.
+// `rule`, of a triangle, on the subtriangles of a mesh graded towards the corners: `levels` times,
+// the corner subtriangles of the m-fold subdivision are halved.
 Quadrature corner_graded_rule(const Quadrature& rule, int m, int levels);
 
-// `rule` scaled by 1 - weight, and the lattice points (a,b,c)/m, a+b+c = m, or (a,b)/m of a square
-// (corners for m = 1) sharing `weight`: guard points that let the energy see the element's
+// `rule` scaled by 1 - weight, and the lattice points of its cell, whose coordinates are multiples
+// of 1/m (corners for m = 1), sharing `weight`: guard points that let the energy see the element's
 // boundary. method.md N12.
 Quadrature guarded_rule(const Quadrature& rule, int m, double weight);
 

@@ -9,6 +9,7 @@ namespace majorant {
 namespace {
 
 constexpr double kNone = 2;  // beyond [0, 1]
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // First root of the cubic with these control values on [left, left + width], from below: bisection
 // as long as they are not all positive; `levels` ends what roots next to 0 begin.
@@ -22,11 +23,23 @@ double first_root_in(const std::array<double, 4>& b, double left, double width, 
   return first_root_in({middle, m123, m23, b[3]}, left + half(width), half(width), levels - 1);
 }
 
+// The same polynomial times a power of two, where squares of its coefficients would leave the range
+// of doubles.
+StepPolynomial<2> moderate(const StepPolynomial<2>& p) {
+  constexpr double kLarge = 0x1p480;
+  const double size = std::max({std::abs(p.power[0]), std::abs(p.power[1]), std::abs(p.power[2])});
+  if (size > 1 / kLarge && size < kLarge) return p;
+  const int exponent = size > 0 && size < kInfinity ? std::ilogb(size) : 0;
+  StepPolynomial<2> out;
+  for (int k = 0; k <= 2; ++k) out.power[k] = std::ldexp(p.power[k], -exponent);
+  return out;
+}
+
 }  // namespace
 
 double first_root(const StepPolynomial<2>& p, double s) {
-  const auto [a, b, c] = p.power;
   if (plainly_positive(p, s)) return s;
+  const auto [a, b, c] = moderate(p).power;
   const double discriminant = b * b - 4 * a * c;
   if (!(discriminant >= 0)) return discriminant < 0 ? s : 0;
   const double root = std::sqrt(discriminant);

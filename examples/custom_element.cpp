@@ -54,13 +54,7 @@ class BezierHexahedronSpace final : public BernsteinSpace {
       : BernsteinSpace(hexahedron(degree), cells, vertex_count) {}
 };
 
-// Gauss's two points in each direction.
-Quadrature gauss_cube() {
-  Quadrature rule{RowMatrix(8, 3), Vec::Constant(8, 1.0 / 8)};
-  const double at[2] = {0.5 - 0.5 / std::sqrt(3.0), 0.5 + 0.5 / std::sqrt(3.0)};
-  for (int l = 0; l < 8; ++l) rule.points.row(l) << at[l & 1], at[l >> 1 & 1], at[l >> 2 & 1];
-  return rule;
-}
+Quadrature gauss_cube() { return product_rule(tensor_gauss_rule(2), gauss_rule(2)); }
 
 int main(int argc, char** argv) {
   if (argc < 2) return std::cerr << "usage: " << argv[0] << " OUT.vtk\n", 1;

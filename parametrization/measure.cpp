@@ -52,6 +52,7 @@ std::vector<Barycentric> sample_points() {
 
 Quadrature single_point(const Barycentric& xi) {
   Quadrature q;
+  q.cell = {3};
   q.points = xi.transpose();
   q.weights = Vec::Ones(1);
   return q;

@@ -26,6 +26,7 @@ std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 Quadrature with_edges(const Quadrature& rule, int pieces) {
   Quadrature out;
   const Index inside = rule.weights.size(), count = 3 * pieces;
+  out.cell = rule.cell;
   out.points.resize(inside + count, rule.points.cols());
   out.weights.resize(inside + count);
   out.points.topRows(inside) = rule.points;

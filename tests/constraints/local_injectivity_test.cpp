@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <stdexcept>
 
 #include "majorant/framework/evaluator.h"
 #include "support.h"
@@ -182,6 +183,21 @@ TEST_P(Injectivity, ThreadsDoNotChangeResults) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Degrees, Injectivity, testing::Range(1, 6));
+
+TEST(InjectivityRest, DeterminantsFitAndCannotTurnAVerdict) {
+  Cells face(1, 3);
+  face << 0, 1, 2;
+  const auto space = std::make_shared<const BezierTriangleSpace>(face, 3, 1);
+  EXPECT_THROW(LocalInjectivity(space, Vec::Ones(2)), std::invalid_argument);
+  EXPECT_THROW(LocalInjectivity(space, Vec()), std::invalid_argument);
+  EXPECT_THROW(LocalInjectivity(nullptr, Vec::Ones(1)), std::invalid_argument);
+  Points2 corners(3, 2);
+  corners << 0, 1, 1, 0, 0, 0;  // inverted
+  const Vec inverted = test::linear_map(*space, corners);
+  for (const double rest : {1.0, -1.0, 0.0, std::nan("")})
+    EXPECT_FALSE(LocalInjectivity(space, Vec::Constant(1, rest)).check(inverted).feasible) << rest;
+  EXPECT_FALSE(LocalInjectivity(space, -Vec::Ones(1)).check(-inverted).feasible);
+}
 
 TEST(InjectivityDepth, DeeperBisectionProvesMoreAndIsCounted) {
   Cells face(1, 3);

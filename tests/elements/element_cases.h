@@ -16,6 +16,7 @@
 #include "majorant/elements/bezier_quad_space.h"
 #include "majorant/elements/bezier_tetrahedron_space.h"
 #include "majorant/elements/bezier_triangle_space.h"
+#include "product_elements.h"
 #include "support.h"
 
 namespace majorant::test {
@@ -60,12 +61,40 @@ inline CellMesh quad_grid() {
   return {cells, mesh.positions.leftCols<2>()};
 }
 
-// 2 by 2 by 2 cubes of six tetrahedra each (Kuhn), the middle vertex moved.
+// Vertices of 2 by 2 by 2 cubes, the middle one moved.
+inline RowMatrix cube_vertices() {
+  RowMatrix out(27, 3);
+  for (int v = 0; v < 27; ++v) out.row(v) << v % 3, v / 3 % 3, v / 9;
+  out.row(13) += Eigen::RowVector3d(0.2, -0.15, 0.1);
+  return out;
+}
+
+// Lowest vertex of each of them.
+inline Index cube_origin(int cube) { return cube % 2 + 3 * (cube / 2 % 2 + 3 * (cube / 4)); }
+
+inline CellMesh hexahedron_grid() {
+  CellMesh out{Cells(8, 8), cube_vertices()};
+  for (int cube = 0; cube < 8; ++cube)
+    for (int k = 0; k < 8; ++k)
+      out.cells(cube, k) = cube_origin(cube) + k % 2 + 3 * (k / 2 % 2 + 3 * (k / 4));
+  return out;
+}
+
+// Two wedges in every cube.
+inline CellMesh wedge_grid() {
+  CellMesh out{Cells(16, 6), cube_vertices()};
+  for (int cube = 0; cube < 8; ++cube) {
+    const Index a = cube_origin(cube), b = a + 1, c = a + 3, d = a + 4;
+    out.cells.row(2 * cube) << a, b, d, a + 9, b + 9, d + 9;
+    out.cells.row(2 * cube + 1) << d, c, a, d + 9, c + 9, a + 9;
+  }
+  return out;
+}
+
+// Six tetrahedra in every cube (Kuhn).
 inline CellMesh tetrahedron_grid() {
-  CellMesh out{Cells(48, 4), RowMatrix(27, 3)};
+  CellMesh out{Cells(48, 4), cube_vertices()};
   const auto vertex = [](const Eigen::Vector3i& p) { return p[0] + 3 * (p[1] + 3 * p[2]); };
-  for (int v = 0; v < 27; ++v) out.vertices.row(v) << v % 3, v / 3 % 3, v / 9;
-  out.vertices.row(13) += Eigen::RowVector3d(0.2, -0.15, 0.1);
   Index e = 0;
   for (int cube = 0; cube < 8; ++cube) {
     std::array<int, 3> axes{0, 1, 2};
@@ -125,7 +154,23 @@ inline std::vector<ElementCase> all_elements() {
   add<BezierTetrahedronSpace>(out, "tetrahedron", tetrahedron_grid(), even_permutations(4),
                               walkington_rule(), 4);
   add<BezierQuadSpace>(out, "quad", quad_grid(), cyclic(4), tensor_gauss_rule(4), 4);
+  // Turned about t, and by half a turn about s or the bisector of r and s.
+  add<HexahedronSpace>(
+      out, "hexahedron", hexahedron_grid(),
+      {{0, 1, 2, 3, 4, 5, 6, 7}, {1, 3, 0, 2, 5, 7, 4, 6}, {5, 4, 7, 6, 1, 0, 3, 2}},
+      product_rule(tensor_gauss_rule(3), gauss_rule(3)), 3);
+  const std::vector<std::vector<int>> of_wedges{
+      {0, 1, 2, 3, 4, 5}, {1, 2, 0, 4, 5, 3}, {3, 5, 4, 0, 2, 1}};
+  add<WedgeSpace>(out, "wedge", wedge_grid(), of_wedges, product_rule(radon_rule(), gauss_rule(3)),
+                  3);
+  add<UprightWedgeSpace>(out, "upright_wedge", wedge_grid(), of_wedges,
+                         product_rule(gauss_rule(3), radon_rule()), 3);
   return out;
+}
+
+// Products in space are not exact in the corners of their cells already at degree 1.
+inline bool is_spatial_product(const BernsteinElement& element) {
+  return element.dim() == 3 && element.factors.size() > 1;
 }
 
 inline std::string case_name(const testing::TestParamInfo<ElementCase>& info) {
@@ -333,6 +378,7 @@ inline Vec unknowns(const RowMatrix& positions) {
 // A rule whose points are the given homogeneous coordinates, equal weights.
 inline Quadrature rule_at(const Factors& factors, const std::vector<std::vector<double>>& points) {
   Quadrature q;
+  q.cell = factors;
   const auto size = static_cast<Index>(points.size());
   q.weights = Vec::Constant(size, 1.0 / double(size));
   q.points.resize(size, quadrature_point(factors, points.front()).size());

@@ -31,9 +31,10 @@ class Certificate : public testing::TestWithParam<ElementCase> {
     return space_->tabulate(test::rule_at(factors, test::lattice_coordinates(factors, m)));
   }
   std::shared_ptr<const BernsteinSpace> space_ = GetParam().space();
-  // det J is constant or bilinear: its corners decide.
-  const bool linear_ = GetParam().degree == 1;
-  Index few_ = std::min<Index>(space_->element_count(), 12);
+  // det J of straight cells is linear or bilinear: its corners decide.
+  const bool straight_is_exact_ = !test::is_spatial_product(space_->element());
+  const bool linear_ = GetParam().degree == 1 && straight_is_exact_;
+  Index few_ = std::min<Index>(space_->element_count(), straight_is_exact_ ? 12 : 3);
 };
 
 TEST_P(Certificate, StraightMeshesAreCertified) {
@@ -43,7 +44,9 @@ TEST_P(Certificate, StraightMeshesAreCertified) {
   for (Index e = 0; e < space().element_count(); ++e) {
     const PositivityProof proof = space().certify(e, x, 0);
     EXPECT_EQ(proof.result, Positivity::Certified);
-    EXPECT_NEAR(proof.lower_bound, test::sampled_det(space(), t, x, e), 1e-12);
+    const double lowest = test::sampled_det(space(), t, x, e);
+    EXPECT_LE(proof.lower_bound, lowest + 1e-12);
+    EXPECT_GE(proof.lower_bound, straight_is_exact_ ? lowest - 1e-12 : 0.9 * lowest);
   }
 }
 
@@ -83,7 +86,7 @@ TEST_P(Certificate, IsNeverWrongAndBoundsAreClose) {
 
 // Maps that are degenerate up to rounding: certified must mean positive in exact arithmetic.
 TEST_P(Certificate, NearlyDegenerateMapsAgreeWithExactArithmetic) {
-  if (n() > (dim() == 2 ? 3 : 2)) return;  // exact polynomials grow fast
+  if (n() > (dim() == 2 ? 3 : straight_is_exact_ ? 2 : 1)) return;  // polynomials grow fast
   Random random(3);
   const Factors& factors = space().element().factors;
   std::vector<std::vector<Rational>> points;

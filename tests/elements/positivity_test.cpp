@@ -98,6 +98,25 @@ TEST(CertifyPositive, TouchingZeroIsNotPositive) {
   EXPECT_EQ(certify_positive(triangle(0), tiny, 1e-299, 5).result, Positivity::Violated);
 }
 
+// Halves of the smallest doubles round, up as well as down.
+TEST(CertifyPositive, BoundsHoldForTheSmallestDoubles) {
+  constexpr int kDegree = 6;
+  constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
+  Random random(3);
+  int bisected = 0;
+  for (int trial = 0; trial < 100; ++trial) {
+    std::vector<double> c(static_cast<std::size_t>(control_point_count(kDegree)), 90);
+    for (const int k : TriangleIndices::of_degree(kDegree).edge(0))
+      c[static_cast<std::size_t>(k)] = random.integer(-9, 90);
+    const Rational lowest = sampled_minimum(kDegree, c, 16);
+    for (double& x : c) x *= kSmallest;
+    const PositivityProof proof = certify_positive(triangle(kDegree), c.data(), 0, 8);
+    EXPECT_LE(Rational(proof.lower_bound / kSmallest), lowest) << "trial " << trial;
+    bisected += proof.result == Positivity::Certified && proof.depth > 0;
+  }
+  EXPECT_GT(bisected, 10);
+}
+
 // method.md N5: NaN must count as failure, wherever it stands.
 TEST(CertifyPositive, NaNIsNeverCertified) {
   for (const double bad : {std::nan(""), -std::nan(""), -std::numeric_limits<double>::infinity()})

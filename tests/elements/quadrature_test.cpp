@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <numeric>
+#include <stdexcept>
 
 #include "support.h"
 
@@ -189,6 +191,72 @@ TEST(Quadrature, CompositeTetrahedraKeepExactnessAndSymmetry) {
     EXPECT_EQ(q.size(), 14 * ((m * m * m + 2 * m) / 3 + 8 * (m * m * m - m) / 6));
     expect_tetrahedron_rule(q, 5);
   }
+}
+
+// ---- Rules know their cells. ----
+
+std::string refusal(const Quadrature& rule, const Factors& cell) {
+  try {
+    require_cell(rule, cell, "space");
+  } catch (const std::invalid_argument& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(Quadrature, OfAnotherCellIsRefused) {
+  const Quadrature line = gauss_rule(2), square = tensor_gauss_rule(2);
+  const std::vector<Quadrature> rules{line,
+                                      square,
+                                      radon_rule(),
+                                      walkington_rule(),
+                                      product_rule(square, line),
+                                      product_rule(radon_rule(), line),
+                                      product_rule(line, radon_rule())};
+  for (const Quadrature& a : rules)
+    for (const Quadrature& b : rules) EXPECT_EQ(refusal(a, b.cell).empty(), &a == &b);
+  EXPECT_EQ(refusal(product_rule(square, line), {3}),
+            "space: quadrature of the cell {2, 2, 2}, {3} is needed (corners of each factor)");
+}
+
+TEST(Quadrature, ThatIsNoneIsRefused) {
+  const auto refused = [](const std::function<void(Quadrature&)>& spoil, const std::string& why) {
+    Quadrature q = product_rule(radon_rule(), gauss_rule(2));
+    spoil(q);
+    EXPECT_NE(refusal(q, {3, 2}).find(why), std::string::npos) << refusal(q, {3, 2});
+  };
+  refused([](auto& q) { q.points = RowMatrix(q.points.leftCols(3)); }, "4 columns are needed");
+  refused([](auto& q) { q.weights = Vec(q.weights.head(5)); }, "with 5 weights and 14 by 4 points");
+  refused([](auto& q) { q = Quadrature{{3, 2}, RowMatrix(0, 4), Vec(0)}; }, "with 0 weights");
+  refused([](auto& q) { q.weights *= 0.5; }, "add to 0.5");
+  refused([](auto& q) { q.weights[3] = std::nan(""); }, "add to nan");
+  refused([](auto& q) { q.points(2, 0) += 0.01; }, "point 2 is outside");
+  refused([](auto& q) { q.points(4, 3) = 1.01; }, "point 4 is outside");
+  refused([](auto& q) { q.points(4, 3) = std::nan(""); }, "point 4 is outside");
+  EXPECT_THROW(corner_graded_rule(tensor_gauss_rule(2), 2, 1), std::invalid_argument);
+  EXPECT_THROW(composite_rule(Quadrature{}, 2), std::invalid_argument);
+  EXPECT_THROW(guarded_rule(Quadrature{{5}, RowMatrix::Constant(1, 5, 0.2), Vec::Ones(1)}, 1, 0.1),
+               std::invalid_argument);
+}
+
+// ---- Products: a wedge. ----
+
+TEST(Quadrature, ProductsAreExactInEachFactor) {
+  const Quadrature wedge = product_rule(radon_rule(), gauss_rule(3));
+  EXPECT_EQ(wedge.cell, (Factors{3, 2}));
+  for (const Quadrature& q : {wedge, composite_rule(wedge, 3), composite_rule(wedge, 1)})
+    for (int i = 0; i <= 5; ++i)
+      for (int k = 0; k <= 5; ++k) {
+        double sum = 0;
+        for (Index l = 0; l < q.size(); ++l)
+          sum += q.weights[l] * std::pow(q.points(l, 1), i) * std::pow(q.points(l, 3), k);
+        EXPECT_NEAR(sum, exact_mean(0, i, 0) / (k + 1), 1e-14);
+      }
+  EXPECT_EQ(composite_rule(wedge, 3).size(), 27 * wedge.size());
+  const Quadrature guarded = guarded_rule(wedge, 2, 1e-3);
+  EXPECT_EQ(guarded.size(), wedge.size() + 6 * 3);
+  EXPECT_NEAR(guarded.weights.tail(18).sum(), 1e-3, 1e-15);
+  EXPECT_EQ(refusal(guarded, {3, 2}), "");
 }
 
 // ---- The unit square: points (s, t). ----

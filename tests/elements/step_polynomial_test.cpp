@@ -41,6 +41,21 @@ TEST(Cubics, ExtremeScales) {
   EXPECT_NEAR(first_root({{1e-200, -1e-200, 0, 0}}, 10), 1, 1e-13);
 }
 
+// Squares of the coefficients leave the range of doubles.
+TEST(Quadratics, ExtremeScales) {
+  for (const double scale : {0x1p-1000, 0x1p-560, 0x1p-480, 1.0, 0x1p480, 0x1p560, 0x1p1000}) {
+    const auto root = [&](double a, double b, double c, double s) {
+      return first_root(StepPolynomial<2>{{a * scale, b * scale, c * scale}}, s);
+    };
+    EXPECT_DOUBLE_EQ(root(1, -2, 0, 3), 0.5) << scale;
+    EXPECT_DOUBLE_EQ(root(6, -5, 1, 10), 2) << scale;
+    EXPECT_DOUBLE_EQ(root(6, 5, -1, 10), 6) << scale;
+    EXPECT_EQ(root(1, -1, 1, 10), 10) << scale;
+  }
+  EXPECT_NEAR(first_root(StepPolynomial<2>{{1, 1e200, -1e300}}, 1) / 1e-100, 1, 1e-12);
+  EXPECT_EQ(first_root(StepPolynomial<2>{{1, -std::numeric_limits<double>::infinity(), 1}}, 1), 0);
+}
+
 // A touching zero may be missed by rounding, a crossing may not.
 TEST(Cubics, NearlyDoubleRoots) {
   Cubic p = with_roots(-1, 1, 1, 3);

@@ -59,6 +59,7 @@ class LinearTetrahedra final : public ElementSpace {
 
 inline Quadrature tetrahedron_centroid() {
   Quadrature rule;
+  rule.cell = {4};
   rule.points.setConstant(1, 4, 0.25);
   rule.weights.setOnes(1);
   return rule;

@@ -1,0 +1,98 @@
+// Elements that the library does not have, described as a user would: products of three segments,
+// and of a triangle and a segment, whose factors differ.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "majorant/elements/bernstein_space.h"
+
+namespace majorant::test {
+
+// Functions as they come, but for the corners, which go first.
+inline std::vector<Exponents> corners_first(const Factors& factors,
+                                            const std::vector<Exponents>& functions) {
+  const BernsteinBasis basis(factors, functions);
+  std::vector<Exponents> out = functions;
+  std::stable_partition(out.begin(), out.end(),
+                        [&](const Exponents& e) { return basis.is_corner(basis.find(e)); });
+  return out;
+}
+
+// Coordinates 1-r, r, 1-s, s, 1-t, t. Corners by r, then s, then t.
+inline std::vector<Exponents> hexahedron_lattice(const Degrees& n) {
+  std::vector<Exponents> out;
+  for (int k = 0; k <= n[2]; ++k)
+    for (int j = 0; j <= n[1]; ++j)
+      for (int i = 0; i <= n[0]; ++i) out.push_back({n[0] - i, i, n[1] - j, j, n[2] - k, k});
+  return corners_first({2, 2, 2}, out);
+}
+
+inline BernsteinElement hexahedron(int degree) {
+  constexpr int m = Subdivision::kMidpoint;
+  return {.name = "hexahedra",
+          .degree = degree,
+          .max_degree = 4,
+          .factors = {2, 2, 2},
+          .lattice = hexahedron_lattice,
+          .derivatives = {{1, 0}, {3, 2}, {5, 4}},
+          .bisections = {{0, 1, {0, m, 2, 3, 4, 5}, {m, 1, 2, 3, 4, 5}},
+                         {2, 3, {0, 1, 2, m, 4, 5}, {0, 1, m, 3, 4, 5}},
+                         {4, 5, {0, 1, 2, 3, 4, m}, {0, 1, 2, 3, m, 5}}}};
+}
+
+// Barycentric a, b, c of the triangle, then 1-t, t. Corners a, b, c at t = 0, then at t = 1.
+inline std::vector<Exponents> wedge_lattice(const Degrees& n) {
+  std::vector<Exponents> out;
+  for (int k = 0; k <= n[1]; ++k)
+    for (int i = n[0]; i >= 0; --i)
+      for (int j = n[0] - i; j >= 0; --j) out.push_back({i, j, n[0] - i - j, n[1] - k, k});
+  return corners_first({3, 2}, out);
+}
+
+// Two cuts of the triangle, by its newest vertex, halve it as one cut does the segment.
+inline BernsteinElement wedge(int degree) {
+  constexpr int m = Subdivision::kMidpoint;
+  return {.name = "wedges",
+          .degree = degree,
+          .max_degree = 4,
+          .factors = {3, 2},
+          .lattice = wedge_lattice,
+          .derivatives = {{0, 2}, {1, 2}, {4, 3}},
+          .bisections = {{1, 2, {m, 0, 1, 3, 4}, {m, 2, 0, 3, 4}},
+                         {1, 2, {m, 0, 1, 3, 4}, {m, 2, 0, 3, 4}},
+                         {3, 4, {0, 1, 2, 3, m}, {0, 1, 2, m, 4}}}};
+}
+
+// The same cell with the segment first: other directions have more coefficients.
+inline std::vector<Exponents> upright_wedge_lattice(const Degrees& n) {
+  std::vector<Exponents> out;
+  for (const Exponents& e : wedge_lattice({n[1], n[0]}))
+    out.push_back({e[3], e[4], e[0], e[1], e[2]});
+  return out;
+}
+
+inline BernsteinElement upright_wedge(int degree) {
+  constexpr int m = Subdivision::kMidpoint;
+  return {.name = "upright wedges",
+          .degree = degree,
+          .max_degree = 4,
+          .factors = {2, 3},
+          .lattice = upright_wedge_lattice,
+          .derivatives = {{1, 0}, {2, 4}, {3, 4}},
+          .bisections = {{3, 4, {0, 1, m, 2, 3}, {0, 1, m, 4, 2}},
+                         {3, 4, {0, 1, m, 2, 3}, {0, 1, m, 4, 2}},
+                         {0, 1, {0, m, 2, 3, 4}, {m, 1, 2, 3, 4}}}};
+}
+
+template <BernsteinElement (*describe)(int)>
+class ProductSpace final : public BernsteinSpace {
+ public:
+  ProductSpace(const Cells& cells, Index vertex_count, int degree)
+      : BernsteinSpace(describe(degree), cells, vertex_count) {}
+};
+using HexahedronSpace = ProductSpace<hexahedron>;
+using WedgeSpace = ProductSpace<wedge>;
+using UprightWedgeSpace = ProductSpace<upright_wedge>;
+
+}  // namespace majorant::test
