@@ -47,9 +47,9 @@ class Contacts {
     for (std::size_t k = 0; k < boundary_.curves.size(); ++k) {
       const auto curve = static_cast<Index>(k);
       found(curve, curve, contact_with_itself(boundary_.curves[k], budget_));
+      if (has_enough()) return;
       boxes.push_back(box_of(boundary_.curves[k]));
     }
-    if (certain_ >= kMaxContacts) return;
     BoxTree(std::move(boxes)).visit_pairs([this](Index i, Index j) { return test(i, j); });
   }
 
@@ -58,8 +58,11 @@ class Contacts {
     if (!budget_.spend(1)) return ++out_.pairs_left < kMostPairsLeft;
     ++out_.pairs_tested;
     found(i, j, contact(i, j));
-    return certain_ < kMaxContacts;
+    return !has_enough();
   }
+
+  // Doubts are not enough: the search goes on for a contact that is certain.
+  bool has_enough() const { return certain_ > 0 && out_.contacts.size() >= kMaxContacts; }
 
   CurveContact contact(Index i, Index j) {
     const PlanarCurve &a = boundary_.curves[at(i)], &b = boundary_.curves[at(j)];
@@ -74,7 +77,6 @@ class Contacts {
     const auto is_this = [a = a, b = b](const BoundaryContact& c) {
       return c.half_edge_a == a && c.half_edge_b == b;
     };
-    // Possible ones are kept as long as there is room; the search goes on for one that is certain.
     const bool certain = contact.kind == Contact::Certain;
     if (!certain && out_.contacts.size() >= kMaxContacts) return;
     if (std::any_of(out_.contacts.begin(), out_.contacts.end(), is_this)) return;
@@ -86,7 +88,7 @@ class Contacts {
   const std::vector<Index> next_;
   SubdivisionBudget& budget_;
   GlobalInjectivity& out_;
-  std::size_t certain_ = 0;
+  int certain_ = 0;
 };
 
 // ---- Orientation and nesting ----

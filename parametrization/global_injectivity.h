@@ -53,10 +53,10 @@ enum class Injectivity { Proven, Violated, Undecided };
 struct InjectivityOptions {
   // At most this many subdivisions of pairs of curves (SubdivisionBudget), a pair itself taking
   // one. None: 2^18 + 64 for every boundary edge. XXX
-  std::optional<long> max_subdivisions;
+  std::optional<long> max_subdivisions = {};
   // Asked every few dozen microseconds, in every phase; true ends the proof, as Undecided unless it
   // has a result. Empty: never.
-  std::function<bool()> stopped;
+  std::function<bool()> stopped = {};
 };
 
 struct BoundaryContact {
