@@ -1,6 +1,8 @@
-// All pairs of boxes that meet, by a tree of bounding boxes.
+// Boxes that meet each other, or a given one, by a tree of bounding boxes.
 //
-//   visit_meeting_boxes(boxes, [&](Index i, Index j) { pairs.push_back({i, j}); return true; });
+//   const BoxTree tree(boxes);
+//   tree.visit_pairs([&](Index i, Index j) { pairs.push_back({i, j}); return true; });
+//   tree.visit_meeting({p, p}, [&](Index i) { around_p.push_back(i); });
 #pragma once
 
 #include <functional>
@@ -17,9 +19,41 @@ struct Box2 {
   }
 };
 
-// Calls visit(i, j) once for every pair i < j, in an order that depends on the boxes alone, until
-// it returns false. O(#boxes log #boxes + #pairs) for boxes of similar size. Finite numbers only.
-void visit_meeting_boxes(const std::vector<Box2>& boxes,
-                         const std::function<bool(Index, Index)>& visit);
+class BoxTree {
+ public:
+  using VisitPair = std::function<bool(Index, Index)>;
+
+  // O(#boxes log #boxes). Finite numbers only.
+  explicit BoxTree(std::vector<Box2> boxes);
+
+  // Calls visit(i, j) once for every pair i < j that meets, in an order that depends on the boxes
+  // alone, until it returns false. O(#boxes log #boxes + #pairs) for boxes of similar size.
+  void visit_pairs(const VisitPair& visit) const;
+
+  // Calls visit(i) for every box that meets `box`, which may be infinite.
+  void visit_meeting(const Box2& box, const std::function<void(Index)>& visit) const;
+
+ private:
+  static constexpr Index kLeaf = 4;  // boxes
+  struct Node {
+    Box2 box;
+    Index begin, end;
+    Index right = -1;  // child; the left one follows its parent. -1: a leaf
+  };
+
+  const Node& at(Index node) const { return nodes_[static_cast<std::size_t>(node)]; }
+  const Box2& box(Index place) const {
+    return boxes_[static_cast<std::size_t>(order_[static_cast<std::size_t>(place)])];
+  }
+  void build(Index begin, Index end);
+  // False once `visit` has said so.
+  bool within(Index node, const VisitPair& visit) const;
+  bool between(Index a, Index b, const VisitPair& visit) const;
+  bool all_pairs(const Node& m, const Node& n, const VisitPair& visit) const;
+
+  std::vector<Box2> boxes_;
+  std::vector<Index> order_;
+  std::vector<Node> nodes_;
+};
 
 }  // namespace majorant

@@ -2,38 +2,40 @@
 
 #include <cmath>
 #include <initializer_list>
+#include <utility>
 
+#include "majorant/parametrization/curve_graph.h"
 #include "majorant/parametrization/curve_piece.h"
+#include "majorant/parametrization/exact_orientation.h"
 
 namespace majorant {
 namespace {
 
 using curve_piece::along;
 using curve_piece::Direction;
+using curve_piece::Graph;
+using curve_piece::Heights;
 using curve_piece::Interval;
 using curve_piece::magnitude;
 using curve_piece::Piece;
 using curve_piece::Quad;
 using curve_piece::split;
 
-// Products of two coordinates must not overflow; the rounding bounds cover everything else.
-constexpr double kLargest = 1e150;
-// Pairs of pieces looked at before a pair of curves is given up; what is decided at all takes a few
-// dozen, curves along each other at a distance d about sqrt(size / d).
-constexpr long kWork = 1 << 18;
-constexpr long kQuadWork = 1 << 14;  // quadruple precision takes 30 times as long
 // Once a place is found that cannot be decided, the rest is searched for a crossing, but not long.
-constexpr long kWorkAfterDoubt = 1 << 8;
+constexpr long kStepsAfterDoubt = 1 << 6;
 
+// kSteps: pairs of pieces looked at before a pair of curves is given up. What is decided at all
+// takes a few dozen, cubics along each other at 1e-9 of their size 75, at 1e-14 some hundreds
+// (degree 8: 300 and 1500). kCost: a step's share of a budget, by time.
 template <class Real>
 struct Limits {
   static constexpr int kDepth = 60;
-  static constexpr long kWork = majorant::kWork;
+  static constexpr long kSteps = 1 << 12, kCost = 1;
 };
 template <>
 struct Limits<Quad> {
   static constexpr int kDepth = 120;
-  static constexpr long kWork = kQuadWork;
+  static constexpr long kSteps = 1 << 8, kCost = 64;
 };
 
 template <class Real>
@@ -70,19 +72,74 @@ bool separated(const Piece<Real>& a, const Piece<Real>& b) {
   return false;
 }
 
-// `a` stays strictly between the ends of `b`, seen along the chord of `b`, and its own ends lie
-// strictly on either side of all of `b`: inside that strip `b` joins the left to the right, `a` the
-// top to the bottom of a rectangle.
+// `a` stays strictly between the ends of `b` in x, and its own ends lie strictly on either side of
+// all of `b` in y: inside that strip `b` joins the left to the right, `a` the top to the bottom of
+// a rectangle.
 template <class Real>
-bool crosses(const Piece<Real>& a, const Piece<Real>& b) {
+bool crosses(const Heights<Real>& a, const Heights<Real>& b) {
+  const bool between = (before(b.front_x, a.x) && before(a.x, b.back_x)) ||
+                       (before(b.back_x, a.x) && before(a.x, b.front_x));
+  return between && ((before(a.front, b.all) && before(b.all, a.back)) ||
+                     (before(a.back, b.all) && before(b.all, a.front)));
+}
+
+// Seen along the chord of `b`.
+template <class Real>
+bool crosses_straight(const Piece<Real>& a, const Piece<Real>& b) {
   const Direction<Real> chord = b.chord(), up = normal(chord);
-  const Interval<Real> extent = along(a, chord);
-  if (!before(along(b, chord, 0, 0), extent) ||
-      !before(extent, along(b, chord, b.degree, b.degree)))
+  const auto seen = [&](const Piece<Real>& p) {
+    return Heights<Real>{along(p, chord),       along(p, chord, 0, 0),
+                         along(p, chord, p.degree, p.degree), along(p, up),
+                         along(p, up, 0, 0),    along(p, up, p.degree, p.degree)};
+  };
+  return crosses(seen(a), seen(b));
+}
+
+// Seen along a graph that follows `b`, without the ends of `a`: of curves that run along each other,
+// pieces often end at the same place.
+template <class Real>
+bool crosses_curved(const Piece<Real>& a, const Piece<Real>& b) {
+  constexpr double kFirst = 1.0 / 16, kLast = 15.0 / 16;
+  const Graph<Real> graph = curve_piece::graph_between(b, b);
+  const Heights<Real> of_b = heights(b, graph), of_a = heights(a, graph);
+  if (!(before(of_a.front, of_b.all) && before(of_b.all, of_a.back)) &&
+      !(before(of_a.back, of_b.all) && before(of_b.all, of_a.front)))
     return false;
-  const Interval<Real> slab = along(b, up);
-  const Interval<Real> front = along(a, up, 0, 0), back = along(a, up, a.degree, a.degree);
-  return (before(front, slab) && before(slab, back)) || (before(back, slab) && before(slab, front));
+  const Piece<Real> middle = split(split(a, kFirst).second, kLast).first;
+  return crosses(heights(middle, graph), of_b);
+}
+
+enum class Relation { Apart, Crossing, Unknown };
+
+// A graph is worth its cost (that of a few dozen axes) for pieces that are flat and of like size.
+template <class Real>
+bool may_be_graphs(const Piece<Real>& a, const Piece<Real>& b) {
+  constexpr double kFlat = 0.5, kLike = 8;
+  const auto flat = [](const Piece<Real>& p) {
+    const Direction<Real> chord = p.chord();
+    const Interval<Real> slab = along(p, normal(chord));
+    return slab.high - slab.low < Real(kFlat) * (chord.x * chord.x + chord.y * chord.y);
+  };
+  const Real of_a = a.size(), of_b = b.size();
+  return of_a < kLike * of_b && of_b < kLike * of_a && flat(a) && flat(b);
+}
+
+template <class Real>
+bool changes_side(const Heights<Real>& p) {
+  return (p.front.high < 0 && p.back.low > 0) || (p.back.high < 0 && p.front.low > 0);
+}
+
+template <class Real>
+Relation relation(const Piece<Real>& a, const Piece<Real>& b) {
+  if (separated(a, b)) return Relation::Apart;
+  if (crosses_straight(a, b) || crosses_straight(b, a)) return Relation::Crossing;
+  if (!may_be_graphs(a, b)) return Relation::Unknown;
+  const Graph<Real> graph = curve_piece::graph_between(a, b);
+  const Heights<Real> of_a = heights(a, graph), of_b = heights(b, graph);
+  if (before(of_a.all, of_b.all) || before(of_b.all, of_a.all)) return Relation::Apart;
+  const bool crossing = (changes_side(of_a) && crosses_curved(a, b)) ||
+                        (changes_side(of_b) && crosses_curved(b, a));
+  return crossing ? Relation::Crossing : Relation::Unknown;
 }
 
 // Some place of two pieces, known to cross, where parts smaller than `size` may do so. False once
@@ -138,11 +195,13 @@ bool advances(const Piece<Real>& a) {
 template <class Real>
 class Search {
  public:
-  explicit Search(const Vector2& origin) : origin_(origin) {}
+  Search(const Vector2& origin, SubdivisionBudget& budget) : origin_(origin), budget_(budget) {}
 
   void apart(const Piece<Real>& a, const Piece<Real>& b) {
-    if (ended() || separated(a, b)) return;
-    if (crosses(a, b) || crosses(b, a)) return found(Contact::Certain, crossing_place(a, b));
+    if (ended()) return;
+    const Relation known = relation(a, b);
+    if (known == Relation::Apart) return;
+    if (known == Relation::Crossing) return found(Contact::Certain, crossing_place(a, b));
     const int larger = to_split(a, b);
     if (larger < 0) return found(Contact::Possible, {a.x[0], a.y[0]});
     const auto [first, second] = split(larger == 0 ? a : b);
@@ -185,13 +244,13 @@ class Search {
  private:
   bool ended() {
     if (result_.kind == Contact::Certain) return true;
-    if (--work_ >= 0) return false;
+    if (--steps_ >= 0 && budget_.spend(Limits<Real>::kCost)) return false;
     if (result_.kind == Contact::None) result_ = {Contact::Possible, origin_};
     return true;
   }
   void found(Contact kind, const Direction<Real>& place) {
     result_ = {kind, origin_ + Vector2(static_cast<double>(place.x), static_cast<double>(place.y))};
-    work_ = std::min(work_, kWorkAfterDoubt);
+    steps_ = std::min(steps_, kStepsAfterDoubt);
   }
   // Pieces about as small as their errors cannot be told apart any better.
   static bool can_split(const Piece<Real>& a) {
@@ -205,92 +264,116 @@ class Search {
   }
 
   Vector2 origin_;
+  SubdivisionBudget& budget_;
   CurveContact result_;
-  long work_ = Limits<Real>::kWork;
+  long steps_ = Limits<Real>::kSteps;
 };
 
 // In double, then in quadruple precision. run(Search&, Real) starts the search.
 template <class Run>
-CurveContact decide(const Vector2& origin, const Run& run) {
-  Search<double> quick(origin);
+CurveContact decide(const Vector2& origin, SubdivisionBudget& budget, const Run& run) {
+  Search<double> quick(origin, budget);
   run(quick, double());
-  if (quick.result().kind != Contact::Possible) return quick.result();
-  Search<Quad> search(origin);
+  if (quick.result().kind != Contact::Possible || budget.stopped()) return quick.result();
+  Search<Quad> search(origin, budget);
   run(search, Quad());
   return search.result();
 }
 
-bool in_range(const PlanarCurve& curve) {
-  for (int k = 0; k <= curve.degree; ++k) {
-    const Vector2& p = curve.control_points[static_cast<std::size_t>(k)];
-    if (!(p.cwiseAbs().maxCoeff() < kLargest)) return false;
+// The point p, an end of one curve, is a point of the other.
+bool touches(const PlanarCurve& curve, const Vector2& p) {
+  if (curve.degree == 1) return on_segment(curve.front(), curve.back(), p);
+  return p == curve.front() || p == curve.back();
+}
+
+// Of segments; none of their ends lies on the other.
+CurveContact contact_of_lines(const PlanarCurve& a, const PlanarCurve& b) {
+  if (!segments_meet(a.front(), a.back(), b.front(), b.back())) return {};
+  const Vector2 u = a.back() - a.front(), v = b.back() - b.front(), w = b.front() - a.front();
+  const double t = (w.x() * v.y() - w.y() * v.x()) / (u.x() * v.y() - u.y() * v.x());
+  return {Contact::Certain, a.front() + (t > 0 && t < 1 ? t : 0.5) * u};
+}
+
+SubdivisionBudget unlimited() { return SubdivisionBudget(std::numeric_limits<long>::max()); }
+
+}  // namespace
+
+bool PlanarCurve::in_range() const {
+  for (int k = 0; k <= degree; ++k) {
+    const Vector2& p = control_points[static_cast<std::size_t>(k)];
+    if (!(std::abs(p.x()) < kLargest && std::abs(p.y()) < kLargest)) return false;
   }
   return true;
 }
 
-// a - b where that is exact: its rounding error, computed exactly [Knu97, 4.2.2 Theorem B], is
-// zero.
-bool exact_difference(double a, double b, double& difference) {
-  difference = a - b;
-  const double minus_b = difference - a;
-  return (a - (difference - minus_b)) + (-b - minus_b) == 0;
+bool SubdivisionBudget::spend(long subdivisions) {
+  constexpr long kUnasked = 32;  // some dozen microseconds
+  if (state_ == State::Open && subdivisions > limit_ - spent_) state_ = State::UsedUp;
+  if (state_ != State::Open) return false;
+  spent_ += subdivisions;
+  unasked_ += subdivisions;
+  return unasked_ < kUnasked || !stopped();
 }
 
-// Proves that p lies on a line segment; false also where that takes more than differences that are
-// exact in double precision, the products of which are exact in quadruple precision.
-bool lies_on(const PlanarCurve& line, const Vector2& p) {
-  if (line.degree != 1) return false;
-  const Vector2 &a = line.front(), &b = line.back();
-  double ux = 0, uy = 0, vx = 0, vy = 0;
-  if (!exact_difference(b.x(), a.x(), ux) || !exact_difference(b.y(), a.y(), uy) ||
-      !exact_difference(p.x(), a.x(), vx) || !exact_difference(p.y(), a.y(), vy))
-    return false;
-  const auto within = [](double x, double s, double t) {
-    return std::min(s, t) <= x && x <= std::max(s, t);
-  };
-  return Quad(ux) * Quad(vy) == Quad(uy) * Quad(vx) && within(p.x(), a.x(), b.x()) &&
-         within(p.y(), a.y(), b.y());
+bool SubdivisionBudget::stopped() {
+  unasked_ = 0;
+  if (state_ == State::Open && stopped_ && stopped_()) state_ = State::Stopped;
+  return state_ == State::Stopped;
 }
 
-// The point p, an end of one curve, is a point of the other.
-bool touches(const PlanarCurve& curve, const Vector2& p) {
-  return p == curve.front() || p == curve.back() || lies_on(curve, p);
-}
-
-}  // namespace
-
-CurveContact contact_between(const PlanarCurve& a, const PlanarCurve& b) {
-  if (!in_range(a) || !in_range(b)) return {Contact::Possible, a.front()};
+CurveContact contact_between(const PlanarCurve& a, const PlanarCurve& b,
+                             SubdivisionBudget& budget) {
+  if (!a.in_range() || !b.in_range()) return {Contact::Possible, a.front()};
   for (const Vector2& p : {a.front(), a.back()})
     if (touches(b, p)) return {Contact::Certain, p};
   for (const Vector2& p : {b.front(), b.back()})
     if (touches(a, p)) return {Contact::Certain, p};
+  if (a.degree == 1 && b.degree == 1) return contact_of_lines(a, b);
   const Vector2& origin = a.front();
-  return decide(origin, [&](auto& search, auto real) {
+  return decide(origin, budget, [&](auto& search, auto real) {
     using Real = decltype(real);
     search.apart(Piece<Real>(a, origin), Piece<Real>(b, origin));
   });
 }
 
-CurveContact contact_of_neighbours(const PlanarCurve& a, const PlanarCurve& b) {
-  if (!in_range(a) || !in_range(b)) return {Contact::Possible, a.back()};
+CurveContact contact_of_neighbours(const PlanarCurve& a, const PlanarCurve& b,
+                                   SubdivisionBudget& budget) {
+  if (!a.in_range() || !b.in_range()) return {Contact::Possible, a.back()};
   if (touches(b, a.front())) return {Contact::Certain, a.front()};
   if (touches(a, b.back())) return {Contact::Certain, b.back()};
+  // Lines that have more in common than an end lie on one line; then an end lies on the other.
+  if (a.degree == 1 && b.degree == 1) return {};
   const Vector2& origin = a.back();
-  return decide(origin, [&](auto& search, auto real) {
+  return decide(origin, budget, [&](auto& search, auto real) {
     using Real = decltype(real);
     search.neighbours(Piece<Real>(a, origin), Piece<Real>(b, origin));
   });
 }
 
-CurveContact contact_with_itself(const PlanarCurve& a) {
-  if (!in_range(a)) return {Contact::Possible, a.front()};
+CurveContact contact_with_itself(const PlanarCurve& a, SubdivisionBudget& budget) {
+  if (!a.in_range()) return {Contact::Possible, a.front()};
   if (a.front() == a.back()) return {Contact::Certain, a.front()};
+  if (a.degree == 1) return {};
   const Vector2& origin = a.front();
-  return decide(origin, [&](auto& search, auto real) {
+  return decide(origin, budget, [&](auto& search, auto real) {
     using Real = decltype(real);
     search.itself(Piece<Real>(a, origin));
   });
+}
+
+CurveContact contact_between(const PlanarCurve& a, const PlanarCurve& b) {
+  SubdivisionBudget budget = unlimited();
+  return contact_between(a, b, budget);
+}
+
+CurveContact contact_of_neighbours(const PlanarCurve& a, const PlanarCurve& b) {
+  SubdivisionBudget budget = unlimited();
+  return contact_of_neighbours(a, b, budget);
+}
+
+CurveContact contact_with_itself(const PlanarCurve& a) {
+  SubdivisionBudget budget = unlimited();
+  return contact_with_itself(a, budget);
 }
 
 }  // namespace majorant

@@ -5,19 +5,22 @@
 //   const PlanarCurve line{1, {Vector2(1, 0), Vector2(1, 1)}};
 //   contact_between(arc, line).kind;   // Contact::Certain, near (1, 0.5)
 //
-// Pieces are apart when an axis separates their control points. They cross when one stays between
-// the ends of the other and passes from one side of its control points to the other. Two pieces
+// Pieces are apart when an axis separates their control points, or the graph of a quintic that is
+// fitted between them (curve_graph.h): curves along each other at the distance d take some
+// (size / d)^(1/6) pieces. They cross when one stays between the ends of the other and passes from
+// one side of its control points to the other, seen from a straight or a curved axis. Two pieces
 // with a common end have nothing else in common when a line through it separates their control
 // points; a piece is simple when its control polygon advances along its chord. Whatever double
-// precision cannot tell is tried again in quadruple precision.
+// precision cannot tell is tried again in quadruple precision. Lines are compared exactly.
 //
 // Possible is left where curves touch without crossing (Certain only if an end point of one is an
 // end point of the other, or lies on it and it is a line), where they leave a common end in the
-// same direction, at zero tangents, and where curves run closer than 1e-9 of their size along each
-// other.
+// same direction, at zero tangents, where one runs along the other within 1e-25 of its size or so,
+// where the budget ends, and out of range.
 #pragma once
 
 #include <array>
+#include <functional>
 
 #include "majorant/elements/bezier_triangle_space.h"
 
@@ -25,8 +28,12 @@ namespace majorant {
 
 struct PlanarCurve {
   static constexpr int kMaxDegree = BezierTriangleSpace::kMaxDegree;
+  // Coordinates whose products overflow are of no use; rounding bounds cover everything else.
+  static constexpr double kLargest = 1e150;
   int degree = 1;                                      // 1..kMaxDegree
-  std::array<Vector2, kMaxDegree + 1> control_points;  // degree + 1, finite
+  std::array<Vector2, kMaxDegree + 1> control_points;  // degree + 1, in range
+
+  bool in_range() const;  // all coordinates finite and below kLargest
 
   const Vector2& front() const { return control_points[0]; }
   const Vector2& back() const { return control_points[static_cast<std::size_t>(degree)]; }
@@ -39,11 +46,40 @@ struct CurveContact {
   Vector2 where = Vector2::Zero();  // approximately, unless None
 };
 
-// Any common point.
-CurveContact contact_between(const PlanarCurve& a, const PlanarCurve& b);
+// What may be spent on comparing curves, over any number of calls, and what was: pieces of curves
+// cut in two, those in quadruple precision counted by their cost. Of what was done it depends on
+// the curves alone, but for `stopped`, which is asked every few microseconds (empty: never).
+class SubdivisionBudget {
+ public:
+  explicit SubdivisionBudget(long limit, std::function<bool()> stopped = {})
+      : limit_(limit), stopped_(std::move(stopped)) {}
+
+  // Takes as much; false if there is not, now and from then on, or if `stopped` says so.
+  bool spend(long subdivisions);
+  bool stopped();  // asks
+  bool was_stopped() const { return state_ == State::Stopped; }
+  bool used_up() const { return state_ == State::UsedUp; }
+  long limit() const { return limit_; }
+  long spent() const { return spent_; }
+
+ private:
+  enum class State { Open, UsedUp, Stopped };
+  long limit_, spent_ = 0, unasked_ = 0;
+  State state_ = State::Open;
+  std::function<bool()> stopped_;
+};
+
+// Any common point. Each pair of curves is given up by itself after some thousand subdivisions.
+CurveContact contact_between(const PlanarCurve& a, const PlanarCurve& b, SubdivisionBudget& budget);
 // Any common point but a.back(), which must equal b.front().
-CurveContact contact_of_neighbours(const PlanarCurve& a, const PlanarCurve& b);
+CurveContact contact_of_neighbours(const PlanarCurve& a, const PlanarCurve& b,
+                                   SubdivisionBudget& budget);
 // Any point that the curve passes twice.
+CurveContact contact_with_itself(const PlanarCurve& a, SubdivisionBudget& budget);
+
+// With nothing but the limit of a single pair.
+CurveContact contact_between(const PlanarCurve& a, const PlanarCurve& b);
+CurveContact contact_of_neighbours(const PlanarCurve& a, const PlanarCurve& b);
 CurveContact contact_with_itself(const PlanarCurve& a);
 
 }  // namespace majorant

@@ -109,11 +109,12 @@ Interval<Real> along(const Piece<Real>& p, const Direction<Real>& axis) {
   return along(p, axis, 0, p.degree);
 }
 
-// The two parts of a piece, by de Casteljau at 15/32: not the middle, because in symmetric figures
-// curves meet there, and what meets at the end of a piece is never seen to cross.
+// The two parts of a piece, by de Casteljau at a multiple of 1/32 between 0 and 1. Not the middle,
+// unless asked for: in symmetric figures curves meet there, and what meets at the end of a piece is
+// never seen to cross.
 template <class Real>
-std::pair<Piece<Real>, Piece<Real>> split(const Piece<Real>& p) {
-  constexpr double kFirst = 17.0 / 32, kSecond = 15.0 / 32;  // weights, exact
+std::pair<Piece<Real>, Piece<Real>> split(const Piece<Real>& p, double at = 15.0 / 32) {
+  const Real first = 1 - at, second = at;  // weights, exact
   constexpr Real kUnit = Piece<Real>::kUnit;
   Piece<Real> left = p, right = p;
   left.depth = right.depth = p.depth + 1;
@@ -123,11 +124,11 @@ std::pair<Piece<Real>, Piece<Real>> split(const Piece<Real>& p) {
       const std::size_t i = p.at(k), j = i + 1;
       const Real size = std::max(std::max(magnitude(right.x[i]), magnitude(right.y[i])),
                                  std::max(magnitude(right.x[j]), magnitude(right.y[j])));
-      right.x[i] = kFirst * right.x[i] + kSecond * right.x[j];
-      right.y[i] = kFirst * right.y[i] + kSecond * right.y[j];
+      right.x[i] = first * right.x[i] + second * right.x[j];
+      right.y[i] = first * right.y[i] + second * right.y[j];
       // Two roundings of every term, their sum at most `size`; then those of this bound.
       right.error[i] =
-          (kFirst * right.error[i] + kSecond * right.error[j]) * (1 + 8 * Real(0x1p-53)) +
+          (first * right.error[i] + second * right.error[j]) * (1 + 8 * Real(0x1p-53)) +
           3 * kUnit * size + kUnderflow;
     }
     left.x[left.at(level)] = right.x[0];

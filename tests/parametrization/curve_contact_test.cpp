@@ -327,14 +327,15 @@ TEST(BoxPairs, AgreeWithAllPairs) {
       for (Index j = i + 1; j < count; ++j)
         if (boxes[static_cast<std::size_t>(i)].meets(boxes[static_cast<std::size_t>(j)]))
           expected.emplace_back(i, j);
-    visit_meeting_boxes(boxes, [&](Index i, Index j) {
+    const BoxTree tree(boxes);
+    tree.visit_pairs([&](Index i, Index j) {
       found.emplace_back(i, j);
       return true;
     });
     std::sort(found.begin(), found.end());
     EXPECT_EQ(found, expected) << count;
     std::size_t calls = 0;
-    visit_meeting_boxes(boxes, [&](Index, Index) { return ++calls < 3; });
+    tree.visit_pairs([&](Index, Index) { return ++calls < 3; });
     EXPECT_EQ(calls, std::min<std::size_t>(3, expected.size()));
   }
 }

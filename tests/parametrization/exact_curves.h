@@ -1,7 +1,9 @@
-// Common points of planar curves in exact rational arithmetic, by elimination and Tarski queries:
-// nothing in common with how curve_contact.cpp decides.
+// Common points of planar curves in exact rational arithmetic, by elimination, Descartes' rule and
+// Tarski queries: nothing in common with how curve_contact.cpp decides.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <vector>
 
@@ -86,8 +88,68 @@ inline int tarski_query(const Polynomial& f, const Polynomial& g) {
   return changes(0) - changes(1);
 }
 
-// Distinct roots of f in (0, 1) with g >= 0.
+// Bernstein coefficients over [0, 1], times a positive number that makes them integers.
+using Integers = std::vector<boost::multiprecision::cpp_int>;
+inline Integers bernstein(const Polynomial& p) {
+  std::vector<Rational> b;
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    Rational sum = 0, ratio = 1;  // C(k, i) / C(n, i)
+    for (std::size_t i = 0; i <= k; ++i) {
+      sum += ratio * p[i];
+      if (i < k) ratio *= Rational(static_cast<long>(k - i)) / static_cast<long>(p.size() - 1 - i);
+    }
+    b.push_back(sum);
+  }
+  boost::multiprecision::cpp_int common = 1;
+  for (const Rational& c : b) common = lcm(common, denominator(c));
+  Integers scaled;
+  for (const Rational& c : b) scaled.push_back(numerator(c) * (common / denominator(c)));
+  return scaled;
+}
+
+// Of both halves, times a power of two.
+inline std::pair<Integers, Integers> halves(Integers row) {
+  Integers left, right;
+  const std::size_t degree = row.size() - 1;
+  for (std::size_t level = 0; level <= degree; ++level) {
+    left.push_back(row[0] << (degree - level));
+    right.insert(right.begin(), row.back() << (degree - level));
+    for (std::size_t k = 0; k + 1 < row.size(); ++k) row[k] += row[k + 1];
+    row.pop_back();
+  }
+  return {left, right};
+}
+
+// Distinct roots of f in the open interval with g >= 0, by Descartes' rule and bisection; -1 where
+// that takes too long, at multiple roots for one.
+inline int isolate(const Integers& f, const Integers& g, int depth) {
+  int changes = 0, before = 0;
+  for (const auto& c : f) {
+    changes += c.sign() * before < 0;
+    if (c.sign() != 0) before = c.sign();
+  }
+  if (changes == 0) return 0;
+  const auto everywhere = [&](int sign) {
+    return std::all_of(g.begin(), g.end(), [&](const auto& c) { return c.sign() == sign; });
+  };
+  if (everywhere(-1)) return 0;
+  if (changes == 1 && everywhere(1)) return 1;
+  if (depth == 0) return -1;
+  const auto [f_left, f_right] = halves(f);
+  const auto [g_left, g_right] = halves(g);
+  const int left = isolate(f_left, g_left, depth - 1);
+  const int right = left < 0 ? -1 : isolate(f_right, g_right, depth - 1);
+  if (right < 0) return -1;
+  return left + right + (f_right[0] == 0 && g_right[0] >= 0);
+}
+
+// Distinct roots of f in (0, 1) with g >= 0; -1: not decided (multiple roots of a large degree).
 inline int roots_inside(const Polynomial& f, const Polynomial& g) {
+  constexpr int kBisections = 100;
+  constexpr std::size_t kLargeDegree = 7;
+  if (f.size() < 2) return 0;
+  const int count = g.empty() ? -1 : isolate(bernstein(f), bernstein(g), kBisections);
+  if (count >= 0 || f.size() > kLargeDegree + 1) return count;
   const int negative = (tarski_query(f, g * g) - tarski_query(f, g)) / 2;
   return tarski_query(f, {Rational(1)}) - negative;
 }
@@ -106,40 +168,90 @@ inline Polynomial coordinate(const PlanarCurve& curve, int c) {
   return sum;
 }
 
-// Points of b (parameters in [0, 1]) that lie on the quadratic or straight curve a, not counting
-// b's start if it is a's end and `neighbours` is set. -1: not decided here (a is degenerate, or the
-// curves lie on each other).
+// a(s) - b(t): coefficients, by power of s, of both coordinates, polynomials in t.
+using Difference = std::array<std::vector<Polynomial>, 2>;
+inline Difference difference(const PlanarCurve& a, const PlanarCurve& b) {
+  Polynomial p[2] = {coordinate(a, 0), coordinate(a, 1)};
+  const std::size_t size = std::max(p[0].size(), p[1].size());
+  Difference u;
+  for (std::size_t c = 0; c < 2; ++c) {
+    p[c].resize(size);
+    for (const Rational& coefficient : p[c]) u[c].push_back(trimmed({coefficient}));
+    if (size > 0) u[c][0] = u[c][0] - coordinate(b, static_cast<int>(c));
+  }
+  return u;
+}
+
+// f(t) = 0 where b(t) is on the whole curve a, which has parameter above / below there (below being
+// a constant for degree 2, else not 0 at simple points). Empty f: degenerate.
+struct Elimination {
+  Polynomial f, above, below{Rational(1)};
+};
+
+inline Elimination eliminate_line(const Difference& u) {
+  const Rational length = value(u[0][1] * u[0][1] + u[1][1] * u[1][1], 0);
+  return {u[0][1] * u[1][0] - u[0][0] * u[1][1],
+          times(-1 / length, u[0][1] * u[0][0] + u[1][1] * u[1][0])};
+}
+
+inline Elimination eliminate_parabola(const Difference& u) {
+  const auto minor = [&](std::size_t i, std::size_t j) {
+    return u[0][i] * u[1][j] - u[0][j] * u[1][i];
+  };
+  const Polynomial d = minor(2, 1);
+  if (d.empty()) return {};
+  return {minor(2, 0) * minor(2, 0) - d * minor(1, 0), times(-1 / d[0], minor(2, 0))};
+}
+
+inline Polynomial determinant(const std::vector<std::vector<Polynomial>>& m) {
+  if (m.size() == 1) return m[0][0];
+  Polynomial sum;
+  for (std::size_t column = 0; column < m.size(); ++column) {
+    std::vector<std::vector<Polynomial>> minor(m.begin() + 1, m.end());
+    for (auto& row : minor) row.erase(row.begin() + static_cast<std::ptrdiff_t>(column));
+    const Polynomial term = m[0][column] * determinant(minor);
+    sum = column % 2 == 0 ? sum + term : sum - term;
+  }
+  return sum;
+}
+
+// By the Bezout matrix, which is singular where they meet, its kernel being (1, s, s^2, ...).
+inline Elimination eliminate(const Difference& u) {
+  const std::size_t n = u[0].size() - 1;
+  std::vector<std::vector<Polynomial>> bezout(n, std::vector<Polynomial>(n));
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j)
+      for (std::size_t k = 0; k <= std::min(i, n - 1 - j); ++k)
+        bezout[i][j] = bezout[i][j] + u[0][j + k + 1] * u[1][i - k] - u[1][j + k + 1] * u[0][i - k];
+  const auto cofactor = [&](std::size_t column) {  // of the first row
+    std::vector<std::vector<Polynomial>> minor(bezout.begin() + 1, bezout.end());
+    for (auto& row : minor) row.erase(row.begin() + static_cast<std::ptrdiff_t>(column));
+    return column % 2 == 0 ? determinant(minor) : times(-1, determinant(minor));
+  };
+  return {determinant(bezout), cofactor(1), cofactor(0)};
+}
+
+// Points of b (parameters in [0, 1]) that lie on a, not counting b's start if it is a's end and
+// `ends` says so. -1: not decided here (a is degenerate, or the curves lie on each other, or touch
+// at a high degree).
 enum class Ends { All, WithoutCommon };
 inline int common_points(const PlanarCurve& a, const PlanarCurve& b, Ends ends) {
-  Polynomial u[2][3];  // coefficients, by power of s, of a(s) - b(t): polynomials in t
-  for (int c = 0; c < 2; ++c) {
-    Polynomial p = coordinate(a, c);
-    p.resize(3);
-    for (std::size_t k = 0; k < 3; ++k) u[c][k] = trimmed({p[k]});
-    u[c][0] = u[c][0] - coordinate(b, c);
-  }
-  const auto minor = [&](int i, int j) { return u[0][i] * u[1][j] - u[0][j] * u[1][i]; };
-  Polynomial f, s;  // f(t) = 0 where b(t) is on the whole curve, which has parameter s(t) there
-  if (a.degree == 1) {
-    f = minor(1, 0);
-    const Rational length = value(u[0][1] * u[0][1] + u[1][1] * u[1][1], 0);
-    if (length == 0) return -1;
-    s = times(-1 / length, u[0][1] * u[0][0] + u[1][1] * u[1][0]);
-  } else {
-    const Polynomial d = minor(2, 1);
-    if (d.empty()) return -1;
-    f = minor(2, 0) * minor(2, 0) - d * minor(1, 0);
-    s = times(-1 / d[0], minor(2, 0));
-  }
+  const Difference u = difference(a, b);
+  if (u[0].size() < 2) return -1;
+  const Elimination e = u[0].size() == 2   ? eliminate_line(u)
+                        : u[0].size() == 3 ? eliminate_parabola(u)
+                                           : eliminate(u);
+  Polynomial f = e.f;
   if (f.empty()) return -1;
-  const Polynomial within = s * (Polynomial{Rational(1)} - s);
+  const Polynomial within = e.above * (e.below - e.above);
   int count = 0;
   for (const int end : {0, 1}) {
     const bool common = ends == Ends::WithoutCommon && end == 0;
     if (!common && value(f, end) == 0 && value(within, end) >= 0) ++count;
     f = without_root(f, end);
   }
-  return count + roots_inside(f, within);
+  const int inside = roots_inside(f, within);
+  return inside < 0 ? -1 : count + inside;
 }
 
 // Whether a cubic passes a point twice; -1 where the elimination degenerates.
