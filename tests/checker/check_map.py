@@ -12,10 +12,13 @@ import json
 import sys
 
 import continuity
+from angles import check_angles
 from bernstein import NOT_POSITIVE, UNDECIDED, positivity
+from curve_overlap import check_curved_overlap, link
 from exact import orientation
 from findings import Findings
 from result_map import read_result
+from overlap import boundary, check_straight_overlap
 from surface import place, read_surface
 from vtu_file import Unreadable
 
@@ -75,7 +78,7 @@ def check(path, options):
     result = read_result(path)
     findings.note('cells', len(result.cells))
     findings.note('degree', result.degree)
-    check_positivity(result, findings)
+    positive = check_positivity(result, findings)
     for name in result.not_flat:
         findings.bad('flatness', '%s is not the elevation of its flat triangle' % name)
     if options.surface:
@@ -84,7 +87,23 @@ def check(path, options):
         placement = own_surface(result, findings)
     edges = continuity.join(result, placement.keys, findings)
     check_continuity(result, placement, edges, options, findings)
+    check_angles(result, placement.keys, edges, findings)
+    if options.overlap:
+        if positive and all(placement.keys):
+            check_overlap(result, placement.keys, edges, options, findings)
+        else:
+            findings.note('overlap', 'not judged')
     return findings
+
+
+def check_overlap(result, keys, edges, options, findings):
+    sides = boundary(result, edges)
+    if not sides:
+        findings.bad('overlap', 'a map without a boundary')
+    elif result.degree == 1:
+        check_straight_overlap(sides, options.may_touch, findings)
+    else:
+        check_curved_overlap(sides, link(edges, keys, sides), options.may_touch, findings)
 
 
 def own_surface(result, findings):
