@@ -1,10 +1,10 @@
 """Does the image of a map with straight cells overlap itself, or touch itself? Exactly, by integers.
 
 Where every cell is positive, the number of surface points over a point of the plane is the winding
-number of the boundary of all charts, which has the surface on its left. This number is zero far
-away and changes by one across each boundary segment, so nothing overlaps if and only if it is zero
-on the right of every one. Segments that cross overlap at once. All others are cut where they meet;
-then the number is constant along the right of each part and is counted there.
+number of the boundary of all charts, which has the surface on its left. It is zero far away and
+changes at boundary segments only, so nothing overlaps if and only if it is at most one on both sides
+of every one. Segments that cross overlap at once. All others are cut where they meet; then the
+number is constant along either side of each part and is counted there.
 
 Points of the boundary that meet although they are different points of the surface touch: no
 overlap, but no injective map either. The two ends of one vertex may meet.
@@ -113,8 +113,8 @@ def _end(segment, point):
 
 
 def _check_winding(segments, contacts, keys, findings):
-    """The winding number right of every part of every segment, once for each run of segments
-    whose common points meet nothing else."""
+    """The winding numbers on both sides of every part of every segment, once for each run of
+    segments whose common points meet nothing else."""
     ends = {}
     for i, (a, b) in enumerate(segments):
         ends.setdefault(a, []).append(i)
@@ -128,8 +128,8 @@ def _check_winding(segments, contacts, keys, findings):
         if not inner and i in seen:
             continue
         for u, v in zip(cuts, cuts[1:]):
-            if counter.right_of(u, v):
-                findings.bad('overlap', 'the image lies on both sides of the edge %s' % (keys[i],))
+            if counter.right_of(u, v) > 1 or counter.right_of(v, u) > 1:
+                findings.bad('overlap', 'the image lies twice beside the edge %s' % (keys[i],))
                 return
         if not inner:
             _follow(i, segments, contacts, ends, seen)
