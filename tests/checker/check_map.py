@@ -88,6 +88,8 @@ def check(path, options):
     edges = continuity.join(result, placement.keys, findings)
     check_continuity(result, placement, edges, options, findings)
     check_angles(result, placement.keys, edges, findings)
+    if not options.seamless:
+        findings.notes.pop('cones', None)  # of seams that are cuts here
     if options.overlap:
         if positive and all(placement.keys):
             check_overlap(result, placement.keys, edges, options, findings)
