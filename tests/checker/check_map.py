@@ -19,7 +19,7 @@ from exact import orientation
 from findings import Findings
 from result_map import read_result
 from overlap import boundary, check_straight_overlap
-from surface import place, read_surface
+from surface import Placement, place, read_surface
 from vtu_file import Unreadable
 
 EXIT = {'ok': 0, 'bad': 1, 'undecided': 3}
@@ -63,13 +63,8 @@ def check_continuity(result, placement, edges, options, findings):
     findings.note('cuts', len(lone))
     findings.note('charts', continuity.charts(result, edges))
     if options.cuts == 'none':
-        for edge in sorted(map(sorted_names, lone)):
+        for edge in sorted(tuple(sorted(map(str, edge))) for edge in lone):
             findings.bad('continuity', 'the sides of edge (%s, %s) differ' % edge)
-    return seams, cuts
-
-
-def sorted_names(edge):
-    return tuple(sorted(map(str, edge)))
 
 
 def check(path, options):
@@ -91,16 +86,17 @@ def check(path, options):
     if not options.seamless:
         findings.notes.pop('cones', None)  # of seams that are cuts here
     if options.overlap:
-        if positive and all(placement.keys):
-            check_overlap(result, placement.keys, edges, options, findings)
-        else:
-            findings.note('overlap', 'not judged')
+        check_overlap(result, placement.keys, positive, edges, options, findings)
     return findings
 
 
-def check_overlap(result, keys, edges, options, findings):
-    sides = boundary(result, edges)
-    if not sides:
+def check_overlap(result, keys, positive, edges, options, findings):
+    """Only positive cells have an image whose boundary tells; curved ones need their loops, too."""
+    sides = boundary(result, keys)
+    loops = all(keys) and 'manifold' not in findings.violations
+    if not positive or not (loops or result.degree == 1):
+        findings.note('overlap', 'not judged')
+    elif not sides:
         findings.bad('overlap', 'a map without a boundary')
     elif result.degree == 1:
         check_straight_overlap(sides, options.may_touch, findings)
@@ -110,7 +106,6 @@ def check_overlap(result, keys, edges, options, findings):
 
 def own_surface(result, findings):
     """Without a surface the cells are it; vertices are what the file calls so."""
-    from surface import Placement
     placement = Placement(len(result.cells))
     placement.keys = [cell.corners for cell in result.cells]
     places = {}

@@ -8,6 +8,7 @@ point of the surface and lie in separate cones from there. They cross if each ru
 a strip that holds the other to its other side. Everything else is bisected; curves that touch
 between their ends are never decided and come out as undecided.
 """
+from collections import Counter
 from fractions import Fraction
 from math import comb
 
@@ -195,14 +196,16 @@ def _check_nesting(pieces, loops, sides, findings):
     boxes = [(min(pieces[k].box[0] for k in loop), max(pieces[k].box[1] for k in loop),
               min(pieces[k].box[2] for k in loop), max(pieces[k].box[3] for k in loop))
              for loop in loops]
+    starts = Counter(pieces[k].points[0] for loop in loops for k in loop)
     for at, loop in enumerate(loops):
-        x, y = point = pieces[loop[0]].points[0]
+        free = [pieces[k].points[0] for k in loop if starts[pieces[k].points[0]] == 1]
+        if not free:
+            findings.undecided('overlap', 'loops meet at all their vertices')
+            return
+        x, y = point = free[0]
         winding = 0 if sum(_area(pieces[k].points) for k in loop) > 0 else -1
         for other, (a, b, c, d) in enumerate(boxes):
             if other != at and a <= x <= b and c <= y <= d:
-                if any(pieces[k].points[0] == point for k in loops[other]):
-                    findings.undecided('overlap', 'two loops meet at a vertex')
-                    return
                 winding += sum(_crossings(pieces[k], point) for k in loops[other])
         if winding:
             findings.bad('overlap', 'the image lies on both sides of the loop with edge %s'

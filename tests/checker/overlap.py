@@ -10,14 +10,28 @@ Points of the boundary that meet although they are different points of the surfa
 overlap, but no injective map either. The two ends of one vertex may meet.
 """
 import math
+from collections import Counter
 
 from exact import cross, integers
 
 
-def boundary(result, edges):
-    """Sides of cells without a continuous partner: (first key, last key, control points)."""
-    return [(edge[0], edge[1], result.cells[c].row(side, result.degree))
-            for edge, (c, side) in edges.sides.items() if edge not in edges.equal]
+def boundary(result, keys):
+    """Sides of cells without a continuous partner: (first key, last key, control points). Cells
+    that share a direction of an edge or lie on no face (keys None) keep their sides, too."""
+    sides, partners = [], Counter()
+    for c, cell in enumerate(result.cells):
+        corners = keys[c] or [('file', v) for v in cell.corners]
+        for side in range(3):
+            row = cell.row(side, result.degree)
+            sides.append((corners[side], corners[(side + 1) % 3], row))
+            partners[sides[-1][0], sides[-1][1], tuple(row)] += 1
+    left = []
+    for a, b, row in sides:
+        if partners[b, a, tuple(row[::-1])]:
+            partners[b, a, tuple(row[::-1])] -= 1
+        else:
+            left.append((a, b, row))
+    return left
 
 
 def check_straight_overlap(sides, may_touch, findings):
