@@ -4,12 +4,14 @@
     check_map.py RESULT.(vtu|obj) [--surface S.obj] [--cuts none|free] [--seamless] [--overlap]
                  [--may-touch] [--json]
 
-The last line is `ok ...`, `bad ...`, `undecided ...` or `unreadable ...`; exit code 0, 1, 3, 2.
+The last line is `ok ...`, `bad ...`, `undecided ...` or `unreadable ...`; exit code 0, 1, 3, 2
+(4: the checker itself failed).
 docs/checker.md says what each word means and what is not decided.
 """
 import argparse
 import json
 import sys
+import traceback
 
 import continuity
 from angles import check_angles
@@ -23,7 +25,7 @@ from surface import Placement, place, read_surface
 from vtu_file import Unreadable
 
 EXIT = {'ok': 0, 'bad': 1, 'undecided': 3}
-UNREADABLE = 2
+UNREADABLE, ERROR = 2, 4
 
 
 def check_positivity(result, findings):
@@ -64,7 +66,7 @@ def check_continuity(result, placement, edges, options, findings):
     findings.note('charts', continuity.charts(result, edges))
     if options.cuts == 'none':
         for edge in sorted(tuple(sorted(map(str, edge))) for edge in lone):
-            findings.bad('continuity', 'the sides of edge (%s, %s) differ' % edge)
+            findings.bad('continuity', 'the sides of edge (%s) differ' % ', '.join(edge))
 
 
 def check(path, options):
@@ -74,6 +76,9 @@ def check(path, options):
     findings.note('cells', len(result.cells))
     findings.note('degree', result.degree)
     positive = check_positivity(result, findings)
+    for cell in result.cells:
+        if len(set(cell.corners)) < 3:
+            findings.bad('manifold', '%s has a vertex twice' % cell.name)
     for name in result.not_flat:
         findings.bad('flatness', '%s is not the elevation of its flat triangle' % name)
     if options.surface:
@@ -135,6 +140,10 @@ def main(arguments):
     except (Unreadable, OSError) as error:
         print('unreadable %s' % error)
         return UNREADABLE
+    except Exception:  # Python's own exit code would be that of a verdict
+        traceback.print_exc()
+        print('error of the checker itself')
+        return ERROR
     if options.json:
         print(json.dumps(findings.report(), indent=1))
     print(findings.summary())

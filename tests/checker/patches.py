@@ -120,7 +120,7 @@ class _Finder:
         centre = tuple(sum(c) / 3 for c in zip(*points))
         best = None
         for patch, f in self.boxes.get(tuple(math.floor(c / self.width) for c in centre), ()):
-            if max(abs(patch.height(p)) for p in points) > patch.depth:
+            if not all(abs(patch.height(p)) <= patch.depth for p in points):
                 continue
             depth = self._inside(patch, f, centre)
             if depth is not None and (best is None or depth > best[0]):
@@ -151,7 +151,7 @@ def _check_patch(patch, result, surface, placement, findings):
         points = [result.positions[v] for v in result.cells[c].corners]
         area = _dot(_area_vector(points), patch.normal)
         longest = max(math.dist(p, q) for p in points for q in points)
-        if area <= -surface.tolerance * longest:
+        if not area > -surface.tolerance * longest:
             findings.bad('orientation', '%s lies upside down on %s' % (result.cells[c].name, name))
             return
         keys = placement.keys[c]

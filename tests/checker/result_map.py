@@ -5,7 +5,7 @@ from fractions import Fraction
 
 from bernstein import edge_points, vtk_order
 from exact import cross, integers, orientation
-from vtu_file import Unreadable, VtuFile
+from vtu_file import LARGEST, Unreadable, VtuFile
 
 MAX_POLYGON = 40  # corners up to which every triangulation of a polygon is tried: n^3 of them
 
@@ -145,7 +145,7 @@ class ObjFile:
 
 def _finite(words, count):
     values = tuple(float(word) for word in words)
-    if len(values) != count or not all(map(math.isfinite, values)):
+    if len(values) != count or not all(abs(value) <= LARGEST for value in values):
         raise ValueError('%d finite numbers are needed' % count)
     return values
 

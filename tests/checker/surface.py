@@ -32,7 +32,10 @@ class Surface:
                 if edge in self.sides:
                     self.twice.append(edge)
                 self.sides[edge] = f
-        self.size = diagonal([positions[v] for face in faces for v in face])
+        self.measure()
+
+    def measure(self):
+        self.size = diagonal([self.positions[v] for face in self.faces for v in face])
         self.tolerance = TOLERANCE * self.size
 
 
@@ -60,6 +63,7 @@ class Placement:
 def place(result, surface, findings):
     """Finds every cell's face. What is wrong goes to `findings` (see findings.py)."""
     placement = Placement(len(result.cells))
+    _to_unit_size(result, surface)
     if surface.twice:
         findings.bad('manifold', 'the surface has the edge %s twice' % (surface.twice[0],))
     candidates = _candidates(result, surface, findings)
@@ -90,6 +94,20 @@ def place(result, surface, findings):
             if (b, a) in surface.sides:
                 placement.interior[a, b] = a, b
     return placement
+
+
+def _to_unit_size(result, surface):
+    """Scales both by a power of two, so that products of lengths neither overflow nor vanish."""
+    exponent = -math.frexp(surface.size)[1]
+
+    def scaled(points):
+        return [tuple(math.ldexp(c, exponent) for c in point) for point in points]
+    try:
+        result.positions = scaled(result.positions)
+    except OverflowError:
+        raise Unreadable('the result is far larger than its surface')
+    surface.positions = scaled(surface.positions)
+    surface.measure()
 
 
 def _covers(face, triangles):

@@ -6,12 +6,12 @@ are not finite) is refused with `Unreadable`: a checker that guesses proves noth
 """
 import base64
 import json
-import math
 import re
 import struct
 import xml.etree.ElementTree as ElementTree
 
 TRIANGLE, BEZIER_TRIANGLE = 5, 76
+LARGEST = 1e300  # of coordinates: their distances are finite
 _CODES = {'Float32': 'f', 'Float64': 'd', 'Int8': 'b', 'UInt8': 'B', 'Int16': 'h', 'UInt16': 'H',
           'Int32': 'i', 'UInt32': 'I', 'Int64': 'q', 'UInt64': 'Q'}
 
@@ -60,8 +60,8 @@ class VtuFile:
         uv = [row[:2] for row in decoder.rows(arrays['uv'], (2, 3))]
         if len(uv) != len(positions) or len(uv) != _count(piece, 'NumberOfPoints'):
             raise Unreadable('%d points, %d uv' % (len(positions), len(uv)))
-        if not all(math.isfinite(c) for row in positions + uv for c in row):
-            raise Unreadable('a coordinate is not finite')
+        if not all(abs(c) <= LARGEST for row in positions + uv for c in row):
+            raise Unreadable('a coordinate is not finite, or beyond %g' % LARGEST)
         _refuse_rational(data, arrays, decoder)
         if 'input_vertex' in arrays:
             self.input_vertex += [int(v) for v in decoder.values(arrays['input_vertex'])]
