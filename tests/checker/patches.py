@@ -102,7 +102,7 @@ class _Finder:
     """The patch that a triangle in space lies on, by a grid over the boxes of the faces."""
 
     def __init__(self, surface, patches):
-        self.surface, self.boxes = surface, {}
+        self.surface, self.boxes, self.limits = surface, {}, {}
         count = sum(len(patch.faces) for patch in patches)
         self.width = surface.size / max(1.0, math.sqrt(count)) or 1.0
         for patch in patches:
@@ -110,6 +110,7 @@ class _Finder:
                 points = [surface.positions[v] for v in surface.faces[f]]
                 low = [min(c) - patch.depth for c in zip(*points)]
                 high = [max(c) + patch.depth for c in zip(*points)]
+                self.limits[f] = low, high
                 ranges = [range(math.floor(a / self.width), math.floor(b / self.width) + 1)
                           for a, b in zip(low, high)]
                 for box in ((x, y, z) for x in ranges[0] for y in ranges[1] for z in ranges[2]):
@@ -120,6 +121,9 @@ class _Finder:
         centre = tuple(sum(c) / 3 for c in zip(*points))
         best = None
         for patch, f in self.boxes.get(tuple(math.floor(c / self.width) for c in centre), ()):
+            low, high = self.limits[f]
+            if not all(a <= c <= b for a, c, b in zip(low, centre, high)):
+                continue
             if not all(abs(patch.height(p)) <= patch.depth for p in points):
                 continue
             depth = self._inside(patch, f, centre)
