@@ -1,0 +1,134 @@
+"""The checker against the tools of ../shared, which others wrote: positivity and overlap of OBJ
+files as layout.py sees them, of VTU files as verify.py does."""
+import contextlib
+import io
+import json
+import os
+import runpy
+import sys
+import unittest
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+MAPS = os.path.join(HERE, '..', 'data', 'maps')
+TOOLS = os.path.join(os.environ.get('MAJORANT_SHARED_DIR', os.path.join(HERE, '..', '..', '..',
+                                                                        'shared')), 'tools')
+
+import check_map
+from vtu_file import Unreadable
+
+# Files on which they differ, and why.
+DIFFERENT = {
+    'broken/rational_by_attribute_3.vtu': 'verify.py reads the cells as polynomial',
+    'broken/infinite.obj': 'layout.py reads decimals, for which 1e400 is a number',
+    'good/equal_weights_2.vtu': 'verify.py refuses all weights',
+    'broken/half_of_a_quad_twice_1.vtu': 'verify.py does not read the quad of its surface',
+}
+# Files that verify.py calls not injective in the plane, where the checker finds no overlap.
+MORE_CONTACTS = {
+    'broken/torn_edge_by_one_ulp_3.vtu': 'two curves one ulp apart: the checker cannot decide',
+    'broken/torn_lens_2.vtu': 'a cut whose two ends close again: one point of the surface each',
+    'broken/missing_face_1.vtu': 'the hole meets the boundary in a vertex of the surface',
+    'broken/missing_face_3.vtu': 'the hole meets the boundary in a vertex of the surface',
+    'broken/mirrored_cell_1.vtu': 'as if the mirrored cell were missing',
+    'broken/mirrored_cell_4.vtu': 'as if the mirrored cell were missing',
+    'broken/doubled_cell_elsewhere_2.vtu': 'verify.py welds the doubled edges; not judged here',
+    'broken/not_flat_2.vtu': 'verify.py tells edges apart by their points in space',
+    'good/positive_by_one_ulp_1.vtu': 'thinner than the rounding of verify.py',
+    'good/apart_by_one_ulp_1.vtu': 'closer than the rounding of verify.py',
+    'good/positive_valley_3.vtu': 'x depends on one parameter, y grows with the other: it is '
+                                  'injective; verify.py reports a winding that it is not',
+}
+
+
+def run_tool(name, *arguments):
+    """(exit code, stdout) of a tool, in this process: its imports cost more than its work."""
+    out, before = io.StringIO(), sys.argv
+    sys.argv = [name] + list(arguments)
+    sys.path.append(TOOLS)
+    try:
+        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(io.StringIO()):
+            runpy.run_path(os.path.join(TOOLS, name), run_name='__main__')
+        code = 0
+    except SystemExit as end:
+        code = 1 if isinstance(end.code, str) else end.code or 0
+    except Exception as error:  # an input that it does not expect: refused, if not politely
+        code = repr(error)
+    finally:
+        sys.path.remove(TOOLS)
+        sys.argv = before
+    return code, out.getvalue()
+
+
+class Agreement(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        with open(os.path.join(MAPS, 'index.json')) as file:
+            cls.index = json.load(file)
+
+    def files(self, extension):
+        """(path, entry, words of the checker with --overlap, None where it cannot read)."""
+        for path, entry in self.index.items():
+            if not path.endswith(extension) or path in DIFFERENT:
+                continue
+            arguments = [os.path.join(MAPS, path), '--overlap'] + entry['options']
+            if entry['surface']:
+                arguments += ['--surface', self.surface(entry)]
+            try:
+                findings = check_map.check(arguments[0], check_map.parse(arguments))
+                words = set(findings.violations)
+            except Unreadable:
+                words = None
+            yield path, entry, words
+
+    def surface(self, entry):
+        return os.path.join(MAPS, 'surfaces', entry['surface'] + '.obj')
+
+    @unittest.skipUnless(os.path.exists(os.path.join(TOOLS, 'layout.py')), 'no ' + TOOLS)
+    def test_obj_files_with_layout(self):
+        count = 0
+        for path, _, words in self.files('.obj'):
+            with self.subTest(path):
+                plain, _ = run_tool('layout.py', os.path.join(MAPS, path))
+                overlap, said = run_tool('layout.py', os.path.join(MAPS, path), '--overlap')
+                if words is None:
+                    self.assertNotEqual(plain, 0)
+                    continue
+                self.assertEqual('positivity' in words, plain != 0, said)
+                self.assertEqual(bool({'positivity', 'overlap'} & words), overlap != 0, said)
+                count += 1
+        self.assertGreater(count, 25)
+
+    @unittest.skipUnless(os.path.exists(os.path.join(TOOLS, 'verify.py')), 'no ' + TOOLS)
+    def test_vtu_files_with_verify(self):
+        try:
+            import numpy  # noqa: F401  (what the tool needs)
+            import scipy  # noqa: F401
+        except ImportError:
+            self.skipTest('no numpy and scipy')
+        count = 0
+        for path, entry, words in self.files('.vtu'):
+            with self.subTest(path):
+                arguments = [os.path.join(MAPS, path), '--no-energy', '--cuts', 'auto']
+                if entry['surface']:
+                    arguments += ['--mesh', self.surface(entry)]
+                code, said = run_tool('verify.py', *arguments)
+                if words is None:
+                    self.assertNotEqual(code, 0)
+                    continue
+                self.compare_with_verify(path, words, json.loads(said))
+                count += 1
+        self.assertGreater(count, 50)
+
+    def compare_with_verify(self, path, words, found):
+        self.assertEqual('positivity' not in words, found['ok']['det_positive'])
+        if 'positivity' in words:
+            return  # an image that folds over has no boundary to judge
+        self.assertEqual('angles' not in words, found['ok']['angle_sums'])
+        if found['global_injectivity']['globally_injective']:
+            self.assertFalse({'overlap', 'touching'} & words, words)
+        elif path not in MORE_CONTACTS:
+            self.assertTrue({'overlap', 'touching', 'angles'} & words, words)
+
+
+if __name__ == '__main__':
+    unittest.main()

@@ -1,0 +1,44 @@
+"""Exact arithmetic on doubles. Every finite double is an integer times a power of two, so signs of
+polynomials are found in Python's integers, without rounding and much faster than in fractions."""
+from math import lcm
+
+# Half a unit in the last place of 1: the relative error of one operation on doubles.
+UNIT = 2.0 ** -53
+
+
+def integers(points):
+    """Points (pairs of doubles) times one common positive power of two: pairs of integers."""
+    ratios = [(x.as_integer_ratio(), y.as_integer_ratio()) for x, y in points]
+    scale = 1
+    for (_, a), (_, b) in ratios:
+        scale = max(scale, a, b)
+    return [(n * (scale // d), m * (scale // e)) for (n, d), (m, e) in ratios]
+
+
+def rationals_to_integers(points):
+    """The same for pairs of Fractions: times one common positive integer."""
+    scale = 1
+    for x, y in points:
+        scale = lcm(scale, x.denominator, y.denominator)
+    return [(int(x * scale), int(y * scale)) for x, y in points]
+
+
+def cross(a, b, c):
+    """Twice the signed area of the triangle a, b, c; exact for integers and fractions."""
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+
+
+def orientation(a, b, c):
+    """1, 0 or -1: the sign of the area of a triangle of doubles, exactly.
+
+    The filter: both differences of a product and the product itself are off by at most three
+    units, the last subtraction by one, so 8 units of the products' size are more than enough
+    unless something underflows; what is small enough for that is left to integers.
+    """
+    left = (b[0] - a[0]) * (c[1] - a[1])
+    right = (b[1] - a[1]) * (c[0] - a[0])
+    area, size = left - right, abs(left) + abs(right)
+    if 1e-280 < size < 1e300 and abs(area) > 8 * UNIT * size:
+        return 1 if area > 0 else -1
+    exact = cross(*integers([a, b, c]))
+    return (exact > 0) - (exact < 0)

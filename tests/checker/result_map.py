@@ -1,0 +1,236 @@
+"""A result as the checks see it, whatever the file: triangular cells of one degree, judged by the
+values written in them. Point numbers of a file never say what is continuous: values do."""
+import math
+from fractions import Fraction
+
+from bernstein import edge_points, vtk_order
+from exact import cross, integers, orientation
+from vtu_file import LARGEST, Unreadable, VtuFile
+
+MAX_POLYGON = 40  # corners up to which every triangulation of a polygon is tried: n^3 of them
+
+
+class Cell:
+    """One triangle of the map.
+
+    corners: three vertex numbers of the file (see `ResultMap.positions`)
+    uv: control points in VTK's order, pairs of doubles
+    name: what messages call it
+    """
+    __slots__ = 'corners', 'uv', 'name'
+
+    def __init__(self, corners, uv, name):
+        self.corners, self.uv, self.name = corners, uv, name
+
+    def row(self, side, degree):
+        """The control points along a side, from corner `side` to the next."""
+        return [self.uv[p] for p in edge_points(degree, side)]
+
+
+class ResultMap:
+    """degree; cells; positions: of the vertices that cells name, in space; numbers: the vertex of
+    the surface that the file says each of them is, or None where it says nothing; kind: 'vtu' or
+    'obj'; claims; not_flat: names of cells that are not the elevation of their flat triangle;
+    bad_polygons: names of polygons without a positive triangulation; undecided_polygons."""
+
+    def __init__(self, kind, degree):
+        self.kind, self.degree = kind, degree
+        self.cells, self.positions, self.numbers = [], [], []
+        self.claims, self.faces = None, 0
+        self.not_flat, self.bad_polygons, self.undecided_polygons = [], [], []
+
+    def size(self):
+        """The diagonal of the box around the surface."""
+        return diagonal(self.positions)
+
+
+def diagonal(points):
+    return math.dist([min(c) for c in zip(*points)], [max(c) for c in zip(*points)])
+
+
+def read_result(path):
+    with open(path, 'rb') as file:
+        data = file.read()
+    if path.endswith('.vtu'):
+        return _from_vtu(VtuFile(data))
+    if path.endswith('.obj'):
+        return _from_obj(ObjFile(data))
+    raise Unreadable('neither .vtu nor .obj')
+
+
+# ------------------------------------------------------------------ VTU
+def _from_vtu(vtu):
+    result = ResultMap('vtu', vtu.degree)
+    result.claims, result.faces = vtu.claims, len(vtu.cells)
+    places, numbers = {}, vtu.input_vertex
+
+    def vertex(point):
+        # Vertices are the same if the file gives them one number and one place; without numbers,
+        # if they lie at one place.
+        number = numbers[point] if numbers and numbers[point] >= 0 else None
+        key = number, vtu.positions[point]
+        if key not in places:
+            places[key] = len(result.positions)
+            result.positions.append(vtu.positions[point])
+            result.numbers.append(number)
+        return places[key]
+
+    for c, cell in enumerate(vtu.cells):
+        result.cells.append(Cell([vertex(p) for p in cell[:3]], [vtu.uv[p] for p in cell],
+                                 'cell %d' % c))
+    if vtu.degree > 1:
+        tolerance = 1e-9 * result.size()
+        for cell, points in zip(result.cells, vtu.cells):
+            if not _flat([vtu.positions[p] for p in points], vtu.degree, tolerance):
+                result.not_flat.append(cell.name)
+    return result
+
+
+def _flat(points, degree, tolerance):
+    a, b, c = points[:3]
+    for (i, j, k), point in zip(vtk_order(degree), points):
+        for x, y, z, value in zip(a, b, c, point):
+            if not abs((i * x + j * y + k * z) / degree - value) <= tolerance:
+                return False
+    return True
+
+
+# ------------------------------------------------------------------ OBJ
+class ObjFile:
+    """v: triples of doubles; vt: pairs of doubles, vt_text: their digits; faces: lists of pairs
+    (vertex, texture coordinate or None), from 0."""
+
+    def __init__(self, data):
+        self.v, self.vt, self.vt_text, self.faces = [], [], [], []
+        try:
+            text = data.decode('utf-8', 'surrogateescape').replace('\\\n', ' ')
+        except UnicodeDecodeError as error:
+            raise Unreadable(str(error))
+        for number, line in enumerate(text.splitlines(), 1):
+            words = line.partition('#')[0].split()
+            try:
+                if not words:
+                    continue
+                if words[0] == 'v':
+                    self.v.append(_finite(words[1:4], 3))
+                elif words[0] == 'vt':
+                    self.vt.append(_finite(words[1:3], 2))
+                    self.vt_text.append(words[1:3])
+                elif words[0] == 'f':
+                    self.faces.append([self._corner(word) for word in words[1:]])
+                    if len(self.faces[-1]) < 3:
+                        raise ValueError('a face with fewer than three corners')
+            except ValueError as error:
+                raise Unreadable('line %d: %s' % (number, error))
+        if not self.faces:
+            raise Unreadable('no faces')
+        for f, face in enumerate(self.faces):
+            if any(v >= len(self.v) or (t or 0) >= max(1, len(self.vt)) for v, t in face):
+                raise Unreadable('face %d has a corner that is not there' % (f + 1))
+
+    def _corner(self, word):
+        parts = word.split('/')
+        numbers = [self._number(parts[0], len(self.v)), None]
+        if len(parts) > 1 and parts[1]:
+            numbers[1] = self._number(parts[1], len(self.vt))
+        return tuple(numbers)
+
+    @staticmethod
+    def _number(word, count):
+        number = int(word)
+        if number == 0 or count + number < 0:
+            raise ValueError('%s is no index' % word)
+        return number - 1 if number > 0 else count + number
+
+
+def _finite(words, count):
+    values = tuple(float(word) for word in words)
+    if len(values) != count or not all(abs(value) <= LARGEST for value in values):
+        raise ValueError('%d finite numbers are needed' % count)
+    return values
+
+
+def _from_obj(obj):
+    result = ResultMap('obj', 1)
+    result.positions, result.numbers = obj.v, list(range(len(obj.v)))
+    result.faces = len(obj.faces)
+    for f, face in enumerate(obj.faces):
+        name = 'face %d' % (f + 1)
+        if any(t is None for _, t in face):
+            raise Unreadable(name + ' has no texture coordinates')
+        texture = [obj.vt[t] for _, t in face]
+        triangles = _triangulation(texture)
+        if triangles is None:
+            result.undecided_polygons.append(name)
+        elif not triangles:
+            result.bad_polygons.append(name)
+        elif not all(_positive_as_written([obj.vt_text[face[k][1]] for k in triangle],
+                                          [texture[k] for k in triangle])
+                     for triangle in triangles):
+            result.bad_polygons.append(name + ' (its decimals)')
+        for triangle in triangles or [(0, k, k + 1) for k in range(1, len(face) - 1)]:
+            result.cells.append(Cell([face[k][0] for k in triangle],
+                                     [texture[k] for k in triangle], name))
+    return result
+
+
+def _positive_as_written(words, points):
+    """The triangle of the decimals, which need not be the doubles that readers make of them: each
+    is off by one unit of its size. Where that cannot matter, the doubles (positive) have decided."""
+    a, b, c = points
+    size = max(abs(x) for p in points for x in p)
+    spread = max(abs(b[0] - a[0]), abs(c[0] - a[0]), abs(b[1] - a[1]), abs(c[1] - a[1]))
+    if 1e-280 < size < 1e300 and cross(a, b, c) > 2.0 ** -48 * size * spread > 1e-280:
+        return True
+    try:
+        return cross(*[(Fraction(x), Fraction(y)) for x, y in words]) > 0
+    except ValueError:  # digits that only float() understands
+        return True
+
+
+def _triangulation(points):
+    """Index triples of a triangulation of a polygon in the plane into positive triangles, exactly;
+    [] if there is none, None if that is undecided (many corners)."""
+    n = len(points)
+    if n == 3:
+        return [(0, 1, 2)] if orientation(*points) > 0 else []
+    if n > MAX_POLYGON:
+        return _clip_ears(integers(points))
+    # best[i, j]: the third corner over the diagonal i, j, where the part from i to j has one
+    exact, best = integers(points), {(i, i + 1): None for i in range(n - 1)}
+    for length in range(2, n):
+        for i in range(n - length):
+            j = i + length
+            for k in range(i + 1, j):
+                if ((i, k) in best and (k, j) in best
+                        and cross(exact[i], exact[k], exact[j]) > 0):
+                    best[i, j] = k
+                    break
+    if (0, n - 1) not in best:
+        return []
+    triangles, stack = [], [(0, n - 1)]
+    while stack:
+        i, j = stack.pop()
+        k = best[i, j]
+        if k is not None:
+            triangles.append((i, k, j))
+            stack += [(i, k), (k, j)]
+    return triangles
+
+
+def _clip_ears(points):
+    """Ears whose closed triangle holds no other corner: enough for every simple polygon."""
+    left, triangles = list(range(len(points))), []
+    while len(left) > 3:
+        for at, i in enumerate(left):
+            h, j = left[at - 1], left[(at + 1) % len(left)]
+            a, b, c = points[h], points[i], points[j]
+            if cross(a, b, c) > 0 and not any(
+                    min(cross(a, b, points[k]), cross(b, c, points[k]), cross(c, a, points[k])) >= 0
+                    for k in left if k not in (h, i, j)):
+                triangles.append((h, i, j))
+                del left[at]
+                break
+        else:
+            return None
+    return triangles + [tuple(left)] if cross(*[points[k] for k in left]) > 0 else None
