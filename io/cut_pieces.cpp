@@ -3,11 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <limits>
 #include <set>
-#include <tuple>
 
 #include "majorant/framework/error.h"
 #include "majorant/io/piece_boundary.h"
@@ -19,8 +16,6 @@ namespace {
 using Edge = MapPieces::Edge;
 using Piece = MapPieces::Piece;
 
-// Halvings that are chosen by what they repair; afterwards by length.
-constexpr int kChosenDepth = 6;
 // Two halvings halve the edges. After 26 of these the area of a piece is 2^-52 of its cell's, which
 // is what doubles of the cell's size resolve.
 constexpr int kDeepest = 52;
@@ -30,24 +25,17 @@ constexpr std::size_t kMostPieces = 64 * 64;
 constexpr std::size_t kMostNamed = 8;  // cells in a message; then the search ends
 // A diagonal leaves no piece with less than this part of the two.
 constexpr double kThinnest = 1.0 / 64;
-// Lengths that differ by less are equal: coordinates of the lattice are rounded.
+// Diagonals are not tried on pieces that were halved more often: shapes that only halving makes are
+// bounded.
+constexpr int kFlippedDepth = 12;
+// Edges whose lengths differ by less are equally long: an edge seen from another cell is evaluated
+// in another order.
 constexpr double kLonger = 1 + 1e-9;
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
-double squared_length(const Vector3& from, const Vector3& to) {  // of an equilateral cell, edge 1
-  return (to - from).squaredNorm() / 2;
-}
-
 double area(const Vector3& a, const Vector3& b, const Vector3& c) {  // of a cell of area 1
   return (b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1]);
-}
-
-// Height over the longest edge, relative to it.
-double shape(const Vector3& a, const Vector3& b, const Vector3& c) {
-  const double longest =
-      std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
-  return longest > 0 ? (b - a).cross(c - a).norm() / longest : 0;
 }
 
 class Cutter {
@@ -83,15 +71,6 @@ class Cutter {
   }
 
  private:
-  struct Choice {
-    int not_positive;  // pieces, more than before
-    int pieces;        // more than before
-    double shape;      // of the worst one
-    Edge edge;
-
-    auto key() const { return std::tuple(not_positive, pieces, -shape); }
-  };
-
   bool is_positive(Index c, const std::array<int, 3>& p) const {
     return orientation(pieces_.uv(c, p[0]), pieces_.uv(c, p[1]), pieces_.uv(c, p[2])) > 0;
   }
@@ -104,11 +83,10 @@ class Cutter {
       });
       if (bad == all.end()) return;
       const auto piece = static_cast<int>(bad - all.begin());
-      if (bad->depth < kChosenDepth) {
-        if (!flip_edge_of(cell, piece)) cut(best_edge(cell, *bad));
-      } else {
-        cut(longest_edge_near(cell, *bad));
-      }
+      if (flip_edge_of(cell, piece)) continue;
+      const std::size_t hopeless = hopeless_.size();
+      cut(longest_edge_near(cell, *bad));
+      if (hopeless_.size() > hopeless) give_up(cell);
     }
   }
 
@@ -152,6 +130,7 @@ class Cutter {
   // Whether the other diagonal of two pieces of the cell made both positive.
   bool flip_edge_of(Index c, int first) {
     const std::vector<Piece>& all = pieces_.pieces(c);
+    if (all[at(first)].depth > kFlippedDepth) return false;
     const std::array<int, 3> corners = all[at(first)].corners;
     for (std::size_t e = 0; e < 3; ++e) {
       const int i = corners[e], j = corners[(e + 1) % 3], k = corners[(e + 2) % 3];
@@ -161,7 +140,7 @@ class Cutter {
         if (place == 3 || q[at(static_cast<int>(place + 1) % 3)] != i) continue;
         const int l = q[at(static_cast<int>(place + 2) % 3)];
         const std::array<std::array<int, 3>, 2> flipped = {{{i, l, k}, {l, j, k}}};
-        if (all[second].depth >= kChosenDepth || !may_be_pieces(c, flipped)) continue;
+        if (all[second].depth > kFlippedDepth || !may_be_pieces(c, flipped)) continue;
         pieces_.flip(c, {first, static_cast<int>(second)}, flipped);
         return true;
       }
@@ -178,72 +157,48 @@ class Cutter {
     return std::min(a, b) > kThinnest * (a + b) && is_positive(c, two[0]) && is_positive(c, two[1]);
   }
 
-  Edge best_edge(Index c, const Piece& piece) const {
-    const std::array<int, 3>& p = piece.corners;
-    const std::array<Choice, 3> choices = {consider({c, p[0], p[1]}), consider({c, p[1], p[2]}),
-                                           consider({c, p[2], p[0]})};
-    return std::ranges::min_element(choices, {}, &Choice::key)->edge;
-  }
-
-  Choice consider(const Edge& edge) const {
-    Choice choice{0, 0, std::numeric_limits<double>::infinity(), edge};
+  // Of the curve, by its middle; the longest of its images along a cut.
+  double length(const Edge& edge) const {
     const std::vector<Edge> sides = pieces_.sides(edge);
     const std::vector<Vector2> middles = pieces_.middles(sides);
-    const Vector3 middle =
-        (pieces_.position(edge.cell, edge.i) + pieces_.position(edge.cell, edge.j)) / 2;
+    double result = 0;
     for (std::size_t s = 0; s < sides.size(); ++s) {
       const auto [c, i, j] = sides[s];
-      for (const Piece& piece : pieces_.pieces(c)) {
-        const std::array<int, 3>& p = piece.corners;
-        const auto from = std::ranges::find(p, i), to = std::ranges::find(p, j);
-        if (from == p.end() || to == p.end()) continue;
-        ++choice.pieces;
-        choice.not_positive -= !is_positive(c, p);
-        for (const auto moved : {from - p.begin(), to - p.begin()}) {
-          std::array<Vector2, 3> uv;
-          std::array<Vector3, 3> xyz;
-          for (std::size_t k = 0; k < 3; ++k) {
-            const bool is_moved = k == static_cast<std::size_t>(moved);
-            uv[k] = is_moved ? middles[s] : pieces_.uv(c, p[k]);
-            xyz[k] = is_moved ? middle : pieces_.position(c, p[k]);
-          }
-          choice.not_positive += orientation(uv[0], uv[1], uv[2]) <= 0;
-          choice.shape = std::min(choice.shape, shape(xyz[0], xyz[1], xyz[2]));
-        }
-      }
+      result = std::max(
+          result, (middles[s] - pieces_.uv(c, i)).norm() + (middles[s] - pieces_.uv(c, j)).norm());
     }
-    return choice;
+    return result;
   }
 
-  double squared_length_of(const Edge& edge) const {
-    const auto& points = pieces_.points(edge.cell);
-    return squared_length(points[at(edge.i)].xi, points[at(edge.j)].xi);
-  }
+  struct LongEdge {
+    double length;
+    Edge edge;
+  };
 
-  Edge longest_edge(Index c, const std::array<int, 3>& p) const {
-    const std::array<Edge, 3> edges = {{{c, p[0], p[1]}, {c, p[1], p[2]}, {c, p[2], p[0]}}};
-    return *std::ranges::max_element(edges, {},
-                                     [&](const Edge& e) { return squared_length_of(e); });
+  LongEdge longest_edge(Index c, const std::array<int, 3>& p) const {
+    LongEdge result{-1, {c, p[0], p[1]}};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Edge edge{c, p[k], p[(k + 1) % 3]};
+      if (const double l = length(edge); l > result.length) result = {l, edge};
+    }
+    return result;
   }
 
   // The longest edge of a piece, or of the neighbours along it whose longest edge is longer still.
   Edge longest_edge_near(Index cell, const Piece& piece) const {
-    Edge edge = longest_edge(cell, piece.corners);
-    for (bool is_longest = false; !is_longest;) {
-      is_longest = true;
-      const double least = kLonger * squared_length_of(edge);
-      for (const auto& [c, i, j] : pieces_.sides(edge)) {
+    LongEdge longest = longest_edge(cell, piece.corners);
+    for (bool is_final = false; !is_final;) {
+      is_final = true;
+      for (const auto& [c, i, j] : pieces_.sides(longest.edge))
         for (const Piece& other : pieces_.pieces(c)) {
-          if (!has_edge(other, i, j)) continue;
-          const Edge longer = longest_edge(c, other.corners);
-          if (squared_length_of(longer) <= least) continue;
-          edge = longer;
-          is_longest = false;
+          if (!is_final || !has_edge(other, i, j)) continue;
+          const LongEdge candidate = longest_edge(c, other.corners);
+          if (candidate.length <= kLonger * longest.length) continue;
+          longest = candidate;
+          is_final = false;
         }
-        if (!is_longest) break;
-      }
     }
-    return edge;
+    return longest.edge;
   }
 
   MapPieces& pieces_;

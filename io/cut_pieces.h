@@ -8,12 +8,12 @@
 // that they share with others that are not.
 //
 // A piece that is not positive is repaired by the other diagonal of it and its neighbour, if they
-// are of one cell; else one of its edges is halved: the one that leaves the fewest pieces that are
-// not positive, then the one that makes the fewest and the best shaped ones on the surface. That
-// works within a few cuts or not at all, so deeper pieces halve their longest edge, and before it
-// that of the neighbour while it is longer [Riv84]. Lengths are measured in equilateral cells,
-// where that keeps the angles of pieces from below: fine enough pieces are positive wherever the
-// map is locally injective.
+// are of one cell and both become positive; else its longest edge is halved, after that of its
+// neighbour while that one is longer [Riv97]. Lengths are measured in the plane, on the curves:
+// where a map stretches a hundredfold in one direction, pieces that are round there are few, pieces
+// that are round on the surface are thousands. As they become fine the map is affine on each, and
+// halving longest edges keeps the angles of their images from below; so pieces are positive in the
+// end wherever the map is locally injective.
 #pragma once
 
 #include "majorant/io/map_pieces.h"
