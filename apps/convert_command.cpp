@@ -4,6 +4,7 @@
 
 #include "apps/command.h"
 #include "apps/outputs.h"
+#include "apps/report.h"
 #include "majorant/io/read_map.h"
 #include "majorant/io/cut_map.h"
 
@@ -33,6 +34,14 @@ void mark_seams(MapFile& map, const std::string& name) {
   }
 }
 
+// A map that is said to be injective as a whole stays so in formats without curves.
+Overlap allowed_overlap(const MapFile& map) {
+  const Json claims = Json::parse(map.claims, nullptr, false);  // discarded where they are no JSON
+  const auto claim = claims.find("bijective");
+  const bool is_bijective = claims.is_object() && claim != claims.end() && *claim == true;
+  return is_bijective ? Overlap::Excluded : Overlap::Allowed;
+}
+
 int convert(Request request) {
   if (!request.positional_output.empty()) request.outputs.push_back(request.positional_output);
   if (request.outputs.empty())
@@ -41,6 +50,7 @@ int convert(Request request) {
   request.common.apply();
   MapFile map = read_map(request.input);
   mark_seams(map, request.input);
+  request.formats.tessellation.overlap = allowed_overlap(map);
   for (const std::string& path : request.outputs) write_map(path, map, nullptr, request.formats);
   return kSuccess;
 }

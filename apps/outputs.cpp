@@ -51,7 +51,9 @@ void require_writable(const std::vector<std::string>& paths,
 }
 
 void FormatOptions::add_to(CLI::App& verb) {
-  verb.add_option("--refine", refine, "pieces per edge in OBJ output (degree 1: 1, else 3)")
+  verb.add_option("--refine", tessellation.refine,
+                  "pieces per edge in OBJ output, at least (default 1: cells stay one triangle "
+                  "where that is valid)")
       ->check(CLI::Range(1, 20));
   verb.add_option_function<std::string>(
           "--grid", [this](const std::string& spacing) { svg.grid = parse_spacing(spacing); },
@@ -64,9 +66,8 @@ void FormatOptions::add_to(CLI::App& verb) {
 void write_map(const std::string& path, const MapFile& map, const PolygonMesh* input,
                const FormatOptions& options) {
   const std::string e = extension(path);
-  const int pieces = options.refine > 0 ? options.refine : (map.degree == 1 ? 1 : 3);
   if (e == ".vtu") write_vtu(path, map);
-  if (e == ".obj") write_obj(path, map, input, pieces);
+  if (e == ".obj") write_obj(path, map, input, options.tessellation);
   if (e == ".svg") write_svg(path, map, options.svg);
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "majorant/io/map_file.h"
+#include "majorant/io/tessellate_map.h"
 #include "majorant/io/write_svg.h"
 #include "majorant/parametrization/polygon_mesh.h"
 
@@ -21,7 +22,7 @@ void require_writable(const std::vector<std::string>& paths,
 
 // How single formats are written, as said.
 struct FormatOptions {
-  int refine = 0;  // of OBJ; 0: 1 for degree 1, else 3
+  TessellationOptions tessellation;  // of OBJ
   SvgOptions svg;
 
   void add_to(CLI::App& verb);  // --refine --grid

@@ -64,6 +64,8 @@ void write_outputs(const FinishedRun& run) {
   if (run.outputs.normalize) normalization = normalize(file.uv);
   file.claims = claims(run, normalization);
   FormatOptions formats = run.outputs.formats;
+  if (run.in.options.injectivity == MapInjectivity::Global)
+    formats.tessellation.overlap = Overlap::Excluded;
   if (run.result.scaffold && !run.outputs.normalize)
     formats.svg.scaffold = to_map_file(*run.result.scaffold);
   for (const std::string& path : run.outputs.files) {

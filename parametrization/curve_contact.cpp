@@ -6,7 +6,7 @@
 
 #include "majorant/parametrization/curve_graph.h"
 #include "majorant/parametrization/curve_piece.h"
-#include "majorant/parametrization/exact_orientation.h"
+#include "majorant/parametrization/exact_predicates.h"
 
 namespace majorant {
 namespace {

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "majorant/parametrization/curve_piece.h"
-#include "majorant/parametrization/exact_orientation.h"
+#include "majorant/parametrization/exact_predicates.h"
 
 namespace majorant {
 namespace {

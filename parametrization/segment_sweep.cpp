@@ -4,7 +4,7 @@
 #include <numeric>
 #include <set>
 
-#include "majorant/parametrization/exact_orientation.h"
+#include "majorant/parametrization/exact_predicates.h"
 
 namespace majorant {
 namespace {

@@ -202,7 +202,7 @@ TEST(CutMap, ObjWeldsTheSurfaceAndNamesCones) {
   const TemporaryFolder folder;
   const PolygonMesh input = cube();
   for (const int degree : {1, 3}) {
-    write_obj(folder.file("a.obj"), to_map_file(cube_map(degree)), &input, degree);
+    write_obj(folder.file("a.obj"), to_map_file(cube_map(degree)), &input, {.refine = degree});
     const PolygonMesh mesh = read_mesh(folder.file("a.obj"));
     for (std::size_t v = 0; v < input.positions.size(); ++v)
       EXPECT_EQ(mesh.positions[v], input.positions[v]);

@@ -41,7 +41,7 @@ struct QuadExample {
 TEST(WriteObj, DegreeOneKeepsTheInput) {
   const TemporaryFolder folder;
   const QuadExample example;
-  write_obj(folder.file("out.obj"), example.map, &example.input, 1);
+  write_obj(folder.file("out.obj"), example.map, &example.input);
   const PolygonMesh mesh = read_mesh(folder.file("out.obj"));
   EXPECT_EQ(mesh.positions, example.input.positions);
   EXPECT_EQ(mesh.polygons, example.input.polygons);
@@ -65,7 +65,7 @@ TEST(WriteObj, PolygonThatIsCutBecomesTriangles) {
   example.map.uv.row(7) << -3, -3;
   example.map.input_vertex[7] = 1;
   example.map.cells(2, 0) = 7;
-  write_obj(folder.file("out.obj"), example.map, &example.input, 1);
+  write_obj(folder.file("out.obj"), example.map, &example.input);
   const PolygonMesh mesh = read_mesh(folder.file("out.obj"));
   EXPECT_EQ(mesh.polygons, (Polygons{{1, 2, 3}, {1, 3, 4}, {2, 5, 3}}));
   EXPECT_EQ(mesh.polygon_texcoords, (Polygons{{0, 1, 2}, {7, 2, 3}, {4, 5, 6}}));
@@ -75,7 +75,7 @@ TEST(WriteObj, PolygonThatIsCutBecomesTriangles) {
 TEST(WriteObj, WithoutInputWritesTheCells) {
   const TemporaryFolder folder;
   const QuadExample example;
-  write_obj(folder.file("out.obj"), example.map, nullptr, 1);
+  write_obj(folder.file("out.obj"), example.map, nullptr);
   const PolygonMesh mesh = read_mesh(folder.file("out.obj"));
   EXPECT_EQ(mesh.polygons, (Polygons{{1, 2, 3}, {1, 3, 4}, {2, 5, 3}}));
   EXPECT_EQ(mesh.positions.size(), 6u);
@@ -85,12 +85,13 @@ TEST(WriteObj, RefusesAnotherInputAndBadRefinement) {
   const TemporaryFolder folder;
   QuadExample example;
   const std::string path = folder.file("out.obj");
-  error_message(ErrorKind::Usage, [&] { write_obj(path, example.map, nullptr, 0); });
-  error_message(ErrorKind::Usage, [&] { write_obj(path, example.map, nullptr, 2000000000); });
+  error_message(ErrorKind::Usage, [&] { write_obj(path, example.map, nullptr, {.refine = 0}); });
+  error_message(ErrorKind::Usage,
+                [&] { write_obj(path, example.map, nullptr, {.refine = 2000000000}); });
   example.input.polygons.pop_back();
-  error_message(ErrorKind::Invalid, [&] { write_obj(path, example.map, &example.input, 1); });
+  error_message(ErrorKind::Invalid, [&] { write_obj(path, example.map, &example.input); });
   example.input.polygons = {{0, 1, 2, 3}, {2, 5, 3}};
-  error_message(ErrorKind::Invalid, [&] { write_obj(path, example.map, &example.input, 1); });
+  error_message(ErrorKind::Invalid, [&] { write_obj(path, example.map, &example.input); });
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
@@ -98,7 +99,7 @@ TEST(WriteObj, RefinedEdgesAreSharedAndCutsStayCuts) {
   const TemporaryFolder folder;
   const QuadExample example;
   constexpr int K = 3;
-  write_obj(folder.file("out.obj"), example.map, &example.input, K);
+  write_obj(folder.file("out.obj"), example.map, &example.input, {.refine = K});
   const PolygonMesh mesh = read_mesh(folder.file("out.obj"));
   ASSERT_EQ(mesh.polygons.size(), 3u * K * K);
   // 6 input vertices, 7 edges with K - 1 samples, 3 cells with (K - 1)(K - 2) / 2; the cut has
@@ -125,31 +126,10 @@ TEST(WriteObj, RefinedEdgesAreSharedAndCutsStayCuts) {
   EXPECT_EQ(boundary, 5 * K);
 }
 
-TEST(WriteObj, RefinedCubicIsEvaluated) {
-  const TemporaryFolder folder;
-  const MapFile map = random_strip(3, 2, 11);
-  write_obj(folder.file("out.obj"), map, nullptr, 2);
-  const PolygonMesh mesh = read_mesh(folder.file("out.obj"));
-  ASSERT_EQ(mesh.polygons.size(), 8u);
-  // The middle of edge 0 of cell 0: binomial weights of the edge's four control points.
-  const auto edge = bezier_edge_points(3, 0);
-  Vector2 middle = Vector2::Zero();
-  const double weights[] = {0.125, 0.375, 0.375, 0.125};
-  for (std::size_t s = 0; s < 4; ++s) middle += weights[s] * map.uv.row(map.cells(0, edge[s]));
-  const auto texcoord = static_cast<std::size_t>(mesh.polygon_texcoords[0][1]);
-  EXPECT_NEAR((mesh.texcoords[texcoord] - middle).norm(), 0.0, 1e-15);
-  const auto vertex = static_cast<std::size_t>(mesh.polygons[0][1]);
-  const Vector3 flat = 0.5 * (map.points.row(map.cells(0, 0)) + map.points.row(map.cells(0, 1)));
-  EXPECT_NEAR((mesh.positions[vertex] - flat).norm(), 0.0, 1e-15);
-  // 4 corners, 5 edges: the shared edge is sampled once.
-  EXPECT_EQ(mesh.texcoords.size(), 9u);
-  EXPECT_EQ(mesh.positions.size(), 9u);
-}
-
 TEST(WriteObj, DoublesSurvive) {
   const TemporaryFolder folder;
   MapFile map = random_strip(1, 200, 4);
-  write_obj(folder.file("out.obj"), map, nullptr, 1);
+  write_obj(folder.file("out.obj"), map, nullptr);
   const PolygonMesh mesh = read_mesh(folder.file("out.obj"));
   for (Index p = 0; p < map.uv.rows(); ++p) {
     EXPECT_EQ(mesh.texcoords[static_cast<std::size_t>(p)], map.uv.row(p).transpose());

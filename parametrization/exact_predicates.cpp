@@ -1,10 +1,22 @@
-#include "majorant/parametrization/exact_orientation.h"
+#include "majorant/parametrization/exact_predicates.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace majorant {
+namespace {
+
+bool apart(double p, double q, double r, double s) {
+  return std::max(p, q) < std::min(r, s) || std::max(r, s) < std::min(p, q);
+}
+
+bool precedes(const Vector2& a, const Vector2& b) {
+  return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y());
+}
+
+}  // namespace
 
 int orientation(const Vector2& a, const Vector2& b, const Vector2& c) {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -20,10 +32,14 @@ bool on_segment(const Vector2& a, const Vector2& b, const Vector2& p) {
 }
 
 bool segments_meet(const Vector2& a, const Vector2& b, const Vector2& c, const Vector2& d) {
-  if (orientation(a, b, c) * orientation(a, b, d) < 0 &&
-      orientation(c, d, a) * orientation(c, d, b) < 0)
-    return true;
-  return on_segment(a, b, c) || on_segment(a, b, d) || on_segment(c, d, a) || on_segment(c, d, b);
+  // Segments on one line meet where their boxes do.
+  return !apart(a.x(), b.x(), c.x(), d.x()) && !apart(a.y(), b.y(), c.y(), d.y()) &&
+         orientation(a, b, c) * orientation(a, b, d) <= 0 &&
+         orientation(c, d, a) * orientation(c, d, b) <= 0;
+}
+
+bool segments_fold(const Vector2& a, const Vector2& b, const Vector2& d) {
+  return orientation(a, b, d) == 0 && precedes(a, b) != precedes(b, d);
 }
 
 }  // namespace majorant

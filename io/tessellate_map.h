@@ -1,0 +1,39 @@
+// A map of any degree as a textured mesh with straight edges, valid as it stands: for writers of
+// formats without curves.
+//
+//   PolygonMesh mesh = tessellate_map(map, &input, {.refine = 1});
+//
+// Cells whose corners span a positive triangle in the plane stay one triangle; others are cut, and
+// their neighbours along the edges concerned, until every triangle is positive and the triangles
+// around every inner vertex turn once, proven on the doubles of the result (cut_pieces.h). Its
+// surface is that of the map: new vertices lie on the flat triangles, the two sides of an edge
+// share them, also along cuts. In the plane there are no T-junctions but where the map is cut.
+#pragma once
+
+#include "majorant/io/cut_pieces.h"
+#include "majorant/io/map_file.h"
+#include "majorant/parametrization/polygon_mesh.h"
+
+namespace majorant {
+
+struct TessellationOptions {
+  int refine = 1;                      // every cell becomes at least refine x refine triangles
+  Overlap overlap = Overlap::Allowed;  // Excluded: for maps that are injective as a whole
+};
+
+// With `input`, the mesh that the map was made from: its vertices (also unreferenced ones), then
+// new ones; its polygons in their order, with groups, materials and normals. A polygon stays as it
+// is where none of its cells is cut, no cut of the surface crosses it and its image is a simple
+// polygon; otherwise its triangles take its place, in the order of cells. Normals at new vertices
+// are interpolated. Without `input` (null): the triangles of mesh_from_map in their order.
+//
+// Texture coordinates: one per corner point of the map in the order of the map's points, then those
+// of new vertices. A map of degree 1 with refine = 1 is taken as it is, whether positive or not.
+//
+// Throws Error(Usage) if refine < 1 or the result needs more than 2^31 vertices, Error(Invalid) if
+// the map does not belong to `input`, or naming cells for which no such triangles are found
+// (cut_pieces.h).
+PolygonMesh tessellate_map(const MapFile& map, const PolygonMesh* input,
+                           const TessellationOptions& options = {});
+
+}  // namespace majorant
