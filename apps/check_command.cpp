@@ -3,7 +3,6 @@
 
 #include <CLI/App.hpp>
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 
 #include "apps/check_claims.h"
@@ -13,6 +12,7 @@
 #include "apps/global_verdict.h"
 #include "apps/outputs.h"
 #include "apps/report.h"
+#include "apps/streams.h"
 #include "majorant/io/read_map.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/seamless_map.h"
@@ -139,7 +139,7 @@ MapMeasures check_map(MapFile& file, const Request& request, Findings& findings,
 }
 
 int check(const Request& request) {
-  if (!request.common.report.empty()) require_writable({request.common.report}, {".json"});
+  require_writable(request.common, {}, {request.result, request.surface});
   request.common.apply();
   MapFile file = read_map(request.result);
   Findings findings;
@@ -160,13 +160,12 @@ int check(const Request& request) {
   if (!request.common.report.empty()) write_json(request.common.report, report);
   if (findings.list().empty()) {
     if (!request.common.quiet)
-      fmt::print(stderr, "{}: valid, degree {}, {} cells, {} {:.9g}{}\n", request.result,
-                 file.degree, file.cells.rows(), report["result"]["energy"].get<std::string>(),
-                 measures.value, seam_summary(report["result"]));
+      say("{}: valid, degree {}, {} cells, {} {:.9g}{}\n", request.result, file.degree,
+          file.cells.rows(), report["result"]["energy"].get<std::string>(), measures.value,
+          seam_summary(report["result"]));
     return kSuccess;
   }
-  fmt::print(stderr, "majorant: {}: invalid: {}\n", request.result,
-             fmt::join(findings.list(), "; "));
+  say("majorant: {}: invalid: {}\n", request.result, fmt::join(findings.list(), "; "));
   return kInvalid;
 }
 

@@ -33,16 +33,28 @@ void mark_seams(MapFile& map, const std::string& name) {
   }
 }
 
+void write_report(const Request& request, WrittenFiles& written) {
+  const Json report{{"schema_version", 1},
+                    {"version", MAJORANT_VERSION},
+                    {"command", "convert"},
+                    {"input", {{"file", request.input}}},
+                    {"outputs", written.to_json()}};
+  written.write(request.common.report, [&] { write_json(request.common.report, report); });
+}
+
 int convert(Request request) {
   if (!request.positional_output.empty()) request.outputs.push_back(request.positional_output);
   if (request.outputs.empty())
     throw Error(ErrorKind::Usage, "no output file; add -o OUT.obj (or .svg .vtu)");
-  require_writable(request.outputs, {".vtu", ".obj", ".svg"});
+  require_writable(request.common, {{request.outputs, {".vtu", ".obj", ".svg"}}}, {request.input});
   request.common.apply();
   MapFile map = read_map(request.input);
   mark_seams(map, request.input);
-  for (const std::string& path : request.outputs) write_map(path, map, nullptr, request.formats);
-  return kSuccess;
+  WrittenFiles written;
+  for (const std::string& path : request.outputs)
+    written.write(path, [&] { write_map(path, map, nullptr, request.formats); });
+  if (!request.common.report.empty()) write_report(request, written);
+  return written.conclude(kSuccess);
 }
 
 }  // namespace

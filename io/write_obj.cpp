@@ -173,7 +173,8 @@ std::string obj_text(const PolygonMesh& mesh) {
   return fmt::to_string(text);
 }
 
-void write_obj(const std::string& path, const MapFile& map, const PolygonMesh* input, int refine) {
+void write_obj(const std::string& path, const MapFile& map, const PolygonMesh* input, int refine,
+               const FileVerification& verify) {
   require_sound(path, map);
   PolygonMesh mesh;
   if (map.degree == 1 && refine == 1) {
@@ -181,7 +182,7 @@ void write_obj(const std::string& path, const MapFile& map, const PolygonMesh* i
   } else {
     mesh = refine_map(map, input, refine);
   }
-  write_file_atomically(path, cone_comments(map) + obj_text(mesh));
+  write_file_atomically(path, cone_comments(map) + obj_text(mesh), verify);
 }
 
 }  // namespace majorant

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "majorant/io/atomic_file.h"
 #include "majorant/io/map_file.h"
 #include "majorant/parametrization/polygon_mesh.h"
 
@@ -25,7 +26,8 @@ namespace majorant {
 // Numbers are printed with the digits that give the same double back.
 // Throws Error(Usage) if refine < 1, the result needs more than 2^31 vertices or the file cannot be
 // written, Error(Invalid) if the map is unsound (map_check.h) or does not belong to `input`.
-void write_obj(const std::string& path, const MapFile& map, const PolygonMesh* input, int refine);
+void write_obj(const std::string& path, const MapFile& map, const PolygonMesh* input, int refine,
+               const FileVerification& verify = {});
 
 // The text of an OBJ file: v, vt, vn, then directives and faces in order.
 std::string obj_text(const PolygonMesh& mesh);
