@@ -4,7 +4,6 @@
 
 #include <CLI/App.hpp>
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 #include <optional>
 
@@ -14,6 +13,7 @@
 #include "apps/global_verdict.h"
 #include "apps/outputs.h"
 #include "apps/report.h"
+#include "apps/streams.h"
 #include "majorant/io/map_proof.h"
 #include "majorant/io/read_map.h"
 #include "majorant/io/read_mesh.h"
@@ -132,19 +132,19 @@ int conclude(Check& check) {
   if (!request.common.report.empty()) write_json(request.common.report, check.report);
   if (!list.empty()) {
     const bool is_torn = check.proof && check.proof->continuous.answer == Answer::Violated;
-    fmt::print(stderr, "majorant: {}: {}: {}{}\n", request.result, status, fmt::join(list, "; "),
+    say("majorant: {}: {}: {}{}\n", request.result, status, fmt::join(list, "; "),
                is_torn ? "; if the map is meant to be cut there, add --cuts free" : "");
     return kInvalid;
   }
   if (!request.common.quiet)
-    fmt::print(stderr, "{}: valid, degree {}: {}; {} {:.9g}{}\n", request.result, check.file.degree,
+    say("{}: valid, degree {}: {}; {} {:.9g}{}\n", request.result, check.file.degree,
                in_words(*check.proof), claimed_energy(check.claims), check.measures->value,
                seam_summary(check.report["result"]));
   return kSuccess;
 }
 
 int check(const Request& request) {
-  if (!request.common.report.empty()) require_writable({request.common.report}, {".json"});
+  require_writable(request.common, {}, {request.result, request.surface});
   request.common.apply();
   const MapFile file = read_map(request.result);
   if (file.degree > BezierTriangleSpace::kMaxDegree)

@@ -26,10 +26,11 @@ ExitCode exit_code(Status status);
 struct CommonOptions {
   int threads = 0;  // 0: as many as the machine has
   bool quiet = false, verbose = false;
+  bool force = false;  // an output may replace an input
   std::string report;  // file name or empty
 
   void add_to(CLI::App& verb);
-  void apply() const;
+  void apply() const;  // threads; before any work
 };
 
 // Each adds its verb to `app` and sets *run when that verb is chosen; run returns the exit code and

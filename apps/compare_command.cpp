@@ -9,7 +9,6 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <fstream>
 #include <limits>
 #include <memory>
@@ -19,8 +18,9 @@
 #include "apps/map_request.h"
 #include "apps/methods.h"
 #include "apps/outputs.h"
-#include "apps/progress.h"
+#include "apps/process.h"
 #include "apps/report.h"
+#include "apps/streams.h"
 #include "majorant/framework/evaluator.h"
 #include "majorant/io/comparison_table.h"
 #include "majorant/io/write_comparison.h"
@@ -198,19 +198,22 @@ Json report_of(const Request& request, const Comparison& comparison) {
           {"best_energy", best},           {"methods", runs}};
 }
 
-void write(const Request& request, const Comparison& comparison) {
+WrittenFiles write(const Request& request, const Comparison& comparison) {
+  WrittenFiles written;
   std::vector<std::string> paths = request.outputs;
   if (!request.common.report.empty()) paths.push_back(request.common.report);
-  for (const std::string& path : paths) {
-    if (extension(path) == ".csv") write_comparison_csv(path, comparison);
-    if (extension(path) == ".html") write_comparison_html(path, comparison);
-    if (extension(path) == ".json") write_json(path, report_of(request, comparison));
-  }
+  for (const std::string& path : paths)
+    written.write(path, [&] {
+      if (extension(path) == ".csv") write_comparison_csv(path, comparison);
+      if (extension(path) == ".html") write_comparison_html(path, comparison);
+      if (extension(path) == ".json") write_json(path, report_of(request, comparison));
+    });
+  return written;
 }
 
 int compare(const Request& request) {
-  require_writable(request.outputs, {".csv", ".html", ".json"});
-  if (!request.common.report.empty()) require_writable({request.common.report}, {".json"});
+  require_writable(request.common, {{request.outputs, {".csv", ".html", ".json"}}},
+                   request.map.inputs());
   if (!(request.time_limit >= 0) || !(request.tolerance > 0))
     throw Error(ErrorKind::Usage, "--time-limit and --tolerance must be numbers");
   wanted_methods(request);  // complains before anything is read
@@ -225,14 +228,12 @@ int compare(const Request& request) {
   comparison.machine = fmt::format("{}, {} threads", processor(), threads());
   warm_up(contest);
   for (const Method* method : chosen) {
-    if (!request.common.quiet) fmt::print(stderr, "{} ...\n", method->name);
+    if (!request.common.quiet) say("{} ...\n", method->name);
     comparison.runs.push_back(race(*method, contest, request.time_limit));
     if (interruption_flag()->load()) break;
   }
-  fmt::print("{}", comparison_table(comparison));
-  std::fflush(stdout);
-  write(request, comparison);
-  return interruption_flag()->load() ? kLimit : kSuccess;
+  print_text(comparison_table(comparison));
+  return write(request, comparison).conclude(interruption_flag()->load() ? kLimit : kSuccess);
 }
 
 }  // namespace

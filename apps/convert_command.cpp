@@ -2,6 +2,7 @@
 #include <CLI/App.hpp>
 #include <memory>
 
+#include "apps/claims.h"
 #include "apps/command.h"
 #include "apps/outputs.h"
 #include "apps/report.h"
@@ -35,24 +36,34 @@ void mark_seams(MapFile& map, const std::string& name) {
 }
 
 // A map that is said to be injective as a whole stays so in formats without curves.
-Overlap allowed_overlap(const MapFile& map) {
-  const Json claims = Json::parse(map.claims, nullptr, false);  // discarded where they are no JSON
-  const auto claim = claims.find("bijective");
-  const bool is_bijective = claims.is_object() && claim != claims.end() && *claim == true;
+Overlap allowed_overlap(const MapFile& map, const std::string& name) {
+  const bool is_bijective = parse_claims(map.claims, name).bijective.value_or(false);
   return is_bijective ? Overlap::Excluded : Overlap::Allowed;
+}
+
+void write_report(const Request& request, WrittenFiles& written) {
+  const Json report{{"schema_version", 1},
+                    {"version", MAJORANT_VERSION},
+                    {"command", "convert"},
+                    {"input", {{"file", request.input}}},
+                    {"outputs", written.to_json()}};
+  written.write(request.common.report, [&] { write_json(request.common.report, report); });
 }
 
 int convert(Request request) {
   if (!request.positional_output.empty()) request.outputs.push_back(request.positional_output);
   if (request.outputs.empty())
     throw Error(ErrorKind::Usage, "no output file; add -o OUT.obj (or .svg .vtu)");
-  require_writable(request.outputs, {".vtu", ".obj", ".svg"});
+  require_writable(request.common, {{request.outputs, {".vtu", ".obj", ".svg"}}}, {request.input});
   request.common.apply();
   MapFile map = read_map(request.input);
   mark_seams(map, request.input);
-  request.formats.tessellation.overlap = allowed_overlap(map);
-  for (const std::string& path : request.outputs) write_map(path, map, nullptr, request.formats);
-  return kSuccess;
+  request.formats.tessellation.overlap = allowed_overlap(map, request.input);
+  WrittenFiles written;
+  for (const std::string& path : request.outputs)
+    written.write(path, [&] { write_map(path, map, nullptr, request.formats); });
+  if (!request.common.report.empty()) write_report(request, written);
+  return written.conclude(kSuccess);
 }
 
 }  // namespace

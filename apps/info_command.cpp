@@ -1,13 +1,11 @@
 // majorant info IN: what a mesh is, and what a run would do about it.
-#include <fmt/format.h>
-
 #include <CLI/App.hpp>
-#include <cstdio>
 #include <memory>
 
 #include "apps/command.h"
 #include "apps/outputs.h"
 #include "apps/report.h"
+#include "apps/streams.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/parametrization/seamless_start.h"
 
@@ -27,7 +25,7 @@ bool describe_texture(const SurfaceMesh& mesh, Json& report) {
     const BezierMap map = seamless_from_texture(mesh).map;
     const Seams& seams = map.seams();
     const Json cones = cones_section(map);
-    fmt::print("texture: seamless, {} cones, {} chains of {} seam edges\n", cones.size(),
+    print_data("texture: seamless, {} cones, {} chains of {} seam edges\n", cones.size(),
                seams.chain_count(), seams.edges().size());
     report["texture"] = {{"seamless", true},
                          {"cones", cones},
@@ -35,29 +33,29 @@ bool describe_texture(const SurfaceMesh& mesh, Json& report) {
                          {"seam_edges", seams.edges().size()}};
     return !seams.trivial();
   } catch (const Error& e) {
-    fmt::print("texture: not seamless: {}\n", e.what());
+    print_data("texture: not seamless: {}\n", e.what());
     report["texture"] = {{"seamless", false}, {"message", e.what()}};
     return false;
   }
 }
 
 int info(const Request& request) {
-  if (!request.common.report.empty()) require_writable({request.common.report}, {".json"});
+  require_writable(request.common, {}, {request.input});
   const PolygonMesh polygons = read_mesh(request.input);
   Json report{{"schema_version", 1}, {"version", MAJORANT_VERSION}, {"command", "info"}};
-  fmt::print("file: {}\nvertices: {}\npolygons: {}\ntexture coordinates: {}\n", polygons.file,
+  print_data("file: {}\nvertices: {}\npolygons: {}\ntexture coordinates: {}\n", polygons.file,
              polygons.positions.size(), polygons.polygons.size(), polygons.texcoords.size());
   std::string verdict = "parametrize can run";
   try {
     const SurfaceMesh mesh = SurfaceMesh::from_polygons(polygons);
     const Topology& t = mesh.topology();
-    fmt::print(
+    print_data(
         "triangles: {}\ncomponents: {}\nboundary loops: {}\nEuler characteristic: {}\n"
         "area: {:.10g}\n",
         t.faces, t.components, t.boundary_loops, t.euler_characteristic(), mesh.area());
     report["input"] = input_section(polygons, mesh);
     for (const auto& repair : report["input"]["repairs"])
-      fmt::print("note: {}\n", repair.get<std::string>());
+      print_data("note: {}\n", repair.get<std::string>());
     const bool has_seams = describe_texture(mesh, report);
     const bool is_disk = t.boundary_loops == 1 && t.euler_characteristic() == 1;
     if (has_seams)
@@ -68,7 +66,7 @@ int info(const Request& request) {
   } catch (const Error& e) {
     verdict = fmt::format("parametrize would refuse: {}", e.what());
   }
-  fmt::print("verdict: {}\n", verdict);
+  print_data("verdict: {}\n", verdict);
   report["message"] = verdict;
   if (!request.common.report.empty()) write_json(request.common.report, report);
   return kSuccess;

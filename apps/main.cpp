@@ -1,15 +1,15 @@
 // majorant: the command. One file a verb; exit codes and file formats in README.md.
-#include <fmt/format.h>
-#include <unistd.h>
-
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
-#include <cstdio>
+#include <cstring>
 #include <exception>
 #include <new>
+#include <sstream>
 
 #include "apps/command.h"
+#include "apps/process.h"
+#include "apps/streams.h"
 #include "majorant/framework/evaluator.h"
 
 namespace majorant::app {
@@ -53,10 +53,12 @@ void CommonOptions::add_to(CLI::App& verb) {
   auto* q = verb.add_flag("--quiet", quiet, "no progress");
   verb.add_flag("--verbose", verbose, "a line per iteration")->excludes(q);
   verb.add_option("--report", report, "write a JSON report to FILE")->type_name("FILE");
+  verb.add_flag("--force", force, "an output may replace a file that is read");
 }
 
 void CommonOptions::apply() const {
   if (threads > 0) set_threads(threads);
+  start_threads();
 }
 
 namespace {
@@ -70,8 +72,9 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer(
       "Example: majorant parametrize bunny.obj -o bunny.vtu -o bunny.svg --degree 3\n"
-      "Exit codes: 0 valid, 1 usage, 2 unreadable input, 3 unsupported input, 4 stopped by a "
-      "limit,\n            5 invalid result, 6 internal error.");
+      "Exit codes: 0 valid, 1 usage or an output that cannot be written, 2 unreadable input,\n"
+      "            3 unsupported input or too little memory, 4 stopped by a limit or a signal,\n"
+      "            5 invalid result, 6 internal error.");
   Action action;
   add_parametrize(app, &action);
   add_seamless(app, &action);
@@ -83,27 +86,42 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    if (e.get_exit_code() == 0) return app.exit(e);  // help, version
-    fmt::print(stderr, "majorant: {} (see majorant --help)\n", e.what());
+    if (e.get_exit_code() == 0) {  // help, version
+      std::ostringstream text;
+      app.exit(e, text, text);
+      print_text(text.str());
+      return kSuccess;
+    }
+    say("majorant: {} (see majorant --help)\n", e.what());
     return kUsage;
   }
   return action();
+}
+
+int run_safely(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const Error& e) {
+    say("majorant: {}\n", e.what());
+    return exit_code(e.kind());
+  } catch (const std::bad_alloc&) {
+    say_text("majorant: out of memory; use a lower degree or a smaller mesh, or allow more\n");
+    return kUnsupported;
+  } catch (const std::exception& e) {
+    say("majorant: internal error: {}; please report it with the input\n", e.what());
+    return kInternal;
+  }
 }
 
 }  // namespace
 }  // namespace majorant::app
 
 int main(int argc, char** argv) {
-  using namespace majorant;
-  try {
-    return app::run(argc, argv);
-  } catch (const Error& e) {
-    fmt::print(stderr, "majorant: {}\n", e.what());
-    return app::exit_code(e.kind());
-  } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "majorant: out of memory; use a lower degree or a smaller mesh\n");
-  } catch (const std::exception& e) {
-    fmt::print(stderr, "majorant: internal error: {}; please report it with the input\n", e.what());
-  }
-  return app::kInternal;
+  using namespace majorant::app;
+  prepare_process(argv);
+  const int code = run_safely(argc, argv);
+  const int lost = data_error();
+  if (lost == 0) return code;
+  say("majorant: cannot write to standard output: {}\n", std::strerror(lost));
+  return code == kSuccess || code == kLimit ? kUsage : code;
 }

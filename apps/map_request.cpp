@@ -103,6 +103,8 @@ Json MapRequest::to_json() const {
           {"weights", weights}, {"quadrature", quadrature}, {"seamless", seamless}};
 }
 
+std::vector<std::string> MapRequest::inputs() const { return {input, pins, handles, weights}; }
+
 MapInput read_input(const MapRequest& request, const StartMaker& make_start) {
   const EnergyChoice energy = parse_energy(request.energy);
   MapInput in;

@@ -27,6 +27,7 @@ struct MapRequest {
   void add_to(CLI::App& verb);
   void add_start_to(CLI::App& verb);  // --boundary and --init, where the verb makes no start itself
   Json to_json() const;               // for reports and claims
+  std::vector<std::string> inputs() const;  // files to read; empty where none is given
 };
 
 struct MapInput {

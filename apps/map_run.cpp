@@ -14,12 +14,18 @@ void MapVerb::add_to(CLI::App& verb) {
   common.add_to(verb);
 }
 
-MapRun::MapRun(std::string verb, MapVerb& request)
+MapRun::MapRun(std::string verb, MapVerb& request, const std::vector<std::string>& other_inputs)
     : verb_(std::move(verb)),
       request_(request),
       record_(request.solve.make_record(request.common)) {
-  request.outputs.require_usable(request.common, request.map);
+  request.outputs.require_usable(request.map);
   request.solve.require_usable(request.outputs, request.map);
+  std::vector<std::string> inputs = request.map.inputs();
+  inputs.insert(inputs.end(), other_inputs.begin(), other_inputs.end());
+  require_writable(request.common,
+                   {{request.outputs.files, {".vtu", ".obj", ".svg", ".json", ".csv"}},
+                    {{request.solve.scaffold_file}, {".vtu", ".svg"}}},
+                   inputs);
   request.common.apply();
 }
 
@@ -45,7 +51,7 @@ int MapRun::finish(ParametrizationResult result, const Json& extra) {
   Json options = request_.solve.to_json();
   options.update(extra);
   return write_result({verb_, request_.common, request_.outputs, request_.map, in_, result, record_,
-                       options, start_, read_seconds_});
+                       options, start_, read_seconds_, request_.solve.scaffold_file});
 }
 
 double MapRun::seconds() const {

@@ -1,14 +1,16 @@
 // A run of a verb that makes a map (parametrize, seamless, deform): what all of them can be told,
 // what happens before the solve and after it.
 //
-//   MapRun run("parametrize", request);                 // checks what can be checked, starts
-//   clocks MapInput& in = run.read(); return run.finish(parametrize(in.mesh, in.options,
-//   run.record()));   // files, reports: exit code
+//   MapRun run("parametrize", request);         // checks what can be checked, starts clocks
+//   MapInput& in = run.read();
+//   return run.finish(parametrize(in.mesh, in.options, run.record()));  // files, reports: exit
+//   code
 #pragma once
 
 #include <CLI/App.hpp>
 #include <chrono>
 #include <string>
+#include <vector>
 
 #include "apps/command.h"
 #include "apps/map_request.h"
@@ -29,8 +31,9 @@ struct MapVerb {
 
 class MapRun {
  public:
-  // request: outlives the run. Throws Error(Usage) before any work.
-  MapRun(std::string verb, MapVerb& request);
+  // request: outlives the run. other_inputs: files that the verb alone reads. Throws Error(Usage)
+  // before any work.
+  MapRun(std::string verb, MapVerb& request, const std::vector<std::string>& other_inputs = {});
 
   // As read_input; the time that make_start takes counts as initialization.
   MapInput& read(const StartMaker& make_start = {});

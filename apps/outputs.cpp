@@ -6,7 +6,10 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <new>
+#include <optional>
 
+#include "apps/streams.h"
 #include "majorant/framework/error.h"
 #include "majorant/io/vtu.h"
 #include "majorant/io/write_obj.h"
@@ -27,6 +30,34 @@ double parse_spacing(const std::string& text) {
   return spacing;
 }
 
+void require_extension(const std::string& path, const std::vector<std::string>& allowed) {
+  const std::string e = extension(path);
+  if (std::find(allowed.begin(), allowed.end(), e) == allowed.end())
+    throw Error(ErrorKind::Usage, fmt::format("{}: cannot write files of type '{}'; use one of {}",
+                                              path, e, fmt::join(allowed, " ")));
+}
+
+struct NamedFile {
+  std::string path;
+  std::optional<FileIdentity> identity;
+};
+
+void require_other_file(const NamedFile& output, const std::vector<NamedFile>& taken) {
+  for (const NamedFile& other : taken)
+    if (other.path == output.path || (other.identity && other.identity == output.identity))
+      throw Error(ErrorKind::Usage,
+                  fmt::format("{} and {} are the same file; give each output its own name",
+                              other.path, output.path));
+}
+
+void require_no_input(const NamedFile& output, const std::vector<std::string>& inputs) {
+  for (const std::string& input : inputs)
+    if (!input.empty() && output.identity && identify_file(input) == output.identity)
+      throw Error(ErrorKind::Usage,
+                  fmt::format("{} is read by this run ({}); give --force to replace it",
+                              output.path, input));
+}
+
 }  // namespace
 
 std::string extension(const std::string& path) {
@@ -35,19 +66,56 @@ std::string extension(const std::string& path) {
   return e;
 }
 
-void require_writable(const std::vector<std::string>& paths,
-                      const std::vector<std::string>& allowed) {
-  for (const std::string& path : paths) {
-    const std::string e = extension(path);
-    if (std::find(allowed.begin(), allowed.end(), e) == allowed.end())
-      throw Error(ErrorKind::Usage,
-                  fmt::format("{}: cannot write files of type '{}'; use one of {}", path, e,
-                              fmt::join(allowed, " ")));
-    const auto directory = std::filesystem::path(path).parent_path();
-    if (!directory.empty() && !std::filesystem::is_directory(directory))
-      throw Error(ErrorKind::Usage,
-                  fmt::format("{}: the directory does not exist; create it", path));
+void require_writable(const CommonOptions& common, const std::vector<OutputNames>& outputs,
+                      const std::vector<std::string>& inputs) {
+  std::vector<OutputNames> all = outputs;
+  all.push_back({{common.report}, {".json"}});
+  std::vector<NamedFile> taken;
+  for (const OutputNames& names : all)
+    for (const std::string& path : names.paths) {
+      if (path.empty()) continue;
+      require_extension(path, names.extensions);
+      require_writable_file(path);
+      const NamedFile file{path, identify_file(path)};
+      require_other_file(file, taken);
+      if (!common.force) require_no_input(file, inputs);
+      taken.push_back(file);
+    }
+}
+
+void WrittenFiles::write(const std::string& path, const std::function<void()>& write) {
+  Entry entry{path, "", kSuccess};
+  try {
+    write();
+  } catch (const Error& e) {
+    entry.failure = e.what();
+    entry.code = e.kind() == ErrorKind::Invalid ? kInvalid : kUsage;
+  } catch (const std::bad_alloc&) {
+    entry.failure = fmt::format("cannot write {}: out of memory", path);
+    entry.code = kUsage;
   }
+  entries_.push_back(std::move(entry));
+}
+
+Json WrittenFiles::to_json() const {
+  Json list = Json::array();
+  for (const Entry& e : entries_)
+    list.push_back({{"file", e.path}, {"written", e.code == kSuccess}, {"message", e.failure}});
+  return list;
+}
+
+int WrittenFiles::conclude(int code) const {
+  std::vector<std::string> failures, written;
+  ExitCode worst = kSuccess;
+  for (const Entry& e : entries_) {
+    (e.code == kSuccess ? written : failures).push_back(e.code == kSuccess ? e.path : e.failure);
+    worst = std::max(worst, e.code);
+  }
+  if (failures.empty()) return code;
+  say("majorant: {}; {}\n", fmt::join(failures, "; "),
+      written.empty() ? "nothing was written"
+                      : fmt::format("written: {}", fmt::join(written, ", ")));
+  return code == kSuccess || code == kLimit ? worst : code;
 }
 
 void FormatOptions::add_to(CLI::App& verb) {
@@ -64,10 +132,10 @@ void FormatOptions::add_to(CLI::App& verb) {
 }
 
 void write_map(const std::string& path, const MapFile& map, const PolygonMesh* input,
-               const FormatOptions& options) {
+               const FormatOptions& options, const FileVerification& verify) {
   const std::string e = extension(path);
-  if (e == ".vtu") write_vtu(path, map);
-  if (e == ".obj") write_obj(path, map, input, options.tessellation);
+  if (e == ".vtu") write_vtu(path, map, verify);
+  if (e == ".obj") write_obj(path, map, input, options.tessellation, verify);
   if (e == ".svg") write_svg(path, map, options.svg);
 }
 

@@ -1,10 +1,20 @@
 // Output files by extension: .vtu .obj .svg hold a map, .json a report, .csv an iteration trace.
+//
+//   require_writable(common, {{files, {".vtu", ".obj"}}}, {input});     // before any work
+//   WrittenFiles written;
+//   for (const std::string& path : files)
+//     written.write(path, [&] { write_map(path, map, nullptr, formats); });
+//   return written.conclude(kSuccess);                                  // says what failed
 #pragma once
 
 #include <CLI/App.hpp>
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "apps/command.h"
+#include "apps/report.h"
+#include "majorant/io/atomic_file.h"
 #include "majorant/io/map_file.h"
 #include "majorant/io/tessellate_map.h"
 #include "majorant/io/write_svg.h"
@@ -15,10 +25,35 @@ namespace majorant::app {
 // Lower case, with the dot.
 std::string extension(const std::string& path);
 
-// Throws Error(Usage) for an extension that is none of `allowed` or a directory that does not
-// exist, before any work is done.
-void require_writable(const std::vector<std::string>& paths,
-                      const std::vector<std::string>& allowed);
+// What one option names, and the extensions it takes. Empty paths stand for options not given.
+struct OutputNames {
+  std::vector<std::string> paths, extensions;
+};
+
+// Before any work: refuses outputs, the report of `common` among them, that have another extension
+// or cannot be written, that are one file under two names, or that would replace one of `inputs`
+// without --force. Throws Error(Usage).
+void require_writable(const CommonOptions& common, const std::vector<OutputNames>& outputs,
+                      const std::vector<std::string>& inputs);
+
+// Files written one by one: where one fails, the others are written all the same.
+class WrittenFiles {
+ public:
+  // Calls write() and remembers what it throws.
+  void write(const std::string& path, const std::function<void()>& write);
+  // [{"file", "written", "message"}], in order.
+  Json to_json() const;
+  // Where a file is missing, says on stderr which and why, and which were written. code: of all
+  // else; a success (0, 4) becomes 1, or 5 where a file failed its verification.
+  int conclude(int code) const;
+
+ private:
+  struct Entry {
+    std::string path, failure;  // empty: written
+    ExitCode code;
+  };
+  std::vector<Entry> entries_;
+};
 
 // How single formats are written, as said.
 struct FormatOptions {
@@ -28,8 +63,9 @@ struct FormatOptions {
   void add_to(CLI::App& verb);  // --refine --grid
 };
 
-// Writes one of the map formats. input may be null.
+// Writes one of the map formats. input may be null. verify: of formats that hold data; pictures
+// (.svg) have nothing to verify.
 void write_map(const std::string& path, const MapFile& map, const PolygonMesh* input,
-               const FormatOptions& options);
+               const FormatOptions& options, const FileVerification& verify = {});
 
 }  // namespace majorant::app

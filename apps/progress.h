@@ -12,7 +12,4 @@ RunRecord::Progress make_progress(const CommonOptions& options);
 // Ends the live line.
 void finish_progress(const CommonOptions& options);
 
-// Set by Ctrl-C (SIGINT, SIGTERM) from the first call on.
-const std::atomic<bool>* interruption_flag();
-
 }  // namespace majorant::app

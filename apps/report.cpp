@@ -105,8 +105,12 @@ long peak_memory_bytes() {
   return usage.ru_maxrss * 1024L;
 }
 
+std::string json_text(const Json& json, int indent) {
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
 void write_json(const std::string& path, const Json& json) {
-  write_file_atomically(path, json.dump(1) + "\n");
+  write_file_atomically(path, json_text(json, 1) + "\n");
 }
 
 void write_trace(const std::string& path, const std::vector<TraceEntry>& trace) {

@@ -24,7 +24,10 @@ std::string seam_summary(const Json& measures_section);
 Json iterations_section(const std::vector<TraceEntry>& trace);
 long peak_memory_bytes();
 
-// Numbers with 17 digits where needed; not finite becomes null. Writes atomically.
+// The text of every JSON that the command writes: numbers with 17 digits where needed; not finite
+// becomes null; bytes that are not UTF-8 (of paths) become U+FFFD. indent -1: on one line.
+std::string json_text(const Json& json, int indent = -1);
+// Written atomically.
 void write_json(const std::string& path, const Json& json);
 void write_trace(const std::string& path, const std::vector<TraceEntry>& trace);
 

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <cstdio>
 
 #include "apps/global_verdict.h"
+#include "apps/streams.h"
 #include "majorant/framework/evaluator.h"
 #include "majorant/io/scaffold_file.h"
 
@@ -53,10 +53,10 @@ std::string claims(const FinishedRun& run, const Normalization& normalization) {
               {"other_triangles", run.result.other_triangles},
               {"options", options_section(run)}};
   if (!map.seams().trivial()) claims["cones"] = cones_section(map);
-  return claims.dump();
+  return json_text(claims);
 }
 
-void write_outputs(const FinishedRun& run) {
+void write_maps(const FinishedRun& run, WrittenFiles& written) {
   MapFile file = to_map_file(*run.result.map);
   file.distortion = run.result.measures.face_value;
   file.min_det = run.result.measures.min_det;
@@ -69,9 +69,16 @@ void write_outputs(const FinishedRun& run) {
   if (run.result.scaffold && !run.outputs.normalize)
     formats.svg.scaffold = to_map_file(*run.result.scaffold);
   for (const std::string& path : run.outputs.files) {
-    if (extension(path) == ".csv") write_trace(path, run.record.trace());
-    write_map(path, file, run.result.other_triangles ? nullptr : &run.in.polygons, formats);
+    if (extension(path) == ".json") continue;
+    written.write(path, [&] {
+      if (extension(path) == ".csv") return write_trace(path, run.record.trace());
+      write_map(path, file, run.result.other_triangles ? nullptr : &run.in.polygons, formats);
+    });
   }
+  if (!run.scaffold_file.empty())
+    written.write(run.scaffold_file, [&] {
+      write_map(run.scaffold_file, to_map_file(run.result.scaffold.value()), nullptr, {});
+    });
 }
 
 Json result_section(const FinishedRun& run) {
@@ -95,7 +102,7 @@ Json seam_start_section(const SeamlessStart& start) {
           {"chains", seams.chain_count()}, {"seam_edges", seams.edges().size()}};
 }
 
-void write_reports(const FinishedRun& run, double write_seconds) {
+void write_reports(const FinishedRun& run, double write_seconds, WrittenFiles& written) {
   std::vector<std::string> paths;
   if (!run.common.report.empty()) paths.push_back(run.common.report);
   for (const std::string& path : run.outputs.files)
@@ -110,6 +117,7 @@ void write_reports(const FinishedRun& run, double write_seconds) {
               {"input", input_section(run.in.polygons, *run.in.mesh)},
               {"options", options_section(run)},
               {"result", result_section(run)},
+              {"outputs", written.to_json()},
               {"iterations", iterations_section(run.record.trace())},
               {"injectivity_tests", {{"depth", r.injectivity_tests}}},
               {"flips", {{"intended", r.flips.intended}, {"performed", r.flips.performed}}},
@@ -124,22 +132,18 @@ void write_reports(const FinishedRun& run, double write_seconds) {
               {"threads", threads()}};
   if (run.in.start && !run.in.start->map.seams().trivial())
     report["seam_start"] = seam_start_section(*run.in.start);
-  for (const std::string& path : paths) write_json(path, report);
+  for (const std::string& path : paths) written.write(path, [&] { write_json(path, report); });
 }
 
 void summarize(const FinishedRun& run) {
   const ParametrizationResult& r = run.result;
-  const bool failed = r.status == Status::Failed;
-  if (run.common.quiet && !failed) return;
-  if (failed) {
-    fmt::print(stderr, "majorant: {}: no valid result ({}); nothing written\n", run.map.input,
-               r.message);
-    return;
-  }
+  if (!has_result(r))
+    return say("majorant: {}: no valid result: {}{}; no map is written\n", run.map.input,
+               name(r.status), r.message.empty() ? "" : fmt::format(" ({})", r.message));
+  if (run.common.quiet) return;
   const std::string seams =
       r.map ? seam_summary(measures_section(*r.map, r.measures, run.map.energy)) : "";
-  fmt::print(
-      stderr, "{}: {} after {} iterations, {} {:.6f} (start {:.6g}){}, degree {}{}, {:.2f} s\n",
+  say("{}: {} after {} iterations, {} {:.6f} (start {:.6g}){}, degree {}{}, {:.2f} s\n",
       run.map.input, name(r.status), run.record.trace().size(), run.map.energy, r.measures.value,
       r.initial_value, run.map.weights.empty() ? "" : ", both without the face weights",
       run.map.degree, seams, seconds_since(run.start));
@@ -155,22 +159,25 @@ void OutputRequest::add_to(CLI::App& verb) {
   verb.add_flag("--normalize", normalize, "scale the result into the unit square");
 }
 
-void OutputRequest::require_usable(const CommonOptions& common, const MapRequest& map) {
+void OutputRequest::require_usable(const MapRequest& map) {
   if (!positional.empty()) files.push_back(positional);
   if (files.empty())
     throw Error(ErrorKind::Usage, "no output file; add -o OUT.vtu (or .obj .svg .json .csv)");
-  require_writable(files, {".vtu", ".obj", ".svg", ".json", ".csv"});
-  if (!common.report.empty()) require_writable({common.report}, {".json"});
   if (normalize && !(map.pins.empty() && map.handles.empty()))
     throw Error(ErrorKind::Usage, "--normalize moves pins and handles; leave one of the two out");
 }
 
+bool has_result(const ParametrizationResult& result) {
+  return result.map && result.status != Status::Failed && result.status != Status::Infeasible;
+}
+
 int write_result(const FinishedRun& run) {
   const double before = seconds_since(run.start);
-  if (run.result.status != Status::Failed && run.result.map) write_outputs(run);
-  write_reports(run, seconds_since(run.start) - before);
+  WrittenFiles written;
+  if (has_result(run.result)) write_maps(run, written);
+  write_reports(run, seconds_since(run.start) - before, written);
   summarize(run);
-  return exit_code(run.result.status);
+  return written.conclude(exit_code(run.result.status));
 }
 
 }  // namespace majorant::app

@@ -2,7 +2,7 @@
 // claims, reports, and the line that sums up.
 //
 //   OutputRequest outputs;  outputs.add_to(verb);             // -o --refine --grid ...
-//   outputs.require_usable(common, map_request);               // before any work
+//   outputs.require_usable(map_request);                       // before any work
 //   FinishedRun run{"parametrize", common, outputs, map_request, in, result, record, options, ...};
 //   return write_result(run);
 #pragma once
@@ -29,9 +29,9 @@ struct OutputRequest {
 
   // Adds a positional `output` too: call it after the verb's input.
   void add_to(CLI::App& verb);
-  // Joins the positional file to `files`. Throws Error(Usage) when there is no output, one cannot
-  // be written, or normalizing would move pins.
-  void require_usable(const CommonOptions& common, const MapRequest& map);
+  // Joins the positional file to `files`. Throws Error(Usage) when there is no output or
+  // normalizing would move pins.
+  void require_usable(const MapRequest& map);
 };
 
 // A run that has ended. Only refers: all must outlive it.
@@ -46,10 +46,14 @@ struct FinishedRun {
   Json options;                                 // what the verb adds to map.to_json()
   std::chrono::steady_clock::time_point start;  // of the run
   double read_seconds = 0;
+  std::string scaffold_file;  // or empty
 };
 
-// Writes the outputs unless the run failed, then the reports, then the line on stderr; returns the
-// exit code.
+// Whether there is a map to write: the run did not fail, and was feasible.
+bool has_result(const ParametrizationResult& result);
+
+// Writes the maps if there is a result, then the reports, each file on its own, then the line on
+// stderr; returns the exit code.
 int write_result(const FinishedRun& run);
 
 }  // namespace majorant::app

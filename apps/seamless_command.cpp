@@ -32,7 +32,7 @@ std::vector<Cone> read_cones_of(const std::string& path, const PolygonMesh& poly
 }
 
 int run_job(Request request) {
-  MapRun run("seamless", request);
+  MapRun run("seamless", request, {request.cones});
   const auto make_start = [&](const PolygonMesh& polygons, const SurfaceMesh& mesh) {
     SeamlessOptions options;
     options.method = find_method(request.start);

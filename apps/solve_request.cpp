@@ -2,11 +2,10 @@
 
 #include <vector>
 
-#include "apps/outputs.h"
+#include "apps/process.h"
 #include "apps/progress.h"
 #include "majorant/framework/curvature_name.h"
 #include "majorant/framework/error.h"
-#include "majorant/io/scaffold_file.h"
 #include "majorant/parametrization/improve_mesh.h"
 #include "majorant/parametrization/measure.h"
 
@@ -43,17 +42,13 @@ void SolveRequest::apply(ParametrizationOptions& options) const {
 
 void SolveRequest::finish(const ParametrizationOptions& options,
                           ParametrizationResult& result) const {
-  if (!result.map || result.status == Status::Failed) return;
-  if (improve_mesh) {
-    const ImprovedMap improved = majorant::improve_mesh(*result.map, options.energy);
-    result.flips.intended += improved.flips.intended;
-    result.flips.performed += improved.flips.performed;
-    result.map = improved.map;
-    result.other_triangles = improved.flips.performed > 0;
-    result.measures = measure(*result.map, options.energy);
-  }
-  if (!scaffold_file.empty())
-    write_map(scaffold_file, to_map_file(result.scaffold.value()), nullptr, {});
+  if (!improve_mesh || !has_result(result)) return;
+  const ImprovedMap improved = majorant::improve_mesh(*result.map, options.energy);
+  result.flips.intended += improved.flips.intended;
+  result.flips.performed += improved.flips.performed;
+  result.map = improved.map;
+  result.other_triangles = improved.flips.performed > 0;
+  result.measures = measure(*result.map, options.energy);
 }
 
 Json SolveRequest::to_json() const {
@@ -71,7 +66,6 @@ void SolveRequest::require_usable(const OutputRequest& outputs, const MapRequest
   if (scaffold_file.empty()) return;
   if (!bijective) refuse("--write-scaffold needs --bijective");
   if (outputs.normalize) refuse("--normalize moves the map away from its scaffold; leave it out");
-  require_writable({scaffold_file}, {".vtu", ".svg"});
 }
 
 RunRecord SolveRequest::make_record(const CommonOptions& common) const {

@@ -21,11 +21,10 @@ struct SolveRequest {
 
   // Adds --curvature, which a MapRequest holds, too.
   void add_to(CLI::App& verb, std::string& curvature);
-  // Before any work. Throws Error(Usage) for options that do not go together and a scaffold file
-  // that cannot be written.
+  // Before any work. Throws Error(Usage) for options that do not go together.
   void require_usable(const OutputRequest& outputs, const MapRequest& map) const;
   void apply(ParametrizationOptions& options) const;
-  // What is asked of a finished result: better triangles, a file of the scaffold.
+  // What is asked of a finished result: better triangles.
   void finish(const ParametrizationOptions& options, ParametrizationResult& result) const;
   Json to_json() const;
   // Limits, Ctrl-C and progress lines. Throws Error(Usage) for a time limit that is no number.

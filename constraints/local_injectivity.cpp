@@ -9,6 +9,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "majorant/framework/parallel_errors.h"
+
 namespace majorant {
 namespace {
 
@@ -32,16 +34,19 @@ LocalInjectivity::LocalInjectivity(std::shared_ptr<const ElementSpace> space, Ve
 Vec LocalInjectivity::lower_bounds(VecIn x) const {
   const Index count = space_->element_count();
   Vec bounds(count);
+  ParallelErrors errors;
 #pragma omp parallel for schedule(static) if (count >= kParallelElements)
-  for (Index e = 0; e < count; ++e) {
-    const PositivityProof proof = space_->certify(e, x, max_depth_);
-    const bool proven = proof.result == Positivity::Certified && rest_det_[e] > 0;
-    bounds[e] =
-        (proven ? proof.lower_bound : std::min(proof.lower_bound, 0.0)) / std::abs(rest_det_[e]);
-    if (proven)
-      depth_counts_[static_cast<std::size_t>(std::min(proof.depth, kMaxDepth))].fetch_add(
-          1, std::memory_order_relaxed);
-  }
+  for (Index e = 0; e < count; ++e)
+    errors.guard([&] {
+      const PositivityProof proof = space_->certify(e, x, max_depth_);
+      const bool proven = proof.result == Positivity::Certified && rest_det_[e] > 0;
+      bounds[e] =
+          (proven ? proof.lower_bound : std::min(proof.lower_bound, 0.0)) / std::abs(rest_det_[e]);
+      if (proven)
+        depth_counts_[static_cast<std::size_t>(std::min(proof.depth, kMaxDepth))].fetch_add(
+            1, std::memory_order_relaxed);
+    });
+  errors.rethrow();
   return bounds;
 }
 
@@ -62,8 +67,11 @@ Verdict LocalInjectivity::check(VecIn x) const {
 StepBound LocalInjectivity::max_step(VecIn x, VecIn d, double s) const {
   const Index count = space_->element_count();
   Vec quick(count);
+  ParallelErrors errors;
 #pragma omp parallel for schedule(static) if (count >= kParallelElements)
-  for (Index e = 0; e < count; ++e) quick[e] = space_->largest_step(e, x, d, s, 0);
+  for (Index e = 0; e < count; ++e)
+    errors.guard([&] { quick[e] = space_->largest_step(e, x, d, s, 0); });
+  errors.rethrow();
   std::vector<Index> limiting;
   for (Index e = 0; e < count; ++e)
     if (quick[e] < s) limiting.push_back(e);

@@ -1,37 +1,15 @@
 #include <cholmod.h>
 #include <fmt/format.h>
-#include <omp.h>
 
 #include <algorithm>
 #include <new>
 #include <vector>
 
+#include "majorant/framework/foreign_code.h"
 #include "majorant/framework/linear_solver.h"
-
-extern "C" void openblas_set_num_threads(int);
-extern "C" int openblas_get_num_threads(void);
 
 namespace majorant {
 namespace {
-
-// Debian's CHOLMOD runs its own OpenMP teams of four, which slow it down on the matrices here
-// (docs/performance.md); BLAS threads likewise.
-class SingleThreaded {
- public:
-  SingleThreaded() : levels_(omp_get_max_active_levels()), blas_(openblas_get_num_threads()) {
-    omp_set_max_active_levels(0);
-    openblas_set_num_threads(1);
-  }
-  ~SingleThreaded() {
-    omp_set_max_active_levels(levels_);
-    openblas_set_num_threads(blas_);
-  }
-  SingleThreaded(const SingleThreaded&) = delete;
-  SingleThreaded& operator=(const SingleThreaded&) = delete;
-
- private:
-  int levels_, blas_;
-};
 
 class CholmodSolver final : public LinearSolver {
  public:
@@ -62,6 +40,7 @@ class CholmodSolver final : public LinearSolver {
 
  private:
   cholmod_sparse view(const double* values) const;
+  bool order_by_metis(cholmod_sparse& blocks, std::vector<Index>& order);
   cholmod_factor* analyze_with(const char* name, const std::vector<Index>& permutation);
 
   const SparsePattern* pattern_ = nullptr;
@@ -153,6 +132,11 @@ cholmod_factor* CholmodSolver::analyze_with(const char* name,
   return factor;
 }
 
+bool CholmodSolver::order_by_metis(cholmod_sparse& blocks, std::vector<Index>& order) {
+  const KeptSignals signals;
+  return cholmod_metis(&blocks, nullptr, 0, 1, order.data(), &common_);
+}
+
 void CholmodSolver::analyze(const SparsePattern& pattern) {
   const SingleThreaded guard;
   pattern_ = &pattern;
@@ -163,7 +147,7 @@ void CholmodSolver::analyze(const SparsePattern& pattern) {
   std::vector<Index> order(static_cast<std::size_t>(graph.blocks));
   if (ordering_ != Ordering::Metis && cholmod_amd(&blocks, nullptr, 0, order.data(), &common_))
     factor_ = analyze_with("AMD", lift(order, pattern));
-  if (ordering_ != Ordering::Amd && cholmod_metis(&blocks, nullptr, 0, 1, order.data(), &common_)) {
+  if (ordering_ != Ordering::Amd && order_by_metis(blocks, order)) {
     const double amd_operations = operations_;
     const std::string amd_description = description_;
     cholmod_factor* metis = analyze_with("METIS", lift(order, pattern));
@@ -180,12 +164,13 @@ void CholmodSolver::analyze(const SparsePattern& pattern) {
 
 FactorStatus CholmodSolver::factorize(const Vec& values, double shift) {
   if (pattern_->size == 0) return FactorStatus::Ok;
+  require_blas_buffer();
   const SingleThreaded guard;
   cholmod_sparse matrix = view(values.data());
   double beta[2] = {shift, 0};
   cholmod_factorize_p(&matrix, beta, nullptr, 0, factor_, &common_);
   if (common_.status == CHOLMOD_NOT_POSDEF) return FactorStatus::NotPositiveDefinite;
-  if (common_.status < CHOLMOD_OK) return FactorStatus::OutOfMemory;
+  if (common_.status < CHOLMOD_OK) throw std::bad_alloc();
   return factor_->minor == factor_->n ? FactorStatus::Ok : FactorStatus::NotPositiveDefinite;
 }
 
@@ -199,8 +184,9 @@ void CholmodSolver::solve(const Vec& r, Vec& p) {
   rhs.x = const_cast<double*>(r.data());
   rhs.xtype = CHOLMOD_REAL;
   rhs.dtype = CHOLMOD_DOUBLE;
-  cholmod_solve2(CHOLMOD_A, factor_, &rhs, nullptr, &solution_, nullptr, &work_y_, &work_e_,
-                 &common_);
+  if (!cholmod_solve2(CHOLMOD_A, factor_, &rhs, nullptr, &solution_, nullptr, &work_y_, &work_e_,
+                      &common_))
+    throw std::bad_alloc();
   p = Eigen::Map<const Vec>(static_cast<const double*>(solution_->x), r.size());
 }
 

@@ -5,6 +5,8 @@
 #include <chrono>
 #include <cmath>
 
+#include "majorant/framework/parallel_errors.h"
+
 namespace majorant {
 namespace {
 
@@ -36,6 +38,13 @@ struct Evaluator::Scratch {
 void set_threads(int count) { omp_set_num_threads(count); }
 int threads() { return omp_get_max_threads(); }
 
+void run_on_threads(const std::function<void()>& work) {
+  ParallelErrors errors;
+#pragma omp parallel
+  errors.guard(work);
+  errors.rethrow();
+}
+
 Evaluator::Evaluator(const Problem& problem) : problem_(problem) {}
 Evaluator::~Evaluator() = default;
 
@@ -43,17 +52,20 @@ void Evaluator::reset(const Problem& problem) { problem_ = problem; }
 
 Vec element_values(const EnergyTerm& term, const TermState& state, const ChunkPlan& plan, VecIn x) {
   Vec f(term.stencils().element_count());
+  ParallelErrors errors;
 #pragma omp parallel if (plan.chunk_count() >= kParallelChunks)
   {
     Workspace workspace;
     double local[Chunk::kMaxSize];
 #pragma omp for schedule(static)
-    for (Index c = 0; c < plan.chunk_count(); ++c) {
-      const Chunk chunk = plan.chunk(c);
-      term.values(x, chunk, state, workspace, {local, chunk.elements.size()});
-      for (std::size_t p = 0; p < chunk.elements.size(); ++p) f[chunk.elements[p]] = local[p];
-    }
+    for (Index c = 0; c < plan.chunk_count(); ++c)
+      errors.guard([&] {
+        const Chunk chunk = plan.chunk(c);
+        term.values(x, chunk, state, workspace, {local, chunk.elements.size()});
+        for (std::size_t p = 0; p < chunk.elements.size(); ++p) f[chunk.elements[p]] = local[p];
+      });
   }
+  errors.rethrow();
   return f;
 }
 
@@ -112,31 +124,35 @@ void Evaluator::assemble_term(std::size_t k, Curvature curvature, Vec& gradient,
   const auto n = static_cast<std::size_t>(term.stencils().local_size());
   constexpr std::size_t stride = LocalSystem::stride;
   chunk_energies.assign(static_cast<std::size_t>(plan.chunk_count()), 0.0);
+  const auto assemble_chunk = [&](Index c) {
+    Scratch& s = *scratch_[static_cast<std::size_t>(omp_get_thread_num())];
+    const Chunk chunk = plan.chunk(c);
+    LocalSystem local;
+    const std::size_t packed = hessian_values ? n * (n + 1) / 2 : 0;
+    local.value = s.local.reserve((1 + n + packed) * stride);
+    local.gradient = local.value + stride;
+    if (hessian_values) local.hessian = local.gradient + n * stride;
+    term.local(x_, chunk, curvature, state, s.kernel, local);
+    double sum = 0;
+    for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
+      const Index e = chunk.elements[p];
+      const double w = weight(state, e);
+      if (w == 0) continue;
+      sum += w * local.value[p];
+      slots.add_gradient(e, local, static_cast<int>(p), w, gradient.data());
+      if (hessian_values)
+        slots.add_hessian(e, local, static_cast<int>(p), w, hessian_values->data());
+    }
+    chunk_energies[static_cast<std::size_t>(c)] = sum;
+  };
+  ParallelErrors errors;
   for (const std::vector<Index>& colour : plan.colours()) {
 #pragma omp parallel for schedule(static) if (colour.size() > 1 && \
                                               plan.chunk_count() >= kParallelChunks)
-    for (std::size_t q = 0; q < colour.size(); ++q) {
-      Scratch& s = *scratch_[static_cast<std::size_t>(omp_get_thread_num())];
-      const Chunk chunk = plan.chunk(colour[q]);
-      LocalSystem local;
-      const std::size_t packed = hessian_values ? n * (n + 1) / 2 : 0;
-      local.value = s.local.reserve((1 + n + packed) * stride);
-      local.gradient = local.value + stride;
-      if (hessian_values) local.hessian = local.gradient + n * stride;
-      term.local(x_, chunk, curvature, state, s.kernel, local);
-      double sum = 0;
-      for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
-        const Index e = chunk.elements[p];
-        const double w = weight(state, e);
-        if (w == 0) continue;
-        sum += w * local.value[p];
-        slots.add_gradient(e, local, static_cast<int>(p), w, gradient.data());
-        if (hessian_values)
-          slots.add_hessian(e, local, static_cast<int>(p), w, hessian_values->data());
-      }
-      chunk_energies[static_cast<std::size_t>(colour[q])] = sum;
-    }
+    for (std::size_t q = 0; q < colour.size(); ++q)
+      errors.guard([&] { assemble_chunk(colour[q]); });
   }
+  errors.rethrow();
 }
 
 }  // namespace majorant

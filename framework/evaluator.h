@@ -11,6 +11,7 @@
 // chunks of one colour touch disjoint unknowns, colours run in order, energies add in chunk order.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -21,6 +22,8 @@ namespace majorant {
 // Number of threads that evaluators and checkers of this process use (default: OpenMP's).
 void set_threads(int count);
 int threads();
+// Calls `work` once on each of the threads, which start if they do not run yet.
+void run_on_threads(const std::function<void()>& work);
 
 // Unweighted value of each element of a term at x, with the plan that belongs to `state`.
 Vec element_values(const EnergyTerm& term, const TermState& state, const ChunkPlan& plan, VecIn x);

@@ -11,7 +11,7 @@
 
 namespace majorant {
 
-enum class FactorStatus { Ok, NotPositiveDefinite, OutOfMemory };
+enum class FactorStatus { Ok, NotPositiveDefinite };
 
 class LinearSolver {
  public:
@@ -29,7 +29,7 @@ class LinearSolver {
 enum class Factorization { Automatic, Supernodal, Simplicial };
 enum class Ordering { Best, Amd, Metis };  // Best: the one with fewer operations
 
-// CHOLMOD [CDHR08], on one thread. Throws std::bad_alloc when the analysis runs out of memory.
+// CHOLMOD [CDHR08], on one thread. Every member throws std::bad_alloc when it runs out of memory.
 std::unique_ptr<LinearSolver> make_cholmod_solver(
     Factorization factorization = Factorization::Automatic, Ordering ordering = Ordering::Best);
 

@@ -5,38 +5,24 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <system_error>
 
 #include "majorant/framework/error.h"
+#include "majorant/io/temporary_file.h"
 
 namespace majorant {
 namespace {
 
+constexpr mode_t kNewFileMode = 0666;  // the umask takes its share
+constexpr mode_t kPermissions = 07777;
+constexpr mode_t kOwnerOnly = 0600;
+
 [[noreturn]] void fail(const std::string& path, int code) {
   throw Error(ErrorKind::Usage, fmt::format("cannot write {}: {}", path, std::strerror(code)));
-}
-
-// 0 or an error code.
-int write_all(int descriptor, std::string_view content) {
-  while (!content.empty()) {
-    const ssize_t written = ::write(descriptor, content.data(), content.size());
-    if (written < 0) {
-      if (errno == EINTR) continue;
-      return errno;
-    }
-    content.remove_prefix(static_cast<std::size_t>(written));
-  }
-  return 0;
-}
-
-int write_and_close(int descriptor, std::string_view content) {
-  if (descriptor < 0) return errno;
-  const int written = write_all(descriptor, content);
-  const int closed = ::close(descriptor) == 0 ? 0 : errno;
-  return written != 0 ? written : closed;
 }
 
 // The standard streams by name: opening the name again would start at the beginning of a file that
@@ -47,43 +33,122 @@ int standard_stream(const std::string& path) {
   return -1;
 }
 
-void replace_file(const std::string& path, const std::string& target, mode_t mode,
-                  std::string_view content) {
-  static std::atomic<unsigned> counter = 0;
-  const std::string temporary = fmt::format("{}.{}.{}.tmp", target, ::getpid(), counter++);
-  const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+std::string folder_of(const std::string& path) {
+  return std::filesystem::path(path).parent_path().string();
+}
+
+std::string extension_of(const std::string& path) {
+  return std::filesystem::path(path).extension().string();
+}
+
+// Where the last name of `path` leads, also if nothing is there yet.
+std::string follow_links(const std::string& path) {
+  constexpr int kMostLinks = 40;  // as the kernel
+  std::filesystem::path target = path;
+  std::error_code none;
+  for (int links = 0; std::filesystem::is_symlink(target, none); ++links) {
+    if (links == kMostLinks) fail(path, ELOOP);
+    const auto next = std::filesystem::read_symlink(target, none);
+    if (none) fail(path, none.value());
+    target = target.parent_path() / next;  // an absolute one replaces it
+  }
+  return target.string();
+}
+
+enum class TargetKind { Absent, Regular, Special };
+
+struct Target {
+  std::string path;  // links followed
+  TargetKind kind;
+  mode_t mode;
+};
+
+// Refuses what is certain to fail.
+Target find_target(const std::string& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0) {
+    if (errno != ENOENT || path.empty()) fail(path, errno);
+    return {follow_links(path), TargetKind::Absent, kNewFileMode};
+  }
+  if (S_ISDIR(status.st_mode)) fail(path, EISDIR);
+  if (::access(path.c_str(), W_OK) != 0) fail(path, errno);  // a protected file stays
+  if (!S_ISREG(status.st_mode)) return {path, TargetKind::Special, 0};
+  return {follow_links(path), TargetKind::Regular, status.st_mode & kPermissions};
+}
+
+void replace_file(const std::string& path, const Target& target, std::string_view content,
+                  const FileVerification& verify) {
+  TemporaryFile file(folder_of(target.path), extension_of(path), target.mode);
+  if (target.kind == TargetKind::Regular)
+    if (const int code = file.set_exact_mode(target.mode); code != 0) fail(path, code);
+  if (const int code = file.write_and_close(content); code != 0) fail(path, code);
+  if (verify) verify(file.path());
+  if (const int code = file.rename_to(target.path); code != 0) fail(path, code);
+}
+
+void verify_elsewhere(const std::string& path, std::string_view content,
+                      const FileVerification& verify) {
+  const char* folder = std::getenv("TMPDIR");
+  TemporaryFile file(folder && *folder ? folder : "/tmp", extension_of(path), kOwnerOnly);
+  if (const int code = file.write_and_close(content); code != 0) fail(file.path(), code);
+  verify(file.path());
+}
+
+// Waits for the reader of a FIFO.
+int open_special(const std::string& path) {
+  int descriptor = -1;
+  do descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  while (descriptor < 0 && errno == EINTR);
+  return descriptor;
+}
+
+void write_special(const std::string& path, std::string_view content) {
+  const int descriptor = open_special(path);
   if (descriptor < 0) fail(path, errno);
-  int code = write_and_close(descriptor, content);
-  if (code == 0 && std::rename(temporary.c_str(), target.c_str()) != 0) code = errno;
-  if (code == 0) return;
-  ::unlink(temporary.c_str());
-  fail(path, code);
+  const int written = write_all(descriptor, content);
+  const int closed = ::close(descriptor) == 0 ? 0 : errno;
+  if (written != 0 || closed != 0) fail(path, written != 0 ? written : closed);
 }
 
 }  // namespace
 
-void write_file_atomically(const std::string& path, std::string_view content) {
-  if (const int stream = standard_stream(path); stream >= 0) {
+void write_file_atomically(const std::string& path, std::string_view content,
+                           const FileVerification& verify) {
+  try {
+    const int stream = standard_stream(path);
+    const Target target = stream < 0 ? find_target(path) : Target{path, TargetKind::Special, 0};
+    if (target.kind != TargetKind::Special) return replace_file(path, target, content, verify);
+    if (verify) verify_elsewhere(path, content, verify);
+    if (stream < 0) return write_special(path, content);
     if (const int code = write_all(stream, content); code != 0) fail(path, code);
-    return;
+  } catch (const std::system_error& e) {
+    fail(path, e.code().value());
   }
+}
+
+void require_writable_file(const std::string& path) {
+  if (standard_stream(path) >= 0) return;
+  const Target target = find_target(path);
+  if (target.kind == TargetKind::Special) return;
+  std::error_code unknown;
+  const std::string folder = folder_of(target.path);
+  if (!folder.empty() && !std::filesystem::is_directory(folder, unknown))
+    throw Error(ErrorKind::Usage,
+                fmt::format("cannot write {}: the directory does not exist; create it", path));
+  try {
+    TemporaryFile(folder, extension_of(path), kOwnerOnly);
+  } catch (const std::system_error& e) {
+    fail(path, e.code().value());
+  }
+}
+
+std::optional<FileIdentity> identify_file(const std::string& path) {
   struct stat status {};
-  constexpr mode_t kNewFileMode = 0666;  // the umask takes its share
-  if (::stat(path.c_str(), &status) != 0) {
-    if (errno != ENOENT) fail(path, errno);
-    replace_file(path, path, kNewFileMode, content);
-    return;
-  }
-  if (!S_ISREG(status.st_mode)) {
-    const int code = write_and_close(::open(path.c_str(), O_WRONLY | O_CLOEXEC), content);
-    if (code != 0) fail(path, code);
-    return;
-  }
-  if (::access(path.c_str(), W_OK) != 0) fail(path, errno);  // a protected file stays
-  std::error_code unresolved;
-  const std::string target = std::filesystem::canonical(path, unresolved).string();
-  if (unresolved) fail(path, unresolved.value());
-  replace_file(path, target, status.st_mode & 07777, content);
+  if (::stat(path.c_str(), &status) == 0) return FileIdentity{status.st_dev, status.st_ino, ""};
+  const std::filesystem::path target = follow_links(path);
+  const std::filesystem::path folder = target.has_parent_path() ? target.parent_path() : ".";
+  if (::stat(folder.c_str(), &status) != 0) return std::nullopt;
+  return FileIdentity{status.st_dev, status.st_ino, target.filename().string()};
 }
 
 }  // namespace majorant

@@ -1,15 +1,45 @@
 // Output files appear whole or not at all. Every writer of io/ ends here.
+//
+//   write_file_atomically("out.vtu", text, [&](const std::string& temporary) {
+//     if (!(read_vtu(temporary).uv == uv)) throw Error(ErrorKind::Invalid, "out.vtu: ...");
+//   });
 #pragma once
 
+#include <cstdint>
+#include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 
 namespace majorant {
 
-// Writes `content` to a temporary file beside `path` and renames it, so that nobody sees half a
-// file and a failure leaves an older file as it was. A symbolic link stays: its target is replaced.
-// What is no regular file (/dev/stdout, a FIFO, /dev/null) is written directly.
-// Throws Error(Usage, "cannot write PATH: reason"); no temporary file is left behind.
-void write_file_atomically(const std::string& path, std::string_view content);
+// Judges the complete bytes of a file before they take its name. The path given is that of another
+// file with the same extension. Throws when the file must not be written.
+using FileVerification = std::function<void(const std::string& temporary_path)>;
+
+// Writes `content` to a temporary file beside `path`, lets `verify` judge it and renames it, so
+// that nobody sees half a file and a failure leaves an older file as it was. A symbolic link stays:
+// its target is written, and made if it does not exist. An older file's permissions are kept. What
+// is no regular file (/dev/stdout, a FIFO, /dev/null) is written directly; as it cannot be read
+// back, `verify` judges a file in $TMPDIR (or /tmp) first, that is removed before anything is
+// written.
+// Throws Error(Usage, "cannot write PATH: reason") and what `verify` throws; no temporary file is
+// left behind.
+void write_file_atomically(const std::string& path, std::string_view content,
+                           const FileVerification& verify = {});
+
+// Asks before any work whether write_file_atomically(path, ...) can succeed: makes a temporary file
+// and removes it. Only the disk may still be full. Throws Error(Usage) as above.
+void require_writable_file(const std::string& path);
+
+// What all names of one file have in common: links, hard links, `./`.
+struct FileIdentity {
+  std::uint64_t device = 0, inode = 0;  // of the file; of its folder if it does not exist yet
+  std::string name;                     // in that folder; empty if the file exists
+
+  bool operator==(const FileIdentity&) const = default;
+};
+// Empty for a file in a folder that does not exist.
+std::optional<FileIdentity> identify_file(const std::string& path);
 
 }  // namespace majorant

@@ -21,6 +21,7 @@
 
 #include <string>
 
+#include "majorant/io/atomic_file.h"
 #include "majorant/io/map_file.h"
 
 namespace majorant {
@@ -33,7 +34,8 @@ namespace majorant {
 MapFile read_vtu(const std::string& path);
 
 // Throws Error(Invalid) if the map is inconsistent or not finite (map_check.h), Error(Usage) if
-// the file cannot be written. The file appears whole or not at all.
-void write_vtu(const std::string& path, const MapFile& map);
+// the file cannot be written, and what verify throws (atomic_file.h). The file appears whole or not
+// at all.
+void write_vtu(const std::string& path, const MapFile& map, const FileVerification& verify = {});
 
 }  // namespace majorant

@@ -96,7 +96,7 @@ Eigen::VectorXi seam_of_points(const MapFile& map) {
 
 }  // namespace
 
-void write_vtu(const std::string& path, const MapFile& map) {
+void write_vtu(const std::string& path, const MapFile& map, const FileVerification& verify) {
   require_sound(path, map);
   VtuText text;
   text.add(
@@ -125,7 +125,7 @@ void write_vtu(const std::string& path, const MapFile& map) {
   text.add("</Points>\n");
   add_cells(map, text);
   text.add("</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
-  write_file_atomically(path, text.text());
+  write_file_atomically(path, text.text(), verify);
 }
 
 }  // namespace majorant

@@ -59,7 +59,7 @@ std::string obj_text(const PolygonMesh& mesh) {
 }
 
 void write_obj(const std::string& path, const MapFile& map, const PolygonMesh* input,
-               const TessellationOptions& options) {
+               const TessellationOptions& options, const FileVerification& verify) {
   require_sound(path, map);
   std::string text;
   try {
@@ -67,7 +67,7 @@ void write_obj(const std::string& path, const MapFile& map, const PolygonMesh* i
   } catch (const Error& error) {
     throw Error(error.kind(), fmt::format("cannot write {}: {}", path, error.what()));
   }
-  write_file_atomically(path, cone_comments(map) + text);
+  write_file_atomically(path, cone_comments(map) + text, verify);
 }
 
 }  // namespace majorant

@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "majorant/io/atomic_file.h"
 #include "majorant/io/map_file.h"
 #include "majorant/io/tessellate_map.h"
 #include "majorant/parametrization/polygon_mesh.h"
@@ -19,9 +20,9 @@ namespace majorant {
 //
 // Numbers are printed with the digits that give the same double back.
 // Throws as tessellate_map, Error(Usage) if the file cannot be written, Error(Invalid) if the map
-// is unsound (map_check.h); nothing is written then.
+// is unsound (map_check.h), and what `verify` throws; nothing is written then.
 void write_obj(const std::string& path, const MapFile& map, const PolygonMesh* input,
-               const TessellationOptions& options = {});
+               const TessellationOptions& options = {}, const FileVerification& verify = {});
 
 // The text of an OBJ file: v, vt, vn, then directives and faces in order.
 std::string obj_text(const PolygonMesh& mesh);

@@ -1,0 +1,146 @@
+#include "apps/process.h"
+
+#include <pthread.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <climits>
+#include <csignal>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
+
+#include "apps/streams.h"
+#include "majorant/framework/evaluator.h"
+#include "majorant/io/temporary_file.h"
+
+namespace majorant::app {
+namespace {
+
+constexpr int kEndingSignals[] = {SIGINT, SIGTERM, SIGHUP};
+
+// Signals this soon after the first one are the same wish: `timeout` signals the child and then its
+// group, a lost terminal the group and then, by the shell, each job.
+constexpr std::int64_t kOneWish = 500'000'000;  // nanoseconds
+
+std::atomic<bool> interrupted{false}, stops_runs{false};
+std::atomic<std::int64_t> first_signal{0};
+pthread_t main_thread;
+static_assert(std::atomic<std::int64_t>::is_always_lock_free);
+
+std::int64_t now() {
+  timespec t{};
+  clock_gettime(CLOCK_MONOTONIC, &t);
+  return t.tv_sec * std::int64_t{1'000'000'000} + t.tv_nsec;
+}
+
+sigset_t ending_signals() {
+  sigset_t set;
+  sigemptyset(&set);
+  for (const int number : kEndingSignals) sigaddset(&set, number);
+  return set;
+}
+
+void end_by(int number) {
+  remove_temporary_files();
+  struct sigaction standard {};
+  standard.sa_handler = SIG_DFL;
+  sigaction(number, &standard, nullptr);
+  sigset_t set;
+  sigemptyset(&set);
+  sigaddset(&set, number);
+  pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
+  raise(number);
+}
+
+// On the main thread, which makes all temporary files: none can appear while they are removed.
+extern "C" void handle_ending_signal(int number) {
+  const int saved = errno;
+  if (!pthread_equal(pthread_self(), main_thread)) {
+    pthread_kill(main_thread, number);
+  } else if (!stops_runs.load()) {
+    end_by(number);
+  } else if (!interrupted.load()) {
+    first_signal.store(now());
+    interrupted.store(true);
+  } else if (now() - first_signal.load() > kOneWish) {
+    end_by(number);
+  }
+  errno = saved;
+}
+
+void handle_signals() {
+  main_thread = pthread_self();
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+  struct sigaction action {};
+  action.sa_handler = handle_ending_signal;
+  action.sa_mask = ending_signals();
+  action.sa_flags = SA_RESTART;
+  for (const int number : kEndingSignals) {
+    struct sigaction before {};
+    if (number == SIGHUP && sigaction(SIGHUP, nullptr, &before) == 0 &&
+        before.sa_handler == SIG_IGN)
+      continue;
+    sigaction(number, &action, nullptr);
+  }
+}
+
+void require_one_blas_thread(char** argv) {
+  constexpr const char* kVariable = "OPENBLAS_NUM_THREADS";  // read when the library is loaded
+  const char* value = std::getenv(kVariable);
+  if (value && std::strcmp(value, "1") == 0) return;
+  char program[PATH_MAX];
+  const ssize_t length = ::readlink("/proc/self/exe", program, sizeof program - 1);
+  if (length <= 0 || ::setenv(kVariable, "1", 1) != 0) return;
+  program[length] = '\0';
+  ::execv(program, argv);  // where it fails, all works as long as there is memory
+}
+
+// Whether this much address space is left.
+bool can_map(std::size_t bytes) {
+  void* place = ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE,
+                       MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (place == MAP_FAILED) return false;
+  ::munmap(place, bytes);
+  return true;
+}
+
+std::size_t stack_bytes() {
+  pthread_attr_t attributes;
+  std::size_t size = 0;
+  if (pthread_getattr_default_np(&attributes) != 0) return size;
+  pthread_attr_getstacksize(&attributes, &size);
+  pthread_attr_destroy(&attributes);
+  return size;
+}
+
+}  // namespace
+
+void prepare_process(char** argv) {
+  open_standard_streams();
+  require_one_blas_thread(argv);
+  handle_signals();
+}
+
+const std::atomic<bool>* interruption_flag() {
+  stops_runs.store(true);
+  return &interrupted;
+}
+
+void start_threads() {
+  // glibc gives a thread that allocates an arena of 64 MiB, aligned to as much.
+  constexpr std::size_t kArena = std::size_t{128} << 20;
+  // Left to the run: OpenBLAS's buffer and room to begin with.
+  constexpr std::size_t kRun = std::size_t{256} << 20;
+  const std::size_t per_thread = stack_bytes() + kArena;
+  while (threads() > 1 && !can_map(kRun + static_cast<std::size_t>(threads() - 1) * per_thread))
+    set_threads(threads() - 1);
+  const sigset_t set = ending_signals();
+  run_on_threads([&set] {
+    if (!pthread_equal(pthread_self(), main_thread)) pthread_sigmask(SIG_BLOCK, &set, nullptr);
+  });
+}
+
+}  // namespace majorant::app

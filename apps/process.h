@@ -1,0 +1,28 @@
+// The process around a run: signals, threads, memory.
+//
+//   prepare_process(argv);                                    // first thing in main
+//   RunRecord record(limit, iterations, interruption_flag(), ...);  // signals stop it from now on
+//
+// SIGINT, SIGTERM and SIGHUP end the process and remove its temporary files. From the first call of
+// interruption_flag() on, the first of them only sets the flag, so that a run can stop and write
+// what it has; the next one ends the process. A SIGHUP that is ignored (nohup) stays ignored.
+#pragma once
+
+#include <atomic>
+
+namespace majorant::app {
+
+// Closed standard streams are opened, signals handled, and SIGPIPE and SIGXFSZ ignored: what cannot
+// be written is an error of that write. Starts the program anew when OpenBLAS has threads of its
+// own: they map 128 MiB of address space each, spin for ever where that is refused, and run signal
+// handlers. argv: of main.
+void prepare_process(char** argv);
+
+// Set by the first of the signals above. Outlives everything.
+const std::atomic<bool>* interruption_flag();
+
+// Starts the threads that threads() says; fewer where an address space limit (ulimit -v) leaves no
+// room for their stacks: results do not depend on it.
+void start_threads();
+
+}  // namespace majorant::app

@@ -1,0 +1,36 @@
+#include "apps/streams.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+
+#include "majorant/io/temporary_file.h"
+
+namespace majorant::app {
+namespace {
+
+int first_error = 0;  // of stdout
+
+}  // namespace
+
+void open_standard_streams() noexcept {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(stream, F_GETFD) != -1 || errno != EBADF) continue;
+    // The lowest free number is this one.
+    if (::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY) != stream) return;
+  }
+}
+
+void say_text(std::string_view text) noexcept { write_all(STDERR_FILENO, text); }
+
+void print_text(std::string_view text) noexcept {
+  if (first_error == 0) first_error = write_all(STDOUT_FILENO, text);
+}
+
+int data_error() noexcept {
+  if (::close(STDOUT_FILENO) != 0 && first_error == 0) first_error = errno;
+  return first_error;
+}
+
+}  // namespace majorant::app

@@ -1,0 +1,35 @@
+// What the command says: messages and progress on stderr, data on stdout. Nothing else in apps/
+// prints.
+//
+//   say("{}: valid\n", path);           // never fails: that nobody can read it changes nothing
+//   print_data("faces: {}\n", count);   // what is lost here is an error, see data_error()
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string_view>
+#include <utility>
+
+namespace majorant::app {
+
+// Descriptors 0, 1 and 2 that are closed become /dev/null, opened so that using them fails: else
+// the next file that is opened would get the number, and messages would be written into it.
+void open_standard_streams() noexcept;
+
+void say_text(std::string_view text) noexcept;
+void print_text(std::string_view text) noexcept;
+
+template <class... Args>
+void say(fmt::format_string<Args...> format, Args&&... args) {
+  say_text(fmt::format(format, std::forward<Args>(args)...));
+}
+template <class... Args>
+void print_data(fmt::format_string<Args...> format, Args&&... args) {
+  print_text(fmt::format(format, std::forward<Args>(args)...));
+}
+
+// The error number of the first print_text that failed, or of closing stdout, which this does: for
+// the end of the process. 0: everything arrived.
+int data_error() noexcept;
+
+}  // namespace majorant::app

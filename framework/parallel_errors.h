@@ -1,0 +1,37 @@
+// Exceptions out of OpenMP regions, where they would end the program:
+//
+//   ParallelErrors errors;
+//   #pragma omp parallel for
+//   for (Index e = 0; e < count; ++e) errors.guard([&] { work(e); });   // may run out of memory
+//   errors.rethrow();
+//
+// Work after the first failure is skipped.
+#pragma once
+
+#include <atomic>
+#include <exception>
+
+namespace majorant {
+
+class ParallelErrors {
+ public:
+  template <class Work>
+  void guard(Work&& work) noexcept {
+    if (failed_.load(std::memory_order_relaxed)) return;
+    try {
+      work();
+    } catch (...) {
+      if (!failed_.exchange(true)) error_ = std::current_exception();
+    }
+  }
+  // The first failure of all threads. After the region.
+  void rethrow() const {
+    if (error_) std::rethrow_exception(error_);
+  }
+
+ private:
+  std::atomic<bool> failed_{false};
+  std::exception_ptr error_;
+};
+
+}  // namespace majorant

@@ -1,0 +1,51 @@
+// A file that exists only until it is complete: made beside its target, renamed or removed.
+//
+//   TemporaryFile file("results", ".vtu", 0666);      // results/.majorant-PID-N.tmp.vtu, empty
+//   if (int code = file.write_and_close(text)) ...    // 0 or errno
+//   if (int code = file.rename_to("results/a.vtu")) ...   // the destructor removes what is left
+//
+// A program that is ended by a signal runs no destructors: its handler may call
+// remove_temporary_files() instead. Not for files that shall outlive the process under their own
+// name; those are written with write_file_atomically.
+#pragma once
+
+#include <sys/types.h>
+
+#include <string>
+#include <string_view>
+
+namespace majorant {
+
+// All of `content`, also where single calls are interrupted, write a part of it or would block.
+// 0 or an error number.
+int write_all(int descriptor, std::string_view content) noexcept;
+
+class TemporaryFile {
+ public:
+  // Creates an empty file in `folder` (empty: the current one). The name has a fixed length, so
+  // that it fits wherever a name does, and ends with `extension` (with the dot; left out if it is
+  // longer than that of any format), because readers choose by it. mode: before the umask.
+  // Throws std::system_error.
+  TemporaryFile(const std::string& folder, const std::string& extension, mode_t mode);
+  ~TemporaryFile();
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+  const std::string& path() const { return path_; }
+  // These give 0 or an error number. exact_mode: whatever the umask says.
+  int set_exact_mode(mode_t exact_mode);
+  int write_and_close(std::string_view content);
+  int rename_to(const std::string& target);
+
+ private:
+  std::string path_;
+  int descriptor_ = -1;  // -1: closed
+  int slot_ = -1;        // in the registry of remove_temporary_files; -1: not in it
+  bool exists_ = false;
+};
+
+// Unlinks all temporary files of this process. Async-signal-safe; the files must have been made by
+// the thread that calls it, or one made at this moment may stay.
+void remove_temporary_files() noexcept;
+
+}  // namespace majorant

@@ -1,0 +1,52 @@
+"""Little address space: a run ends with the reason, or does all it was asked for; it never hangs."""
+import resource
+import subprocess
+
+from command_helpers import *
+
+MIB = 1 << 20
+
+
+class Memory(CommandTest):
+    def run_within(self, mebibytes, *args):
+        def lower():
+            resource.setrlimit(resource.RLIMIT_AS, (mebibytes * MIB,) * 2)
+        return Outcome(subprocess.run([BINARY] + [str(a) for a in args], stdin=subprocess.DEVNULL,
+                                      stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                                      preexec_fn=lower, timeout=120))
+
+    def all_or_nothing(self, mesh, degree, limits):
+        """Codes by limit. Exit 0 gives the very file that a run without a limit gives."""
+        job = ('parametrize', generated(mesh), '-o', self.path('out.vtu'), '--degree', degree, '--quiet')
+        self.run_ok(*job)
+        expected, codes = self.read('out.vtu'), []
+        for limit in limits:
+            os.unlink(self.path('out.vtu'))
+            outcome = self.run_within(limit, *job)
+            if outcome.code == OK:
+                self.assertEqual(self.read('out.vtu'), expected)
+            else:
+                self.assertEqual(outcome.code, UNSUPPORTED, (limit, outcome.err))
+                self.assertIn('out of memory', outcome.err.splitlines()[-1])
+                self.assertEqual(self.files(), [])
+                self.write('out.vtu', '')
+            codes.append(outcome.code)
+        return codes
+
+    def test_no_room_for_blas(self):
+        self.assertEqual(self.all_or_nothing('wavy_disk', 5, (100, 140, 180)), [UNSUPPORTED] * 3)
+
+    def test_around_the_threshold(self):
+        codes = self.all_or_nothing('wavy_disk', 5, range(190, 250, 6))
+        self.assertEqual((codes[0], codes[-1]), (UNSUPPORTED, OK))
+
+    def test_exhausted_later(self):
+        codes = self.all_or_nothing('creature', 4, (230, 260, 300, 340, 1000))
+        self.assertEqual((codes[0], codes[-1]), (UNSUPPORTED, OK))
+
+    def test_verbs_without_a_solver_need_no_more_than_their_files(self):
+        self.assertEqual(self.run_within(120, 'info', generated('cap')).code, OK)
+
+
+if __name__ == '__main__':
+    main()

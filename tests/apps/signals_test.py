@@ -1,0 +1,113 @@
+"""SIGINT, SIGTERM and SIGHUP: the best map is written, a second signal ends, no temporary is left."""
+import os
+import signal
+import subprocess
+import time
+
+from command_helpers import *
+
+ENDING = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+
+
+def start(*args, prefix=()):
+    return subprocess.Popen(list(prefix) + [BINARY] + [str(a) for a in args],
+                            stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                            stderr=subprocess.PIPE, text=True)
+
+
+class Signals(CommandTest):
+    def finished(self, process):
+        try:
+            return Outcome(subprocess.CompletedProcess([], process.wait(120), *process.communicate()))
+        finally:
+            process.kill()
+
+    def run_and_signal(self, number, prefix=()):
+        """A long run is signalled after its first line of progress."""
+        process = start('parametrize', generated('creature'), '-o', self.path('out.vtu'), '--degree',
+                        '8', '--tolerance', '1e-13', '--verbose', prefix=prefix)
+        self.addCleanup(process.kill)
+        self.assertTrue(process.stderr.readline())
+        process.send_signal(number)
+        return process
+
+    def test_every_signal_stops_a_run(self):
+        for number in ENDING:
+            outcome = self.finished(self.run_and_signal(number))
+            self.assertEqual(outcome.code, LIMIT, (number, outcome.err))
+            self.assertIn('interrupted', outcome.err)
+            self.run_ok('check', self.path('out.vtu'), '--surface', generated('creature'))
+
+    def test_nohup(self):
+        process = self.run_and_signal(signal.SIGHUP, ['nohup'])
+        while 'degree 2' not in process.stderr.readline():  # it goes on
+            self.assertIsNone(process.poll())
+        process.send_signal(signal.SIGTERM)
+        outcome = self.finished(process)
+        self.assertEqual(outcome.code, LIMIT, outcome.err)
+
+    def waiting_for_a_reader(self, number):
+        """A run whose second output nobody reads: writing it takes for ever."""
+        os.mkfifo(self.path('fifo.vtu'))
+        process = start('parametrize', generated('cap'), '-o', self.path('done.vtu'), '-o',
+                        self.path('fifo.vtu'), '--degree', '1', '--quiet')
+        self.addCleanup(process.kill)
+        while 'done.vtu' not in self.files():
+            self.assertIsNone(process.poll())
+            time.sleep(0.01)
+        process.send_signal(number)
+        return process
+
+    def test_the_second_ends(self):
+        for number in ENDING:
+            process = self.waiting_for_a_reader(number)
+            time.sleep(0.7)  # signals within half a second are one
+            self.assertIsNone(process.poll())
+            process.send_signal(number)
+            self.assertEqual(self.finished(process).code, -number)
+            self.assertEqual(self.files(), ['done.vtu', 'fifo.vtu'])
+            for name in self.files():
+                os.unlink(self.path(name))
+
+    def test_timeout_signals_twice_and_means_once(self):
+        process = self.waiting_for_a_reader(signal.SIGTERM)
+        process.send_signal(signal.SIGTERM)
+        with open(self.path('fifo.vtu'), 'rb') as reader:
+            self.assertEqual(reader.read(), self.read('done.vtu'))
+        self.assertEqual(self.finished(process).code, OK)
+
+    def test_verbs_without_a_best_map_end_and_clean_up(self):
+        """convert is signalled while it writes; what it would replace is whole."""
+        self.run_ok('parametrize', generated('creature'), '-o', self.path('in.vtu'), '--degree', '8',
+                    '--max-iterations', '0', code=LIMIT)
+        self.run_ok('convert', self.path('in.vtu'), '-o', self.path('out.vtu'))
+        whole = self.read('out.vtu')
+        for number in ENDING:
+            for _ in range(50):
+                process = start('convert', self.path('in.vtu'), '-o', self.path('out.vtu'))
+                # The first temporary file only tests the folder; it is gone at once.
+                seen = self.wait_for_temporary(process, 1000)
+                process.send_signal(number)
+                code = self.finished(process).code
+                self.assertIn(code, (OK, -number))
+                self.assertEqual(self.files(), ['in.vtu', 'out.vtu'])
+                self.assertEqual(self.read('out.vtu'), whole)
+                if seen and code == -number:
+                    break
+            else:
+                self.fail('convert was never caught while it wrote')
+
+    def wait_for_temporary(self, process, size):
+        while process.poll() is None:
+            for name in os.listdir(self.folder):
+                try:
+                    if name not in ('in.vtu', 'out.vtu') and \
+                            os.path.getsize(self.path(name)) > size:
+                        return True
+                except OSError:
+                    pass
+        return False
+
+
+if __name__ == '__main__':
+    main()

@@ -1,0 +1,91 @@
+"""Streams that cannot be written: progress never matters, lost data on stdout is an error."""
+import os
+import pty
+import subprocess
+
+from command_helpers import *
+
+
+def shell(script, *args):
+    """Runs a shell script in which "$@" is the command."""
+    return Outcome(subprocess.run(['/bin/bash', '-c', script, 'bash', BINARY] +
+                                  [str(a) for a in args], stdin=subprocess.DEVNULL,
+                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                                  timeout=300))
+
+
+class Progress(CommandTest):
+    def job(self, name, *flags):
+        return ('parametrize', generated('cap'), '-o', self.path(name), '--degree', '2') + flags
+
+    def setUp(self):
+        super().setUp()
+        self.run_ok(*self.job('expected.vtu'))
+
+    def survives(self, script):
+        for flags in ((), ('--verbose',)):
+            with self.subTest(script=script, flags=flags):
+                outcome = shell(script, *self.job('out.vtu', *flags))
+                self.assertEqual(outcome.code, OK, outcome.err)
+                self.assertEqual(self.read('out.vtu'), self.read('expected.vtu'))
+                os.unlink(self.path('out.vtu'))
+                self.assertEqual(self.files(), ['expected.vtu'])
+
+    def test_full(self):
+        self.survives('"$@" 2>/dev/full')
+
+    def test_closed(self):
+        self.survives('"$@" 2>&-')
+        self.survives('"$@" <&- >&- 2>&-')
+
+    def test_reader_gone(self):
+        for trap in ("trap '' PIPE; ", ''):
+            self.survives(trap + '"$@" 2> >(exec true) ; exit $?')
+            self.survives(trap + 'set -o pipefail; "$@" 2>&1 | true')
+
+    def test_terminal_lost(self):
+        outer, inner = pty.openpty()
+        process = subprocess.Popen([BINARY] + list(map(str, self.job('out.vtu'))), stderr=inner,
+                                   stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
+        os.close(inner)
+        os.close(outer)  # before the first line
+        self.assertEqual(process.wait(60), OK)
+        self.assertEqual(self.read('out.vtu'), self.read('expected.vtu'))
+
+    def test_refusals_keep_their_code(self):
+        for redirection in ('2>/dev/full', '2>&-'):
+            for code, args in ((UNREADABLE, ('info', self.path('none.obj'))),
+                               (USAGE, ('parametrize', '--frobnicate')),
+                               (UNREADABLE, ('check', self.path('none.vtu')))):
+                self.assertEqual(shell('"$@" ' + redirection, *args).code, code, args)
+
+
+class Data(CommandTest):
+    def lost(self, script, *args):
+        outcome = shell(script, *args)
+        self.assertEqual(outcome.code, USAGE, (script, args, outcome.err))
+        self.assertIn('standard output', outcome.err)
+        self.assertEqual(len(outcome.err.splitlines()), 1, outcome.err)
+
+    def test_every_verb_that_prints(self):
+        mesh = generated('cap')
+        for script in ('"$@" >/dev/full', '"$@" >&-'):
+            for args in (['--help'], ['--version'], ['check', '--help'], ['info', '--version'],
+                         ['info', mesh]):
+                self.lost(script, *args)
+        self.lost('"$@" >/dev/full', 'compare', mesh, '--degree', '1', '--methods', 'newton',
+                  '--quiet', '--max-iterations', '3')
+
+    def test_files_are_written_all_the_same(self):
+        self.lost('"$@" >/dev/full', 'info', generated('cap'), '--report', self.path('r.json'))
+        with open(self.path('r.json')) as f:
+            self.assertEqual(json.load(f)['command'], 'info')
+
+    def test_nothing_to_print_is_nothing_lost(self):
+        outcome = shell('"$@" >&-', 'parametrize', generated('cap'), '-o', self.path('a.vtu'),
+                        '--degree', '1', '--quiet')
+        self.assertEqual((outcome.code, outcome.err), (OK, ''))
+
+
+if __name__ == '__main__':
+    main()
