@@ -52,6 +52,7 @@ std::string claims(const FinishedRun& run, const Normalization& normalization) {
               {"pins", pins},
               {"other_triangles", run.result.other_triangles},
               {"options", options_section(run)}};
+  if (run.result.measures.cut_short) claims.erase("value");  // not good enough to be claimed
   if (!map.seams().trivial()) claims["cones"] = cones_section(map);
   return claims.dump();
 }
@@ -68,15 +69,24 @@ void write_outputs(const FinishedRun& run) {
     formats.svg.scaffold = to_map_file(*run.result.scaffold);
   for (const std::string& path : run.outputs.files) {
     if (extension(path) == ".csv") write_trace(path, run.record.trace());
+    if (extension(path) == ".vtu" && run.result.measures.cut_short) file.distortion.resize(0);
     write_map(path, file, run.result.other_triangles ? nullptr : &run.in.polygons, formats);
+    file.distortion = run.result.measures.face_value;
   }
+}
+
+bool was_stopped(const ParametrizationResult& r) {
+  return r.measures.cut_short || r.status == Status::TimeLimit || r.status == Status::Interrupted;
 }
 
 Json result_section(const FinishedRun& run) {
   const ParametrizationResult& r = run.result;
   if (!r.map) return nullptr;
   Json result = measures_section(*r.map, r.measures, run.map.energy);
-  judge_global_injectivity(*r.map, r.measures, vertices_of(*r.map)).add_to(result);
+  if (was_stopped(r) && run.in.options.injectivity != MapInjectivity::Global)
+    result["boundary"] = {{"reason", "not asked after the limit"}};
+  else
+    judge_global_injectivity(*r.map, r.measures, vertices_of(*r.map)).add_to(result);
   result["variables"] = r.variables;
   result["initial_value"] = r.initial_value;
   result["value_quadrature"] = r.value_quadrature;

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "apps/number_check.h"
 #include "apps/outputs.h"
 #include "apps/progress.h"
 #include "majorant/framework/curvature_name.h"
@@ -27,11 +28,11 @@ void SolveRequest::add_to(CLI::App& verb, std::string& curvature) {
   verb.add_flag("--improve-mesh", improve_mesh,
                 "flip edges inside flat parts of the surface where that lowers the energy");
   verb.add_option("--tolerance", tolerance, "relative energy decrease to stop at (1e-6)")
-      ->check(CLI::PositiveNumber);
-  verb.add_option("--max-iterations", max_iterations, "(1000)")->check(CLI::NonNegativeNumber);
+      ->check(positive_number());
+  verb.add_option("--max-iterations", max_iterations, "(1000)")->check(non_negative_number());
   verb.add_option("--time-limit", time_limit,
                   "seconds; the best valid map is written, if there is one")
-      ->check(CLI::NonNegativeNumber);
+      ->check(non_negative_number());
 }
 
 void SolveRequest::apply(ParametrizationOptions& options) const {
@@ -41,16 +42,16 @@ void SolveRequest::apply(ParametrizationOptions& options) const {
   if (no_flips) options.scaffold_flips = ScaffoldFlips::Omitted;
 }
 
-void SolveRequest::finish(const ParametrizationOptions& options,
+void SolveRequest::finish(const ParametrizationOptions& options, const StopCheck& stop,
                           ParametrizationResult& result) const {
   if (!result.map || result.status == Status::Failed) return;
-  if (improve_mesh) {
-    const ImprovedMap improved = majorant::improve_mesh(*result.map, options.energy);
+  if (improve_mesh && stop() == Directive::Continue) {
+    const ImprovedMap improved = majorant::improve_mesh(*result.map, options.energy, stop);
     result.flips.intended += improved.flips.intended;
     result.flips.performed += improved.flips.performed;
     result.map = improved.map;
     result.other_triangles = improved.flips.performed > 0;
-    result.measures = measure(*result.map, options.energy);
+    result.measures = measure(*result.map, options.energy, stop);
   }
   if (!scaffold_file.empty())
     write_map(scaffold_file, to_map_file(result.scaffold.value()), nullptr, {});

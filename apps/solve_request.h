@@ -26,7 +26,9 @@ struct SolveRequest {
   void require_usable(const OutputRequest& outputs, const MapRequest& map) const;
   void apply(ParametrizationOptions& options) const;
   // What is asked of a finished result: better triangles, a file of the scaffold.
-  void finish(const ParametrizationOptions& options, ParametrizationResult& result) const;
+  // After a stop triangles stay as they are.
+  void finish(const ParametrizationOptions& options, const StopCheck& stop,
+              ParametrizationResult& result) const;
   Json to_json() const;
   // Limits, Ctrl-C and progress lines. Throws Error(Usage) for a time limit that is no number.
   RunRecord make_record(const CommonOptions& common) const;

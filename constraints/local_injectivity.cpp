@@ -11,15 +11,17 @@ namespace {
 
 constexpr double kAngleTolerance = 1e-6;
 constexpr Index kParallelElements = 2048;  // fewer are not worth waking threads for
+constexpr Index kPolledElements = 64;      // are tested between two polls
 constexpr double kTwoPi = 2 * std::numbers::pi;
 
 }  // namespace
 
 LocalInjectivity::LocalInjectivity(std::shared_ptr<const ElementSpace> space, Vec rest_det,
-                                   int max_depth)
+                                   int max_depth, StopCheck stop)
     : space_(std::move(space)),
       rest_det_(std::move(rest_det)),
-      max_depth_(std::min(max_depth, kMaxDepth)) {}
+      max_depth_(std::min(max_depth, kMaxDepth)),
+      stop_(std::move(stop)) {}
 
 Vec LocalInjectivity::lower_bounds(VecIn x) const {
   const Index count = space_->element_count();
@@ -53,8 +55,11 @@ Verdict LocalInjectivity::check(VecIn x) const {
 StepBound LocalInjectivity::max_step(VecIn x, VecIn d, double s) const {
   const Index count = space_->element_count();
   Vec quick(count);
+  SharedPoll poll(stop_);
 #pragma omp parallel for schedule(static) if (count >= kParallelElements)
-  for (Index e = 0; e < count; ++e) quick[e] = space_->largest_step(e, x, d, s, 0);
+  for (Index e = 0; e < count; ++e)
+    if (e % kPolledElements != 0 || !poll.stopped()) quick[e] = space_->largest_step(e, x, d, s, 0);
+  poll.rethrow();
   std::vector<Index> limiting;
   for (Index e = 0; e < count; ++e)
     if (quick[e] < s) limiting.push_back(e);
@@ -63,6 +68,7 @@ StepBound LocalInjectivity::max_step(VecIn x, VecIn d, double s) const {
   StepBound bound{s, {}};
   for (const Index e : limiting) {
     if (quick[e] >= bound.step) continue;
+    stop_.poll();
     const double step = space_->largest_step(e, x, d, bound.step, max_depth_);
     if (step < bound.step) {
       bound.step = step;

@@ -15,6 +15,7 @@
 #include "majorant/constraints/seams.h"
 #include "majorant/elements/bezier_triangle_space.h"
 #include "majorant/framework/feasibility.h"
+#include "majorant/framework/stop_check.h"
 
 namespace majorant {
 
@@ -23,9 +24,9 @@ class LocalInjectivity final : public FeasibilityChecker {
   static constexpr int kDefaultDepth = 5;
   static constexpr int kMaxDepth = 63;  // deeper is taken as this
   // rest_det: #E determinants of the rest shapes (their measures over the reference measure), to
-  // make margins dimensionless.
+  // make margins dimensionless. stop: polled by max_step() alone, which then throws Stopped.
   LocalInjectivity(std::shared_ptr<const ElementSpace> space, Vec rest_det,
-                   int max_depth = kDefaultDepth);
+                   int max_depth = kDefaultDepth, StopCheck stop = {});
 
   std::string_view name() const override { return "local injectivity"; }
   Verdict check(VecIn x) const override;  // margin: smallest certified det of the map
@@ -40,6 +41,7 @@ class LocalInjectivity final : public FeasibilityChecker {
   std::shared_ptr<const ElementSpace> space_;
   Vec rest_det_;
   int max_depth_;
+  StopCheck stop_;
   mutable std::array<std::atomic<long>, kMaxDepth + 1> depth_counts_{};
 };
 
