@@ -17,10 +17,12 @@
 #include "apps/energy_option.h"
 #include "apps/map_request.h"
 #include "apps/methods.h"
+#include "apps/number_check.h"
 #include "apps/outputs.h"
 #include "apps/process.h"
 #include "apps/report.h"
 #include "apps/streams.h"
+#include "apps/unless_stopped.h"
 #include "majorant/framework/evaluator.h"
 #include "majorant/io/comparison_table.h"
 #include "majorant/io/write_comparison.h"
@@ -90,10 +92,15 @@ std::string processor() {
   return "unknown processor";
 }
 
+// Under Ctrl-C alone: the time limit is that of the methods.
 Contest make_contest(const Request& request) {
-  const MapInput in = read_input(request.map);
-  const NormalizedStart start(BezierMap::linear(in.mesh, initial_map(*in.mesh, in.options)),
-                              in.options);
+  const RunRecord limits(std::numeric_limits<double>::infinity(), request.max_iterations,
+                         interruption_flag());
+  const MapInput in = read_input(request.map, limits.start_stop());
+  const Vec initial = unless_stopped("making the start of " + request.map.input, [&] {
+    return initial_map(*in.mesh, in.options, limits.start_stop());
+  });
+  const NormalizedStart start(BezierMap::linear(in.mesh, initial), in.options);
   BezierMap map = start.map();
   while (map.degree() < request.map.degree) map = map.elevated();
   Contest c;
@@ -249,11 +256,11 @@ void add_compare(CLI::App& app, Action* run) {
   verb.add_option("-o,--output", r.outputs, "output: .csv .html .json, repeatable")
       ->allow_extra_args(false);
   verb.add_option("--tolerance", r.tolerance, "relative decrease that ends Newton (1e-9)")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number());
   verb.add_option("--max-iterations", r.max_iterations, "of each method (1000)")
-      ->check(CLI::NonNegativeNumber);
+      ->check(non_negative_number());
   verb.add_option("--time-limit", r.time_limit, "seconds for each method (60)")
-      ->check(CLI::NonNegativeNumber);
+      ->check(non_negative_number());
   r.common.add_to(verb);
   std::string list = energy_help() + "Methods:\n";
   for (const Method& m : methods()) list += fmt::format("  {:<24} {}\n", m.name, m.summary);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "majorant/framework/error.h"
+#include "majorant/parametrization/map_problem.h"
 
 namespace majorant::app {
 namespace {
@@ -32,8 +33,9 @@ double take_weight(std::string& text, const std::string& expression) {
   double weight = 0;
   const char* end = number.data() + number.size();
   const auto [stop, error] = std::from_chars(number.data(), end, weight);
-  if (error != std::errc() || stop != end || !(weight > 0) || !std::isfinite(weight))
-    refuse(expression, fmt::format("'{}' is not a positive number", number));
+  if (error != std::errc() || stop != end || !is_usable_weight(weight))
+    refuse(expression, fmt::format("'{}' is not a positive number in {:g}..{:g}", number,
+                                   1 / kLargestFactor, kLargestFactor));
   text = trimmed(text.substr(star + 1));
   return weight;
 }

@@ -15,7 +15,7 @@ struct EnergyChoice {
 };
 
 // summands [number *] name, joined by +; space does not matter. Throws Error(Usage) that lists the
-// names when one is unknown, and for weights that are not positive.
+// names when one is unknown, and for weights that are no usable numbers (map_problem.h).
 EnergyChoice parse_energy(const std::string& expression);
 
 // "name  formula; facts" lines for --help.

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include "apps/energy_option.h"
+#include "apps/number_check.h"
+#include "apps/unless_stopped.h"
 #include "majorant/framework/curvature_name.h"
 #include "majorant/framework/error.h"
 #include "majorant/io/read_face_weights.h"
@@ -80,7 +82,8 @@ void MapRequest::add_to(CLI::App& verb) {
   verb.add_option("--energy", energy, "distortion: a name below, or a weighted sum");
   verb.add_option("--pins", pins, "hard point constraints, JSON")->type_name("FILE");
   verb.add_option("--handles", handles, "soft point constraints, JSON")->type_name("FILE");
-  verb.add_option("--soft", soft, "weight of soft handles (1000)")->check(CLI::PositiveNumber);
+  verb.add_option("--soft", soft, "weight of soft handles (1000)")
+      ->check(positive_number(kLargestFactor));
   verb.add_option("--weights", weights, "a positive factor of the energy for each face, text")
       ->type_name("FILE");
   verb.add_flag("--boundary-angles", boundary_angles,
@@ -105,11 +108,14 @@ Json MapRequest::to_json() const {
 
 std::vector<std::string> MapRequest::inputs() const { return {input, pins, handles, weights}; }
 
-MapInput read_input(const MapRequest& request, const StartMaker& make_start) {
+MapInput read_input(const MapRequest& request, const StopCheck& stop,
+                    const StartMaker& make_start) {
   const EnergyChoice energy = parse_energy(request.energy);
   MapInput in;
-  in.polygons = read_mesh(request.input);
-  in.mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(in.polygons));
+  unless_stopped("reading " + request.input, [&] {
+    in.polygons = read_mesh(request.input, stop);
+    in.mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(in.polygons, stop));
+  });
   ParametrizationOptions& options = in.options;
   options.degree = request.degree;
   options.energy = energy.sum;
@@ -119,7 +125,8 @@ MapInput read_input(const MapRequest& request, const StartMaker& make_start) {
   options.quadrature_points = request.quadrature;
   options.handle_weight = request.soft;
   if (make_start)
-    in.start = make_start(in.polygons, *in.mesh);
+    in.start = unless_stopped("making the start of " + request.input,
+                              [&] { return make_start(in.polygons, *in.mesh); });
   else if (request.seamless)
     in.start = seamless_from_texture(*in.mesh);
   else if (request.holes)

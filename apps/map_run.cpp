@@ -38,7 +38,7 @@ MapInput& MapRun::read(const StartMaker& make_start) {
       start_seconds_ = seconds() - before;
       return start;
     };
-  in_ = read_input(request_.map, timed);
+  in_ = read_input(request_.map, record_.start_stop(), timed);
   request_.solve.apply(in_.options);
   read_seconds_ = seconds() - start_seconds_;
   return in_;
@@ -47,7 +47,7 @@ MapInput& MapRun::read(const StartMaker& make_start) {
 int MapRun::finish(ParametrizationResult result, const Json& extra) {
   finish_progress(request_.common);
   result.initialize_seconds += start_seconds_;
-  request_.solve.finish(in_.options, result);
+  request_.solve.finish(in_.options, record_.stop(), result);
   Json options = request_.solve.to_json();
   options.update(extra);
   return write_result({verb_, request_.common, request_.outputs, request_.map, in_, result, record_,

@@ -4,6 +4,7 @@
 
 #include "apps/energy_option.h"
 #include "apps/map_run.h"
+#include "apps/unless_stopped.h"
 #include "majorant/parametrization/parametrize.h"
 
 namespace majorant::app {
@@ -13,8 +14,10 @@ int run_job(MapVerb request) {
   request.map.holes = request.solve.bijective;
   MapRun run("parametrize", request);
   const MapInput& in = run.read();
-  return run.finish(in.start ? parametrize(in.start->map, in.options, run.record())
-                             : parametrize(in.mesh, in.options, run.record()));
+  return run.finish(unless_stopped("making the start of " + request.map.input, [&] {
+    return in.start ? parametrize(in.start->map, in.options, run.record())
+                    : parametrize(in.mesh, in.options, run.record());
+  }));
 }
 
 }  // namespace

@@ -53,6 +53,7 @@ Json measures_section(const BezierMap& map, const MapMeasures& m, const std::str
                {"control_points", map.space().node_count()},
                {"energy", energy},
                {"value", m.value},
+               {"measuring_cut_short", m.cut_short},
                {"max_density", m.max_density},
                {"sigma_max", m.sigma_max},
                {"sigma_min", m.sigma_min},

@@ -52,6 +52,7 @@ std::string claims(const FinishedRun& run, const Normalization& normalization) {
               {"pins", pins},
               {"other_triangles", run.result.other_triangles},
               {"options", options_section(run)}};
+  if (run.result.measures.cut_short) claims.erase("value");  // not good enough to be claimed
   if (!map.seams().trivial()) claims["cones"] = cones_section(map);
   return json_text(claims);
 }
@@ -81,11 +82,18 @@ void write_maps(const FinishedRun& run, WrittenFiles& written) {
     });
 }
 
+bool was_stopped(const ParametrizationResult& r) {
+  return r.measures.cut_short || r.status == Status::TimeLimit || r.status == Status::Interrupted;
+}
+
 Json result_section(const FinishedRun& run) {
   const ParametrizationResult& r = run.result;
   if (!r.map) return nullptr;
   Json result = measures_section(*r.map, r.measures, run.map.energy);
-  add_global_injectivity(result, *r.map, r.measures, check_boundary(*r.map));
+  if (was_stopped(r) && run.in.options.injectivity != MapInjectivity::Global)
+    result["boundary"] = {{"reason", "not asked after the limit"}};
+  else
+    add_global_injectivity(result, *r.map, r.measures, check_boundary(*r.map));
   result["variables"] = r.variables;
   result["initial_value"] = r.initial_value;
   result["value_quadrature"] = r.value_quadrature;

@@ -4,6 +4,7 @@
 
 #include "apps/energy_option.h"
 #include "apps/map_run.h"
+#include "apps/number_check.h"
 #include "majorant/io/read_vertex_lists.h"
 #include "majorant/parametrization/parametrize.h"
 #include "majorant/parametrization/seamless_map.h"
@@ -65,7 +66,7 @@ void add_seamless(CLI::App& app, Action* run) {
       ->check(CLI::IsMember({"automatic", "field", "scaled-field", "conformal"}));
   verb.add_option("--curvature-alignment", r.curvature_alignment,
                   "pull of principal directions on the cross field, 5 to 50 are useful (0)")
-      ->check(CLI::NonNegativeNumber);
+      ->check(non_negative_number(kLargestFactor));
   verb.footer(energy_help() +
               "Example: majorant seamless bunny.obj -o bunny.vtu -o bunny.svg --degree 3");
   verb.callback([request, run] { *run = [request] { return run_job(*request); }; });

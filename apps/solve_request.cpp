@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "apps/number_check.h"
 #include "apps/process.h"
 #include "apps/progress.h"
 #include "majorant/framework/curvature_name.h"
@@ -26,11 +27,11 @@ void SolveRequest::add_to(CLI::App& verb, std::string& curvature) {
   verb.add_flag("--improve-mesh", improve_mesh,
                 "flip edges inside flat parts of the surface where that lowers the energy");
   verb.add_option("--tolerance", tolerance, "relative energy decrease to stop at (1e-6)")
-      ->check(CLI::PositiveNumber);
-  verb.add_option("--max-iterations", max_iterations, "(1000)")->check(CLI::NonNegativeNumber);
+      ->check(positive_number());
+  verb.add_option("--max-iterations", max_iterations, "(1000)")->check(non_negative_number());
   verb.add_option("--time-limit", time_limit,
                   "seconds; the best valid map is written, if there is one")
-      ->check(CLI::NonNegativeNumber);
+      ->check(non_negative_number());
 }
 
 void SolveRequest::apply(ParametrizationOptions& options) const {
@@ -40,15 +41,15 @@ void SolveRequest::apply(ParametrizationOptions& options) const {
   if (no_flips) options.scaffold_flips = ScaffoldFlips::Omitted;
 }
 
-void SolveRequest::finish(const ParametrizationOptions& options,
+void SolveRequest::finish(const ParametrizationOptions& options, const StopCheck& stop,
                           ParametrizationResult& result) const {
-  if (!improve_mesh || !has_result(result)) return;
-  const ImprovedMap improved = majorant::improve_mesh(*result.map, options.energy);
+  if (!improve_mesh || !has_result(result) || stop() != Directive::Continue) return;
+  const ImprovedMap improved = majorant::improve_mesh(*result.map, options.energy, stop);
   result.flips.intended += improved.flips.intended;
   result.flips.performed += improved.flips.performed;
   result.map = improved.map;
   result.other_triangles = improved.flips.performed > 0;
-  result.measures = measure(*result.map, options.energy);
+  result.measures = measure(*result.map, options.energy, stop);
 }
 
 Json SolveRequest::to_json() const {

@@ -16,15 +16,17 @@ namespace {
 
 constexpr double kAngleTolerance = 1e-6;
 constexpr Index kParallelElements = 2048;  // fewer are not worth waking threads for
+constexpr Index kPolledElements = 64;      // are tested between two polls
 constexpr double kTwoPi = 2 * std::numbers::pi;
 
 }  // namespace
 
 LocalInjectivity::LocalInjectivity(std::shared_ptr<const ElementSpace> space, Vec rest_det,
-                                   int max_depth)
+                                   int max_depth, StopCheck stop)
     : space_(std::move(space)),
       rest_det_(std::move(rest_det)),
-      max_depth_(std::min(max_depth, kMaxDepth)) {
+      max_depth_(std::min(max_depth, kMaxDepth)),
+      stop_(std::move(stop)) {
   if (!space_ || static_cast<Index>(rest_det_.size()) != space_->element_count())
     throw std::invalid_argument(
         fmt::format("LocalInjectivity: {} rest determinants for {} elements", rest_det_.size(),
@@ -70,7 +72,10 @@ StepBound LocalInjectivity::max_step(VecIn x, VecIn d, double s) const {
   ParallelErrors errors;
 #pragma omp parallel for schedule(static) if (count >= kParallelElements)
   for (Index e = 0; e < count; ++e)
-    errors.guard([&] { quick[e] = space_->largest_step(e, x, d, s, 0); });
+    errors.guard([&] {
+      if (e % kPolledElements == 0) stop_.poll();
+      quick[e] = space_->largest_step(e, x, d, s, 0);
+    });
   errors.rethrow();
   std::vector<Index> limiting;
   for (Index e = 0; e < count; ++e)
@@ -80,6 +85,7 @@ StepBound LocalInjectivity::max_step(VecIn x, VecIn d, double s) const {
   StepBound bound{s, {}};
   for (const Index e : limiting) {
     if (quick[e] >= bound.step) continue;
+    stop_.poll();
     const double step = space_->largest_step(e, x, d, bound.step, max_depth_);
     if (step < bound.step) {
       bound.step = step;

@@ -15,6 +15,7 @@
 #include "majorant/constraints/seams.h"
 #include "majorant/elements/bezier_triangle_space.h"
 #include "majorant/framework/feasibility.h"
+#include "majorant/framework/stop_check.h"
 
 namespace majorant {
 
@@ -23,10 +24,11 @@ class LocalInjectivity final : public FeasibilityChecker {
   static constexpr int kDefaultDepth = 5;
   static constexpr int kMaxDepth = 63;  // deeper is taken as this
   // rest_det: #E determinants of the rest shapes (their measures over the reference measure), to
-  // make margins dimensionless. Where they are not positive nothing is certified. Throws
-  // std::invalid_argument for another number of them.
+  // make margins dimensionless. Where they are not positive nothing is certified. stop: polled by
+  // max_step() alone, which then throws Stopped. Throws std::invalid_argument for another number of
+  // them.
   LocalInjectivity(std::shared_ptr<const ElementSpace> space, Vec rest_det,
-                   int max_depth = kDefaultDepth);
+                   int max_depth = kDefaultDepth, StopCheck stop = {});
 
   std::string_view name() const override { return "local injectivity"; }
   Verdict check(VecIn x) const override;  // margin: smallest certified det of the map
@@ -41,6 +43,7 @@ class LocalInjectivity final : public FeasibilityChecker {
   std::shared_ptr<const ElementSpace> space_;
   Vec rest_det_;
   int max_depth_;
+  StopCheck stop_;
   mutable std::array<std::atomic<long>, kMaxDepth + 1> depth_counts_{};
 };
 

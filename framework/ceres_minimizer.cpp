@@ -59,12 +59,24 @@ class Function final : public ceres::FirstOrderFunction {
   explicit Function(Run& run) : run_(run) {}
   int NumParameters() const override { return run_.evaluator.problem().size(); }
 
+  // No exception may pass through Ceres: after a stop every trial point is refused.
   bool Evaluate(const double* parameters, double* cost, double* gradient) const override {
+    try {
+      return evaluate(parameters, cost, gradient);
+    } catch (const Stopped& stopped) {
+      run_.directive = stopped.why();
+      return false;
+    }
+  }
+
+ private:
+  bool evaluate(const double* parameters, double* cost, double* gradient) const {
+    run_.options.stop.poll();
     const Problem& problem = run_.evaluator.problem();
     const Eigen::Map<const Vec> y(parameters, problem.size());
     ++run_.trials;
     if (!y.allFinite()) return false;
-    const double energy = run_.evaluator.value(y);
+    const double energy = run_.evaluator.value(y, run_.options.stop);
     if (!std::isfinite(energy)) return false;
     const Vec x = problem.expand(y);
     for (const auto& checker : problem.checkers())
@@ -76,12 +88,11 @@ class Function final : public ceres::FirstOrderFunction {
     *cost = run_.options.scale * energy;
     if (!gradient) return true;
     Vec g;
-    run_.evaluator.gradient(y, g);
+    run_.evaluator.gradient(y, g, run_.options.stop);
     Eigen::Map<Vec>(gradient, g.size()) = run_.options.scale * g;
     return g.allFinite();
   }
 
- private:
   Run& run_;
 };
 
@@ -137,8 +148,7 @@ CeresSolver::Options ceres_options(const CeresOptions& o) {
 
 Status status_of(ceres::TerminationType type, Run& run) {
   if (type == ceres::NO_CONVERGENCE) return Status::MaxIterations;
-  if (type == ceres::USER_FAILURE)
-    return run.directive == Directive::TimeLimit ? Status::TimeLimit : Status::Interrupted;
+  if (run.directive != Directive::Continue) return stopped_status(run.directive);
   if (type == ceres::FAILURE && !run.started) return Status::Failed;
   Vec gradient;
   run.evaluator.gradient(run.result.y, gradient);

@@ -50,7 +50,8 @@ Evaluator::~Evaluator() = default;
 
 void Evaluator::reset(const Problem& problem) { problem_ = problem; }
 
-Vec element_values(const EnergyTerm& term, const TermState& state, const ChunkPlan& plan, VecIn x) {
+Vec element_values(const EnergyTerm& term, const TermState& state, const ChunkPlan& plan, VecIn x,
+                   const StopCheck& stop) {
   Vec f(term.stencils().element_count());
   ParallelErrors errors;
 #pragma omp parallel if (plan.chunk_count() >= kParallelChunks)
@@ -60,6 +61,7 @@ Vec element_values(const EnergyTerm& term, const TermState& state, const ChunkPl
 #pragma omp for schedule(static)
     for (Index c = 0; c < plan.chunk_count(); ++c)
       errors.guard([&] {
+        stop.poll();
         const Chunk chunk = plan.chunk(c);
         term.values(x, chunk, state, workspace, {local, chunk.elements.size()});
         for (std::size_t p = 0; p < chunk.elements.size(); ++p) f[chunk.elements[p]] = local[p];
@@ -69,7 +71,7 @@ Vec element_values(const EnergyTerm& term, const TermState& state, const ChunkPl
   return f;
 }
 
-double Evaluator::value(VecIn y) {
+double Evaluator::value(VecIn y, const StopCheck& stop) {
   const Timer timer(counters_.value_seconds);
   ++counters_.values;
   problem_.elimination().expand(y, x_);
@@ -77,7 +79,7 @@ double Evaluator::value(VecIn y) {
   for (std::size_t k = 0; k < problem_.term_count(); ++k) {
     const TermState& state = problem_.state(k);
     const ChunkPlan& plan = problem_.plan(k);
-    const Vec f = element_values(problem_.term(k), state, plan, x_);
+    const Vec f = element_values(problem_.term(k), state, plan, x_, stop);
     for (Index c = 0; c < plan.chunk_count(); ++c) {
       double sum = 0;
       for (const Index e : plan.chunk(c).elements)
@@ -88,20 +90,22 @@ double Evaluator::value(VecIn y) {
   return total;
 }
 
-double Evaluator::linearize(VecIn y, Curvature curvature, Vec& gradient, Vec& hessian_values) {
+double Evaluator::linearize(VecIn y, Curvature curvature, Vec& gradient, Vec& hessian_values,
+                            const StopCheck& stop) {
   const Timer timer(counters_.linearize_seconds);
   ++counters_.linearizations;
   hessian_values.setZero(problem_.pattern().nonzeros());
-  return assemble(y, curvature, gradient, &hessian_values);
+  return assemble(y, curvature, gradient, &hessian_values, stop);
 }
 
-double Evaluator::gradient(VecIn y, Vec& gradient) {
+double Evaluator::gradient(VecIn y, Vec& gradient, const StopCheck& stop) {
   const Timer timer(counters_.gradient_seconds);
   ++counters_.gradients;
-  return assemble(y, Curvature::Projected, gradient, nullptr);
+  return assemble(y, Curvature::Projected, gradient, nullptr, stop);
 }
 
-double Evaluator::assemble(VecIn y, Curvature curvature, Vec& gradient, Vec* hessian_values) {
+double Evaluator::assemble(VecIn y, Curvature curvature, Vec& gradient, Vec* hessian_values,
+                           const StopCheck& stop) {
   problem_.elimination().expand(y, x_);
   gradient.setZero(problem_.size());
   while (scratch_.size() < static_cast<std::size_t>(threads()))
@@ -109,14 +113,15 @@ double Evaluator::assemble(VecIn y, Curvature curvature, Vec& gradient, Vec* hes
   double total = 0;
   std::vector<double> energies;
   for (std::size_t k = 0; k < problem_.term_count(); ++k) {
-    assemble_term(k, curvature, gradient, hessian_values, energies);
+    assemble_term(k, curvature, gradient, hessian_values, stop, energies);
     for (const double e : energies) total += e;
   }
   return total;
 }
 
 void Evaluator::assemble_term(std::size_t k, Curvature curvature, Vec& gradient,
-                              Vec* hessian_values, std::vector<double>& chunk_energies) {
+                              Vec* hessian_values, const StopCheck& stop,
+                              std::vector<double>& chunk_energies) {
   const EnergyTerm& term = problem_.term(k);
   const TermState& state = problem_.state(k);
   const ChunkPlan& plan = problem_.plan(k);
@@ -125,6 +130,7 @@ void Evaluator::assemble_term(std::size_t k, Curvature curvature, Vec& gradient,
   constexpr std::size_t stride = LocalSystem::stride;
   chunk_energies.assign(static_cast<std::size_t>(plan.chunk_count()), 0.0);
   const auto assemble_chunk = [&](Index c) {
+    stop.poll();
     Scratch& s = *scratch_[static_cast<std::size_t>(omp_get_thread_num())];
     const Chunk chunk = plan.chunk(c);
     LocalSystem local;

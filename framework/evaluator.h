@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "majorant/framework/problem.h"
+#include "majorant/framework/stop_check.h"
 
 namespace majorant {
 
@@ -25,8 +26,10 @@ int threads();
 // Calls `work` once on each of the threads, which start if they do not run yet.
 void run_on_threads(const std::function<void()>& work);
 
-// Unweighted value of each element of a term at x, with the plan that belongs to `state`.
-Vec element_values(const EnergyTerm& term, const TermState& state, const ChunkPlan& plan, VecIn x);
+// Unweighted value of each element of a term at x, with the plan that belongs to `state`. Polls
+// between chunks of elements, as all evaluations do that are given a stop check: Stopped.
+Vec element_values(const EnergyTerm& term, const TermState& state, const ChunkPlan& plan, VecIn x,
+                   const StopCheck& stop = {});
 
 class Evaluator {
  public:
@@ -39,12 +42,13 @@ class Evaluator {
   // Goes on with another state of the same structure.
   void reset(const Problem& problem);
 
-  double value(VecIn y);  // +inf outside the domain
+  double value(VecIn y, const StopCheck& stop = {});  // +inf outside the domain
   // Energy, gradient and curvature at y, which lies in the domain. The Hessian values are parallel
   // to problem().pattern().rows.
-  double linearize(VecIn y, Curvature curvature, Vec& gradient, Vec& hessian_values);
+  double linearize(VecIn y, Curvature curvature, Vec& gradient, Vec& hessian_values,
+                   const StopCheck& stop = {});
   // Energy and gradient at y, which lies in the domain: Z^T of the full gradient, size() entries.
-  double gradient(VecIn y, Vec& gradient);
+  double gradient(VecIn y, Vec& gradient, const StopCheck& stop = {});
   struct Counters {
     long values = 0, gradients = 0, linearizations = 0;
     double value_seconds = 0, gradient_seconds = 0, linearize_seconds = 0;
@@ -53,9 +57,10 @@ class Evaluator {
 
  private:
   struct Scratch;
-  double assemble(VecIn y, Curvature curvature, Vec& gradient, Vec* hessian_values);
+  double assemble(VecIn y, Curvature curvature, Vec& gradient, Vec* hessian_values,
+                  const StopCheck& stop);
   void assemble_term(std::size_t k, Curvature curvature, Vec& gradient, Vec* hessian_values,
-                     std::vector<double>& chunk_energies);
+                     const StopCheck& stop, std::vector<double>& chunk_energies);
 
   Problem problem_;
   Vec x_;

@@ -11,7 +11,7 @@ namespace {
 class GradientFlowStepper final : public Stepper {
  public:
   GradientFlowStepper(const Problem& problem, const GradientFlowOptions& options)
-      : Stepper(problem, options.line_search, options.stopping.decrement),
+      : Stepper(problem, options.line_search, options.stopping.decrement, options.stop),
         metric_(metric_problem(problem, options.metric), options.curvature,
                 options.linear_solver()) {}
 
@@ -19,7 +19,7 @@ class GradientFlowStepper final : public Stepper {
   void advance(Vec& y, double& energy, Step& step) override {
     IterationRecord& r = step.record;
     if (!factorized_) {
-      factorized_ = metric_.factorize(y);
+      factorized_ = metric_.factorize(y, stop_);
       r.seconds.assemble = metric_.seconds().assemble;
       r.seconds.factorize = metric_.seconds().factorize;
     }
@@ -27,7 +27,7 @@ class GradientFlowStepper final : public Stepper {
     r.shift = metric_.shift();
     if (!factorized_) return;
     Lap lap;
-    evaluator_.gradient(y, gradient_);
+    evaluator_.gradient(y, gradient_, stop_);
     r.seconds.assemble += lap();
     Vec p;
     metric_.solve(-gradient_, p);

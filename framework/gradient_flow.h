@@ -30,6 +30,7 @@ struct GradientFlowOptions {
   std::function<std::unique_ptr<LinearSolver>()> linear_solver = [] {
     return make_cholmod_solver();
   };
+  StopCheck stop;  // ends a step, as in NewtonOptions
 };
 
 class GradientFlowMinimizer final : public Minimizer {

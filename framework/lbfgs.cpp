@@ -50,7 +50,7 @@ class History {
 class LbfgsStepper final : public Stepper {
  public:
   LbfgsStepper(const Problem& problem, const LbfgsOptions& options)
-      : Stepper(problem, options.line_search, options.stopping.decrement),
+      : Stepper(problem, options.line_search, options.stopping.decrement, options.stop),
         metric_(metric_problem(problem, options.metric), options.curvature,
                 options.linear_solver()),
         metric_every_(options.metric_every),
@@ -72,7 +72,7 @@ class LbfgsStepper final : public Stepper {
   bool prepare(const Vec& y, IterationRecord& r) {
     const bool due = metric_every_ > 0 && age_ == metric_every_;
     if (!factorized_ || due) {
-      factorized_ = metric_.factorize(y);
+      factorized_ = metric_.factorize(y, stop_);
       history_.clear();
       age_ = 0;
       r.seconds.assemble = metric_.seconds().assemble;
@@ -82,7 +82,7 @@ class LbfgsStepper final : public Stepper {
     r.shift = metric_.shift();
     if (!factorized_) return false;
     Lap lap;
-    evaluator_.gradient(y, gradient_);
+    evaluator_.gradient(y, gradient_, stop_);
     if (age_ > 0) history_.add(y - last_y_, gradient_ - last_gradient_);
     last_y_ = y;
     last_gradient_ = gradient_;

@@ -36,6 +36,7 @@ struct LbfgsOptions {
   std::function<std::unique_ptr<LinearSolver>()> linear_solver = [] {
     return make_cholmod_solver();
   };
+  StopCheck stop;  // ends a step, as in NewtonOptions
 };
 
 class LbfgsMinimizer final : public Minimizer {

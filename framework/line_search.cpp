@@ -7,11 +7,12 @@
 namespace majorant {
 
 LineSearch::LineSearch(Evaluator& evaluator, const LineSearchOptions& options, const Vec& y,
-                       const Vec& p, double energy, double decrement)
+                       const Vec& p, double energy, double decrement, StopCheck stop)
     : evaluator_(evaluator),
       options_(options),
       y_(y),
       p_(p),
+      stop_(std::move(stop)),
       energy_(energy),
       decrement_(decrement),
       rounding_(decrement <= kResolution * std::abs(energy) ? 0.25 * kResolution * std::abs(energy)
@@ -35,6 +36,7 @@ LineSearch::Result LineSearch::find(double first) {
 StepBound LineSearch::certified(double s) const {
   StepBound bound{s, {}};
   for (const auto& checker : evaluator_.problem().checkers()) {
+    stop_.poll();
     StepBound b = checker->max_step(x_, d_, bound.step);
     if (b.step < bound.step) bound = std::move(b);
   }
@@ -45,7 +47,7 @@ StepBound LineSearch::certified(double s) const {
 bool LineSearch::accept(double s) {
   ++trials_;
   const Vec candidate = y_ + s * p_;
-  const double trial = evaluator_.value(candidate);
+  const double trial = evaluator_.value(candidate, stop_);
   if (!std::isfinite(trial) || !(trial <= energy_ - options_.armijo * s * decrement_ + rounding_))
     return false;
   if (best_step_ > 0 && !(trial < best_energy_)) return false;

@@ -24,9 +24,9 @@ class LineSearch {
   // Relative changes of an energy that its evaluations may not tell from rounding.
   static constexpr double kResolution = 5e-13;
   // Along y + s p from a feasible y, all of size(); energy: E(y); decrement: -g.p >= 0, an energy.
-  // The arguments must outlive the search.
+  // The arguments must outlive the search, but `stop`. Evaluations poll `stop`, checkers their own.
   LineSearch(Evaluator& evaluator, const LineSearchOptions& options, const Vec& y, const Vec& p,
-             double energy, double decrement);
+             double energy, double decrement, StopCheck stop = {});
 
   enum class Result {
     Accepted,
@@ -34,7 +34,7 @@ class LineSearch {
     NoDecrease,  // no acceptable step down to smallest_step
   };
   // Tries s = first at first, or what is certified of it.
-  Result find(double first);
+  Result find(double first);  // Stopped: an abandoned search has found nothing
 
   double step() const { return best_step_; }      // accepted, 0 if none
   double energy() const { return best_energy_; }  // there
@@ -51,6 +51,7 @@ class LineSearch {
   Evaluator& evaluator_;
   const LineSearchOptions& options_;
   const Vec &y_, &p_;
+  StopCheck stop_;
   double energy_, decrement_;
   // An increase that is taken for rounding, 0 where the decrement is above kResolution. Below, the
   // step is taken if it does no visible harm, so that gradients can go below sqrt(epsilon).

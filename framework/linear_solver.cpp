@@ -12,12 +12,14 @@ double mean_diagonal(const SparsePattern& pattern, const Vec& values) {
 }
 
 ShiftedFactorization factorize_shifted(LinearSolver& solver, const SparsePattern& pattern,
-                                       const Vec& values, double smallest_shift) {
+                                       const Vec& values, double smallest_shift,
+                                       const StopCheck& stop) {
   ShiftedFactorization result;
   const double diagonal = mean_diagonal(pattern, values);
   if (pattern.size > 0 && !std::isfinite(diagonal)) return result;
   double shift = 0;
   for (int attempt = 0; attempt < 24; ++attempt) {
+    stop.poll();
     result.status = solver.factorize(values, shift);
     result.shift = shift;
     if (result.status != FactorStatus::NotPositiveDefinite) break;

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "majorant/framework/sparse_pattern.h"
+#include "majorant/framework/stop_check.h"
 #include "majorant/framework/types.h"
 
 namespace majorant {
@@ -47,8 +48,9 @@ struct ShiftedFactorization {
 // Factorizes H + shift * I with the first of the shifts 0, a m, 10 a m, 100 a m, ..., 1e22 a m that
 // makes it positive definite, a = smallest_shift, m the mean of |H_ii|. `solver` has analysed
 // `pattern`; values parallel to pattern.rows. Diagonals that are not finite are
-// NotPositiveDefinite.
+// NotPositiveDefinite. Polls before every factorization: Stopped.
 ShiftedFactorization factorize_shifted(LinearSolver& solver, const SparsePattern& pattern,
-                                       const Vec& values, double smallest_shift);
+                                       const Vec& values, double smallest_shift,
+                                       const StopCheck& stop = {});
 
 }  // namespace majorant

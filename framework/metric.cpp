@@ -32,12 +32,12 @@ Metric::Metric(const Problem& problem, Curvature curvature, std::unique_ptr<Line
   solver_->analyze(evaluator_.problem().pattern());
 }
 
-bool Metric::factorize(VecIn y) {
+bool Metric::factorize(VecIn y, const StopCheck& stop) {
   Lap lap;
-  evaluator_.linearize(y, curvature_, gradient_, hessian_);
+  evaluator_.linearize(y, curvature_, gradient_, hessian_, stop);
   seconds_.assemble = lap();
   const ShiftedFactorization f =
-      factorize_shifted(*solver_, evaluator_.problem().pattern(), hessian_, kSmallestShift);
+      factorize_shifted(*solver_, evaluator_.problem().pattern(), hessian_, kSmallestShift, stop);
   shift_ = f.shift;
   seconds_.factorize = lap();
   return f.status == FactorStatus::Ok;

@@ -22,8 +22,8 @@ class Metric {
   Metric(const Problem& problem, Curvature curvature, std::unique_ptr<LinearSolver> solver);
 
   // Assembles the Hessian at y, size() entries, and factorizes it, shifted as little as it takes
-  // (factorize_shifted). false when that fails, then solve() must not be called.
-  bool factorize(VecIn y);
+  // (factorize_shifted). false when that fails, then solve() must not be called. Stopped.
+  bool factorize(VecIn y, const StopCheck& stop = {});
   // p = M^-1 r, size() entries each; only after factorize() returned true.
   void solve(const Vec& r, Vec& p) { solver_->solve(r, p); }
 

@@ -22,4 +22,8 @@ std::string_view name(Status status) {
   return "failed";
 }
 
+Status stopped_status(Directive why) {
+  return why == Directive::TimeLimit ? Status::TimeLimit : Status::Interrupted;
+}
+
 }  // namespace majorant

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "majorant/framework/problem.h"
+#include "majorant/framework/stop_check.h"
 
 namespace majorant {
 
@@ -19,6 +20,7 @@ enum class Status {
   Failed,       // numerical breakdown: no factorization, no finite energy
 };
 std::string_view name(Status status);  // "converged", "max_iterations", ... as interface.md has it
+Status stopped_status(Directive why);  // of a run that was stopped
 
 struct IterationRecord {
   int iteration = 0;                           // 1-based
@@ -38,7 +40,6 @@ struct IterationRecord {
 
 // Receives each record and the point reached, before the next iteration; anything but Continue
 // ends the solve with that status.
-enum class Directive { Continue, TimeLimit, Interrupt };
 using Observer = std::function<Directive(const IterationRecord&, const Vec& y)>;
 
 struct SolveResult {

@@ -18,7 +18,7 @@ constexpr double kPolishShift = 1e-9;  // of the mean diagonal
 }  // namespace
 
 NewtonStepper::NewtonStepper(const Problem& problem, NewtonOptions options)
-    : Stepper(problem, options.line_search, options.stopping.decrement),
+    : Stepper(problem, options.line_search, options.stopping.decrement, options.stop),
       options_(std::move(options)),
       solver_(options_.linear_solver()) {
   require_curvature(problem);
@@ -74,13 +74,14 @@ bool NewtonStepper::try_exact(const Vec& y, IterationRecord& record) {
     return false;
   }
   Lap lap;
-  evaluator_.linearize(y, Curvature::Exact, gradient_, hessian_);
+  evaluator_.linearize(y, Curvature::Exact, gradient_, hessian_, stop_);
   record.seconds.assemble += lap();
   const double size = y.squaredNorm();
   record.shift = size > 0 ? 1.5 * std::max(0.0, -y.dot(gradient_)) / size : 0.0;
   if (relative_decrement_ <= kPolish)
     record.shift = std::max(record.shift,
                             kPolishShift * mean_diagonal(evaluator_.problem().pattern(), hessian_));
+  stop_.poll();
   const FactorStatus status = solver_->factorize(hessian_, record.shift);
   record.seconds.factorize += lap();
   record.curvature = Curvature::Exact;
@@ -93,12 +94,12 @@ void NewtonStepper::pause_exact() { exact_pause_ = 1 << std::min(exact_failures_
 
 bool NewtonStepper::factorize(const Vec& y, IterationRecord& record) {
   Lap lap;
-  evaluator_.linearize(y, options_.curvature, gradient_, hessian_);
+  evaluator_.linearize(y, options_.curvature, gradient_, hessian_, stop_);
   record.curvature = options_.curvature;
   record.seconds.assemble += lap();
   if (!gradient_.allFinite()) return false;
   const ShiftedFactorization f =
-      factorize_shifted(*solver_, evaluator_.problem().pattern(), hessian_, 1e-14);
+      factorize_shifted(*solver_, evaluator_.problem().pattern(), hessian_, 1e-14, stop_);
   record.shift = f.shift;
   record.seconds.factorize += lap();
   return f.status == FactorStatus::Ok;

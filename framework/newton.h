@@ -27,6 +27,7 @@ struct NewtonOptions {
   std::function<std::unique_ptr<LinearSolver>()> linear_solver = [] {
     return make_cholmod_solver();
   };
+  StopCheck stop;  // ends a step between chunks of elements, factorizations, trials
 };
 
 class NewtonStepper final : public Stepper {

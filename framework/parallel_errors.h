@@ -2,7 +2,8 @@
 //
 //   ParallelErrors errors;
 //   #pragma omp parallel for
-//   for (Index e = 0; e < count; ++e) errors.guard([&] { work(e); });   // may run out of memory
+//   for (Index e = 0; e < count; ++e)
+//     errors.guard([&] { stop.poll(); work(e); });   // stopped, or out of memory
 //   errors.rethrow();
 //
 // Work after the first failure is skipped.

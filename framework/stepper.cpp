@@ -13,10 +13,17 @@ double relative_to(double energy, double value) {
 Stepper::Step Stepper::step(Vec& y, double& energy) {
   Step step;
   step.record.energy = energy;
-  if (y.size() == 0)
+  if (y.size() == 0) {
     step.outcome = Outcome::AtMinimum;
-  else
+    return step;
+  }
+  try {
     advance(y, energy, step);
+  } catch (const Stopped& stopped) {
+    step.outcome = Outcome::Stopped;
+    step.why = stopped.why();
+    step.blocking.clear();
+  }
   return step;
 }
 
@@ -31,7 +38,7 @@ void Stepper::descend(const Vec& p, double first, Vec& y, double& energy, Step& 
     return;
   }
   Lap lap;
-  LineSearch search(evaluator_, line_search_, y, p, energy, r.newton_decrement);
+  LineSearch search(evaluator_, line_search_, y, p, energy, r.newton_decrement, stop_);
   const LineSearch::Result result = search.find(first);
   r.step_bound = search.bound().step;
   step.blocking = search.bound().blocking;
@@ -83,6 +90,8 @@ SolveResult run(Stepper& stepper, Vec y0, const StoppingRules& rules, const Obse
   for (int k = 1; k <= rules.max_iterations; ++k) {
     const double scale = std::max(std::abs(result.energy), smallest_scale);
     Stepper::Step step = stepper.step(result.y, result.energy);
+    if (step.outcome == Stepper::Outcome::Stopped)
+      return finish(stopped_status(step.why), Stopped(step.why).what());
     step.record.iteration = k;
     result.newton_decrement = step.record.newton_decrement;
     result.blocking = std::move(step.blocking);
@@ -113,8 +122,8 @@ SolveResult run(Stepper& stepper, Vec y0, const StoppingRules& rules, const Obse
       anchor = result.y;
       anchor_energy = result.energy;
     }
-    if (directive == Directive::TimeLimit) return finish(Status::TimeLimit, "time limit");
-    if (directive == Directive::Interrupt) return finish(Status::Interrupted, "interrupted");
+    if (directive != Directive::Continue)
+      return finish(stopped_status(directive), Stopped(directive).what());
   }
   return finish(Status::MaxIterations, "iteration limit");
 }

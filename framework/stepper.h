@@ -42,13 +42,16 @@ class Stepper {
     Blocked,     // the largest certified step is below smallest_step: y unchanged
     NoDecrease,  // no decrease down to smallest_step: y unchanged
     Breakdown,   // no factorization or no finite direction: y unchanged
+    Stopped,     // Step::why: y unchanged
   };
   struct Step {
     Outcome outcome = Outcome::Breakdown;
     IterationRecord record;
     std::vector<Index> blocking;  // StepBound::blocking of the line search
+    Directive why = Directive::Continue;
   };
-  // One step from y, which must be feasible; energy of y in, energy of the new y out.
+  // One step from y, which must be feasible; energy of y in, energy of the new y out. A step that
+  // its stop check ends is abandoned.
   Step step(Vec& y, double& energy);
 
   // The loop is about to stop because the energy hardly decreases: a method that left out a more
@@ -58,11 +61,16 @@ class Stepper {
   Evaluator& evaluator() { return evaluator_; }
 
  protected:
-  // decrement_rule: StoppingRules::decrement.
-  Stepper(const Problem& problem, const LineSearchOptions& line_search, double decrement_rule)
-      : evaluator_(problem), line_search_(line_search), decrement_rule_(decrement_rule) {}
+  // decrement_rule: StoppingRules::decrement. stop: polled in every piece of a step.
+  Stepper(const Problem& problem, const LineSearchOptions& line_search, double decrement_rule,
+          StopCheck stop)
+      : evaluator_(problem),
+        stop_(std::move(stop)),
+        line_search_(line_search),
+        decrement_rule_(decrement_rule) {}
 
-  // The step of a problem that has unknowns. step.record.energy is that of y.
+  // The step of a problem that has unknowns. step.record.energy is that of y. May throw Stopped as
+  // long as y and energy are as they were.
   virtual void advance(Vec& y, double& energy, Step& step) = 0;
 
   // From gradient_ at y and a direction p, size() entries each: checks that p is finite and no
@@ -70,6 +78,7 @@ class Stepper {
   void descend(const Vec& p, double first, Vec& y, double& energy, Step& step);
 
   Evaluator evaluator_;
+  StopCheck stop_;
   Vec gradient_;
 
  private:
@@ -81,8 +90,8 @@ class Stepper {
 // blocking elements. For minimizers that do not use run().
 bool check_start(Evaluator& evaluator, SolveResult& result);
 
-// Steps until a stopping rule or the observer says so. An infeasible y0 is Status::Infeasible;
-// outer loops that change the state of the problem call this repeatedly.
+// Steps until a stopping rule, the observer or the stepper's stop check says so. An infeasible y0
+// is Status::Infeasible; outer loops that change the state of the problem call this repeatedly.
 SolveResult run(Stepper& stepper, Vec y0, const StoppingRules& rules, const Observer& observer);
 
 }  // namespace majorant

@@ -20,7 +20,7 @@ bool is_text_byte(char byte) {
 
 }  // namespace
 
-std::string read_whole_file(const std::string& path) {
+std::string read_whole_file(const std::string& path, const StopCheck& stop) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) {
     throw Error(ErrorKind::Unreadable, path + ": is a directory; name a file");
@@ -36,6 +36,7 @@ std::string read_whole_file(const std::string& path) {
   if (!ignored) content.reserve(size + 1);
   constexpr std::size_t kBlock = std::size_t{1} << 20;
   while (stream) {
+    stop.poll();
     const std::size_t old_size = content.size();
     content.resize(old_size + kBlock);
     stream.read(content.data() + old_size, kBlock);

@@ -10,11 +10,13 @@
 #include <string>
 #include <string_view>
 
+#include "majorant/framework/stop_check.h"
+
 namespace majorant {
 
 // All bytes of `path`. Throws Error(Unreadable) if it does not exist, is a directory or cannot be
-// read.
-std::string read_whole_file(const std::string& path);
+// read; Stopped.
+std::string read_whole_file(const std::string& path, const StopCheck& stop = {});
 
 // Refuses control bytes other than tab, line ends, vertical tab and form feed (binary content,
 // UTF-16), removes a UTF-8 byte order mark and turns lone carriage returns (old Mac line ends)

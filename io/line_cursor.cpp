@@ -7,6 +7,7 @@
 #include <cstring>
 #include <locale>
 #include <sstream>
+#include <utility>
 
 #include "majorant/framework/error.h"
 #include "majorant/io/input_file.h"
@@ -42,13 +43,15 @@ NumberStatus parse_number(std::string_view token, double& value) {
   return std::isfinite(value) ? NumberStatus::Good : NumberStatus::NotFinite;
 }
 
-LineCursor::LineCursor(const std::string& file, std::string_view text, Continuation continuation)
+LineCursor::LineCursor(const std::string& file, std::string_view text, Continuation continuation,
+                       StopCheck stop)
     : file_(file),
       text_end_(text.data() + text.size()),
       line_begin_(text.data()),
       line_end_(nullptr),
       cursor_(text.data()),
-      continuation_(continuation) {}
+      continuation_(continuation),
+      stop_(std::move(stop)) {}
 
 // A backslash that is followed by the end of the line, or by the end of the text.
 bool LineCursor::is_continuation(const char* at) const {
@@ -82,6 +85,7 @@ bool LineCursor::next_line() {
   const char* begin = line_end_ == nullptr ? line_begin_ : line_end_;
   if (line_end_ != nullptr && begin != text_end_) ++begin;
   while (begin != text_end_) {
+    stop_.poll_at(++steps_);
     line_ = next_line_++;
     line_begin_ = cursor_ = begin;
     line_end_ = end_of_line(begin);
@@ -114,6 +118,7 @@ bool LineCursor::at_end_of_line() {
 
 std::string_view LineCursor::next_token() {
   if (at_end_of_line()) return {};
+  stop_.poll_at(++steps_);
   const char* begin = cursor_;
   while (cursor_ != line_end_ && !is_space(*cursor_) && *cursor_ != '\n' &&
          !(*cursor_ == '\\' && is_continuation(cursor_))) {

@@ -13,6 +13,8 @@
 #include <string>
 #include <string_view>
 
+#include "majorant/framework/stop_check.h"
+
 namespace majorant {
 
 enum class Continuation {
@@ -22,8 +24,10 @@ enum class Continuation {
 
 class LineCursor {
  public:
-  // `file` is for messages. `text` (see require_text) must outlive the cursor.
-  LineCursor(const std::string& file, std::string_view text, Continuation continuation);
+  // `file` is for messages. `text` (see require_text) must outlive the cursor. Every function that
+  // moves on may throw Stopped.
+  LineCursor(const std::string& file, std::string_view text, Continuation continuation,
+             StopCheck stop = {});
 
   bool next_line();  // to the next line that holds a token; false at the end of the text
   long line() const { return line_; }   // number of the current line, 1-based
@@ -57,6 +61,8 @@ class LineCursor {
   long line_ = 0;
   long next_line_ = 1;  // number of the line that begins after line_end_
   Continuation continuation_;
+  StopCheck stop_;
+  std::size_t steps_ = 0;  // lines and tokens, for polling
 };
 
 enum class NumberStatus { Good, NotANumber, NotFinite };

@@ -1,18 +1,20 @@
 // One reader per mesh format, for read_mesh. `path` is for messages, `content` the whole file.
-// Each throws Error(Unreadable) and returns a mesh for which require_complete has passed.
+// Each throws Error(Unreadable), or Stopped, and returns a mesh for which require_complete has
+// passed.
 #pragma once
 
 #include <string>
 #include <string_view>
 
+#include "majorant/framework/stop_check.h"
 #include "majorant/parametrization/polygon_mesh.h"
 
 namespace majorant {
 
-PolygonMesh read_obj(const std::string& path, std::string content);
-PolygonMesh read_off(const std::string& path, std::string content);
-PolygonMesh read_ply(const std::string& path, std::string content);
-PolygonMesh read_stl(const std::string& path, std::string content);
+PolygonMesh read_obj(const std::string& path, std::string content, const StopCheck& stop);
+PolygonMesh read_off(const std::string& path, std::string content, const StopCheck& stop);
+PolygonMesh read_ply(const std::string& path, std::string content, const StopCheck& stop);
+PolygonMesh read_stl(const std::string& path, std::string content, const StopCheck& stop);
 
 // Throws Error(Unreadable) if the mesh has no vertices, no faces or more than 32-bit numbering
 // holds. Call it last.

@@ -5,6 +5,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/io/input_file.h"
 #include "majorant/io/line_cursor.h"
+#include "majorant/parametrization/map_problem.h"
 
 namespace majorant {
 
@@ -18,6 +19,9 @@ Vec read_face_weights(const std::string& path, Index face_count) {
     while (!cursor.at_end_of_line()) {
       const double weight = cursor.next_number("a face weight");
       if (!(weight > 0)) cursor.fail("a face weight must be positive");
+      if (!is_usable_weight(weight))
+        cursor.fail(fmt::format("a face weight of {:g} leaves {:g}..{:g}; only their ratios matter",
+                                weight, 1 / kLargestFactor, kLargestFactor));
       if (count == face_count)
         cursor.fail(fmt::format("more than {} numbers; give one for each face", face_count));
       weights[count++] = weight;

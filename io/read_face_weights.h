@@ -7,8 +7,8 @@
 
 namespace majorant {
 
-// face_count positive numbers, in the order of the mesh file's faces. Throws Error(Unreadable),
-// naming the file and the line, for anything else.
+// face_count positive numbers, in the order of the mesh file's faces, each a usable weight
+// (map_problem.h). Throws Error(Unreadable), naming the file and the line, for anything else.
 Vec read_face_weights(const std::string& path, Index face_count);
 
 }  // namespace majorant

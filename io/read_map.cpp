@@ -9,10 +9,10 @@
 
 namespace majorant {
 
-MapFile read_map(const std::string& path) {
+MapFile read_map(const std::string& path, const StopCheck& stop) {
   std::string e = std::filesystem::path(path).extension().string();
   std::transform(e.begin(), e.end(), e.begin(), [](unsigned char c) { return std::tolower(c); });
-  return e == ".vtu" ? read_vtu(path) : to_map_file(read_mesh(path));
+  return e == ".vtu" ? read_vtu(path, stop) : to_map_file(read_mesh(path, stop));
 }
 
 }  // namespace majorant

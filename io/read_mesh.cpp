@@ -26,15 +26,15 @@ void require_complete(const PolygonMesh& mesh) {
   }
 }
 
-PolygonMesh read_mesh(const std::string& path) {
+PolygonMesh read_mesh(const std::string& path, const StopCheck& stop) {
   std::string extension = std::filesystem::path(path).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (extension == ".obj") return read_obj(path, read_whole_file(path));
-  if (extension == ".off") return read_off(path, read_whole_file(path));
-  if (extension == ".ply") return read_ply(path, read_whole_file(path));
-  if (extension == ".stl") return read_stl(path, read_whole_file(path));
-  if (extension == ".vtu") return mesh_from_map(read_vtu(path), path);
+  if (extension == ".obj") return read_obj(path, read_whole_file(path, stop), stop);
+  if (extension == ".off") return read_off(path, read_whole_file(path, stop), stop);
+  if (extension == ".ply") return read_ply(path, read_whole_file(path, stop), stop);
+  if (extension == ".stl") return read_stl(path, read_whole_file(path, stop), stop);
+  if (extension == ".vtu") return mesh_from_map(read_vtu(path, stop), path);
   throw Error(ErrorKind::Unreadable,
               fmt::format("{}: unknown mesh format {}; use .obj, .off, .ply, .stl or .vtu", path,
                           in_quotes(extension)));

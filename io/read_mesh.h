@@ -18,14 +18,15 @@
 
 #include <string>
 
+#include "majorant/framework/stop_check.h"
 #include "majorant/io/map_file.h"
 #include "majorant/parametrization/polygon_mesh.h"
 
 namespace majorant {
 
 // Throws Error(Unreadable, "file:line: what is wrong; remedy") for an unknown extension, a missing
-// file, or content that breaks the rules above.
-PolygonMesh read_mesh(const std::string& path);
+// file, or content that breaks the rules above; Stopped.
+PolygonMesh read_mesh(const std::string& path, const StopCheck& stop = {});
 
 // The corner mesh of a map: one triangle per cell, texcoords = the uv of the corner points (one per
 // point, so that cuts stay cuts). Where map.input_vertex is known for every corner, vertices have

@@ -41,8 +41,8 @@ struct IndexSpace {
 
 class ObjReader {
  public:
-  ObjReader(const std::string& path, std::string_view text)
-      : cursor_(path, text, Continuation::Backslash) {
+  ObjReader(const std::string& path, std::string_view text, const StopCheck& stop)
+      : cursor_(path, text, Continuation::Backslash, stop) {
     mesh_.file = path;
   }
 
@@ -195,9 +195,9 @@ class ObjReader {
 
 }  // namespace
 
-PolygonMesh read_obj(const std::string& path, std::string content) {
+PolygonMesh read_obj(const std::string& path, std::string content, const StopCheck& stop) {
   require_text(path, content);
-  return ObjReader(path, content).read();
+  return ObjReader(path, content, stop).read();
 }
 
 }  // namespace majorant

@@ -13,8 +13,8 @@ namespace {
 
 class OffReader {
  public:
-  OffReader(const std::string& path, std::string_view text)
-      : cursor_(path, text, Continuation::None), size_(static_cast<long long>(text.size())) {
+  OffReader(const std::string& path, std::string_view text, const StopCheck& stop)
+      : cursor_(path, text, Continuation::None, stop), size_(static_cast<long long>(text.size())) {
     mesh_.file = path;
   }
 
@@ -111,9 +111,9 @@ class OffReader {
 
 }  // namespace
 
-PolygonMesh read_off(const std::string& path, std::string content) {
+PolygonMesh read_off(const std::string& path, std::string content, const StopCheck& stop) {
   require_text(path, content);
-  return OffReader(path, content).read();
+  return OffReader(path, content, stop).read();
 }
 
 }  // namespace majorant

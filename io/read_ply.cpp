@@ -109,7 +109,8 @@ class BinaryPlySource {
 template <class Source>
 class PlyReader {
  public:
-  PlyReader(Source source, const std::string& path) : source_(std::move(source)) {
+  PlyReader(Source source, const std::string& path, const StopCheck& stop)
+      : source_(std::move(source)), stop_(stop) {
     mesh_.file = path;
   }
 
@@ -132,6 +133,7 @@ class PlyReader {
     if (is_face) corners_ = require_property(element, {"vertex_indices", "vertex_index"});
     PlyRecord record;
     for (record_ = 0; record_ < element.count; ++record_) {
+      stop_.poll_at(static_cast<std::size_t>(record_));
       read_record(element, record);
       if (is_vertex) add_vertex(record);
       if (is_face) add_face(record);
@@ -174,7 +176,10 @@ class PlyReader {
         count = static_cast<long long>(size);
         source_.require_count(count, ply_type_size(property.type));
       }
-      for (long long k = 0; k < count; ++k) record.values.push_back(source_.next(property.type));
+      for (long long k = 0; k < count; ++k) {
+        stop_.poll_at(static_cast<std::size_t>(k) + 1);
+        record.values.push_back(source_.next(property.type));
+      }
       record.begin.push_back(record.values.size());
     }
     source_.end_record();
@@ -231,6 +236,7 @@ class PlyReader {
   }
 
   Source source_;
+  const StopCheck& stop_;
   PolygonMesh mesh_;
   long long record_ = 0;
   std::array<std::size_t, 3> coordinates_{};
@@ -241,17 +247,17 @@ class PlyReader {
 
 }  // namespace
 
-PolygonMesh read_ply(const std::string& path, std::string content) {
+PolygonMesh read_ply(const std::string& path, std::string content, const StopCheck& stop) {
   const PlyHeader header = read_ply_header(path, content);
   if (header.encoding == PlyEncoding::Ascii) {
     std::string records = content.substr(header.size);
     require_text(path, records);
-    return PlyReader(AsciiPlySource(path, records, header.lines), path).read(header);
+    return PlyReader(AsciiPlySource(path, records, header.lines), path, stop).read(header);
   }
   const ByteOrder order =
       header.encoding == PlyEncoding::LittleEndian ? ByteOrder::Little : ByteOrder::Big;
   const std::string_view records = std::string_view(content).substr(header.size);
-  return PlyReader(BinaryPlySource(path, records, order), path).read(header);
+  return PlyReader(BinaryPlySource(path, records, order), path, stop).read(header);
 }
 
 }  // namespace majorant

@@ -64,7 +64,8 @@ void add_triangle(PolygonMesh& mesh, VertexMerger& merger, const std::array<Vect
   mesh.polygon_lines.push_back(record);
 }
 
-PolygonMesh read_binary_stl(const std::string& path, std::string_view content) {
+PolygonMesh read_binary_stl(const std::string& path, std::string_view content,
+                            const StopCheck& stop) {
   const auto count = load_bytes<std::uint32_t>(content.data() + 80, ByteOrder::Little);
   if (content.size() != kHeaderBytes + kFacetBytes * std::size_t{count}) {
     throw Error(ErrorKind::Unreadable,
@@ -78,6 +79,7 @@ PolygonMesh read_binary_stl(const std::string& path, std::string_view content) {
   VertexMerger merger(mesh.positions);
   ByteCursor cursor(path, content.substr(kHeaderBytes), ByteOrder::Little);
   for (long facet = 1; facet <= static_cast<long>(count); ++facet) {
+    stop.poll_at(static_cast<std::size_t>(facet));
     cursor.skip(3 * sizeof(float));
     std::array<Vector3, 3> corners;
     for (Vector3& corner : corners) {
@@ -102,8 +104,8 @@ bool equals_ignoring_case(std::string_view a, std::string_view lower) {
 
 class AsciiStlReader {
  public:
-  AsciiStlReader(const std::string& path, std::string_view text)
-      : cursor_(path, text, Continuation::None), merger_(mesh_.positions) {
+  AsciiStlReader(const std::string& path, std::string_view text, const StopCheck& stop)
+      : cursor_(path, text, Continuation::None, stop), merger_(mesh_.positions) {
     mesh_.file = path;
   }
 
@@ -153,13 +155,13 @@ bool looks_binary(std::string_view content) {
 
 }  // namespace
 
-PolygonMesh read_stl(const std::string& path, std::string content) {
+PolygonMesh read_stl(const std::string& path, std::string content, const StopCheck& stop) {
   PolygonMesh mesh;
   if (looks_binary(content)) {
-    mesh = read_binary_stl(path, content);
+    mesh = read_binary_stl(path, content, stop);
   } else {
     require_text(path, content);
-    mesh = AsciiStlReader(path, content).read();
+    mesh = AsciiStlReader(path, content, stop).read();
   }
   require_complete(mesh);
   return mesh;

@@ -21,6 +21,7 @@
 
 #include <string>
 
+#include "majorant/framework/stop_check.h"
 #include "majorant/io/atomic_file.h"
 #include "majorant/io/map_file.h"
 
@@ -28,10 +29,12 @@ namespace majorant {
 
 // Reads files of write_vtu and of other programs: formats ascii, binary and appended (raw or
 // base64), uncompressed, one piece, uv with 2 or 3 components (the third is dropped),
-// RationalWeights all 1. Arrays that the file lacks stay empty; uv is required. Throws
-// Error(Unreadable) with the reason for anything else: compressed data, mixed cell types or sizes,
-// inconsistent array sizes, point numbers out of range, values that are not finite.
-MapFile read_vtu(const std::string& path);
+// RationalWeights (the array of that name, or the one that PointData's attribute names) all equal,
+// HigherOrderDegrees (likewise, of CellData) those of the cells. Arrays that the file lacks stay
+// empty; uv is required. Throws Error(Unreadable) with the reason for anything else: compressed
+// data, mixed cell types or sizes, inconsistent array sizes, point numbers out of range, values
+// that are not finite; Stopped.
+MapFile read_vtu(const std::string& path, const StopCheck& stop = {});
 
 // Throws Error(Invalid) if the map is inconsistent or not finite (map_check.h), Error(Usage) if
 // the file cannot be written, and what verify throws (atomic_file.h). The file appears whole or not

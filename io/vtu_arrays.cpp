@@ -47,7 +47,8 @@ std::string without_space(std::string_view text) {
 
 }  // namespace
 
-VtuArrays::VtuArrays(const std::string& file, std::string& content) : file_(file) {
+VtuArrays::VtuArrays(const std::string& file, std::string& content, const StopCheck& stop)
+    : file_(file), stop_(stop) {
   const std::size_t tag = content.find("<AppendedData");
   if (tag == std::string::npos) return;
   const std::size_t tag_end = content.find('>', tag);
@@ -132,7 +133,7 @@ std::vector<T> VtuArrays::values(const XmlElement& array) const {
   std::vector<T> result;
   if (array.attribute("format", "ascii") == "ascii") {
     const std::string name = fmt::format("{}: array {}", file_, array.attribute("Name", "?"));
-    LineCursor cursor(name, array.text, Continuation::None);
+    LineCursor cursor(name, array.text, Continuation::None, stop_);
     while (cursor.next_line()) {
       while (!cursor.at_end_of_line()) {
         if constexpr (std::is_same_v<T, double>) {
@@ -151,6 +152,7 @@ std::vector<T> VtuArrays::values(const XmlElement& array) const {
     if (data.size() % sizeof(Stored) != 0) fail(array, "its size is no multiple of the type's");
     result.resize(data.size() / sizeof(Stored));
     for (std::size_t i = 0; i < result.size(); ++i) {
+      stop_.poll_at(i);
       const auto stored = load_bytes<Stored>(data.data() + i * sizeof(Stored), order_);
       if constexpr (std::is_same_v<T, double>) {
         if (!std::isfinite(static_cast<double>(stored))) fail(array, "a value is not finite");

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "majorant/framework/stop_check.h"
 #include "majorant/io/byte_cursor.h"
 #include "majorant/io/xml_tree.h"
 
@@ -13,8 +14,9 @@ namespace majorant {
 class VtuArrays {
  public:
   // Takes the appended section out of `content` (it may hold bytes that are no XML); afterwards
-  // `content` is XML. Throws Error(Unreadable) if the section is broken.
-  VtuArrays(const std::string& file, std::string& content);
+  // `content` is XML. Throws Error(Unreadable) if the section is broken. `file` and `stop`, which
+  // all that reads values polls, must outlive this.
+  VtuArrays(const std::string& file, std::string& content, const StopCheck& stop);
 
   // Byte order, header type and compression, from the attributes of <VTKFile>.
   // Throws Error(Unreadable) for compressed files and unknown types.
@@ -37,6 +39,7 @@ class VtuArrays {
   [[noreturn]] void fail(const XmlElement& array, std::string_view problem) const;
 
   const std::string& file_;
+  const StopCheck& stop_;
   std::string appended_;
   std::string appended_encoding_;
   ByteOrder order_ = ByteOrder::Little;

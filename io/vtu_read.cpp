@@ -26,8 +26,8 @@ bool same_name(std::string_view a, std::string_view b) {
 
 class VtuReader {
  public:
-  explicit VtuReader(const std::string& path)
-      : path_(path), content_(read_whole_file(path)), arrays_(path, content_) {}
+  VtuReader(const std::string& path, const StopCheck& stop)
+      : path_(path), content_(read_whole_file(path, stop)), arrays_(path, content_, stop) {}
 
   MapFile read() {
     const XmlElement root = parse_xml(path_, content_);
@@ -71,6 +71,18 @@ class VtuReader {
     return nullptr;
   }
 
+  // The array that plays a role of VTK's: the one that the section's attribute names, else the one
+  // of the role's own name; null if there is none.
+  const XmlElement* find_role(const XmlElement& section, std::string_view role) const {
+    const std::string_view name = section.attribute(role);
+    if (name.empty()) return find_array(section, role);
+    const XmlElement* array = find_array(section, name);
+    if (array == nullptr)
+      fail(fmt::format("{} names array {}, which is not there; incomplete file", role,
+                       in_quotes(name)));
+    return array;
+  }
+
   // #rows by `columns` out of an array of `components` per row, the first of which are taken.
   template <class Matrix>
   Matrix matrix(const XmlElement& array, int columns, int components) const {
@@ -100,13 +112,33 @@ class VtuReader {
       map_.input_vertex = index_array(*array);
     }
     if (const XmlElement* array = find_array(*data, "cone")) map_.cone = index_array(*array);
-    if (const XmlElement* weights = find_array(*data, "RationalWeights")) {
-      const std::vector<double> values = arrays_.doubles(*weights);
-      if (std::any_of(values.begin(), values.end(), [](double w) { return w != 1.0; })) {
-        fail("rational cells (RationalWeights other than 1) are not supported");
-      }
+    if (const XmlElement* weights = find_role(*data, "RationalWeights")) {
+      require_polynomial(arrays_.doubles(*weights));
     }
     cell_count_ = std::string(piece.attribute("NumberOfCells"));
+  }
+
+  // Equal weights cancel; others make rational functions of the cells.
+  void require_polynomial(const std::vector<double>& weights) const {
+    if (static_cast<Eigen::Index>(weights.size()) != map_.points.rows()) {
+      fail("RationalWeights is not one number per point");
+    }
+    if (std::any_of(weights.begin(), weights.end(),
+                    [&](double w) { return w != weights[0] || w == 0; })) {
+      fail("rational cells (RationalWeights that differ, or 0) are not supported");
+    }
+  }
+
+  // Three numbers per cell; what VTK makes of the third of a triangle differs between versions.
+  void require_degrees(const std::vector<double>& degrees) const {
+    const auto cells = static_cast<std::size_t>(map_.cells.rows());
+    if (degrees.size() != 3 * cells) fail("HigherOrderDegrees is not 3 numbers per cell");
+    for (std::size_t k = 0; k < degrees.size(); ++k) {
+      if (degrees[k] != map_.degree && !(k % 3 == 2 && (degrees[k] == 0 || degrees[k] == 1))) {
+        fail(fmt::format("cell {}: HigherOrderDegrees says {}, its points make degree {}", k / 3,
+                         degrees[k], map_.degree));
+      }
+    }
   }
 
   void read_cells(const XmlElement& section) {
@@ -161,6 +193,9 @@ class VtuReader {
   }
 
   void read_cell_data(const XmlElement& section) {
+    if (const XmlElement* degrees = find_role(section, "HigherOrderDegrees")) {
+      require_degrees(arrays_.doubles(*degrees));
+    }
     if (const XmlElement* array = find_array(section, "input_face")) {
       map_.input_face = index_array(*array);
     }
@@ -191,6 +226,8 @@ class VtuReader {
 
 }  // namespace
 
-MapFile read_vtu(const std::string& path) { return VtuReader(path).read(); }
+MapFile read_vtu(const std::string& path, const StopCheck& stop) {
+  return VtuReader(path, stop).read();
+}
 
 }  // namespace majorant

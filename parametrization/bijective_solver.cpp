@@ -44,8 +44,8 @@ BijectiveSolver::BijectiveSolver(const DegreeSolver::Setup& setup,
 // The problem of the scaffold as it is now.
 void BijectiveSolver::rebuild() {
   if (injectivity_) depth_counts_ = injectivity_depth_counts();
-  injectivity_ =
-      std::make_shared<const LocalInjectivity>(space_, 2 * setup_.map.rest.measure, depth_);
+  injectivity_ = std::make_shared<const LocalInjectivity>(space_, 2 * setup_.map.rest.measure,
+                                                          depth_, setup_.stop);
   ProblemBuilder builder(2 * scaffold_.joint_node_count());
   add_map(builder, setup_.map, space_, scaffold_.joined(start_), terms_);
   TermState around;
@@ -54,7 +54,7 @@ void BijectiveSolver::rebuild() {
   builder.add(std::make_shared<const ScaffoldInjectivity>(
       injectivity_, space_->element_count(),
       std::make_shared<const LocalInjectivity>(scaffold_.space(), Vec::Ones(scaffold_.face_count()),
-                                               depth_)));
+                                               depth_, setup_.stop)));
   builder.add(FixedPoints::at(scaffold_.frame_nodes(), x_));
   problem_ = builder.build();
   lambda_.reset();
@@ -64,7 +64,7 @@ void BijectiveSolver::rebuild() {
 // Weights of this iteration: lambda, and those of a soft start.
 void BijectiveSolver::set_states() {
   const Vec& measure = setup_.map.rest.measure;
-  const Vec energy_of = energy_by_face(setup_.map, terms_, levels_.of_faces(), x_);
+  const Vec energy_of = energy_by_face(setup_.map, terms_, levels_.of_faces(), x_, setup_.stop);
   const Vec weight = soft_weights(energy_of, measure);
   const double mean = (weight.size() ? weight.dot(energy_of) : energy_of.sum()) / measure.sum();
   const std::size_t last = problem_.term_count() - 1;
@@ -78,7 +78,8 @@ void BijectiveSolver::set_states() {
   if (stepper_)
     stepper_->reset(problem_);
   else
-    stepper_ = std::make_unique<NewtonStepper>(problem_, newton_options(setup_.options.curvature));
+    stepper_ = std::make_unique<NewtonStepper>(
+        problem_, newton_options(setup_.options.curvature, setup_.stop));
 }
 
 double BijectiveSolver::scaffold_energy() const {
@@ -111,7 +112,7 @@ bool BijectiveSolver::maintain(const IterationRecord& step, const std::vector<In
   FlipCounts counts = flip();
   if (grown || counts.performed > 0 || step.relative_decrease > kStillMoving ||
       step.step_bound < 1) {
-    scaffold_.relax(kRelaxSteps, depth_);
+    scaffold_.relax(kRelaxSteps, depth_, setup_.stop);
     const FlipCounts more = flip();
     counts.intended += more.intended;
     counts.performed += more.performed;
@@ -151,18 +152,28 @@ bool BijectiveSolver::help(const std::vector<Index>& blocking) {
 }
 
 SolveResult BijectiveSolver::run(const StoppingRules& rules, RunRecord& record) {
-  const Observer observe = record.observer(space_->degree());
   SolveResult result;
+  try {
+    iterate_until(rules, record, result);
+  } catch (const Stopped& stop) {
+    return stopped(std::move(result), stop.why());
+  }
+  return result;
+}
+
+void BijectiveSolver::iterate_until(const StoppingRules& rules, RunRecord& record,
+                                    SolveResult& result) {
+  const Observer observe = record.observer(space_->degree());
   const auto finish = [&](Status status, const char* message) {
     result.status = status;
     result.message = message;
-    return result;
   };
   set_states();
   result.energy = stepper_->evaluator().value(problem_.reduce(x_)) - *lambda_ * scaffold_energy();
   int idle = 0, without_step = 0;
   while (record.iterations_left() > 0) {
     Stepper::Step step = iterate(result);
+    if (step.outcome == Stepper::Outcome::Stopped) throw Stopped(step.why);
     result.blocking = std::move(step.blocking);
     const double scale = std::abs(result.energy);
     const bool near = result.newton_decrement <= rules.stall_decrement * scale;
@@ -176,7 +187,10 @@ SolveResult BijectiveSolver::run(const StoppingRules& rules, RunRecord& record) 
     }
     without_step = 0;
     step.record.energy = result.energy;
-    const Directive directive = observe(step.record, x_);
+    if (const Directive why = observe(step.record, x_); why != Directive::Continue) {
+      scaffold_.take(x_);
+      throw Stopped(why);
+    }
     const double decrease = step.record.relative_decrease;
     const bool small = decrease <= rules.relative_decrease;
     const bool changed = maintain(step.record, result.blocking);
@@ -187,8 +201,6 @@ SolveResult BijectiveSolver::run(const StoppingRules& rules, RunRecord& record) 
     if (idle >= rules.stall_iterations)
       return finish(near ? Status::Converged : Status::Stalled,
                     "held at the limit of the feasible set");
-    if (directive == Directive::TimeLimit) return finish(Status::TimeLimit, "time limit");
-    if (directive == Directive::Interrupt) return finish(Status::Interrupted, "interrupted");
   }
   return finish(Status::MaxIterations, "iteration limit");
 }
@@ -204,15 +216,20 @@ SolveResult BijectiveSolver::finish(RunRecord& record) {
   StoppingRules rules;
   rules.relative_decrease = setup_.options.tolerance;
   SolveResult result = run(rules, record);
-  for (int helped = 0, refined = 0;; result = run(rules, record)) {
-    if (result.status == Status::Stalled && helped++ < kHelpRounds && help(result.blocking))
-      continue;
-    if (result.status == Status::Converged && setup_.options.quadrature_points == 0 &&
-        refined++ < kAccuracyRounds && levels_.climb_inaccurate(setup_.map, terms_, x_)) {
-      rebuild();
-      continue;
+  try {
+    for (int helped = 0, refined = 0;; result = run(rules, record)) {
+      if (result.status == Status::Stalled && helped++ < kHelpRounds && help(result.blocking))
+        continue;
+      if (result.status == Status::Converged && setup_.options.quadrature_points == 0 &&
+          refined++ < kAccuracyRounds &&
+          levels_.climb_inaccurate(setup_.map, terms_, x_, setup_.stop)) {
+        rebuild();
+        continue;
+      }
+      return result;
     }
-    return result;
+  } catch (const Stopped& stop) {
+    return stopped(std::move(result), stop.why());
   }
 }
 

@@ -18,7 +18,7 @@ namespace majorant {
 
 class BijectiveSolver {
  public:
-  // As DegreeSolver; scaffold: around x.
+  // As DegreeSolver; scaffold: around x. When stopped, x() and scaffold() belong together.
   BijectiveSolver(const DegreeSolver::Setup& setup,
                   std::shared_ptr<const BezierTriangleSpace> space, Vec x, Scaffold scaffold);
 
@@ -40,6 +40,7 @@ class BijectiveSolver {
   FlipCounts flip();
   double scaffold_energy() const;  // E_conf of all scaffold triangles at x_
   SolveResult run(const StoppingRules& rules, RunRecord& record);
+  void iterate_until(const StoppingRules& rules, RunRecord& record, SolveResult& result);
   Stepper::Step iterate(SolveResult& result);
   bool maintain(const IterationRecord& step, const std::vector<Index>& blocking);
   void refine_scaffold(const std::vector<Index>& blocking);

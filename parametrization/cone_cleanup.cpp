@@ -34,14 +34,14 @@ class Cleanup {
       if (movable(h)) leaving_[at(mesh.from_vertex(h))].push_back(h);
   }
 
-  void lower_energy(double cone_cost) {
+  void lower_energy(double cone_cost, const StopCheck& stop) {
     Index cones = 0;
     for (Index v = 0; v < mesh_.vertex_count(); ++v) cones += !boundary(v) && turns(v) != 4;
     if (cones > kMostCones) return;
     ConePotential potential(mesh_, geometry_, field_.quarter_turns);
-    cancel_pairs(potential, cone_cost);
-    for (int sweep = 0; sweep < kMaxSweeps && improve_places(potential, cone_cost); ++sweep)
-      cancel_pairs(potential, cone_cost);
+    cancel_pairs(potential, cone_cost, stop);
+    for (int sweep = 0; sweep < kMaxSweeps && improve_places(potential, cone_cost, stop); ++sweep)
+      cancel_pairs(potential, cone_cost, stop);
   }
 
   void run() {
@@ -89,8 +89,9 @@ class Cleanup {
   }
 
   // Pairs (or single cones, at the boundary) that are worth less than they cost, best first.
-  void cancel_pairs(ConePotential& potential, double cone_cost) {
+  void cancel_pairs(ConePotential& potential, double cone_cost, const StopCheck& stop) {
     for (;;) {
+      stop.poll();
       std::vector<Index> givers, takers;
       for (Index v = 0; v < mesh_.vertex_count(); ++v)
         if (!boundary(v) && turns(v) != 4) (turns(v) > 4 ? givers : takers).push_back(v);
@@ -117,10 +118,11 @@ class Cleanup {
   }
 
   // Moves every cone to a neighbour, or splits it, where that lowers the energy. True if any moved.
-  bool improve_places(ConePotential& potential, double cone_cost) {
+  bool improve_places(ConePotential& potential, double cone_cost, const StopCheck& stop) {
     bool any = false;
     for (Index v = 0; v < mesh_.vertex_count(); ++v) {
       if (boundary(v) || turns(v) == 4) continue;
+      stop.poll();
       const int step = turns(v) > 4 ? 1 : -1;  // what the neighbour gets
       Index best = -1;
       double least = 0;
@@ -194,8 +196,8 @@ void clean_up_cones(const SurfaceMesh& mesh, const FieldGeometry& geometry,
 }
 
 void lower_cone_energy(const SurfaceMesh& mesh, const FieldGeometry& geometry, double cone_cost,
-                       FieldConnection& field) {
-  Cleanup(mesh, geometry, kNoneFixed, field).lower_energy(cone_cost);
+                       FieldConnection& field, const StopCheck& stop) {
+  Cleanup(mesh, geometry, kNoneFixed, field).lower_energy(cone_cost, stop);
 }
 
 }  // namespace majorant

@@ -20,8 +20,8 @@ void clean_up_cones(const SurfaceMesh& mesh, const FieldGeometry& geometry,
 // turns [FBC18]: cancels pairs of cones of opposite sign, and cones into the boundary, however far
 // apart, the best first; and moves cones along edges. After clean_up_cones, whose bounds it keeps.
 // Takes a solve and a vector of #V for every cone: surfaces with more than 1000 are left alone.
-// Relax afterwards.
+// Relax afterwards. Throws Stopped.
 void lower_cone_energy(const SurfaceMesh& mesh, const FieldGeometry& geometry, double cone_cost,
-                       FieldConnection& field);
+                       FieldConnection& field, const StopCheck& stop = {});
 
 }  // namespace majorant

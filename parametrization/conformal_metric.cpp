@@ -80,8 +80,8 @@ enum class Edges { Fixed, Delaunay };
 // when every u has its own Delaunay triangulation: E is then twice differentiable [GSC21].
 class ConformalNewton {
  public:
-  ConformalNewton(const SurfaceMesh& mesh, Vec angles)
-      : energy_(mesh, std::move(angles)), row_of_(unknowns(energy_)) {
+  ConformalNewton(const SurfaceMesh& mesh, Vec angles, const StopCheck& stop)
+      : energy_(mesh, std::move(angles)), row_of_(unknowns(energy_)), stop_(stop) {
     start_at(Vec::Zero(mesh.vertex_count()));
   }
 
@@ -129,7 +129,10 @@ class ConformalNewton {
 
   void minimize() {
     if (laplacian_->pattern().size == 0) return;
-    for (int k = 0; k < kMostSteps && step(); ++k) ++steps_;
+    for (int k = 0; k < kMostSteps && step(); ++k) {
+      stop_.poll();
+      ++steps_;
+    }
   }
 
   // Of the Newton step (#V); steepest descent when nothing can be factorized.
@@ -188,6 +191,7 @@ class ConformalNewton {
   std::vector<Index> row_of_;  // #V: unknown, or -1
   std::optional<EdgeLaplacian> laplacian_;
   std::unique_ptr<LinearSolver> solver_;
+  const StopCheck& stop_;
   Vec u_;
   ConformalDerivatives here_;
   double least_gradient_ = 0;
@@ -222,9 +226,10 @@ void count_broken(ConformalMetric& metric) {
 
 }  // namespace
 
-ConformalMetric conformal_metric(const SurfaceMesh& mesh, const std::vector<int>& quarter_turns) {
+ConformalMetric conformal_metric(const SurfaceMesh& mesh, const std::vector<int>& quarter_turns,
+                                 const StopCheck& stop) {
   require_angle_sums(mesh, quarter_turns);
-  ConformalNewton newton(mesh, wanted_angles(quarter_turns));
+  ConformalNewton newton(mesh, wanted_angles(quarter_turns), stop);
   newton.run();
   ConformalMetric metric;
   metric.log_factor = newton.log_factor();

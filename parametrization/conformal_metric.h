@@ -40,7 +40,9 @@ struct ConformalMetric {
 // distortion). Throws Error(Usage) when the size is wrong, an interior vertex has no positive angle
 // sum, or, on a closed surface, sum(4 - quarter_turns) is not 4 times the Euler characteristic
 // (Gauss-Bonnet). A metric that could not be found shows in angle_error; it is always finite.
-ConformalMetric conformal_metric(const SurfaceMesh& mesh, const std::vector<int>& quarter_turns);
+// Polls before every Newton step: Stopped.
+ConformalMetric conformal_metric(const SurfaceMesh& mesh, const std::vector<int>& quarter_turns,
+                                 const StopCheck& stop = {});
 
 // The metric laid out over the surface cut open along the half-edges 3 f + k with is_cut (3 #F,
 // both sides of an edge or none): u, v of every corner, model units; the areas of all faces, turned

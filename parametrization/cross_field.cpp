@@ -143,7 +143,8 @@ std::vector<Complex> start_vector(std::vector<Complex> curvature) {
 }
 
 // The eigenvector of the smallest eigenvalue, by inverse iteration.
-std::vector<Complex> smallest_eigenvector(const PowerSystem& system, std::vector<Complex> z) {
+std::vector<Complex> smallest_eigenvector(const PowerSystem& system, std::vector<Complex> z,
+                                          const StopCheck& stop) {
   const Vec& mass = system.mass();
   const auto normalize = [&](std::vector<Complex>& x) {
     const double norm = std::sqrt(inner(mass, x, x).real());
@@ -151,6 +152,7 @@ std::vector<Complex> smallest_eigenvector(const PowerSystem& system, std::vector
   };
   normalize(z);
   for (int k = 0; k < kMaxIterations; ++k) {
+    stop.poll();
     std::vector<Complex> next = system.solve(times_mass(mass, z, 1));
     normalize(next);
     const double cosine = std::abs(inner(mass, z, next));
@@ -183,7 +185,7 @@ CrossField smoothest_cross_field(const SurfaceMesh& mesh, const CrossFieldOption
   if (pull > 0 || system.has_fixed())
     z = system.solve(times_mass(system.mass(), curvature, pull));
   else
-    z = smallest_eigenvector(system, start_vector(curvature));
+    z = smallest_eigenvector(system, start_vector(curvature), options.stop);
   Vec angle(mesh.face_count());
   for (Index f = 0; f < mesh.face_count(); ++f)
     angle[f] = z[at(f)] == Complex(0) ? 0.0 : std::arg(z[at(f)]) / kSymmetry;
@@ -197,9 +199,11 @@ CrossField smoothest_cross_field(const SurfaceMesh& mesh, const CrossFieldOption
     hold[f] = is_fixed[at(f)] ? std::numeric_limits<double>::infinity()
                               : pull * system.mass()[f] * std::abs(curvature[at(f)]);
   }
+  options.stop.poll();
   clean_up_cones(mesh, geometry, is_fixed, field);
+  options.stop.poll();
   if (pull == 0 && !system.has_fixed()) {
-    lower_cone_energy(mesh, geometry, options.cone_cost, field);
+    lower_cone_energy(mesh, geometry, options.cone_cost, field, options.stop);
     relax_and_round_turning(mesh, geometry, field);
   } else {
     Relaxation(mesh, geometry, hold).apply(field.angle, field.rotation);

@@ -45,6 +45,7 @@ struct CrossFieldOptions {
   // The first is also 1/2 int |grad log scale|^2 of a conformal map with these cones: the
   // distortion they leave. 0: cancels only what makes the field smoother.
   double cone_cost = 0.1;
+  StopCheck stop;  // polled between steps: Stopped
 };
 
 // The field of least sum weight |z_f e^{4 i transport} - z_g|^2 over interior edges with

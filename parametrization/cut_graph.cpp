@@ -65,11 +65,12 @@ class CutGraph {
     }
   }
 
-  std::vector<char> find() {
+  std::vector<char> find(const StopCheck& stop) {
     grow_trees();
+    stop.poll();
     keep_longest_uncut();
     prune_cut(mesh_, is_terminal_, is_cut_);
-    shorten_cut(mesh_, is_terminal_, is_cut_);
+    shorten_cut(mesh_, is_terminal_, is_cut_, stop);
     make_slit();
     return std::move(is_cut_);
   }
@@ -145,8 +146,9 @@ class CutGraph {
 
 }  // namespace
 
-std::vector<char> cut_graph(const SurfaceMesh& mesh, const std::vector<Index>& through) {
-  return CutGraph(mesh, through).find();
+std::vector<char> cut_graph(const SurfaceMesh& mesh, const std::vector<Index>& through,
+                            const StopCheck& stop) {
+  return CutGraph(mesh, through).find(stop);
 }
 
 }  // namespace majorant

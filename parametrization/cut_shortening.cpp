@@ -43,13 +43,15 @@ class Shortening {
     }
   }
 
-  void run() {
+  void run(const StopCheck& stop) {
     for (int sweep = 0; sweep < kMaxSweeps; ++sweep) {
       list_sides();
       bool any = false;
       for (std::size_t k = 0, count = sides_.size(); k < count; ++k) {
+        stop.poll_at(k);
         const Index h = sides_[k];
         if (!is_cut_[at(h)] || !is_node(mesh_.from_vertex(h))) continue;
+        stop.poll();
         const std::vector<Index> chain = chain_from(h);
         if (h <= mesh_.opposite(chain.back())) any |= shorten(chain);  // else: met from there
       }
@@ -208,8 +210,8 @@ class Shortening {
 }  // namespace
 
 void shorten_cut(const SurfaceMesh& mesh, const std::vector<char>& is_terminal,
-                 std::vector<char>& is_cut) {
-  Shortening(mesh, is_terminal, is_cut).run();
+                 std::vector<char>& is_cut, const StopCheck& stop) {
+  Shortening(mesh, is_terminal, is_cut).run(stop);
 }
 
 void prune_cut(const SurfaceMesh& mesh, const std::vector<char>& is_terminal,

@@ -28,15 +28,18 @@ DegreeSolver::DegreeSolver(const Setup& setup, std::shared_ptr<const BezierTrian
               space_->element_count()),
       terms_(energy_terms(setup.map, space_, levels_.rules())),
       depth_(setup.options.injectivity_depth),
-      injectivity_(
-          std::make_shared<const LocalInjectivity>(space_, 2 * setup.map.rest.measure, depth_)),
+      injectivity_(std::make_shared<const LocalInjectivity>(space_, 2 * setup.map.rest.measure,
+                                                            depth_, setup.stop)),
       element_weight_(Vec::Ones(space_->element_count())),
       problem_(build_problem()),
-      stepper_(problem_, newton_options(setup.options.curvature)) {}
+      stepper_(problem_, newton_options(setup.options.curvature, setup.stop)) {}
 
 Problem DegreeSolver::build_problem() const {
   require_curvature(terms_, setup_.options.curvature);
-  return map_problem(setup_.map, space_, start_, terms_, injectivity_);
+  setup_.stop.poll();
+  Problem problem = map_problem(setup_.map, space_, start_, terms_, injectivity_);
+  setup_.stop.poll();  // what follows is the analysis of its pattern
+  return problem;
 }
 
 double DegreeSolver::constraint_residual() const {
@@ -58,7 +61,7 @@ void DegreeSolver::soften_start(RunRecord& record) {
   const Observer observe = record.observer(space_->degree());
   const Vec& measure = setup_.map.rest.measure;
   Vec y = problem_.reduce(x_);
-  bool go_on = true;
+  bool go_on = record.directive() == Directive::Continue;
   while (go_on && record.iterations_left() > 0) {
     const Vec weight = soft_weights(
         energy_by_face(setup_.map, terms_, levels_.of_faces(), problem_.expand(y)), measure);
@@ -94,17 +97,26 @@ SolveResult DegreeSolver::exhaust(RunRecord& record) {
   rules.relative_decrease = setup_.options.tolerance;
   rules.max_iterations = std::numeric_limits<int>::max();
   SolveResult result = run_once(rules, record);
-  for (int stalls = 0, refinements = 0;;) {
+  try {
+    help(result, rules, record);
+  } catch (const Stopped& stop) {
+    return stopped(result, stop.why());
+  }
+  return result;
+}
+
+// Runs again as long as a stall can be left or the quadrature be refined.
+void DegreeSolver::help(SolveResult& result, const StoppingRules& rules, RunRecord& record) {
+  for (int stalls = 0, refinements = 0;; result = run_once(rules, record)) {
     if (result.status == Status::Stalled && stalls++ < kStallRounds) {
       const double before = result.energy;
       const bool changed = deepen() || climb(result.blocking);
       if (!changed) result = leave_stall(result, record);
-      if (!changed && !(result.energy < before)) return result;
+      if (!changed && (!(result.energy < before) || was_stopped(result.status))) return;
     } else if (result.status != Status::Converged || refinements++ >= kAccuracyRounds ||
                !climb_inaccurate()) {
-      return result;
+      return;
     }
-    result = run_once(rules, record);
   }
 }
 
@@ -113,8 +125,8 @@ bool DegreeSolver::deepen() {
   if (depth_ >= kDeepestBisection) return false;
   depth_ = std::min(depth_ + kBisectionsDeeper, kDeepestBisection);
   depth_counts_ = injectivity_depth_counts();
-  injectivity_ =
-      std::make_shared<const LocalInjectivity>(space_, 2 * setup_.map.rest.measure, depth_);
+  injectivity_ = std::make_shared<const LocalInjectivity>(space_, 2 * setup_.map.rest.measure,
+                                                          depth_, setup_.stop);
   problem_ = build_problem();
   apply_state();
   return true;
@@ -139,7 +151,7 @@ bool DegreeSolver::climb(const std::vector<Index>& elements) {
 // Raises the elements whose integrals are worst until the rest is within the bound.
 bool DegreeSolver::climb_inaccurate() {
   if (setup_.options.quadrature_points > 0) return false;
-  const bool climbed = levels_.climb_inaccurate(setup_.map, terms_, x_);
+  const bool climbed = levels_.climb_inaccurate(setup_.map, terms_, x_, setup_.stop);
   if (climbed) apply_state();
   return climbed;
 }
@@ -157,10 +169,16 @@ SolveResult DegreeSolver::leave_stall(const SolveResult& stalled, RunRecord& rec
   element_weight_.setOnes();
   apply_state();
   rules.max_iterations = std::numeric_limits<int>::max();
-  SolveResult result = run_once(rules, record);
-  if (result.energy < stalled.energy) return result;
+  const SolveResult result = run_once(rules, record);
+  return result.energy < stalled.energy ? result : back_to(best, stalled, result.status);
+}
+
+// A way out that led nowhere, or was stopped before it led anywhere.
+SolveResult DegreeSolver::back_to(const Vec& best, SolveResult stalled, Status way_out) {
   x_ = best;
-  return stalled;
+  if (!was_stopped(way_out)) return stalled;
+  return stopped(std::move(stalled),
+                 way_out == Status::TimeLimit ? Directive::TimeLimit : Directive::Interrupt);
 }
 
 // Interior points: the energy plus mu times symmetric Dirichlet, whose barrier is strong, for
@@ -168,24 +186,30 @@ SolveResult DegreeSolver::leave_stall(const SolveResult& stalled, RunRecord& rec
 SolveResult DegreeSolver::follow_barrier(const SolveResult& stalled, RunRecord& record) {
   const Vec best = x_;
   const double scale = std::abs(stalled.energy) / kIsometry;
-  for (const double mu : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6}) {
-    Setup with = setup_;
-    with.map.energy.push_back({symmetric_dirichlet(), mu * scale});
-    with.options.curvature = Curvature::Projected;
-    DegreeSolver inner(with, space_, x_);
-    const SolveResult result = inner.approach(kBarrierTolerance, record);
-    x_ = inner.x();
-    depth_counts_ = add_counts(std::move(depth_counts_), inner.injectivity_depth_counts());
-    if (result.status != Status::Converged && result.status != Status::Stalled) break;
-  }
+  for (const double mu : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6})
+    if (!step_aside(mu * scale, record)) break;
   const SolveResult result = exhaust(record);
   // On the same rules, which may have become finer on the way.
   const auto energy_at = [&](const Vec& x) {
     return stepper_.evaluator().value(problem_.reduce(x));
   };
-  if (energy_at(x_) < energy_at(best)) return result;
-  x_ = best;
-  return stalled;
+  return energy_at(x_) < energy_at(best) ? result : back_to(best, stalled, result.status);
+}
+
+// Minimizes with that much of the symmetric Dirichlet energy; whether to go on.
+bool DegreeSolver::step_aside(double weight, RunRecord& record) {
+  Setup with = setup_;
+  with.map.energy.push_back({symmetric_dirichlet(), weight});
+  with.options.curvature = Curvature::Projected;
+  try {
+    DegreeSolver inner(with, space_, x_);
+    const SolveResult result = inner.approach(kBarrierTolerance, record);
+    x_ = inner.x();
+    depth_counts_ = add_counts(std::move(depth_counts_), inner.injectivity_depth_counts());
+    return result.status == Status::Converged || result.status == Status::Stalled;
+  } catch (const Stopped&) {  // before it began
+    return false;
+  }
 }
 
 }  // namespace majorant

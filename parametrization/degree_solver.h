@@ -1,7 +1,8 @@
 // The optimization at one degree: Newton on a fixed space, with quadrature that climbs where it
 // must and the ways out of a stall at the injectivity limit.
 //
-// Internal to parametrize(). Coordinates are normalised (see NormalizedStart).
+// Internal to parametrize(). Coordinates are normalised (see NormalizedStart). Whatever is stopped,
+// x() is the best point reached.
 #pragma once
 
 #include <memory>
@@ -19,10 +20,11 @@ class DegreeSolver {
   struct Setup {
     MapSpecification map;            // normalised
     ParametrizationOptions options;  // how to solve: curvature, tolerance, quadrature, depth
+    StopCheck stop;
   };
 
   // x: start, 2 numbers per node of `space`, normalised, locally injective. Throws Error(Usage)
-  // when an energy does not support the curvature.
+  // when an energy does not support the curvature; Stopped.
   DegreeSolver(const Setup& setup, std::shared_ptr<const BezierTriangleSpace> space, Vec x);
 
   // For a start of enormous energy (a Tutte map with nearly collapsed triangles): steps on
@@ -47,9 +49,12 @@ class DegreeSolver {
   void apply_state();
   bool climb(const std::vector<Index>& elements);
   bool climb_inaccurate();
+  void help(SolveResult& result, const StoppingRules& rules, RunRecord& record);
   SolveResult exhaust(RunRecord& record);
   SolveResult follow_barrier(const SolveResult& stalled, RunRecord& record);
   SolveResult leave_stall(const SolveResult& stalled, RunRecord& record);
+  SolveResult back_to(const Vec& best, SolveResult stalled, Status way_out);
+  bool step_aside(double weight, RunRecord& record);
 
   const Setup& setup_;
   std::shared_ptr<const BezierTriangleSpace> space_;

@@ -65,8 +65,9 @@ class Improver {
   }
 
   // Pairs that share no face are tried together.
-  ImprovedMap run() {
-    while (!queue_.empty() && flips_.performed < kMostFlipsPerFace * mesh_.face_count())
+  ImprovedMap run(const StopCheck& stop) {
+    while (!queue_.empty() && flips_.performed < kMostFlipsPerFace * mesh_.face_count() &&
+           stop() == Directive::Continue)
       try_pairs(next_pairs());
     if (flips_.performed == 0) return {map_, flips_};
     return {result(), flips_};
@@ -251,9 +252,9 @@ class Improver {
 
 }  // namespace
 
-ImprovedMap improve_mesh(const BezierMap& map, const EnergySum& energy) {
+ImprovedMap improve_mesh(const BezierMap& map, const EnergySum& energy, const StopCheck& stop) {
   if (energy.empty()) throw std::invalid_argument("improve_mesh: no energy");
-  return Improver(map, energy).run();
+  return Improver(map, energy).run(stop);
 }
 
 }  // namespace majorant

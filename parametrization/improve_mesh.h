@@ -38,6 +38,7 @@ struct ImprovedMap {
 // (SurfaceMesh::input_face). It has no texture coordinates. The map itself is returned when nothing
 // was flipped. energy: of the map as it is, in model units. Throws std::invalid_argument when it is
 // empty or when a face of the map is not certified to be injective.
-ImprovedMap improve_mesh(const BezierMap& map, const EnergySum& energy);
+// After a stop no further pair is tried.
+ImprovedMap improve_mesh(const BezierMap& map, const EnergySum& energy, const StopCheck& stop = {});
 
 }  // namespace majorant

@@ -106,13 +106,15 @@ struct Laplacian {
 
 }  // namespace
 
-Vec tutte_map(const SurfaceMesh& mesh) {
+Vec tutte_map(const SurfaceMesh& mesh, const StopCheck& stop) {
   Vec x = Vec::Zero(2 * mesh.vertex_count());
   place_boundary(mesh, x);
   const Laplacian laplacian(mesh, x);
+  stop.poll();
   if (laplacian.interior.empty()) return x;
   const auto solver = make_cholmod_solver();
   solver->analyze(laplacian.pattern);
+  stop.poll();
   if (solver->factorize(laplacian.values, 0.0) != FactorStatus::Ok)
     throw Error(ErrorKind::Infeasible,
                 mesh.file() +

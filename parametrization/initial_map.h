@@ -11,8 +11,8 @@ namespace majorant {
 // the longest goes to the circle; the others are filled with a vertex each, so that the image has
 // holes there.
 // Needs a disk, possibly with holes; throws Error(Infeasible) when the linear system cannot be
-// solved.
-Vec tutte_map(const SurfaceMesh& mesh);
+// solved; Stopped.
+Vec tutte_map(const SurfaceMesh& mesh, const StopCheck& stop = {});
 
 // The file's texture coordinates as u, v per vertex, for `--init input`. Throws Error(Unsupported)
 // when a corner has none or a vertex has several.

@@ -126,13 +126,13 @@ std::vector<TermState> energy_states(const MapSpecification& spec, const Problem
 }
 
 Vec energy_by_face(const MapSpecification& spec, const DensityTerms& terms,
-                   const std::vector<RuleId>& rules, VecIn x) {
+                   const std::vector<RuleId>& rules, VecIn x, const StopCheck& stop) {
   Vec sum = Vec::Zero(spec.rest.measure.size());
   TermState state;
   state.element_rule = rules;
   for (std::size_t k = 0; k < terms.size(); ++k) {
     const ChunkPlan plan(terms[k]->stencils(), rules);
-    sum += spec.energy[k].weight * element_values(*terms[k], state, plan, x);
+    sum += spec.energy[k].weight * element_values(*terms[k], state, plan, x, stop);
   }
   if (spec.face_weight.size()) sum.array() *= spec.face_weight.array();
   return sum;

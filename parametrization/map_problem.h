@@ -16,8 +16,17 @@
 #include "majorant/constraints/seams.h"
 #include "majorant/energies/energy_factory.h"
 #include "majorant/framework/problem.h"
+#include "majorant/framework/stop_check.h"
 
 namespace majorant {
+
+// Weights lie between 1 / kLargestFactor and kLargestFactor, targets no farther than that many
+// model sizes away: the products of two weights and a squared distance, of two of which norms are
+// made, stay finite in doubles.
+inline constexpr double kLargestFactor = 1e30;
+inline bool is_usable_weight(double weight) {
+  return weight >= 1 / kLargestFactor && weight <= kLargestFactor;
+}
 
 enum class BoundaryCondition { Free, Fixed };        // Fixed: the start's boundary stays
 enum class BoundaryAngles { Free, AtMostFullTurn };  // sector sums at boundary vertices
@@ -67,8 +76,8 @@ Problem map_problem(const MapSpecification& spec,
 std::vector<TermState> energy_states(const MapSpecification& spec, const Problem& problem,
                                      const std::vector<RuleId>& rules, const Vec& element_weight);
 
-// #F integrals of the energy over each face, face weights included, handles not.
+// #F integrals of the energy over each face, face weights included, handles not. Throws Stopped.
 Vec energy_by_face(const MapSpecification& spec, const DensityTerms& terms,
-                   const std::vector<RuleId>& rules, VecIn x);
+                   const std::vector<RuleId>& rules, VecIn x, const StopCheck& stop = {});
 
 }  // namespace majorant

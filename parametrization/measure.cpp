@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "majorant/constraints/local_injectivity.h"
 #include "majorant/constraints/seamless_constraint.h"
@@ -58,8 +59,9 @@ Quadrature single_point(const Barycentric& xi) {
   return q;
 }
 
+// At one point at least; m.cut_short where stopped before the others.
 void sample_extremes(const BezierMap& map, const RestShapes& rest, const EnergySum& energy,
-                     MapMeasures& m) {
+                     const StopCheck& stop, MapMeasures& m) {
   const std::vector<Barycentric> points =
       map.degree() == 1 ? std::vector<Barycentric>{Barycentric::Constant(1.0 / 3)}
                         : sample_points();
@@ -69,6 +71,8 @@ void sample_extremes(const BezierMap& map, const RestShapes& rest, const EnergyS
   m.sigma_min = std::numeric_limits<double>::infinity();
   m.max_density = -m.sigma_min;
   for (std::size_t k = 0; k < points.size(); ++k) {
+    m.cut_short = m.cut_short || (k > 0 && stop() != Directive::Continue);
+    if (k > 0 && m.cut_short) return;
     const std::vector<RuleId> rule(static_cast<std::size_t>(rest.measure.size()),
                                    static_cast<RuleId>(k));
     const Vec density = measured.values(rule).cwiseQuotient(rest.measure);
@@ -87,10 +91,9 @@ void sample_extremes(const BezierMap& map, const RestShapes& rest, const EnergyS
   }
 }
 
-}  // namespace
-
-double mean_density(const BezierMap& map, const RestShapes& rest, const EnergySum& energy,
-                    Vec& face_value) {
+// Sets value, face_value and, where stopped before they are good, cut_short.
+void measure_energy(const BezierMap& map, const RestShapes& rest, const EnergySum& energy,
+                    const StopCheck& stop, MapMeasures& m) {
   const std::vector<Quadrature> ladder = measuring_rules(map.degree());
   const Measured measured(energy, map, rest, ladder);
   const Index faces = rest.measure.size();
@@ -98,6 +101,8 @@ double mean_density(const BezierMap& map, const RestShapes& rest, const EnergySu
   Vec values = measured.values(level);
   std::vector<char> open(static_cast<std::size_t>(faces), 1);
   for (std::size_t top = 1; top < ladder.size(); ++top) {
+    m.cut_short = stop() != Directive::Continue;
+    if (m.cut_short) break;
     for (std::size_t f = 0; f < level.size(); ++f)
       if (open[f]) level[f] = static_cast<RuleId>(top);
     const Vec finer = measured.values(level);
@@ -106,21 +111,32 @@ double mean_density(const BezierMap& map, const RestShapes& rest, const EnergySu
       if (std::abs(finer[f] - values[f]) <= bound) open[static_cast<std::size_t>(f)] = 0;
     values = finer;
   }
-  face_value = values.cwiseQuotient(rest.measure);
-  return values.sum() / rest.measure.sum();
+  m.face_value = values.cwiseQuotient(rest.measure);
+  m.value = values.sum() / rest.measure.sum();
 }
 
-MapMeasures measure(const BezierMap& map, const EnergySum& energy) {
-  return measure_normalized(map, 1.0, energy);
+}  // namespace
+
+double mean_density(const BezierMap& map, const RestShapes& rest, const EnergySum& energy,
+                    Vec& face_value) {
+  MapMeasures m;
+  measure_energy(map, rest, energy, {}, m);
+  face_value = std::move(m.face_value);
+  return m.value;
 }
 
-MapMeasures measure_normalized(const BezierMap& map, double scale, const EnergySum& energy) {
+MapMeasures measure(const BezierMap& map, const EnergySum& energy, const StopCheck& stop) {
+  return measure_normalized(map, 1.0, energy, stop);
+}
+
+MapMeasures measure_normalized(const BezierMap& map, double scale, const EnergySum& energy,
+                               const StopCheck& stop) {
   MapMeasures m;
   const RestShapes rest = flat_triangles(map.mesh().positions(), map.mesh().faces());
   const BezierMap scaled =
       scale == 1 ? map : map.with(map.shared_space(), scale * map.control_points());
-  m.value = mean_density(scaled, rest, energy, m.face_value);
-  sample_extremes(scaled, rest, energy, m);
+  measure_energy(scaled, rest, energy, stop, m);
+  sample_extremes(scaled, rest, energy, stop, m);
   m.min_det = LocalInjectivity(map.shared_space(), 2 * rest.measure, kProofDepth)
                   .lower_bounds(map.control_points());
   const bool interior_ok =

@@ -3,13 +3,17 @@
 
 #include "majorant/elements/rest_shapes.h"
 #include "majorant/energies/energy_factory.h"
+#include "majorant/framework/stop_check.h"
 #include "majorant/parametrization/bezier_map.h"
 
 namespace majorant {
 
 struct MapMeasures {
-  double value = 0;                     // mean of the energy's density, good to 1e-5 relative
-  Vec face_value;                       // #F mean density of each face
+  double value = 0;  // mean of the energy's density, good to 1e-5 relative
+  Vec face_value;    // #F mean density of each face
+  // A stop ended measuring early: value and face_value are those of coarser rules, extremes of few
+  // samples. Proofs are complete.
+  bool cut_short = false;
   double max_density = 0;               // sampled
   double sigma_max = 0, sigma_min = 0;  // sampled extreme singular values
   Vec min_det;  // #F certified lower bound of det J (<= 0: not proven positive)
@@ -25,9 +29,11 @@ struct MapMeasures {
 double mean_density(const BezierMap& map, const RestShapes& rest, const EnergySum& energy,
                     Vec& face_value);
 
-MapMeasures measure(const BezierMap& map, const EnergySum& energy);
+// After a stop, or when it comes meanwhile, only what is needed to judge the map.
+MapMeasures measure(const BezierMap& map, const EnergySum& energy, const StopCheck& stop = {});
 // Of a map whose control points were divided by `scale` after it was made, in the units of before.
 // What is proven (min_det, angles, local injectivity) is proven of the control points as they are.
-MapMeasures measure_normalized(const BezierMap& map, double scale, const EnergySum& energy);
+MapMeasures measure_normalized(const BezierMap& map, double scale, const EnergySum& energy,
+                               const StopCheck& stop = {});
 
 }  // namespace majorant

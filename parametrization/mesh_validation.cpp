@@ -109,9 +109,11 @@ void require_usable_coordinates(const PolygonMesh& input) {
                        shortest, largest));
 }
 
-void require_proper_faces(const PolygonMesh& input, const TriangleList& list) {
+void require_proper_faces(const PolygonMesh& input, const TriangleList& list,
+                          const StopCheck& stop) {
   std::set<std::array<Index, 3>> seen;
   for (std::size_t t = 0; t < list.triangles.size(); ++t) {
+    stop.poll_at(t);
     std::array<Index, 3> f = list.triangles[t];
     const std::string place = face_place(input, list.polygon[t]);
     if (f[0] == f[1] || f[1] == f[2] || f[2] == f[0])

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "majorant/framework/stop_check.h"
 #include "majorant/parametrization/polygon_mesh.h"
 
 namespace majorant {
@@ -17,8 +18,9 @@ struct TriangleList {
 };
 
 // Each throws Error(Unsupported) with "file: place: what; remedy".
-void require_usable_coordinates(const PolygonMesh& input);                      // precision
-void require_proper_faces(const PolygonMesh& input, const TriangleList& list);  // degenerate, twice
+void require_usable_coordinates(const PolygonMesh& input);  // precision
+void require_proper_faces(const PolygonMesh& input, const TriangleList& list,
+                          const StopCheck& stop);  // degenerate, twice
 void require_manifold_edges(const PolygonMesh& input, const TriangleList& list);
 void require_one_piece(const PolygonMesh& input, const TriangleList& list);  // components, soup
 

@@ -25,9 +25,11 @@ double normalizing_scale(const SurfaceMesh& mesh) {
 
 void require_face_weights(const SurfaceMesh& mesh, const Vec& weights) {
   if (weights.size() == 0) return;
-  if (weights.size() != mesh.face_count() || !(weights.minCoeff() > 0) || !weights.allFinite())
+  if (weights.size() != mesh.face_count() ||
+      !std::all_of(weights.begin(), weights.end(), is_usable_weight))
     throw Error(ErrorKind::Usage,
-                mesh.file() + ": face weights must be one positive number for each face");
+                fmt::format("{}: face weights must be one number in {:g}..{:g} for each face",
+                            mesh.file(), 1 / kLargestFactor, kLargestFactor));
 }
 
 void require_vertex(const SurfaceMesh& mesh, const Pin& pin) {
@@ -47,9 +49,10 @@ bool on_boundary(const SurfaceMesh& mesh, Index vertex) {
       [&](const auto& loop) { return std::find(loop.begin(), loop.end(), vertex) != loop.end(); });
 }
 
-// Soft handles may be anywhere.
+// Soft handles may be anywhere that numbers reach. scale: to model sizes.
 std::vector<FixedPoint> place_handles(const SurfaceMesh& mesh, const std::vector<Pin>& handles,
-                                      const std::vector<FixedPoint>& pins, const Vec& start) {
+                                      const std::vector<FixedPoint>& pins, const Vec& start,
+                                      double scale) {
   std::vector<FixedPoint> points;
   for (const Pin& handle : handles) {
     require_vertex(mesh, handle);
@@ -59,6 +62,12 @@ std::vector<FixedPoint> place_handles(const SurfaceMesh& mesh, const std::vector
                               mesh.file(), mesh.input_vertex(handle.vertex)));
     const Vector2 here = start.segment<2>(2 * handle.vertex);
     points.push_back({handle.vertex, handle.target.value_or(here)});
+    const double distance = ((points.back().position - here) * scale).stableNorm();
+    if (!(distance <= kLargestFactor))
+      throw Error(ErrorKind::Unsupported,
+                  fmt::format("{}: the target of vertex {} is {:.3g} sizes of the model away from "
+                              "it, too far to compute with; give a nearer one",
+                              mesh.file(), mesh.input_vertex(handle.vertex), distance));
   }
   return points;
 }
@@ -73,7 +82,7 @@ std::vector<FixedPoint> place_pins(const SurfaceMesh& mesh, const Seams& seams,
     require_vertex(mesh, pin);
     const Vector2 here = start.segment<2>(2 * pin.vertex);
     const Vector2 target = pin.target.value_or(here);
-    const double distance = (target - here).norm();
+    const double distance = (target - here).stableNorm();
     if (distance > tolerance)
       throw Error(
           ErrorKind::Infeasible,
@@ -185,7 +194,8 @@ NormalizedStart::NormalizedStart(const BezierMap& given, const ParametrizationOp
   spec.boundary_angles = options.boundary_angles;
   spec.seams = start.shared_seams();
   spec.pins = place_pins(start.mesh(), start.seams(), options, start.control_points());
-  spec.handles = place_handles(start.mesh(), options.handles, spec.pins, start.control_points());
+  spec.handles =
+      place_handles(start.mesh(), options.handles, spec.pins, start.control_points(), scale_);
   spec.handle_weight = options.handle_weight;
   // Where nothing holds the map, its first held vertex moves to the origin.
   if (const auto gauge = gauge_vertices(spec, start.space());

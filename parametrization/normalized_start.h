@@ -18,8 +18,9 @@ class NormalizedStart {
   // options.aligned: edges are projected onto their axis, seams kept, before anything else.
   // Throws Error(Infeasible) when the start is not locally injective, does not meet the pins or has
   // an aligned edge off its axis by more than kSeamTolerance,
-  // Error(Unsupported) when a vertex is held twice, Error(Usage) for vertices that do not exist and
-  // face weights that do not fit.
+  // Error(Unsupported) when a vertex is held twice or a handle's target too far away to compute
+  // with (kLargestFactor), Error(Usage) for vertices that do not exist and face weights that do not
+  // fit.
   NormalizedStart(const BezierMap& start, const ParametrizationOptions& options);
 
   double scale() const { return scale_; }

@@ -21,7 +21,8 @@ void require_valid(const ParametrizationOptions& o) {
   const auto refuse = [](const std::string& what) { throw Error(ErrorKind::Usage, what); };
   if (o.degree < 1 || o.degree > BezierTriangleSpace::kMaxDegree)
     refuse(fmt::format("degree {} is not one of 1..{}", o.degree, BezierTriangleSpace::kMaxDegree));
-  if (!(o.tolerance > 0)) refuse("the tolerance must be positive");
+  if (!(o.tolerance > 0) || !std::isfinite(o.tolerance))
+    refuse("the tolerance must be a positive number");
   if (o.quadrature_points < 0) refuse("the number of quadrature points must not be negative");
   if (o.injectivity == MapInjectivity::Global &&
       (o.curvature == Curvature::Reweighted || o.curvature == Curvature::PaperMajorizer))
@@ -31,10 +32,12 @@ void require_valid(const ParametrizationOptions& o) {
                     name(o.curvature)));
   if (o.energy.empty()) refuse("no energy is given");
   for (const WeightedEnergy& e : o.energy)
-    if (!(e.weight > 0) || !std::isfinite(e.weight))
-      refuse("weights of energies must be positive numbers");
-  if (!(o.handle_weight > 0) || !std::isfinite(o.handle_weight))
-    refuse("the weight of soft handles must be a positive number");
+    if (!is_usable_weight(e.weight))
+      refuse(fmt::format("the weight {:g} of an energy is not in {:g}..{:g}", e.weight,
+                         1 / kLargestFactor, kLargestFactor));
+  if (!is_usable_weight(o.handle_weight))
+    refuse(fmt::format("the weight {:g} of soft handles is not in {:g}..{:g}", o.handle_weight,
+                       1 / kLargestFactor, kLargestFactor));
 }
 
 // One degree after the other, from 1 (or, when asked, directly at the highest).
@@ -45,30 +48,42 @@ class Run {
         record_(record),
         start_(start, options),
         map_(start_.map()),
-        setup_{start_.specification(), options} {}
+        setup_{start_.specification(), options, record.stop()} {}
 
   ParametrizationResult solve() {
     const double started = record_.seconds();
     result_.start_moved = start_.moved();
     Vec unused;
     result_.initial_value = mean_density(map_, setup_.map.rest, options_.energy, unused);
-    if (!std::isfinite(result_.initial_value)) enter_domain();
+    if (options_.injectivity == MapInjectivity::Global) make_scaffold();
     SolveResult solved;
-    for (;;) {
-      const bool last = map_.degree() == options_.degree;
-      if (last || options_.elevation == Elevation::Incremental) {
-        solved = options_.injectivity == MapInjectivity::Global ? optimize_bijective(last)
-                                                                : optimize(last);
-        if (limited(solved.status)) break;
-      }
-      if (last) break;
-      elevate();
+    solved.energy = result_.initial_value;
+    try {
+      climb_degrees(solved);
+    } catch (const Stopped& stop) {  // between two solves
+      solved = stopped(std::move(solved), stop.why());
     }
     result_.optimize_seconds = record_.seconds() - started;
     return conclude(solved);
   }
 
  private:
+  // solved: of the last degree that was optimized.
+  void climb_degrees(SolveResult& solved) {
+    if (!std::isfinite(result_.initial_value)) enter_domain();
+    for (;;) {
+      record_.stop().poll();
+      const bool last = map_.degree() == options_.degree;
+      if (last || options_.elevation == Elevation::Incremental) {
+        solved = options_.injectivity == MapInjectivity::Global ? optimize_bijective(last)
+                                                                : optimize(last);
+        if (limited(solved.status)) return;
+      }
+      if (last) return;
+      elevate();
+    }
+  }
+
   // Energies that overflow at the start (exponentials of a Tutte map) begin where the symmetric
   // Dirichlet energy, finite on every injective map, has led at degree 1.
   void enter_domain() {
@@ -76,7 +91,6 @@ class Run {
     gentle.map.energy = {{symmetric_dirichlet(), 1.0}};
     gentle.options.curvature = Curvature::Projected;
     if (options_.injectivity == MapInjectivity::Global) {
-      make_scaffold();
       BijectiveSolver solver(gentle, map_.shared_space(), map_.control_points(), *scaffold_);
       solver.approach(options_.elevation_tolerance, record_);
       map_ = map_.with(map_.shared_space(), solver.x());
@@ -100,7 +114,6 @@ class Run {
   }
 
   void make_scaffold() {
-    if (scaffold_) return;
     try {
       scaffold_.emplace(map_.shared_space(), map_.control_points());
     } catch (const Error& e) {
@@ -121,7 +134,6 @@ class Run {
   }
 
   SolveResult optimize_bijective(bool last) {
-    make_scaffold();
     BijectiveSolver solver(setup_, map_.shared_space(), map_.control_points(), *scaffold_);
     SolveResult solved =
         last ? solver.finish(record_) : solver.approach(options_.elevation_tolerance, record_);
@@ -160,11 +172,11 @@ class Run {
     result_.status = solved.status;
     result_.message = solved.message;
     result_.value_quadrature = solved.energy;
-    result_.newton_decrement = solved.newton_decrement / std::abs(solved.energy);
+    result_.newton_decrement = relative_to(solved.energy, solved.newton_decrement);
     result_.map = start_.in_model_units(map_);
     if (scaffold_) result_.scaffold = start_.in_model_units(scaffold_->mesh());
     const double started = record_.seconds();
-    result_.measures = measure(*result_.map, options_.energy);
+    result_.measures = measure(*result_.map, options_.energy, record_.stop());
     result_.measure_seconds = record_.seconds() - started;
     if (!result_.measures.locally_injective) result_.status = Status::Failed;
     if (solved.status == Status::Failed && result_.measures.locally_injective)
@@ -184,7 +196,8 @@ class Run {
 
 }  // namespace
 
-Vec initial_map(const SurfaceMesh& mesh, const ParametrizationOptions& options) {
+Vec initial_map(const SurfaceMesh& mesh, const ParametrizationOptions& options,
+                const StopCheck& stop) {
   // Holes are kept open, and free of overlaps, by the scaffold inside them.
   if (options.injectivity == MapInjectivity::Global)
     mesh.require_planar();
@@ -192,7 +205,7 @@ Vec initial_map(const SurfaceMesh& mesh, const ParametrizationOptions& options) 
     mesh.require_disk();
   if (options.initial && options.initial->size() != 2 * mesh.vertex_count())
     throw Error(ErrorKind::Usage, mesh.file() + ": the initial map needs 2 numbers per vertex");
-  return options.initial ? *options.initial : tutte_map(mesh);
+  return options.initial ? *options.initial : tutte_map(mesh, stop);
 }
 
 ParametrizationResult parametrize(const BezierMap& start, const ParametrizationOptions& options,
@@ -206,7 +219,7 @@ ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,
                                   const ParametrizationOptions& options, RunRecord& record) {
   require_valid(options);
   const double started = record.seconds();
-  const BezierMap start = BezierMap::linear(mesh, initial_map(*mesh, options));
+  const BezierMap start = BezierMap::linear(mesh, initial_map(*mesh, options, record.start_stop()));
   const double initialize_seconds = record.seconds() - started;
   ParametrizationResult result = parametrize(start, options, record);
   result.initialize_seconds = initialize_seconds;

@@ -80,13 +80,15 @@ struct ParametrizationResult {
 
 // The start that `options` ask for: Tutte's map or the given one, u, v per vertex. Throws
 // Error(Unsupported) when the mesh is no disk (for MapInjectivity::Global: no disk with or without
-// holes), Error(Usage) when the given one has the wrong size.
-Vec initial_map(const SurfaceMesh& mesh, const ParametrizationOptions& options);
+// holes), Error(Usage) when the given one has the wrong size; Stopped.
+Vec initial_map(const SurfaceMesh& mesh, const ParametrizationOptions& options,
+                const StopCheck& stop = {});
 
 // Throws Error as initial_map; Error(Infeasible) when the start is not locally injective, does not
 // meet the pins or has an aligned edge off its axis by more than kSeamTolerance (seamless_start.h);
 // Error(Unsupported) when a vertex is pinned twice or pinned and a handle; Error(Usage) when the
-// energy does not support the curvature or options are out of range.
+// energy does not support the curvature or options are out of range; Stopped before there is a
+// start. From then on a stop ends the run with the best map so far.
 ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,
                                   const ParametrizationOptions& options, RunRecord& record);
 ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,

@@ -28,12 +28,12 @@ bool QuadratureLevels::climb(const std::vector<Index>& faces) {
 }
 
 bool QuadratureLevels::climb_inaccurate(const MapSpecification& spec, const DensityTerms& terms,
-                                        VecIn x) {
+                                        VecIn x, const StopCheck& stop) {
   if (ladder_.top() == 0) return false;
   const auto plain = [&](int above) {
     std::vector<RuleId> rules = level_;
     for (RuleId& rule : rules) rule = std::min(rule + above, ladder_.top()) + ladder_.top() + 1;
-    return energy_by_face(spec, terms, rules, x);
+    return energy_by_face(spec, terms, rules, x, stop);
   };
   const Vec now = plain(0);
   const Vec error = (plain(1) - now).cwiseAbs();

@@ -21,8 +21,9 @@ class QuadratureLevels {
   // One level up, where there is one; whether any face climbed.
   bool climb(const std::vector<Index>& faces);
   // The faces whose integrals are worst climb, until the error of the rest is below 3e-5 of the
-  // energy. terms: on rules().
-  bool climb_inaccurate(const MapSpecification& spec, const DensityTerms& terms, VecIn x);
+  // energy. terms: on rules(). Throws Stopped, the levels unchanged.
+  bool climb_inaccurate(const MapSpecification& spec, const DensityTerms& terms, VecIn x,
+                        const StopCheck& stop);
 
  private:
   QuadratureLadder ladder_;

@@ -2,10 +2,12 @@
 // limit, interruption.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <functional>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "majorant/framework/minimizer.h"
@@ -22,13 +24,19 @@ class RunRecord {
   // Called after every iteration.
   using Progress = std::function<void(const TraceEntry&)>;
 
+  // Seconds that reading and making the start may take under any time limit: what is stopped
+  // before it has a map has nothing to show. Ctrl-C has no such grace.
+  static constexpr double kGrace = 1;
+
   explicit RunRecord(double time_limit_seconds = std::numeric_limits<double>::infinity(),
                      int max_iterations = std::numeric_limits<int>::max(),
                      const std::atomic<bool>* interrupt = nullptr, Progress progress = {})
-      : time_limit_(time_limit_seconds),
-        max_iterations_(max_iterations),
-        interrupt_(interrupt),
+      : max_iterations_(max_iterations),
+        stop_(limits(start_, time_limit_seconds, interrupt)),
+        start_stop_(limits(start_, std::max(time_limit_seconds, kGrace), interrupt)),
         progress_(std::move(progress)) {}
+  // Ended by `stop` alone, without grace.
+  explicit RunRecord(const StopCheck& stop) : stop_(stop), start_stop_(stop) {}
 
   // Observer for a solve at one degree.
   Observer observer(int degree) {
@@ -40,21 +48,33 @@ class RunRecord {
       return directive();
     };
   }
-  Directive directive() const {
-    if (interrupt_ && interrupt_->load()) return Directive::Interrupt;
-    return seconds() > time_limit_ ? Directive::TimeLimit : Directive::Continue;
-  }
+  // For everything once there is a map, and before. Both may outlive the record.
+  const StopCheck& stop() const { return stop_; }
+  const StopCheck& start_stop() const { return start_stop_; }
+  Directive directive() const { return stop_(); }
   int iterations_left() const { return max_iterations_ - static_cast<int>(trace_.size()); }
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
+  double seconds() const { return seconds_since(start_); }
   const std::vector<TraceEntry>& trace() const { return trace_; }
 
  private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  double time_limit_;
-  int max_iterations_;
-  const std::atomic<bool>* interrupt_;
+  using Clock = std::chrono::steady_clock;
+
+  static double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  }
+  static StopCheck limits(Clock::time_point start, double limit,
+                          const std::atomic<bool>* interrupt) {
+    return StopCheck([=] {
+      if (interrupt && interrupt->load(std::memory_order_relaxed)) return Directive::Interrupt;
+      const bool late =
+          limit < std::numeric_limits<double>::infinity() && seconds_since(start) > limit;
+      return late ? Directive::TimeLimit : Directive::Continue;
+    });
+  }
+
+  Clock::time_point start_ = Clock::now();
+  int max_iterations_ = std::numeric_limits<int>::max();
+  StopCheck stop_, start_stop_;
   Progress progress_;
   std::vector<TraceEntry> trace_;
 };

@@ -205,7 +205,8 @@ FlipCounts Scaffold::flip() {
   return counts;
 }
 
-void Scaffold::relax(int steps, int depth) {
+void Scaffold::relax(int steps, int depth, const StopCheck& stop) {
+  if (stop() != Directive::Continue) return;
   Vec x(2 * own_->node_count());
   gather(mesh_, own_->cells(), x);
   ProblemBuilder builder(x.size());
@@ -215,7 +216,9 @@ void Scaffold::relax(int steps, int depth) {
   builder.add(std::make_shared<const LocalInjectivity>(own_, Vec::Ones(face_count()), depth));
   builder.add(FixedPoints::at(own_->boundary_nodes(), x));
   const Problem problem = builder.build();
-  NewtonStepper stepper(problem, {});
+  NewtonOptions options;
+  options.stop = stop;
+  NewtonStepper stepper(problem, options);
   Vec y = problem.reduce(x);
   double energy = stepper.evaluator().value(y);
   for (int k = 0; k < steps && std::isfinite(energy); ++k)

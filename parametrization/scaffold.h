@@ -50,8 +50,9 @@ class Scaffold {
   // Flips edges until the corner points are locally Delaunay. What flips changes numbers the nodes
   // anew: space() and so on are others if the result has performed > 0; so with grow().
   FlipCounts flip();
-  // Newton steps on the shape of the scaffold, image and frame fixed. depth: of the certificates.
-  void relax(int steps, int depth);
+  // Newton steps on the shape of the scaffold, image and frame fixed, fewer when stopped. depth: of
+  // the certificates.
+  void relax(int steps, int depth, const StopCheck& stop = {});
   // Encloses the frame in a larger one where the image comes close to it; whether it did.
   bool grow();
   // Around the same image in a space of one degree more.

@@ -31,11 +31,13 @@ struct CutField {
   std::vector<char> is_cut;
 };
 
-CutField cut_field(const SurfaceMesh& mesh, const SeamlessOptions& options) {
+CutField cut_field(const SurfaceMesh& mesh, const SeamlessOptions& options, const StopCheck& stop) {
+  CrossFieldOptions field = options.field;
+  field.stop = stop;
   CutField out{options.cones ? cross_field_with_cones(mesh, *options.cones)
-                             : smoothest_cross_field(mesh, options.field),
+                             : smoothest_cross_field(mesh, field),
                {}};
-  out.is_cut = cut_graph(mesh, cone_vertices(out.field));
+  out.is_cut = cut_graph(mesh, cone_vertices(out.field), stop);
   comb(mesh, out.is_cut, out.field);
   return out;
 }
@@ -85,7 +87,7 @@ Defects defects(const BezierMap& map, const MapSpecification& spec) {
 class Maker {
  public:
   Maker(const SurfaceMesh& mesh, const SeamlessOptions& options, const RunRecord& record)
-      : mesh_(mesh), record_(record), cut_(cut_field(mesh, options)) {}
+      : mesh_(mesh), record_(record), cut_(cut_field(mesh, options, record.start_stop())) {}
 
   std::optional<SeamlessMap> attempt(SeamlessMethod method) {
     const Vec scale = method == SeamlessMethod::ScaledField ? face_scale(mesh_, metric()) : Vec();
@@ -96,6 +98,7 @@ class Maker {
     MapSpecification spec;
     spec.seams = out.map.shared_seams();
     spec.rest = flat_triangles(out.map.mesh().positions(), out.map.mesh().faces());
+    record_.start_stop().poll();
     Defects found = defects(out.map, spec);
     out.inverted = static_cast<Index>(found.faces.size());
     if (!found.faces.empty()) {
@@ -113,11 +116,7 @@ class Maker {
   }
 
   [[noreturn]] void give_up() const {
-    if (record_.directive() != Directive::Continue)
-      throw Error(ErrorKind::Invalid,
-                  mesh_.file() +
-                      ": stopped by a limit or Ctrl-C before an injective seamless map was found; "
-                      "raise --time-limit");
+    record_.start_stop().poll();
     const std::string what =
         defects_.faces.empty()
             ? fmt::format("{} vertices are covered several times", defects_.vertices.size())
@@ -130,7 +129,7 @@ class Maker {
 
  private:
   const ConformalMetric& metric() {
-    if (!metric_) metric_ = conformal_metric(mesh_, cut_.field.quarter_turns);
+    if (!metric_) metric_ = conformal_metric(mesh_, cut_.field.quarter_turns, record_.start_stop());
     return *metric_;
   }
 
@@ -209,7 +208,7 @@ SeamlessMap make_seamless(const SurfaceMesh& mesh, const SeamlessOptions& option
     const bool is_first = method == SeamlessMethod::Field;
     const bool is_possible = method != SeamlessMethod::Conformal || conformal_exists;
     const bool is_next = options.method == SeamlessMethod::Automatic && is_possible &&
-                         (is_first || record.directive() == Directive::Continue);
+                         (is_first || record.start_stop()() == Directive::Continue);
     if (options.method != method && !is_next) continue;
     try {
       if (auto found = maker.attempt(method)) return *std::move(found);

@@ -43,7 +43,8 @@ struct SeamlessMap {
 
 // mesh: connected, closed or bounded, any genus. Throws Error(Invalid) naming the cones around
 // which triangles could not be untangled, Error(Usage) for Conformal on surfaces of other kinds,
-// and as cross_field.h has it for cones that cannot be.
+// and as cross_field.h has it for cones that cannot be; Stopped when the record's start_stop() says
+// so first.
 SeamlessMap make_seamless(const SurfaceMesh& mesh, const SeamlessOptions& options,
                           const RunRecord& record);
 

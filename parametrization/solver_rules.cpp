@@ -26,10 +26,21 @@ void require_curvature(const DensityTerms& terms, Curvature asked) {
   }
 }
 
-NewtonOptions newton_options(Curvature curvature) {
+NewtonOptions newton_options(Curvature curvature, const StopCheck& stop) {
   NewtonOptions options;
   options.curvature = curvature;
+  options.stop = stop;
   return options;
+}
+
+bool was_stopped(Status status) {
+  return status == Status::TimeLimit || status == Status::Interrupted;
+}
+
+SolveResult stopped(SolveResult result, Directive why) {
+  result.status = stopped_status(why);
+  result.message = Stopped(why).what();
+  return result;
 }
 
 Vec soft_weights(const Vec& energy, const Vec& measure) {

@@ -16,7 +16,12 @@ inline constexpr int kAccuracyRounds = 3;     // of refining the quadrature of a
 // Throws Error(Usage), listing what there is, when a term has no such curvature model.
 void require_curvature(const DensityTerms& terms, Curvature asked);
 
-NewtonOptions newton_options(Curvature curvature);
+NewtonOptions newton_options(Curvature curvature, const StopCheck& stop);
+
+// Whether a limit or Ctrl-C ended a solve.
+bool was_stopped(Status status);
+// `result` with what ended a run in the middle of something else.
+SolveResult stopped(SolveResult result, Directive why);
 
 // Weights of the faces for a step from a start of enormous energy (mean density 1e5 and more: a
 // Tutte map with nearly collapsed triangles); empty for others. energy, measure: #F. sqrt is

@@ -14,17 +14,27 @@
 namespace majorant {
 namespace {
 
-TriangleList triangulate(const PolygonMesh& input) {
+// Of polygon p of the file.
+std::vector<std::array<int, 3>> triangles_of(const PolygonMesh& input, std::size_t p,
+                                             const StopCheck& stop) {
+  const auto& polygon = input.polygons[p];
+  if (polygon.size() == 3) return {{0, 1, 2}};
+  std::vector<Vector3> corners;
+  for (const Index v : polygon) corners.push_back(input.positions[static_cast<std::size_t>(v)]);
+  try {
+    return triangulate_polygon(corners, stop);
+  } catch (const Error& e) {
+    throw Error(e.kind(),
+                fmt::format("{}: {}", face_place(input, static_cast<Index>(p)), e.what()));
+  }
+}
+
+TriangleList triangulate(const PolygonMesh& input, const StopCheck& stop) {
   TriangleList list;
   for (std::size_t p = 0; p < input.polygons.size(); ++p) {
+    stop.poll_at(p);
     const auto& polygon = input.polygons[p];
-    std::vector<std::array<int, 3>> triangles{{0, 1, 2}};
-    if (polygon.size() > 3) {
-      std::vector<Vector3> corners;
-      for (const Index v : polygon) corners.push_back(input.positions[static_cast<std::size_t>(v)]);
-      triangles = triangulate_polygon(corners);
-    }
-    for (const auto& t : triangles) {
+    for (const auto& t : triangles_of(input, p, stop)) {
       std::array<Index, 3> f{};
       for (std::size_t k = 0; k < 3; ++k) f[k] = polygon[static_cast<std::size_t>(t[k])];
       list.triangles.push_back(f);
@@ -37,12 +47,16 @@ TriangleList triangulate(const PolygonMesh& input) {
 
 }  // namespace
 
-SurfaceMesh SurfaceMesh::from_polygons(const PolygonMesh& input, Components components) {
-  const TriangleList list = triangulate(input);
-  require_proper_faces(input, list);
+SurfaceMesh SurfaceMesh::from_polygons(const PolygonMesh& input, const StopCheck& stop,
+                                       Components components) {
+  const TriangleList list = triangulate(input, stop);
+  require_proper_faces(input, list, stop);
   require_usable_coordinates(input);
+  stop.poll();
   require_manifold_edges(input, list);
+  stop.poll();
   if (components == Components::One) require_one_piece(input, list);
+  stop.poll();
 
   SurfaceMesh mesh;
   mesh.file_ = input.file;
@@ -75,13 +89,13 @@ SurfaceMesh SurfaceMesh::from_polygons(const PolygonMesh& input, Components comp
       mesh.corner_texcoords_.row(f).segment<2>(2 * k) =
           input.texcoords[static_cast<std::size_t>(vt)];
     }
-  mesh.build_connectivity();
+  mesh.build_connectivity(stop);
   return mesh;
 }
 
 // Half-edges, boundary loops and counts. The faces are edge-manifold and oriented by now; what
 // OpenMesh refuses, or finds with several fans, is a vertex where sheets merely touch.
-void SurfaceMesh::build_connectivity() {
+void SurfaceMesh::build_connectivity(const StopCheck& stop) {
   omerr().disable();
   OpenMesh::TriConnectivity kernel;
   std::vector<OpenMesh::VertexHandle> handles;
@@ -93,11 +107,14 @@ void SurfaceMesh::build_connectivity() {
                              file_, input_vertex(v) + 1));
   };
   for (Index f = 0; f < face_count(); ++f) {
+    stop.poll_at(static_cast<std::size_t>(f));
     const auto h = [&](int k) { return handles[static_cast<std::size_t>(faces_(f, k))]; };
     if (!kernel.add_face(h(0), h(1), h(2)).is_valid()) throw touching(faces_(f, 0));
   }
-  for (Index v = 0; v < vertex_count(); ++v)
+  for (Index v = 0; v < vertex_count(); ++v) {
+    stop.poll_at(static_cast<std::size_t>(v));
     if (!kernel.is_manifold(handles[static_cast<std::size_t>(v)])) throw touching(v);
+  }
 
   opposite_.assign(static_cast<std::size_t>(half_edge_count()), -1);
   std::vector<Index> half_edge_of(kernel.n_halfedges(), -1);  // OpenMesh's number -> ours

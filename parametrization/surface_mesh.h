@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "majorant/framework/stop_check.h"
 #include "majorant/framework/types.h"
 #include "majorant/parametrization/polygon_mesh.h"
 
@@ -34,8 +35,8 @@ enum class Components { One, Any };
 
 class SurfaceMesh {
  public:
-  // Throws Error(Unsupported) naming file, place and remedy for the first defect found.
-  static SurfaceMesh from_polygons(const PolygonMesh& input,
+  // Throws Error(Unsupported) naming file, place and remedy for the first defect found; Stopped.
+  static SurfaceMesh from_polygons(const PolygonMesh& input, const StopCheck& stop = {},
                                    Components components = Components::One);
 
   // Throws Error(Unsupported) unless the surface is a disk (connected, one boundary loop, Euler
@@ -85,7 +86,7 @@ class SurfaceMesh {
 
  private:
   SurfaceMesh() = default;
-  void build_connectivity();
+  void build_connectivity(const StopCheck& stop = {});
   Index count_components() const;
 
   std::string file_;
@@ -101,6 +102,10 @@ class SurfaceMesh {
 
 // Triangles (local corner numbers) of a simple polygon, n - 2 of them, by ear clipping in its mean
 // plane; the shape-preserving choice among valid ears is the one with the largest smallest angle.
-std::vector<std::array<int, 3>> triangulate_polygon(const std::vector<Vector3>& corners);
+// A polygon that crosses itself there is clipped all the same, at its least bad ears. Of more than
+// 2,048 corners the constrained Delaunay triangulation is taken (large_polygon.h), which exists for
+// simple ones alone: Error(Unsupported) without a place. Polls for each O(n) of work.
+std::vector<std::array<int, 3>> triangulate_polygon(const std::vector<Vector3>& corners,
+                                                    const StopCheck& stop = {});
 
 }  // namespace majorant

@@ -3,11 +3,18 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
+#include "majorant/parametrization/large_polygon.h"
 #include "majorant/parametrization/surface_mesh.h"
 
 namespace majorant {
 namespace {
+
+// Clipping takes time in the square of the corners: 0.1 s for so many.
+constexpr std::size_t kMostClipped = 2048;
+// Of fewer corners, whole polygons are the pieces of work between two polls.
+constexpr std::size_t kSmall = 64;
 
 double cross(const Vector2& a, const Vector2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
@@ -38,37 +45,101 @@ bool contains(const Vector2& a, const Vector2& b, const Vector2& c, const Vector
          cross(a - c, p - c) >= slack;
 }
 
-}  // namespace
+// Clips the best ear of what is left, again and again. An ear is the triangle of three successive
+// corners, known by its first; clipping one changes the two before it and, of the others, how many
+// corners they contain.
+class EarClipping {
+ public:
+  EarClipping(std::vector<Vector2> flat, const StopCheck& stop)
+      : flat_(std::move(flat)), stop_(stop), ears_(flat_.size()) {
+    for (std::size_t k = 0; k < flat_.size(); ++k) left_.push_back(static_cast<int>(k));
+  }
 
-std::vector<std::array<int, 3>> triangulate_polygon(const std::vector<Vector3>& corners) {
-  const std::vector<Vector2> flat = flatten(corners);
-  std::vector<int> left(corners.size());
-  for (std::size_t k = 0; k < left.size(); ++k) left[k] = static_cast<int>(k);
-  const auto point = [&](std::size_t k) {
-    return flat[static_cast<std::size_t>(left[k % left.size()])];
+  std::vector<std::array<int, 3>> triangles() {
+    std::vector<std::array<int, 3>> triangles;
+    for (std::size_t k = 0; k < left_.size() && left_.size() > 4; ++k) judge(k);
+    while (left_.size() > 3) {
+      stop_.poll();
+      const std::size_t best = left_.size() == 4 ? best_of_quad() : best_ear();
+      const int clipped = corner(best + 1);
+      triangles.push_back({corner(best), clipped, corner(best + 2)});
+      left_.erase(left_.begin() + static_cast<std::ptrdiff_t>((best + 1) % left_.size()));
+      if (left_.size() > 4) forget(clipped, best);
+    }
+    triangles.push_back({left_[0], left_[1], left_[2]});
+    return triangles;
+  }
+
+ private:
+  struct Ear {
+    double angle = 0;  // the smallest, negative at a reflex corner
+    int inside = 0;    // other corners that it contains
+    double quality() const { return inside == 0 ? angle : std::min(angle, 0.0) - inside; }
   };
-  std::vector<std::array<int, 3>> triangles;
-  while (left.size() > 3) {
+
+  int corner(std::size_t k) const { return left_[k % left_.size()]; }
+  const Vector2& point(std::size_t k) const { return flat_[static_cast<std::size_t>(corner(k))]; }
+  Ear& ear(std::size_t k) { return ears_[static_cast<std::size_t>(corner(k))]; }
+
+  void judge(std::size_t k) {
+    stop_.poll();
+    Ear& e = ear(k);
+    e = {smallest_angle(point(k), point(k + 1), point(k + 2)), 0};
+    for (std::size_t q = k + 3; q < k + left_.size(); ++q)
+      e.inside += contains(point(k), point(k + 1), point(k + 2), point(q));
+  }
+
+  // After a corner is gone; before it, two ears began whose triangles had it.
+  void forget(int clipped, std::size_t best) {
+    const Vector2& gone = flat_[static_cast<std::size_t>(clipped)];
+    // `best` may have been the last corner, with the clipped one at the front.
+    const std::size_t at = best < left_.size() ? best : left_.size() - 1;
+    for (std::size_t k = at + 1; k < at + left_.size() - 1; ++k)
+      if (contains(point(k), point(k + 1), point(k + 2), gone)) --ear(k).inside;
+    judge(at);
+    judge(at + left_.size() - 1);
+  }
+
+  std::size_t best_ear() {
     std::size_t best = 0;
     double best_quality = -std::numbers::pi;
-    for (std::size_t k = 0; k < left.size(); ++k) {
-      const Vector2 a = point(k), b = point(k + 1), c = point(k + 2);
-      double quality = smallest_angle(a, b, c);  // negative at a reflex corner
-      for (std::size_t q = k + 3; q < k + left.size(); ++q)
-        if (contains(a, b, c, point(q))) quality = std::min(quality, 0.0) - 1;
-      // In a quad, both triangles count.
-      if (left.size() == 4) quality = std::min(quality, smallest_angle(c, point(k + 3), a));
-      if (quality > best_quality) {
+    for (std::size_t k = 0; k < left_.size(); ++k)
+      if (const double quality = ear(k).quality(); quality > best_quality) {
         best_quality = quality;
         best = k;
       }
-    }
-    const auto corner = [&](std::size_t k) { return left[(best + k) % left.size()]; };
-    triangles.push_back({corner(0), corner(1), corner(2)});
-    left.erase(left.begin() + static_cast<std::ptrdiff_t>((best + 1) % left.size()));
+    return best;
   }
-  triangles.push_back({left[0], left[1], left[2]});
-  return triangles;
+
+  // Both triangles count.
+  std::size_t best_of_quad() {
+    std::size_t best = 0;
+    double best_quality = -std::numbers::pi;
+    for (std::size_t k = 0; k < 4; ++k) {
+      judge(k);
+      const double quality =
+          std::min(ear(k).quality(), smallest_angle(point(k + 2), point(k + 3), point(k)));
+      if (!(quality > best_quality)) continue;
+      best_quality = quality;
+      best = k;
+    }
+    return best;
+  }
+
+  std::vector<Vector2> flat_;
+  const StopCheck& stop_;
+  std::vector<Ear> ears_;  // by the corner they begin with
+  std::vector<int> left_;  // corners
+};
+
+}  // namespace
+
+std::vector<std::array<int, 3>> triangulate_polygon(const std::vector<Vector3>& corners,
+                                                    const StopCheck& stop) {
+  std::vector<Vector2> flat = flatten(corners);
+  if (flat.size() > kMostClipped) return triangulate_large_polygon(flat, stop);
+  const StopCheck never;
+  return EarClipping(std::move(flat), corners.size() > kSmall ? stop : never).triangles();
 }
 
 }  // namespace majorant

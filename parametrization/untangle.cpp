@@ -21,12 +21,12 @@ constexpr double kSmallestShrink = 0.1;   // sigma of [GKKPRS21]
 class Untangler {
  public:
   Untangler(const MapSpecification& spec, const std::shared_ptr<const BezierTriangleSpace>& space,
-            VecIn start, double first_eps)
+            VecIn start, const RunRecord& record, double first_eps)
       : spec_(untangling(spec)),
         injectivity_(space, 2 * spec.rest.measure),
         problem_(map_problem(spec_, space, start, energy_terms(spec_, space, {lattice_rule(1)}),
                              nullptr)),
-        stepper_(problem_, newton_options()),
+        stepper_(problem_, newton_options(record.start_stop())),
         y_(problem_.reduce(start)),
         first_eps_(first_eps > 0 ? first_eps : own_first_eps(spec)) {}
 
@@ -38,7 +38,7 @@ class Untangler {
       const double before = stepper_.evaluator().value(y_);
       const double after = descend(before, record);
       worst = update();
-      if (record.directive() != Directive::Continue) break;
+      if (record.start_stop()() != Directive::Continue) break;
       shrink(worst, before, after);
     }
     return std::move(result_);
@@ -57,8 +57,9 @@ class Untangler {
     return held ? kFirstEpsHeld : kFirstEps;
   }
 
-  static NewtonOptions newton_options() {
+  static NewtonOptions newton_options(const StopCheck& stop) {
     NewtonOptions options;
+    options.stop = stop;
     options.exact_below = 0;  // no tail: eps moves on before
     return options;
   }
@@ -76,7 +77,7 @@ class Untangler {
       ++result_.iterations;
       if (step.outcome != Stepper::Outcome::Moved ||
           step.record.relative_decrease < kRoundTolerance ||
-          record.directive() != Directive::Continue)
+          record.start_stop()() != Directive::Continue)
         break;
     }
     return energy;
@@ -110,7 +111,7 @@ class Untangler {
 UntangleResult untangle(const MapSpecification& spec,
                         const std::shared_ptr<const BezierTriangleSpace>& space, VecIn start,
                         const RunRecord& record, double first_eps) {
-  return Untangler(spec, space, start, first_eps).run(record);
+  return Untangler(spec, space, start, record, first_eps).run(record);
 }
 
 }  // namespace majorant

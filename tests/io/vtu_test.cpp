@@ -186,6 +186,21 @@ TEST(Vtu, RefusesWhatItDoesNotUnderstand) {
                  "<PointData><DataArray type='Float64' Name='RationalWeights' format='ascii'>"
                  "1 2 1</DataArray>",
                  "rational");
+  const auto point_data = [](const std::string& tag, const std::string& name,
+                             const std::string& values) {
+    return "<PointData" + tag + "><DataArray type='Float64' Name='" + name + "' format='ascii'>" +
+           values + "</DataArray>";
+  };
+  expect_refused("<PointData>", point_data(" RationalWeights='w'", "w", "1 1 -5"), "rational");
+  expect_refused("<PointData>", point_data(" RationalWeights='w'", "w", "0 0 0"), "rational");
+  expect_refused("<PointData>", point_data(" RationalWeights='w'", "w", "1 1"), "one number per");
+  expect_refused("<PointData>", point_data(" RationalWeights='x'", "w", "1 1 1"), "not there");
+  for (const std::string degrees : {"2 2 2", "1 2 0", "1 1 5", "1 1", "1 1 1 1 1 1"})
+    expect_refused("<Cells>",
+                   "<CellData HigherOrderDegrees='d'><DataArray type='Float64' Name='d' "
+                   "NumberOfComponents='3' format='ascii'>" +
+                       degrees + "</DataArray></CellData><Cells>",
+                   "HigherOrderDegrees");
   error_message(ErrorKind::Unreadable, [&] { read_vtu(folder.file("absent.vtu")); });
   error_message(ErrorKind::Unreadable, [&] { read_vtu(folder.write("empty.vtu", "")); });
   error_message(ErrorKind::Unreadable, [&] {

@@ -1,0 +1,34 @@
+#include "apps/number_check.h"
+
+#include <fmt/format.h>
+
+#include <CLI/TypeTools.hpp>
+#include <cmath>
+#include <string>
+
+namespace majorant::app {
+namespace {
+
+template <class Holds>
+CLI::Validator number_check(const char* type, double most, const Holds& holds) {
+  return CLI::Validator(
+      [=](std::string& text) -> std::string {
+        double number = 0;
+        if (!CLI::detail::lexical_cast(text, number) || !std::isfinite(number) || !holds(number))
+          return fmt::format("'{}' is no {} number", text, type);
+        return number <= most ? std::string() : fmt::format("'{}' is more than {:g}", text, most);
+      },
+      type);
+}
+
+}  // namespace
+
+CLI::Validator positive_number(double most) {
+  return number_check("positive", most, [](double number) { return number > 0; });
+}
+
+CLI::Validator non_negative_number(double most) {
+  return number_check("non-negative", most, [](double number) { return number >= 0; });
+}
+
+}  // namespace majorant::app

@@ -1,0 +1,15 @@
+// Checks of numbers on the command line, to be used instead of CLI11's, whose ranges let nan pass.
+//
+//   verb.add_option("--soft", soft, "...")->check(positive_number());
+#pragma once
+
+#include <CLI/Validators.hpp>
+#include <limits>
+
+namespace majorant::app {
+
+// Finite and > 0, or >= 0, and at most so much.
+CLI::Validator positive_number(double most = std::numeric_limits<double>::max());
+CLI::Validator non_negative_number(double most = std::numeric_limits<double>::max());
+
+}  // namespace majorant::app

@@ -1,0 +1,27 @@
+// What a limit or Ctrl-C ends before there is anything to write becomes an error with a line.
+//
+//   const PolygonMesh mesh = unless_stopped("reading " + path, [&] { return read_mesh(path, stop);
+//   });
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+
+#include "majorant/framework/error.h"
+#include "majorant/framework/stop_check.h"
+
+namespace majorant::app {
+
+// work(); Error(Invalid, "interrupted while DOING; nothing is written") when it throws Stopped.
+template <class Work>
+auto unless_stopped(const std::string& doing, const Work& work) {
+  try {
+    return work();
+  } catch (const Stopped& stopped) {
+    throw Error(ErrorKind::Invalid,
+                fmt::format("{} while {}; nothing is written", stopped.what(), doing));
+  }
+}
+
+}  // namespace majorant::app
