@@ -142,7 +142,8 @@ class VtuText:
         raw = struct.pack('<%d%s' % (len(values), _CODES[kind]), *values)
         raw = struct.pack('<I' if self.header == 'UInt32' else '<Q', len(raw)) + raw
         if self.form == 'binary':
-            return '%s format="binary">\n%s\n</DataArray>\n' % (head, base64.b64encode(raw).decode())
+            text = base64.b64encode(raw).decode()
+            return '%s format="binary">\n%s\n</DataArray>\n' % (head, text)
         head += ' format="appended" offset="%d"/>\n' % len(self.appended)
         self.appended += raw if self.form == 'raw' else base64.b64encode(raw)
         return head
@@ -285,6 +286,14 @@ def _falling(n, k):
     for i in range(k):
         product *= n - i
     return Fraction(product)
+
+
+def plate():
+    """A flat square of two triangles, and the same square cut otherwise: at two inner vertices."""
+    corners = [(0, 0), (4, 0), (4, 4), (0, 4), (3, 2), (1, 2)]
+    pieces_of_it = [(0, 1, 4), (1, 2, 4), (2, 5, 4), (2, 3, 5), (3, 0, 5), (0, 4, 5)]
+    positions = [(x, y, 1) for x, y in corners]
+    return (positions[:4], [(0, 1, 2), (0, 2, 3)]), (positions, pieces_of_it, corners)
 
 
 def cube(degree=1):
