@@ -64,6 +64,7 @@ def _closed(ring):
     ring.surface[0][last + 1] = (21, 0, 0)
     ring.surface[0].append((20, 1, 0))
     ring.corners.append((last, last + 1, last + 2))
+    ring.input_face.append(len(ring.input_face))
     ring.uv.append([(1.5, 1.5), (2.5, 1.5), (2.0, 2.5)])
     return ring
 
