@@ -2,7 +2,8 @@
 import math
 
 from broken_vtu import RING, Case, octagon
-from small_maps import Refined, SmallMap, cube, fan, obj_bytes, obj_of, square_grid, straight, strip
+from small_maps import (Refined, SmallMap, cube, fan, obj_bytes, obj_of, plate, square_grid,
+                        straight, strip)
 
 SQUARE = [(0, 0, 0), (1, 0, 0), (1, 1, 0.25), (0, 1, 0)]  # one bent quad
 
@@ -97,6 +98,10 @@ def refined():
     fine.positions[7] = x, y, z + 1
     yield Case('piece_off_its_face.obj', fine.write(), 'coverage',
                'a new vertex does not lie on the surface', 'fan')
+    positions, faces, texture = plate()[1]
+    positions[4], positions[5] = positions[5], positions[4]
+    yield Case('folded_in_space.obj', obj_bytes(positions, faces, texture, faces), 'orientation',
+               'two new vertices are swapped: pieces of a flat part lie over each other', 'plate')
     fine = Refined(fan())
     new = len(fine.texture)
     fine.texture.append(tuple(c * 17 / 16 for c in fine.texture[fine.charts[0][1]]))

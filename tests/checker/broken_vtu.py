@@ -2,8 +2,8 @@
 import math
 from fractions import Fraction as F
 
-from small_maps import (SmallMap, VtuText, bent, cube, fan, from_polynomials, pieces, square_grid, strip,
-                        straight)
+from small_maps import (SmallMap, VtuText, bent, cube, fan, from_polynomials, pieces, square_grid,
+                        straight, strip)
 
 TEXT = VtuText()
 

@@ -4,7 +4,7 @@ from fractions import Fraction as F
 
 from broken_vtu import RING, TEXT, Case
 from small_maps import (Refined, VtuText, bent, cube, fan, from_polynomials, obj_bytes, obj_of,
-                        pieces, square_grid, strip)
+                        pieces, plate, square_grid, strip)
 
 
 def good(name, data, why, surface='', options=()):
@@ -64,6 +64,7 @@ def _closed(ring):
     ring.surface[0][last + 1] = (21, 0, 0)
     ring.surface[0].append((20, 1, 0))
     ring.corners.append((last, last + 1, last + 2))
+    ring.input_face.append(len(ring.input_face))
     ring.uv.append([(1.5, 1.5), (2.5, 1.5), (2.0, 2.5)])
     return ring
 
@@ -87,6 +88,9 @@ def texture():
     yield good('refined.obj', fine.write(), 'every face cut into four', 'grid', ['--overlap'])
     fine = Refined(fan())
     yield good('refined_fan.obj', fine.write(), 'the same, no two faces in one plane', 'fan')
+    positions, faces, texture = plate()[1]
+    yield good('cut_otherwise.obj', obj_bytes(positions, faces, texture, faces),
+               'a flat part cut along other edges than the surface has', 'plate', ['--overlap'])
     small = square_grid(polygons=True, n=1)
     data = obj_bytes(small.surface[0], [(0, 1, 3, 2)], [(0, 0), (1, 0), (0.25, 0.25), (0, 1)],
                      [(0, 1, 2, 3)])

@@ -14,7 +14,7 @@ import sys
 import broken_obj
 import broken_vtu
 import good_files
-from small_maps import cube, fan, obj_bytes, square_grid, straight
+from small_maps import cube, fan, obj_bytes, plate, square_grid, straight
 
 DEFAULT = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'data', 'maps')
 
@@ -32,7 +32,7 @@ so must any other checker, with the same meaning of its options. `index.json` ho
 def surfaces():
     meshes = {'fan': fan().surface, 'grid': square_grid().surface,
               'quad': square_grid(1, straight, 1, polygons=True).surface,
-              'octagon': broken_vtu.octagon(), 'cube': cube().surface}
+              'octagon': broken_vtu.octagon(), 'cube': cube().surface, 'plate': plate()[0]}
     return {name: obj_bytes(*mesh) for name, mesh in meshes.items()}
 
 

@@ -1,9 +1,9 @@
-"""Does the image of a map with straight cells overlap itself, or touch itself? Exactly, by integers.
+"""Does the image of a map with straight cells overlap itself, or touch itself? Exact, in integers.
 
 Where every cell is positive, the number of surface points over a point of the plane is the winding
 number of the boundary of all charts, which has the surface on its left. It is zero far away and
-changes at boundary segments only, so nothing overlaps if and only if it is at most one on both sides
-of every one. Segments that cross overlap at once. All others are cut where they meet; then the
+changes at boundary segments only, so nothing overlaps if and only if it is at most one on either
+side of every one. Segments that cross overlap at once. All others are cut where they meet; then the
 number is constant along either side of each part and is counted there.
 
 Points of the boundary that meet although they are different points of the surface touch: no

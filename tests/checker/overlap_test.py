@@ -79,7 +79,8 @@ class Overlap(unittest.TestCase):
             if not touch or (overlap and 'touching' not in found):
                 self.assertNotEqual(curved.verdict, 'undecided', triangles)
             seen.add((overlap, touch, curved.verdict))
-        self.assertLessEqual({(True, True, 'bad'), (False, True, 'bad'), (False, False, 'ok')}, seen)
+        for case in ((True, True, 'bad'), (False, True, 'bad'), (False, False, 'ok')):
+            self.assertIn(case, seen)
 
     def test_rings_whose_ends_come_close(self):
         for degree in (1, 2, 3):

@@ -176,7 +176,7 @@ def _from_obj(obj):
 
 def _positive_as_written(words, points):
     """The triangle of the decimals, which need not be the doubles that readers make of them: each
-    is off by one unit of its size. Where that cannot matter, the doubles (positive) have decided."""
+    is off by one unit of its size. Where that cannot matter, the doubles (positive) decided."""
     a, b, c = points
     size = max(abs(x) for p in points for x in p)
     spread = max(abs(b[0] - a[0]), abs(c[0] - a[0]), abs(b[1] - a[1]), abs(c[1] - a[1]))

@@ -16,7 +16,8 @@ class SmallMap:
     """A map to be written, and to be damaged before: every field may be changed.
 
     surface: positions in space and faces (tuples of vertex numbers), what was mapped
-    degree; corners: three vertex numbers per cell; uv: control points per cell, VTK's order
+    degree; corners: three vertex numbers per cell; uv: control points per cell, VTK's order;
+    input_face: per cell, of the surface, as written
     claims: written if not None
     """
 
@@ -26,8 +27,10 @@ class SmallMap:
         places, bend = image
         self.surface = positions, faces
         self.degree, self.claims = degree, None
-        self.corners = [tuple(face[k] for k in triangle) for face in faces
-                        for triangle in [(0, k, k + 1) for k in range(1, len(face) - 1)]]
+        fans = [(f, (face[0], face[k], face[k + 1])) for f, face in enumerate(faces)
+                for k in range(1, len(face) - 1)]
+        self.corners = [corners for _, corners in fans]
+        self.input_face = [f for f, _ in fans]
         self.uv = []
         for cell in self.corners:
             flat = elevated([places[v] for v in cell], degree)
@@ -55,6 +58,7 @@ class SmallMap:
         """Cells by number; a number twice doubles the cell."""
         self.corners = [self.corners[c] for c in cells]
         self.uv = [list(self.uv[c]) for c in cells]
+        self.input_face = [self.input_face[c] for c in cells]
 
     def turn(self, cell, order):
         """The cell's corners in another order, control points with them (they keep their places in
@@ -123,12 +127,14 @@ class VtuText:
         cells = (self._array('Int64', 'connectivity', 1, connectivity)
                  + self._array('Int64', 'offsets', 1, [size * (c + 1) for c in range(count)])
                  + self._array('UInt8', 'types', 1, types or [kind] * count))
+        faces = self._array('Int32', 'input_face', 1, small.input_face)
         points = self._array('Float64', 'Points', 3, [x for row in rows for x in row[0]])
         text = ('<?xml version="1.0"?>\n<VTKFile type="UnstructuredGrid" version="1.0" '
                 'byte_order="LittleEndian" header_type="%s">\n<UnstructuredGrid>\n%s'
                 '<Piece NumberOfPoints="%d" NumberOfCells="%d">\n<PointData>\n%s</PointData>\n'
-                '<Points>\n%s</Points>\n<Cells>\n%s</Cells>\n</Piece>\n</UnstructuredGrid>\n'
-                % (self.header, _claims(small.claims), len(rows), count, data, points, cells)
+                '<CellData>\n%s</CellData>\n<Points>\n%s</Points>\n<Cells>\n%s</Cells>\n'
+                '</Piece>\n</UnstructuredGrid>\n'
+                % (self.header, _claims(small.claims), len(rows), count, data, faces, points, cells)
                 ).encode()
         if self.appended:
             text += (b'<AppendedData encoding="%s">\n_%s\n</AppendedData>\n'
@@ -142,7 +148,8 @@ class VtuText:
         raw = struct.pack('<%d%s' % (len(values), _CODES[kind]), *values)
         raw = struct.pack('<I' if self.header == 'UInt32' else '<Q', len(raw)) + raw
         if self.form == 'binary':
-            return '%s format="binary">\n%s\n</DataArray>\n' % (head, base64.b64encode(raw).decode())
+            text = base64.b64encode(raw).decode()
+            return '%s format="binary">\n%s\n</DataArray>\n' % (head, text)
         head += ' format="appended" offset="%d"/>\n' % len(self.appended)
         self.appended += raw if self.form == 'raw' else base64.b64encode(raw)
         return head
@@ -285,6 +292,14 @@ def _falling(n, k):
     for i in range(k):
         product *= n - i
     return Fraction(product)
+
+
+def plate():
+    """A flat square of two triangles, and the same square cut otherwise: at two inner vertices."""
+    corners = [(0, 0), (4, 0), (4, 4), (0, 4), (3, 2), (1, 2)]
+    pieces_of_it = [(0, 1, 4), (1, 2, 4), (2, 5, 4), (2, 3, 5), (3, 0, 5), (0, 4, 5)]
+    positions = [(x, y, 1) for x, y in corners]
+    return (positions[:4], [(0, 1, 2), (0, 2, 3)]), (positions, pieces_of_it, corners)
 
 
 def cube(degree=1):
