@@ -103,9 +103,7 @@ class Cutter {
       if (bad == all.end()) return;
       const auto piece = static_cast<int>(bad - all.begin());
       if (flip_edge_of(cell, piece)) continue;
-      const std::size_t hopeless = hopeless_.size();
-      cut(edge_to_cut(cell, *bad));
-      if (hopeless_.size() > hopeless) give_up(cell);
+      if (!cut(edge_to_cut(cell, *bad))) give_up(cell);
     }
   }
 
@@ -125,17 +123,22 @@ class Cutter {
     return std::ranges::count(piece.corners, i) > 0 && std::ranges::count(piece.corners, j) > 0;
   }
 
-  void cut(const Edge& edge) {
+  // False if a limit was reached; the cells are noted.
+  bool cut(const Edge& edge) {
     const std::vector<Edge> sides = pieces_.sides(edge);
+    bool is_within_limits = true;
     int depth = -1;
     for (const auto& [c, i, j] : sides) {
       for (const Piece& piece : pieces_.pieces(c))
         if (has_edge(piece, i, j)) depth = std::max(depth, piece.depth);
-      if (depth >= kDeepest || pieces_.pieces(c).size() >= most_pieces_) give_up(c);
+      if (depth < kDeepest && pieces_.pieces(c).size() < most_pieces_) continue;
+      give_up(c);
+      is_within_limits = false;
     }
-    if (depth < 0) return;  // it was cut as another cell's edge
+    if (depth < 0) return is_within_limits;  // it was cut as another cell's edge
     pieces_.split(edge);
     for (const Edge& side : sides) open_.push_back(side.cell);
+    return is_within_limits;
   }
 
   void give_up(Index cell) {
