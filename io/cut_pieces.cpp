@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <limits>
 #include <set>
+#include <tuple>
 
 #include "majorant/framework/error.h"
 #include "majorant/io/piece_boundary.h"
@@ -25,9 +28,9 @@ constexpr std::size_t kMostPieces = 64 * 64;
 constexpr std::size_t kMostNamed = 8;  // cells in a message; then the search ends
 // A diagonal leaves no piece with less than this part of the two.
 constexpr double kThinnest = 1.0 / 64;
-// Diagonals are not tried on pieces that were halved more often: shapes that only halving makes are
-// bounded.
-constexpr int kFlippedDepth = 12;
+// Of pieces that were halved more often, diagonals and edges are not chosen by what they repair:
+// the shapes that halving longest edges makes are bounded.
+constexpr int kTriedDepth = 12;
 // Edges whose lengths differ by less are equally long: an edge seen from another cell is evaluated
 // in another order.
 constexpr double kLonger = 1 + 1e-9;
@@ -36,6 +39,13 @@ std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 double area(const Vector3& a, const Vector3& b, const Vector3& c) {  // of a cell of area 1
   return (b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1]);
+}
+
+// Height over the longest edge, relative to it.
+double shape(const Vector3& a, const Vector3& b, const Vector3& c) {
+  const double longest =
+      std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+  return longest > 0 ? (b - a).cross(c - a).norm() / longest : 0;
 }
 
 class Cutter {
@@ -71,6 +81,15 @@ class Cutter {
   }
 
  private:
+  struct Choice {
+    int not_positive;  // pieces, more than before
+    int pieces;        // more than before
+    double shape;      // of the worst one
+    Edge edge;
+
+    auto key() const { return std::tuple(not_positive, pieces, -shape); }
+  };
+
   bool is_positive(Index c, const std::array<int, 3>& p) const {
     return orientation(pieces_.uv(c, p[0]), pieces_.uv(c, p[1]), pieces_.uv(c, p[2])) > 0;
   }
@@ -84,10 +103,15 @@ class Cutter {
       if (bad == all.end()) return;
       const auto piece = static_cast<int>(bad - all.begin());
       if (flip_edge_of(cell, piece)) continue;
-      const std::size_t hopeless = hopeless_.size();
-      cut(longest_edge_near(cell, *bad));
-      if (hopeless_.size() > hopeless) give_up(cell);
+      if (!cut(edge_to_cut(cell, *bad))) give_up(cell);
     }
+  }
+
+  Edge edge_to_cut(Index cell, const Piece& piece) const {
+    if (piece.depth <= kTriedDepth)
+      if (const Choice choice = best_choice(cell, piece); choice.not_positive < 0)
+        return choice.edge;
+    return longest_edge_near(cell, piece);
   }
 
   void cut_all(const std::vector<Edge>& edges) {
@@ -99,17 +123,22 @@ class Cutter {
     return std::ranges::count(piece.corners, i) > 0 && std::ranges::count(piece.corners, j) > 0;
   }
 
-  void cut(const Edge& edge) {
+  // False if a limit was reached; the cells are noted.
+  bool cut(const Edge& edge) {
     const std::vector<Edge> sides = pieces_.sides(edge);
+    bool is_within_limits = true;
     int depth = -1;
     for (const auto& [c, i, j] : sides) {
       for (const Piece& piece : pieces_.pieces(c))
         if (has_edge(piece, i, j)) depth = std::max(depth, piece.depth);
-      if (depth >= kDeepest || pieces_.pieces(c).size() >= most_pieces_) give_up(c);
+      if (depth < kDeepest && pieces_.pieces(c).size() < most_pieces_) continue;
+      give_up(c);
+      is_within_limits = false;
     }
-    if (depth < 0) return;  // it was cut as another cell's edge
+    if (depth < 0) return is_within_limits;  // it was cut as another cell's edge
     pieces_.split(edge);
     for (const Edge& side : sides) open_.push_back(side.cell);
+    return is_within_limits;
   }
 
   void give_up(Index cell) {
@@ -130,7 +159,7 @@ class Cutter {
   // Whether the other diagonal of two pieces of the cell made both positive.
   bool flip_edge_of(Index c, int first) {
     const std::vector<Piece>& all = pieces_.pieces(c);
-    if (all[at(first)].depth > kFlippedDepth) return false;
+    if (all[at(first)].depth > kTriedDepth) return false;
     const std::array<int, 3> corners = all[at(first)].corners;
     for (std::size_t e = 0; e < 3; ++e) {
       const int i = corners[e], j = corners[(e + 1) % 3], k = corners[(e + 2) % 3];
@@ -140,7 +169,7 @@ class Cutter {
         if (place == 3 || q[at(static_cast<int>(place + 1) % 3)] != i) continue;
         const int l = q[at(static_cast<int>(place + 2) % 3)];
         const std::array<std::array<int, 3>, 2> flipped = {{{i, l, k}, {l, j, k}}};
-        if (all[second].depth > kFlippedDepth || !may_be_pieces(c, flipped)) continue;
+        if (all[second].depth > kTriedDepth || !may_be_pieces(c, flipped)) continue;
         pieces_.flip(c, {first, static_cast<int>(second)}, flipped);
         return true;
       }
@@ -155,6 +184,43 @@ class Cutter {
     };
     const double a = area_of(two[0]), b = area_of(two[1]);
     return std::min(a, b) > kThinnest * (a + b) && is_positive(c, two[0]) && is_positive(c, two[1]);
+  }
+
+  Choice best_choice(Index c, const Piece& piece) const {
+    const std::array<int, 3>& p = piece.corners;
+    const std::array<Choice, 3> choices = {consider({c, p[0], p[1]}), consider({c, p[1], p[2]}),
+                                           consider({c, p[2], p[0]})};
+    return *std::ranges::min_element(choices, {}, &Choice::key);
+  }
+
+  Choice consider(const Edge& edge) const {
+    Choice choice{0, 0, std::numeric_limits<double>::infinity(), edge};
+    const std::vector<Edge> sides = pieces_.sides(edge);
+    const std::vector<Vector2> middles = pieces_.middles(sides);
+    const Vector3 middle =
+        (pieces_.position(edge.cell, edge.i) + pieces_.position(edge.cell, edge.j)) / 2;
+    for (std::size_t s = 0; s < sides.size(); ++s) {
+      const auto [c, i, j] = sides[s];
+      for (const Piece& piece : pieces_.pieces(c)) {
+        const std::array<int, 3>& p = piece.corners;
+        const auto from = std::ranges::find(p, i), to = std::ranges::find(p, j);
+        if (from == p.end() || to == p.end()) continue;
+        ++choice.pieces;
+        choice.not_positive -= !is_positive(c, p);
+        for (const auto moved : {from - p.begin(), to - p.begin()}) {
+          std::array<Vector2, 3> uv;
+          std::array<Vector3, 3> xyz;
+          for (std::size_t k = 0; k < 3; ++k) {
+            const bool is_moved = k == static_cast<std::size_t>(moved);
+            uv[k] = is_moved ? middles[s] : pieces_.uv(c, p[k]);
+            xyz[k] = is_moved ? middle : pieces_.position(c, p[k]);
+          }
+          choice.not_positive += orientation(uv[0], uv[1], uv[2]) <= 0;
+          choice.shape = std::min(choice.shape, shape(xyz[0], xyz[1], xyz[2]));
+        }
+      }
+    }
+    return choice;
   }
 
   // Of the curve, by its middle; the longest of its images along a cut.

@@ -8,7 +8,9 @@
 // that they share with others that are not.
 //
 // A piece that is not positive is repaired by the other diagonal of it and its neighbour, if they
-// are of one cell and both become positive; else its longest edge is halved, after that of its
+// are of one cell and both become positive; else one of its edges is halved where that leaves fewer
+// pieces that are not positive (the fewest; then the best shaped ones on the surface). Where no
+// single cut helps, and deep down always, its longest edge is halved, after that of its
 // neighbour while that one is longer [Riv97]. Lengths are measured in the plane, on the curves:
 // where a map stretches a hundredfold in one direction, pieces that are round there are few, pieces
 // that are round on the surface are thousands. As they become fine the map is affine on each, and

@@ -250,7 +250,7 @@ class Formats(CommandTest):
     def test_refined_obj(self):
         v, _, faces, _ = read_obj(generated('cap'))
         edges = {tuple(sorted((f[k], f[(k + 1) % 3]))) for f in faces for k in range(3)}
-        for args, k in (([], 3), (['--refine', '1'], 1), (['--refine', '5'], 5)):
+        for args, k in (([], 1), (['--refine', '1'], 1), (['--refine', '5'], 5)):
             self.run_ok('parametrize', '--quiet', generated('cap'), '-o', self.path('o.obj'), '--degree',
                         '2', *args)
             points, vt, triangles, texture = read_obj(self.path('o.obj'))

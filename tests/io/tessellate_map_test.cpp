@@ -1,5 +1,6 @@
 #include "majorant/io/tessellate_map.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -47,7 +48,8 @@ Edges open_edges(const Polygons& polygons) {
   return open;
 }
 
-// nx x ny unit squares on the plane z = 0 whose triangles' control points are moved by `bend`.
+// nx x ny unit squares on the plane z = 0 and the map that interpolates `bend` at the places of its
+// control points; up to rounding the same if that is a polynomial of no higher degree.
 struct BentGrid {
   PolygonMesh input;
   MapFile map;
@@ -66,8 +68,21 @@ struct BentGrid {
     BezierMap linear = BezierMap::linear(std::move(mesh), uv);
     while (linear.degree() < degree) linear = linear.elevated();
     map = to_map_file(linear);
-    for (Index p = 0; p < map.points.rows(); ++p)
-      map.uv.row(p) = bend(map.points(p, 0), map.points(p, 1)).transpose();
+    const auto indices = bezier_multi_indices(degree);
+    const auto size = static_cast<Index>(indices.size());
+    Points3 places(size, 3);
+    for (Index k = 0; k < size; ++k)
+      for (Index c = 0; c < 3; ++c) places(k, c) = double(indices[at(k)][at(c)]) / degree;
+    const Eigen::MatrixXd to_control = bernstein_values(degree, places).inverse();
+    for (Index c = 0; c < map.cells.rows(); ++c) {
+      Eigen::MatrixXd values(size, 2);
+      for (Index k = 0; k < size; ++k) {
+        const auto point = map.points.row(map.cells(c, k));
+        values.row(k) = bend(point[0], point[1]).transpose();
+      }
+      const Eigen::MatrixXd control = to_control * values;
+      for (Index k = 0; k < size; ++k) map.uv.row(map.cells(c, k)) = control.row(k);
+    }
   }
 };
 
@@ -144,7 +159,7 @@ TEST(TessellateMap, OneCutSuffices) {
   EXPECT_EQ(count_not_positive(mesh_from_map(example.map, "")), 1);
   for (const PolygonMesh* input : {&example.input, static_cast<const PolygonMesh*>(nullptr)}) {
     const PolygonMesh mesh = tessellate_map(example.map, input);
-    EXPECT_EQ(mesh.polygons, (Polygons{{0, 5, 2}, {5, 1, 2}, {1, 5, 3}, {5, 0, 3}, {2, 1, 4}}));
+    EXPECT_EQ(mesh.polygons, (Polygons{{0, 5, 2}, {5, 1, 2}, {5, 0, 3}, {1, 5, 3}, {2, 1, 4}}));
     EXPECT_EQ(mesh.polygon_texcoords, mesh.polygons);
     EXPECT_EQ(count_not_positive(mesh), 0);
     EXPECT_EQ(mesh.positions[5], Vector3(1, 0, 0));
@@ -156,7 +171,7 @@ TEST(TessellateMap, CutsAreClosedInSpace) {
   OneBentEdge example;
   example.cut();
   const PolygonMesh mesh = tessellate_map(example.map, &example.input);
-  EXPECT_EQ(mesh.polygons, (Polygons{{0, 5, 2}, {5, 1, 2}, {1, 5, 3}, {5, 0, 3}, {2, 1, 4}}));
+  EXPECT_EQ(mesh.polygons, (Polygons{{0, 5, 2}, {5, 1, 2}, {5, 0, 3}, {1, 5, 3}, {2, 1, 4}}));
   EXPECT_EQ(mesh.texcoords.size(), 5u + 2 + 2);
   EXPECT_EQ(count_not_positive(mesh), 0);
   EXPECT_EQ(open_edges(mesh.polygons).size(), 5u);
@@ -170,9 +185,12 @@ TEST(TessellateMap, CutsAreClosedInSpace) {
 TEST(TessellateMap, PiecesArePositiveAndFitTogether) {
   for (int degree = 2; degree <= 4; ++degree)
     for (const int refine : {1, 3}) {
-      // Cells turn by a radian each, six times as long as wide: with straight edges, they are not
-      // valid.
-      const auto bend = [](double x, double y) { return Arc{0.25}(4 * x, 0.5 * y); };
+      // Cells are long, sheared by half a cell and bent by more than their width: corners of a row
+      // lie beyond the chords of the next. det J = 1/2.
+      const auto bend = [](double x, double y) {
+        const double u = 4 * x + 2 * y;
+        return Vector2(u, u * u / 20 + y / 8);
+      };
       const BentGrid grid(degree, 4, 2, bend);
       const PolygonMesh mesh = tessellate_map(grid.map, nullptr, {.refine = refine});
       EXPECT_EQ(count_not_positive(mesh), 0);
@@ -327,7 +345,7 @@ TEST(TessellateMap, NormalsAndGroupsFollow) {
   example.input.directives = {{0, "g a"}, {2, "g b"}};
   const PolygonMesh mesh = tessellate_map(example.map, &example.input);
   EXPECT_EQ(mesh.positions[5], Vector3(9, 9, 9));
-  EXPECT_EQ(mesh.polygons, (Polygons{{0, 6, 2}, {6, 1, 2}, {1, 6, 3}, {6, 0, 3}, {2, 1, 4}}));
+  EXPECT_EQ(mesh.polygons, (Polygons{{0, 6, 2}, {6, 1, 2}, {6, 0, 3}, {1, 6, 3}, {2, 1, 4}}));
   ASSERT_EQ(mesh.polygon_normals, (Polygons{{0, 2, 0}, {2, 1, 0}, {}, {}, {0, 0, 1}}));
   EXPECT_NEAR((mesh.normals[2] - Vector3(0, 1, 1) / std::sqrt(2.0)).norm(), 0, 1e-15);
   EXPECT_EQ(mesh.directives, (std::vector<std::pair<Index, std::string>>{{0, "g a"}, {4, "g b"}}));
