@@ -108,7 +108,7 @@ TEST(CertifyPositive, BoundsHoldForTheSmallestDoubles) {
     std::vector<double> c(static_cast<std::size_t>(control_point_count(kDegree)), 90);
     for (const int k : TriangleIndices::of_degree(kDegree).edge(0))
       c[static_cast<std::size_t>(k)] = random.integer(-9, 90);
-    const Rational lowest = sampled_minimum(kDegree, c, 16);
+    const Rational lowest = sampled_minimum(kDegree, c, 8);
     for (double& x : c) x *= kSmallest;
     const PositivityProof proof = certify_positive(triangle(kDegree), c.data(), 0, 8);
     EXPECT_LE(Rational(proof.lower_bound / kSmallest), lowest) << "trial " << trial;
