@@ -88,15 +88,15 @@ template <class Real>
 bool crosses_straight(const Piece<Real>& a, const Piece<Real>& b) {
   const Direction<Real> chord = b.chord(), up = normal(chord);
   const auto seen = [&](const Piece<Real>& p) {
-    return Heights<Real>{along(p, chord),       along(p, chord, 0, 0),
-                         along(p, chord, p.degree, p.degree), along(p, up),
-                         along(p, up, 0, 0),    along(p, up, p.degree, p.degree)};
+    return Heights<Real>{
+        along(p, chord), along(p, chord, 0, 0), along(p, chord, p.degree, p.degree),
+        along(p, up),    along(p, up, 0, 0),    along(p, up, p.degree, p.degree)};
   };
   return crosses(seen(a), seen(b));
 }
 
-// Seen along a graph that follows `b`, without the ends of `a`: of curves that run along each other,
-// pieces often end at the same place.
+// Seen along a graph that follows `b`, without the ends of `a`: of curves that run along each
+// other, pieces often end at the same place.
 template <class Real>
 bool crosses_curved(const Piece<Real>& a, const Piece<Real>& b) {
   constexpr double kFirst = 1.0 / 16, kLast = 15.0 / 16;
@@ -137,8 +137,8 @@ Relation relation(const Piece<Real>& a, const Piece<Real>& b) {
   const Graph<Real> graph = curve_piece::graph_between(a, b);
   const Heights<Real> of_a = heights(a, graph), of_b = heights(b, graph);
   if (before(of_a.all, of_b.all) || before(of_b.all, of_a.all)) return Relation::Apart;
-  const bool crossing = (changes_side(of_a) && crosses_curved(a, b)) ||
-                        (changes_side(of_b) && crosses_curved(b, a));
+  const bool crossing =
+      (changes_side(of_a) && crosses_curved(a, b)) || (changes_side(of_b) && crosses_curved(b, a));
   return crossing ? Relation::Crossing : Relation::Unknown;
 }
 

@@ -31,8 +31,8 @@ struct Graph {
 
 template <class Real>
 struct Heights {
-  Interval<Real> x, front_x, back_x;   // of the piece and of its ends
-  Interval<Real> all, front, back;     // heights, of the piece and of its ends
+  Interval<Real> x, front_x, back_x;  // of the piece and of its ends
+  Interval<Real> all, front, back;    // heights, of the piece and of its ends
 };
 
 namespace detail {
@@ -64,8 +64,7 @@ void multiply(Scaled<Real>& product, int& degree, const Factor& factor, int fact
   Scaled<Real> result{};
   for (int i = 0; i <= degree; ++i)
     for (int j = 0; j <= factor_degree; ++j)
-      result[static_cast<std::size_t>(i + j)] +=
-          product[static_cast<std::size_t>(i)] * factor(j);
+      result[static_cast<std::size_t>(i + j)] += product[static_cast<std::size_t>(i)] * factor(j);
   degree += factor_degree;
   product = result;
 }
@@ -103,7 +102,8 @@ using SampleVector = Eigen::Matrix<double, 2 * kSamples, 1>;
 
 // Points of a piece, in the graph's coordinates, at equally spaced parameters, ends included.
 template <class Real>
-void sample(const LocalPiece<Real>& p, std::array<Direction<Real>, kSamples>& points) {
+std::array<Direction<Real>, kSamples> sample(const LocalPiece<Real>& p) {
+  std::array<Direction<Real>, kSamples> points;
   for (int k = 0; k < kSamples; ++k) {
     const double t = static_cast<double>(k) / (kSamples - 1);
     auto x = p.x, y = p.y;
@@ -114,6 +114,7 @@ void sample(const LocalPiece<Real>& p, std::array<Direction<Real>, kSamples>& po
       }
     points[static_cast<std::size_t>(k)] = {x[0], y[0]};
   }
+  return points;
 }
 
 template <class Real>
@@ -125,12 +126,10 @@ Real value(const std::array<Real, kGraphDegree + 1>& g, const Real& x) {
 
 }  // namespace detail
 
-// Along the sum of the chords (or their difference, so that they point the same way), x in [-1, 1]
-// on both pieces; the fit is y = g(x) + c on a, g(x) - c on b in least squares, which follows the
-// shape that both have in common also where only one of them is.
+// Coordinates along the sum of the chords (or their difference, so that they point the same way),
+// with x in [-1, 1] on both pieces, and g = 0.
 template <class Real>
-Graph<Real> graph_between(const Piece<Real>& a, const Piece<Real>& b) {
-  using namespace detail;
+Graph<Real> frame_along(const Piece<Real>& a, const Piece<Real>& b) {
   Graph<Real> graph;
   const Direction<Real> u = a.chord(), v = b.chord();
   const Real sense = u.x * v.x + u.y * v.y < 0 ? -1 : 1;
@@ -139,7 +138,7 @@ Graph<Real> graph_between(const Piece<Real>& a, const Piece<Real>& b) {
   graph.axis = {Real(dx / length), Real(dy / length)};
   graph.origin = {a.x[0], a.y[0]};
   const auto extent = [&](const Piece<Real>& p) {
-    const LocalPiece<Real> local(p, graph);
+    const detail::LocalPiece<Real> local(p, graph);
     const auto [low, high] = std::minmax_element(local.x.begin(), local.x.begin() + p.degree + 1);
     return Interval<Real>{*low, *high};
   };
@@ -150,14 +149,23 @@ Graph<Real> graph_between(const Piece<Real>& a, const Piece<Real>& b) {
   graph.origin.x += graph.axis.x * Real(middle);
   graph.origin.y += graph.axis.y * Real(middle);
   graph.axis = {graph.axis.x / Real(half), graph.axis.y / Real(half)};
+  return graph;
+}
 
-  std::array<Direction<Real>, kSamples> points[2];
-  sample(LocalPiece<Real>(a, graph), points[0]);
-  sample(LocalPiece<Real>(b, graph), points[1]);
+// y = g(x) + c on a, g(x) - c on b in least squares, which follows the shape that both have in
+// common also where only one of them is.
+template <class Real>
+Graph<Real> graph_between(const Piece<Real>& a, const Piece<Real>& b) {
+  using namespace detail;
+  Graph<Real> graph = frame_along(a, b);
+  const std::array points{sample(LocalPiece<Real>(a, graph)), sample(LocalPiece<Real>(b, graph))};
+  const auto point = [&](int row) {
+    return points[static_cast<std::size_t>(row / kSamples)]
+                 [static_cast<std::size_t>(row % kSamples)];
+  };
   SampleMatrix matrix;
   for (int row = 0; row < 2 * kSamples; ++row) {
-    const double x =
-        static_cast<double>(points[row / kSamples][static_cast<std::size_t>(row % kSamples)].x);
+    const double x = static_cast<double>(point(row).x);
     for (int k = 0; k <= kGraphDegree; ++k) matrix(row, k) = k == 0 ? 1 : x * matrix(row, k - 1);
     matrix(row, kGraphDegree + 1) = row < kSamples ? 1 : -1;
   }
@@ -166,15 +174,38 @@ Graph<Real> graph_between(const Piece<Real>& a, const Piece<Real>& b) {
   constexpr int kRounds = Piece<Real>::kUnit < Real(Rounding<double>::kUnit) ? 3 : 1;
   for (int round = 0; round < kRounds; ++round) {
     SampleVector rest;
-    for (int row = 0; row < 2 * kSamples; ++row) {
-      const auto& p = points[row / kSamples][static_cast<std::size_t>(row % kSamples)];
-      rest(row) = static_cast<double>(p.y - value(graph.coefficients, p.x));
-    }
+    for (int row = 0; row < 2 * kSamples; ++row)
+      rest(row) = static_cast<double>(point(row).y - value(graph.coefficients, point(row).x));
     const auto fitted = qr.solve(rest).eval();
     for (int k = 0; k <= kGraphDegree; ++k)
       graph.coefficients[static_cast<std::size_t>(k)] += Real(fitted(k));
   }
   return graph;
+}
+
+// y - g(x) of a piece: Bernstein coefficients of the degree kGraphDegree * n, as rounded.
+template <class Real>
+detail::Scaled<Real> height_coefficients(const detail::LocalPiece<Real>& p,
+                                         const Graph<Real>& graph) {
+  using namespace detail;
+  const int n = p.degree, all = n * kGraphDegree;
+  const auto at = [](int k) { return static_cast<std::size_t>(k); };
+  Scaled<Real> composed{graph.coefficients[kGraphDegree]};
+  int degree = 0;
+  for (int j = kGraphDegree - 1; j >= 0; --j) {
+    multiply(
+        composed, degree, [&](int k) { return Real(binomial(n, k)) * p.x[at(k)]; }, n);
+    for (int k = 0; k <= degree; ++k)
+      composed[at(k)] += graph.coefficients[at(j)] * Real(binomial(degree, k));
+  }
+  Scaled<Real> heights{};
+  for (int k = 0; k <= n; ++k) heights[at(k)] = Real(binomial(n, k)) * p.y[at(k)];
+  degree = n;
+  multiply(
+      heights, degree, [&](int k) { return Real(binomial(all - n, k)); }, all - n);
+  for (int k = 0; k <= all; ++k)
+    heights[at(k)] = (heights[at(k)] - composed[at(k)]) / Real(binomial(all, k));
+  return heights;
 }
 
 // Error of a coefficient: that of the inputs times the largest slope of g, and all roundings on the
@@ -186,7 +217,7 @@ Heights<Real> heights(const Piece<Real>& p, const Graph<Real>& graph) {
   constexpr Real kInfinity = std::numeric_limits<double>::infinity();
   constexpr Interval<Real> kAnywhere{-kInfinity, kInfinity};
   const LocalPiece<Real> local(p, graph);
-  const int n = p.degree, degree_of_height = n * kGraphDegree;
+  const int n = p.degree;
   Real reach = 0, above = 0;
   for (int k = 0; k <= n; ++k) {
     reach = std::max(reach, magnitude(local.x[p.at(k)]));
@@ -199,9 +230,9 @@ Heights<Real> heights(const Piece<Real>& p, const Graph<Real>& graph) {
     sum = sum * reach + magnitude(graph.coefficients[k]);
   }
   const int roundings = kGraphDegree * (n + 4) + n + 6;
-  const Real error = Real(1.01) * (local.error * (1 + slope) +
-                                   roundings * Piece<Real>::kUnit * (sum + above)) +
-                     Real(std::numeric_limits<double>::min());
+  const Real error =
+      Real(1.01) * (local.error * (1 + slope) + roundings * Piece<Real>::kUnit * (sum + above)) +
+      Real(std::numeric_limits<double>::min());
   // NaN compares false; where the axis is finite, so are the coordinates.
   constexpr double kLargestAxis = 1e150;  // times a coordinate, below PlanarCurve's limit
   const Real axis = magnitude(graph.axis.x) + magnitude(graph.axis.y);
@@ -209,34 +240,17 @@ Heights<Real> heights(const Piece<Real>& p, const Graph<Real>& graph) {
         error <= kGraphReach))
     return {kAnywhere, kAnywhere, kAnywhere, kAnywhere, kAnywhere, kAnywhere};
 
-  const auto x = [&](int k) { return Real(binomial(n, k)) * local.x[p.at(k)]; };
-  Scaled<Real> composed{graph.coefficients[kGraphDegree]};
-  int degree = 0;
-  for (int j = kGraphDegree - 1; j >= 0; --j) {
-    multiply(composed, degree, x, n);
-    for (int k = 0; k <= degree; ++k)
-      composed[p.at(k)] += graph.coefficients[p.at(j)] * Real(binomial(degree, k));
-  }
-  Scaled<Real> y{};
-  for (int k = 0; k <= n; ++k) y[p.at(k)] = Real(binomial(n, k)) * local.y[p.at(k)];
-  int y_degree = n;
-  multiply(y, y_degree, [&](int k) { return Real(binomial(degree_of_height - n, k)); },
-           degree_of_height - n);
-
   Heights<Real> result;
   const auto [low_x, high_x] = std::minmax_element(local.x.begin(), local.x.begin() + n + 1);
   result.x = widened(*low_x, *high_x, local.error);
   result.front_x = widened(local.x[0], local.x[0], local.error);
   result.back_x = widened(local.x[p.at(n)], local.x[p.at(n)], local.error);
-  Real low = kInfinity, high = -kInfinity;
-  for (int k = 0; k <= degree_of_height; ++k) {
-    const Real height = (y[p.at(k)] - composed[p.at(k)]) / Real(binomial(degree_of_height, k));
-    low = std::min(low, height);
-    high = std::max(high, height);
-    if (k == 0) result.front = widened(height, height, error);
-    if (k == degree_of_height) result.back = widened(height, height, error);
-  }
-  result.all = widened(low, high, error);
+  const Scaled<Real> y = height_coefficients(local, graph);
+  const std::size_t last = p.at(n * kGraphDegree);
+  const auto [low, high] = std::minmax_element(y.begin(), y.begin() + last + 1);
+  result.all = widened(*low, *high, error);
+  result.front = widened(y[0], y[0], error);
+  result.back = widened(y[last], y[last], error);
   return result;
 }
 

@@ -103,8 +103,7 @@ const Finding kStopped{Injectivity::Undecided, "stopped before it was decided"};
 // A point that is covered several times, near contacts that could not be decided: proves what pairs
 // of curves do not show, such as boundaries that cross at their vertices.
 Finding find_double_cover(const BoundaryLoops& boundary,
-                          const std::vector<BoundaryContact>& contacts,
-                          SubdivisionBudget& budget) {
+                          const std::vector<BoundaryContact>& contacts, SubdivisionBudget& budget) {
   constexpr std::size_t kPlaces = 8;
   constexpr int kDirections = 6;
   const LoopWinding winding(boundary);
@@ -166,7 +165,8 @@ Finding check_nesting(const BoundaryLoops& boundary, SubdivisionBudget& budget) 
     if (turns && *turns == (is_outer ? 0 : 1)) continue;
     const std::string place = fmt::format("near ({:.9g}, {:.9g})", p.x(), p.y());
     if (!turns)
-      return {Injectivity::Undecided, "which boundary loop is inside of which is not clear " + place};
+      return {Injectivity::Undecided,
+              "which boundary loop is inside of which is not clear " + place};
     return {Injectivity::Violated, is_outer ? "one component lies inside another, " + place
                                             : "a component is turned over, " + place};
   }
@@ -205,9 +205,10 @@ GlobalInjectivity check_layout(const BoundaryLoops& boundary, const InjectivityO
   GlobalInjectivity out;
   out.reason = boundary.defect();
   if (!out.reason.empty()) return out;
-  SubdivisionBudget budget(options.max_subdivisions.value_or(
-                               kSubdivisions + kPerEdge * static_cast<long>(boundary.curves.size())),
-                           options.stopped);
+  SubdivisionBudget budget(
+      options.max_subdivisions.value_or(kSubdivisions +
+                                        kPerEdge * static_cast<long>(boundary.curves.size())),
+      options.stopped);
   Contacts(boundary, budget, out).find();
   const Finding finding = conclude(boundary, out, budget);
   out.result = finding.result;

@@ -21,7 +21,8 @@ std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 // Of the polygon of the vertices, if that is simple: the turn at its lexicographically first one.
 int sense_of_polygon(const BoundaryLoops& boundary, const BoundaryLoop& loop) {
-  const auto first = boundary.curves.begin() + loop.first, last = boundary.curves.begin() + loop.last;
+  const auto first = boundary.curves.begin() + loop.first,
+             last = boundary.curves.begin() + loop.last;
   const auto lowest = std::min_element(first, last, [](const auto& a, const auto& b) {
     const Vector2 &p = a.front(), &q = b.front();
     return p.x() < q.x() || (p.x() == q.x() && p.y() < q.y());
@@ -54,9 +55,10 @@ int sign_of_area(const BoundaryLoops& boundary, const BoundaryLoop& loop) {
     for (int i = 0; i <= n; ++i)
       for (int j = 0; j < n; ++j) {
         const auto point = [&](int l) { return curve.control_points[at(l)]; };
-        const Direction<Real> c = difference(point(i), origin), d = difference(point(j + 1), point(j));
-        const Real weight =
-            binomial<Real>(n, i) * binomial<Real>(n - 1, j) / (2 * binomial<Real>(2 * n - 1, i + j));
+        const Direction<Real> c = difference(point(i), origin),
+                              d = difference(point(j + 1), point(j));
+        const Real weight = binomial<Real>(n, i) * binomial<Real>(n - 1, j) /
+                            (2 * binomial<Real>(2 * n - 1, i + j));
         of_curve += weight * (c.x * d.y - c.y * d.x);
         size += weight * (magnitude(c.x * d.y) + magnitude(c.y * d.x));
       }
@@ -82,8 +84,7 @@ std::optional<int> crossings_of_line(const Vector2& a, const Vector2& b, const V
 // which the enclosures along the axes include: it is as if the curve went there and back.
 std::optional<int> crossings_of_piece(const Piece<double>& piece) {
   const auto chord = piece.chord();
-  for (const Direction<double>& axis :
-       {Direction<double>{1, 0}, {0, 1}, {-chord.y, chord.x}}) {
+  for (const Direction<double>& axis : {Direction<double>{1, 0}, {0, 1}, {-chord.y, chord.x}}) {
     const auto range = along(piece, axis);
     if (!(range.low > 0 || range.high < 0)) continue;
     const bool contains_ray = range.low > 0 ? axis.x > 0 : axis.x < 0;
@@ -116,9 +117,9 @@ Box2 box_of(const PlanarCurve& curve) {
 }
 
 int sense_of(const BoundaryLoops& boundary, const BoundaryLoop& loop) {
-  const bool straight = std::all_of(boundary.curves.begin() + loop.first,
-                                    boundary.curves.begin() + loop.last,
-                                    [](const PlanarCurve& c) { return c.degree == 1; });
+  const bool straight =
+      std::all_of(boundary.curves.begin() + loop.first, boundary.curves.begin() + loop.last,
+                  [](const PlanarCurve& c) { return c.degree == 1; });
   if (straight) return sense_of_polygon(boundary, loop);
   const int sign = sign_of_area<double>(boundary, loop);
   return sign != 0 ? sign : sign_of_area<Quad>(boundary, loop);

@@ -16,7 +16,10 @@ std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 class Sweep {
  public:
   Sweep(const BoundaryLoops& loops, SubdivisionBudget& budget)
-      : next_(loops.next()), before_(next_.size()), active_(Below{this}), place_(next_.size()),
+      : next_(loops.next()),
+        before_(next_.size()),
+        active_(Below{this}),
+        place_(next_.size()),
         budget_(budget) {
     for (std::size_t k = 0; k < next_.size(); ++k) {
       vertices_.push_back(loops.curves[k].front());
@@ -27,9 +30,8 @@ class Sweep {
   SweepResult run() {
     std::vector<Index> order(vertices_.size());
     std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(), [this](Index i, Index j) {
-      return earlier(i, j) || (!earlier(j, i) && i < j);
-    });
+    std::sort(order.begin(), order.end(),
+              [this](Index i, Index j) { return earlier(i, j) || (!earlier(j, i) && i < j); });
     // From here on no two vertices are at the same place.
     for (std::size_t k = 1; k < order.size(); ++k)
       if (point(order[k - 1]) == point(order[k])) {

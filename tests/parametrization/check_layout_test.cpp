@@ -216,7 +216,7 @@ TEST(CheckLayout, WhatCannotBeDecidedEndsWithTheBudget) {
 TEST(CheckLayout, StopsWhenAsked) {
   BoundaryLoops squares;
   for (Index k = 0; k < 500; ++k) add(squares, k, polygon(square(4.0 * k, 0.5 * k, 1), 1));
-  for (const BoundaryLoops& layout : {wiggling_sides(30, 1e-9), squares, touching_arches(3)}) {
+  for (const BoundaryLoops& layout : {wiggling_sides(30, 1e-9), squares, touching_arches(2)}) {
     long asked = 0;
     check_layout(layout, {.stopped = [&] { return ++asked < 0; }});
     ASSERT_GT(asked, 30);

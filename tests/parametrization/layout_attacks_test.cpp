@@ -1,5 +1,5 @@
-// Layouts on the edge of overlapping, judged by exact elimination: what is called injective must be,
-// what is called not injective must not be, and hardly anything may be left open.
+// Layouts on the edge of overlapping, judged by exact elimination: what is called injective must
+// be, what is called not injective must not be, and hardly anything may be left open.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -65,7 +65,8 @@ Truth truth_of(const BoundaryLoops& layout) {
     for (std::size_t j = i + 1; j < layout.curves.size(); ++j) {
       const PlanarCurve &a = layout.curves[i], &b = layout.curves[j];
       if (!box_of(a).meets(box_of(b))) continue;
-      const bool after = next[i] == static_cast<Index>(j), before = next[j] == static_cast<Index>(i);
+      const bool after = next[i] == static_cast<Index>(j),
+                 before = next[j] == static_cast<Index>(i);
       const int count = after    ? exact::common_points(a, b, exact::Ends::WithoutCommon)
                         : before ? exact::common_points(b, a, exact::Ends::WithoutCommon)
                                  : exact::common_points(a, b, exact::Ends::All);
@@ -237,7 +238,8 @@ TEST(LayoutAttacks, AnnuliAndFans) {
     BoundaryLoops layout;
     add(layout, 0, edges_along(circle(1, {0, 0}, 1), degree, [](std::size_t) { return -0.05; }));
     if (trial % 3 != 2)
-      add(layout, 0, edges_along(circle(0.5, center, -1), degree, [](std::size_t) { return 0.05; }));
+      add(layout, 0,
+          edges_along(circle(0.5, center, -1), degree, [](std::size_t) { return 0.05; }));
     random.move(layout);
     judge(layout, tally, "annulus " + std::to_string(trial));
   }
