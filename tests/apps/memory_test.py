@@ -15,6 +15,11 @@ class Memory(CommandTest):
                                       stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
                                       preexec_fn=lower, timeout=120))
 
+    def setUp(self):
+        super().setUp()
+        if self.run_within(1000, '--version').code != OK:
+            self.skipTest('a sanitizer, which needs more address space than there can be')
+
     def all_or_nothing(self, mesh, degree, limits):
         """Codes by limit. Exit 0 gives the very file that a run without a limit gives."""
         job = ('parametrize', generated(mesh), '-o', self.path('out.vtu'), '--degree', degree, '--quiet')
@@ -34,14 +39,14 @@ class Memory(CommandTest):
         return codes
 
     def test_no_room_for_blas(self):
-        self.assertEqual(self.all_or_nothing('wavy_disk', 5, (100, 140, 180)), [UNSUPPORTED] * 3)
+        self.assertEqual(self.all_or_nothing('wavy_disk', 5, (100, 180)), [UNSUPPORTED] * 2)
 
     def test_around_the_threshold(self):
-        codes = self.all_or_nothing('wavy_disk', 5, range(190, 250, 6))
+        codes = self.all_or_nothing('wavy_disk', 5, (200, 225, 228, 232, 260))
         self.assertEqual((codes[0], codes[-1]), (UNSUPPORTED, OK))
 
     def test_exhausted_later(self):
-        codes = self.all_or_nothing('creature', 4, (230, 260, 300, 340, 1000))
+        codes = self.all_or_nothing('creature', 3, (215, 225, 235, 400))
         self.assertEqual((codes[0], codes[-1]), (UNSUPPORTED, OK))
 
     def test_verbs_without_a_solver_need_no_more_than_their_files(self):

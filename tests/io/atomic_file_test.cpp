@@ -2,6 +2,7 @@
 
 #include <sys/stat.h>
 
+#include <cstdlib>
 #include <thread>
 
 #include "io_test_helpers.h"
@@ -43,6 +44,9 @@ TEST(AtomicFile, FailureLeavesNothing) {
     const std::string message =
         error_message(ErrorKind::Usage, [&] { write_file_atomically(path, "x"); });
     EXPECT_TRUE(message.starts_with("cannot write " + path)) << message;
+    EXPECT_EQ(error_message(ErrorKind::Usage, [&] { require_writable_file(path); })
+                  .starts_with("cannot write " + path),
+              true);
   }
   error_message(ErrorKind::Usage, [] { write_file_atomically("/dev/full", "x"); });
   EXPECT_EQ(entries(folder), 0u);
@@ -60,6 +64,96 @@ TEST(AtomicFile, SpecialFilesAreWrittenDirectly) {
   reader.join();
   EXPECT_EQ(received, "through");
   EXPECT_EQ(entries(folder), 1u);
+}
+
+TEST(AtomicFile, DanglingLinkIsFollowed) {
+  const TemporaryFolder folder;
+  std::filesystem::create_symlink("second", folder.file("first"));
+  std::filesystem::create_symlink("target", folder.file("second"));
+  require_writable_file(folder.file("first"));
+  EXPECT_EQ(entries(folder), 2u);
+  write_file_atomically(folder.file("first"), "new");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.file("first")));
+  EXPECT_TRUE(
+      std::filesystem::is_regular_file(std::filesystem::symlink_status(folder.file("target"))));
+  EXPECT_EQ(content_of(folder.file("target")), "new");
+}
+
+TEST(AtomicFile, LongestNameAndItsPermissions) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file(std::string(251, 'x') + ".vtu");
+  require_writable_file(path);
+  write_file_atomically(path, "one");
+  ASSERT_EQ(::chmod(path.c_str(), 0666), 0);
+  write_file_atomically(path, "two");
+  EXPECT_EQ(content_of(path), "two");
+  EXPECT_EQ(static_cast<unsigned>(std::filesystem::status(path).permissions()), 0666u);
+}
+
+TEST(AtomicFile, VerificationSeesTheBytesBeforeTheyTakeTheName) {
+  const TemporaryFolder folder;
+  folder.write("a.obj", "old");
+  const std::string path = folder.file("a.obj");
+  std::string seen;
+  write_file_atomically(path, "new", [&](const std::string& temporary) {
+    seen = temporary;
+    EXPECT_EQ(content_of(temporary), "new");
+    EXPECT_EQ(content_of(path), "old");
+  });
+  EXPECT_TRUE(seen.ends_with(".tmp.obj")) << seen;
+  EXPECT_EQ(std::filesystem::path(seen).parent_path(), folder.path());
+  EXPECT_EQ(content_of(path), "new");
+}
+
+TEST(AtomicFile, WhatIsNotVerifiedIsNotWritten) {
+  const TemporaryFolder folder;
+  folder.write("a.obj", "old");
+  const auto refuse = [](const std::string&) { throw Error(ErrorKind::Invalid, "cell 7"); };
+  for (const std::string name : {"a.obj", "absent.obj"})
+    EXPECT_EQ(error_message(ErrorKind::Invalid,
+                            [&] { write_file_atomically(folder.file(name), "new", refuse); }),
+              "cell 7");
+  EXPECT_EQ(content_of(folder.file("a.obj")), "old");
+  EXPECT_EQ(entries(folder), 1u);
+}
+
+TEST(AtomicFile, SpecialFilesAreVerifiedElsewhere) {
+  const TemporaryFolder folder, elsewhere;
+  const std::string fifo = folder.file("fifo.vtu");
+  ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
+  ASSERT_EQ(::setenv("TMPDIR", elsewhere.path().c_str(), 1), 0);
+  std::string seen;
+  const auto look = [&](const std::string& temporary) {
+    seen = temporary;
+    EXPECT_EQ(content_of(temporary), "through");
+  };
+  std::thread reader([&] { EXPECT_EQ(content_of(fifo), "through"); });
+  write_file_atomically(fifo, "through", look);
+  reader.join();
+  EXPECT_EQ(std::filesystem::path(seen).parent_path(), elsewhere.path());
+  EXPECT_TRUE(seen.ends_with(".vtu"));
+  error_message(ErrorKind::Invalid, [&] {  // opens no FIFO: it would wait for a reader
+    write_file_atomically(fifo, "x",
+                          [](const std::string&) { throw Error(ErrorKind::Invalid, "refused"); });
+  });
+  EXPECT_EQ(entries(elsewhere), 0u);
+  EXPECT_EQ(entries(folder), 1u);
+  ::unsetenv("TMPDIR");
+}
+
+TEST(AtomicFile, NamesOfOneFile) {
+  const TemporaryFolder folder;
+  folder.write("a", "");
+  std::filesystem::create_symlink("a", folder.file("link"));
+  std::filesystem::create_hard_link(folder.file("a"), folder.file("hard"));
+  std::filesystem::create_symlink("b", folder.file("dangling"));
+  const auto same = [&](const char* first, const char* second) {
+    return identify_file(folder.file(first)) == identify_file(folder.file(second));
+  };
+  EXPECT_TRUE(same("a", "./a") && same("a", "link") && same("a", "hard"));
+  EXPECT_TRUE(same("b", "./b") && same("b", "dangling"));
+  EXPECT_FALSE(same("a", "b") || same("b", "c"));
+  EXPECT_FALSE(identify_file(folder.file("absent/a")).has_value());
 }
 
 }  // namespace

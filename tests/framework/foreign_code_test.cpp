@@ -1,0 +1,87 @@
+#include "majorant/framework/foreign_code.h"
+
+#include <gtest/gtest.h>
+#include <pthread.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <csignal>
+#include <new>
+#include <vector>
+
+#include "majorant/framework/linear_solver.h"
+
+namespace majorant {
+namespace {
+
+std::atomic<int> noticed{0};
+
+// The path of `count` nodes: large enough that METIS orders it.
+SparsePattern path_pattern(Index count) {
+  SparsePattern p;
+  p.size = count;
+  p.column_starts = {0};
+  for (Index c = 0; c < count; ++c) {
+    p.rows.push_back(c);
+    if (c + 1 < count) p.rows.push_back(c + 1);
+    p.column_starts.push_back(static_cast<Index>(p.rows.size()));
+    p.block_of.push_back(c);
+  }
+  return p;
+}
+
+TEST(ForeignCode, HandlersSurviveMetis) {
+  struct sigaction mine {};
+  mine.sa_handler = [](int) { ++noticed; };
+  sigaddset(&mine.sa_mask, SIGHUP);
+  ASSERT_EQ(sigaction(SIGTERM, &mine, nullptr), 0);
+  const SparsePattern pattern = path_pattern(2000);
+  make_cholmod_solver(Factorization::Automatic, Ordering::Metis)->analyze(pattern);
+  struct sigaction after {};
+  sigaction(SIGTERM, nullptr, &after);
+  EXPECT_EQ(after.sa_handler, mine.sa_handler);
+  EXPECT_EQ(after.sa_flags & int(SA_RESETHAND), 0);
+  EXPECT_EQ(sigismember(&after.sa_mask, SIGHUP), 1);
+  raise(SIGTERM);
+  raise(SIGTERM);  // a handler that METIS left would have been reset by the first
+  EXPECT_EQ(noticed, 2);
+}
+
+TEST(ForeignCode, SignalsWaitForTheEndOfTheCall) {
+  struct sigaction mine {};
+  mine.sa_handler = [](int) { ++noticed; };
+  ASSERT_EQ(sigaction(SIGTERM, &mine, nullptr), 0);
+  noticed = 0;
+  {
+    const KeptSignals signals;
+    std::signal(SIGTERM, SIG_DFL);  // as METIS does
+    raise(SIGTERM);
+    EXPECT_EQ(noticed, 0);
+  }
+  EXPECT_EQ(noticed, 1);
+}
+
+#ifndef __SANITIZE_ADDRESS__  // which needs address space without limits
+
+// 7: the lack of room was noticed.
+[[noreturn]] void ask_for_buffer_without_room() {
+  const rlimit little{1 << 20, 1 << 20};
+  setrlimit(RLIMIT_AS, &little);
+  try {
+    require_blas_buffer();
+  } catch (const std::bad_alloc&) {
+    ::_exit(7);
+  }
+  ::_exit(0);
+}
+
+// The buffer is mapped once in a process and kept: in a child, which has none yet.
+TEST(ForeignCode, NoRoomForTheBufferIsAnError) {
+  EXPECT_EXIT(ask_for_buffer_without_room(), testing::ExitedWithCode(7), "");
+}
+
+#endif
+
+}  // namespace
+}  // namespace majorant
