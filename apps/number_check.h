@@ -3,7 +3,7 @@
 //   verb.add_option("--soft", soft, "...")->check(positive_number());
 #pragma once
 
-#include <CLI/Validators.hpp>
+#include <CLI/App.hpp>
 #include <limits>
 
 namespace majorant::app {

@@ -15,11 +15,14 @@ namespace majorant {
 namespace {
 
 enum class Region { Unknown, Inside, Outside };
+struct FaceMark {
+  Region region = Region::Unknown;
+};
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
 using FaceBase =
-    CGAL::Triangulation_face_base_with_info_2<Region, Kernel,
+    CGAL::Triangulation_face_base_with_info_2<FaceMark, Kernel,
                                               CGAL::Constrained_triangulation_face_base_2<Kernel>>;
 using Delaunay = CGAL::Constrained_Delaunay_triangulation_2<
     Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
@@ -58,16 +61,17 @@ Delaunay constrained(const std::vector<Vector2>& polygon, const StopCheck& stop)
 
 // Faces that are reached from the outside without crossing the polygon an odd number of times.
 void mark_regions(Delaunay& triangulation) {
-  triangulation.infinite_face()->info() = Region::Outside;
+  triangulation.infinite_face()->info().region = Region::Outside;
   std::vector<FaceHandle> stack{triangulation.infinite_face()};
   while (!stack.empty()) {
     const FaceHandle face = stack.back();
     stack.pop_back();
     for (int k = 0; k < 3; ++k) {
       const FaceHandle next = face->neighbor(k);
-      if (next->info() != Region::Unknown) continue;
+      if (next->info().region != Region::Unknown) continue;
       const bool crosses = face->is_constrained(k);
-      next->info() = (face->info() == Region::Inside) != crosses ? Region::Inside : Region::Outside;
+      next->info().region =
+          (face->info().region == Region::Inside) != crosses ? Region::Inside : Region::Outside;
       stack.push_back(next);
     }
   }
@@ -84,7 +88,7 @@ std::vector<std::array<int, 3>> triangulate_large_polygon(const std::vector<Vect
     Delaunay triangulation = constrained(polygon, stop);
     mark_regions(triangulation);
     for (const FaceHandle face : triangulation.finite_face_handles())
-      if (face->info() == Region::Inside)
+      if (face->info().region == Region::Inside)
         triangles.push_back(
             {face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
   } catch (const Delaunay::Intersection_of_constraints_exception&) {

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <set>
 
+#include "parametrization/counted_stop.h"
 #include "parametrization/parametrization_test_helpers.h"
 
 namespace majorant {
@@ -89,6 +90,112 @@ TEST(TriangulatePolygon, TakesTheBetterDiagonalOfAQuad) {
   for (const auto& t : triangles) {  // the short diagonal 1 - 3 is in both
     EXPECT_NE(std::find(t.begin(), t.end(), 1), t.end());
     EXPECT_NE(std::find(t.begin(), t.end(), 3), t.end());
+  }
+}
+
+// Polygons of n corners that grow hard to clip with n.
+std::vector<Vector2> ngon(int n) {
+  std::vector<Vector2> polygon;
+  for (int k = 0; k < n; ++k)
+    polygon.push_back({std::cos(2 * kPi * k / n), std::sin(2 * kPi * k / n)});
+  return polygon;
+}
+std::vector<Vector2> star_of(int n) {
+  std::vector<Vector2> polygon = ngon(n);
+  for (int k = 1; k < n; k += 2) polygon[at(k)] *= 0.3;
+  return polygon;
+}
+std::vector<Vector2> comb_of(int n) {  // teeth upwards, back along the bottom
+  std::vector<Vector2> polygon{{0, -1}};
+  for (int k = 0; k + 2 < n; ++k) polygon.push_back({double(n - k), k % 2 == 0 ? 0.0 : 10.0});
+  polygon.insert(polygon.begin() + 1, {double(n) + 1, -1});
+  return polygon;
+}
+std::vector<Vector2> spiral_of(int n) {  // out along one arm, back along the other
+  std::vector<Vector2> polygon;
+  const int arm = n / 2;
+  const auto point = [&](int k, double offset) {
+    const double angle = 8 * kPi * k / arm, radius = 1 + angle / (2 * kPi) + offset;
+    return Vector2(radius * std::cos(angle), radius * std::sin(angle));
+  };
+  for (int k = 0; k < n - arm; ++k) polygon.push_back(point(k, 0.5));
+  for (int k = arm - 1; k >= 0; --k) polygon.push_back(point(k, 0));
+  return polygon;
+}
+std::vector<Vector2> square_of(int n) {  // straight runs of corners
+  std::vector<Vector2> polygon;
+  for (int k = 0; k < n; ++k) {
+    const double t = 4.0 * k / n, s = t - std::floor(t);
+    const Vector2 sides[] = {{s, 0}, {1, s}, {1 - s, 1}, {0, 1 - s}};
+    polygon.push_back(sides[int(t)]);
+  }
+  return polygon;
+}
+
+// Work is counted in polls: each stands for O(n) of it, or for 4096 corners.
+TEST(TriangulatePolygon, ManyCornersInTimeOfTheSquareAtMost) {
+  using Maker = std::vector<Vector2> (*)(int);
+  const std::pair<const char*, Maker> makers[] = {{"ngon", ngon},
+                                                  {"star", star_of},
+                                                  {"comb", comb_of},
+                                                  {"spiral", spiral_of},
+                                                  {"square", square_of}};
+  for (const auto& [name, make] : makers)
+    for (const int n : {3, 4, 5, 8, 20, 63, 64, 65, 100, 500, 2048, 2049, 5000}) {
+      if ((make == star_of && n % 2 != 0) || (make == spiral_of && n < 100)) continue;
+      SCOPED_TRACE(name + (" " + std::to_string(n)));
+      const std::vector<Vector2> polygon = make(n);
+      std::vector<Vector3> corners;
+      double area = 0;
+      for (std::size_t k = 0; k < polygon.size(); ++k) {
+        const Vector2 &p = polygon[k], &q = polygon[(k + 1) % polygon.size()];
+        corners.push_back({p.x(), p.y(), 0});
+        area += 0.5 * (p.x() * q.y() - p.y() * q.x());
+      }
+      ASSERT_GT(area, 0);
+      const CountedStop stop;
+      const auto triangles = triangulate_polygon(corners, stop.check());
+      EXPECT_LE(stop.asked(), 4 * n);
+      ASSERT_EQ(triangles.size(), corners.size() - 2);
+      double sum = 0, least = area;
+      for (const auto& t : triangles) {
+        const double part =
+            signed_area(corners[at(t[0])], corners[at(t[1])], corners[at(t[2])], Vector3::UnitZ());
+        sum += part;
+        least = std::min(least, part);
+      }
+      EXPECT_NEAR(sum, area, 1e-9 * area);
+      EXPECT_GE(least, -1e-12 * area);
+    }
+}
+
+TEST(TriangulatePolygon, StopsAnywhere) {
+  std::vector<Vector3> corners;
+  for (const Vector2& p : star_of(400)) corners.push_back({p.x(), p.y(), 0});
+  for (const long k : {1L, 2L, 399L, 400L, 700L, 1100L}) {
+    const CountedStop stop(k);
+    EXPECT_THROW(triangulate_polygon(corners, stop.check()), Stopped);
+    EXPECT_EQ(stop.asked_after(), 0);
+  }
+}
+
+// Small ones get triangles all the same, large ones a message.
+TEST(TriangulatePolygon, PolygonsThatAreNotSimple) {
+  std::mt19937 random(7);
+  for (const int n : {5, 30, 300, 2048, 3000}) {
+    std::vector<Vector3> corners;
+    for (int k = 0; k < n; ++k)
+      corners.push_back(
+          {(random() % 4096) / 4096.0, (random() % 4096) / 4096.0, (random() % 4096) / 40960.0});
+    if (n <= 2048) {
+      EXPECT_EQ(triangulate_polygon(corners).size(), at(n) - 2);
+      continue;
+    }
+    PolygonMesh mesh = polygon_mesh(corners, {{}});
+    for (int k = 0; k < n; ++k) mesh.polygons[0].push_back(k);
+    expect_contains(
+        error_message(ErrorKind::Unsupported, [&] { SurfaceMesh::from_polygons(mesh); }),
+        {"inline.obj:101", "3000 corners", "crosses or touches itself"});
   }
 }
 

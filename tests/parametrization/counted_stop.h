@@ -1,0 +1,31 @@
+// A stop check that counts how often it is asked and says stop from the k-th time on: tests end
+// runs at every possible moment and count what is asked afterwards instead of seconds.
+#pragma once
+
+#include <atomic>
+#include <limits>
+#include <memory>
+
+#include "majorant/framework/stop_check.h"
+
+namespace majorant {
+
+class CountedStop {
+ public:
+  explicit CountedStop(long last = std::numeric_limits<long>::max()) : last_(last) {}
+
+  StopCheck check() const {
+    return StopCheck([asked = asked_, last = last_] {
+      return ++*asked >= last ? Directive::Interrupt : Directive::Continue;
+    });
+  }
+  long asked() const { return *asked_; }
+  bool stopped() const { return asked() >= last_; }
+  long asked_after() const { return stopped() ? asked() - last_ : 0; }
+
+ private:
+  std::shared_ptr<std::atomic<long>> asked_ = std::make_shared<std::atomic<long>>(0);
+  long last_;
+};
+
+}  // namespace majorant
