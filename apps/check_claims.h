@@ -24,7 +24,8 @@ struct CheckedMap {
 
 // Measured with the claimed energy, in the units of the run; an energy that does not exist is a
 // finding.
-MapMeasures measure_as_claimed(const BezierMap& map, const Claims& claims, Findings& findings);
+MapMeasures measure_as_claimed(const BezierMap& map, const Claims& claims, const StopCheck& stop,
+                               Findings& findings);
 std::string claimed_energy(const Claims& claims);
 // uv of the file (2 numbers a node) in the units of the run, before --normalize.
 Vec in_units_of_the_run(VecIn uv, const Claims& claims);

@@ -11,9 +11,12 @@
 #include "apps/command.h"
 #include "apps/energy_option.h"
 #include "apps/global_verdict.h"
+#include "apps/number_check.h"
 #include "apps/outputs.h"
+#include "apps/process.h"
 #include "apps/report.h"
 #include "apps/streams.h"
+#include "apps/unless_stopped.h"
 #include "majorant/io/map_proof.h"
 #include "majorant/io/read_map.h"
 #include "majorant/io/read_mesh.h"
@@ -66,7 +69,7 @@ struct Check {
   std::optional<MapProof> proof = {};
 };
 
-void prove(Check& check, const std::function<bool()>& stopped) {
+void prove(Check& check, const StopCheck& stop) {
   const bool is_seamless = check.request.seamless || check.claims.seams.value_or(false);
   ProofRequest wanted;
   if (check.surface) wanted.surface = &*check.surface;
@@ -77,7 +80,7 @@ void prove(Check& check, const std::function<bool()>& stopped) {
     wanted.overlap = ProofRequest::Overlap::Reported;
   if (extension(check.request.result) == ".vtu")
     wanted.labels = ProofRequest::FaceLabels::Compared;
-  wanted.stopped = stopped;
+  wanted.stop = stop;
   check.proof.emplace(check.file, check.request.result, wanted);
   for (const auto& [question, finding] : check.proof->findings()) {
     if (finding->answer == Answer::Violated)
@@ -96,7 +99,7 @@ void prove(Check& check, const std::function<bool()>& stopped) {
   if (!check.proof->map()) return;
 
   const BezierMap& map = *check.proof->map();
-  check.measures = measure_as_claimed(map, check.claims, check.findings);
+  check.measures = measure_as_claimed(map, check.claims, stop, check.findings);
   Json result = measures_section(map, *check.measures, claimed_energy(check.claims));
   if (check.proof->global)
     add_global_injectivity(result, map, *check.measures, *check.proof->global);
@@ -146,18 +149,19 @@ int conclude(Check& check) {
 int check(const Request& request) {
   require_writable(request.common, {}, {request.result, request.surface});
   request.common.apply();
-  const MapFile file = read_map(request.result);
-  if (file.degree > BezierTriangleSpace::kMaxDegree)
-    throw Error(ErrorKind::Unsupported,
-                fmt::format("{}: cells of degree {}; check handles 1 to {}", request.result,
-                            file.degree, BezierTriangleSpace::kMaxDegree));
+  const RunRecord record(request.time_limit, 0, interruption_flag());
+  const StopCheck& stop = record.stop();
+  const auto read = [&](const std::string& path, const auto& reader) {
+    return unless_stopped("reading " + path, [&] { return reader(path, stop); });
+  };
+  const MapFile file = read(request.result, read_map);
   const Claims claims = parse_claims(file.claims, request.result);
   std::optional<PolygonMesh> surface;
-  if (!request.surface.empty()) surface = read_mesh(request.surface);
+  if (!request.surface.empty()) surface = read(request.surface, read_mesh);
   Check check{request, file, claims, surface};
   check.report = {{"schema_version", 1}, {"version", MAJORANT_VERSION}, {"command", "check"}};
+  prove(check, stop);
   check_flat(file, check.findings);
-  prove(check, {});
   return conclude(check);
 }
 
@@ -175,6 +179,9 @@ void add_check(CLI::App& app, Action* run) {
       ->check(CLI::IsMember({"none", "free"}));
   verb.add_flag("--seamless", request->seamless,
                 "the map is seamless, its seams are no cuts (implied where the file claims it)");
+  verb.add_option("--time-limit", request->time_limit,
+                  "seconds; what is not decided by then is said to be undecided")
+      ->check(non_negative_number(std::numeric_limits<double>::infinity()));
   verb.add_flag("--certify", request->certify, "prove global injectivity as well");
   request->common.add_to(verb);
   verb.footer("Example: majorant check bunny.vtu --surface bunny.obj --report check.json");

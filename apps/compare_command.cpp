@@ -266,7 +266,12 @@ void add_compare(CLI::App& app, Action* run) {
   for (const Method& m : methods()) list += fmt::format("  {:<24} {}\n", m.name, m.summary);
   verb.footer(list +
               "Example: majorant compare bunny.obj --degree 2 --methods newton,lbfgs -o c.html");
-  verb.callback([request, run] { *run = [request] { return compare(*request); }; });
+  verb.callback([request, run] {
+    *run = [request] {
+      request->map.choose_degree({});
+      return compare(*request);
+    };
+  });
 }
 
 }  // namespace majorant::app

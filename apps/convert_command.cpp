@@ -6,8 +6,9 @@
 #include "apps/command.h"
 #include "apps/outputs.h"
 #include "apps/report.h"
-#include "majorant/io/read_map.h"
+#include "majorant/io/certified_file.h"
 #include "majorant/io/cut_map.h"
+#include "majorant/io/read_map.h"
 
 namespace majorant::app {
 namespace {
@@ -41,6 +42,19 @@ Overlap allowed_overlap(const MapFile& map, const std::string& name) {
   return is_bijective ? Overlap::Excluded : Overlap::Allowed;
 }
 
+// As cut, and as free of overlaps, as the map is or claims to be.
+ProofRequest promise_of(const MapFile& map, const std::string& name) {
+  ProofRequest question;
+  question.cuts = CutRule::SeamsOrFree;
+  const CutCount cuts = MapProof(map, name, question).cuts;
+  ProofRequest promise;
+  if (cuts.seams > 0) promise.cuts = CutRule::Seams;
+  if (cuts.others > 0) promise.cuts = CutRule::SeamsOrFree;
+  if (allowed_overlap(map, name) == Overlap::Excluded)
+    promise.overlap = ProofRequest::Overlap::Forbidden;
+  return promise;
+}
+
 void write_report(const Request& request, WrittenFiles& written) {
   const Json report{{"schema_version", 1},
                     {"version", MAJORANT_VERSION},
@@ -59,9 +73,12 @@ int convert(Request request) {
   MapFile map = read_map(request.input);
   mark_seams(map, request.input);
   request.formats.tessellation.overlap = allowed_overlap(map, request.input);
+  const ProofRequest promise = promise_of(map, request.input);
   WrittenFiles written;
   for (const std::string& path : request.outputs)
-    written.write(path, [&] { write_map(path, map, nullptr, request.formats); });
+    written.write(path, [&] {
+      write_map(path, map, nullptr, request.formats, certification(path, promise));
+    });
   if (!request.common.report.empty()) write_report(request, written);
   return written.conclude(kSuccess);
 }

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "apps/energy_option.h"
 #include "apps/number_check.h"
+#include "apps/outputs.h"
 #include "apps/unless_stopped.h"
 #include "majorant/framework/curvature_name.h"
 #include "majorant/framework/error.h"
@@ -78,7 +81,7 @@ Index used_vertex(const std::string& path, const SurfaceMesh& mesh, Index input_
 
 void MapRequest::add_to(CLI::App& verb) {
   verb.add_option("input", input, "mesh: .obj .off .ply .stl .vtu")->required();
-  verb.add_option("--degree", degree, "polynomial degree, 1..8 (3)")->check(CLI::Range(1, 8));
+  verb.add_option("--degree", degree, "polynomial degree, 1..8 (3, or 1 where all data outputs are without curves: .obj)")->check(CLI::Range(1, 8));
   verb.add_option("--energy", energy, "distortion: a name below, or a weighted sum");
   verb.add_option("--pins", pins, "hard point constraints, JSON")->type_name("FILE");
   verb.add_option("--handles", handles, "soft point constraints, JSON")->type_name("FILE");
@@ -97,6 +100,15 @@ void MapRequest::add_start_to(CLI::App& verb) {
       ->check(CLI::IsMember({"free", "fixed"}));
   verb.add_option("--init", init, "tutte, or input: the file's texture coordinates")
       ->check(CLI::IsMember({"tutte", "input"}));
+}
+
+void MapRequest::choose_degree(const std::vector<std::string>& outputs) {
+  if (degree != 0) return;
+  const auto is_any = [&](const char* wanted) {
+    return std::any_of(outputs.begin(), outputs.end(),
+                       [&](const std::string& path) { return extension(path) == wanted; });
+  };
+  degree = is_any(".obj") && !is_any(".vtu") ? 1 : 3;
 }
 
 Json MapRequest::to_json() const {

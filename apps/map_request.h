@@ -19,13 +19,17 @@ struct MapRequest {
   std::string input, energy = "symmetric-dirichlet", boundary = "free", init = "tutte",
                      curvature = "projected",  // an option of parametrize only
       pins, handles, weights;
-  int degree = 3, quadrature = 0;
+  int degree = 0;  // 0: nothing was said, see choose_degree()
+  int quadrature = 0;
   double soft = 1e3;
   bool holes = false;                              // several boundary loops are welcome
   bool boundary_angles = false, seamless = false;  // seamless: an option of parametrize only
 
   void add_to(CLI::App& verb);
   void add_start_to(CLI::App& verb);  // --boundary and --init, where the verb makes no start itself
+  // Where nothing was said: 3, or 1 if every data file among the outputs has a format without
+  // curves (pictures, traces and reports do not count).
+  void choose_degree(const std::vector<std::string>& outputs);
   Json to_json() const;               // for reports and claims
   std::vector<std::string> inputs() const;  // files to read; empty where none is given
 };

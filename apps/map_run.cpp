@@ -19,6 +19,7 @@ MapRun::MapRun(std::string verb, MapVerb& request, const std::vector<std::string
       request_(request),
       record_(request.solve.make_record(request.common)) {
   request.outputs.require_usable(request.map);
+  request.map.choose_degree(request.outputs.files);
   request.solve.require_usable(request.outputs, request.map);
   std::vector<std::string> inputs = request.map.inputs();
   inputs.insert(inputs.end(), other_inputs.begin(), other_inputs.end());
@@ -48,10 +49,27 @@ int MapRun::finish(ParametrizationResult result, const Json& extra) {
   finish_progress(request_.common);
   result.initialize_seconds += start_seconds_;
   request_.solve.finish(in_.options, record_.stop(), result);
+  std::optional<InUnitSquare> normalized;
+  if (request_.outputs.normalize && has_result(result)) normalized = normalize(result);
   Json options = request_.solve.to_json();
   options.update(extra);
   return write_result({verb_, request_.common, request_.outputs, request_.map, in_, result, record_,
-                       options, start_, read_seconds_, request_.solve.scaffold_file});
+                       options, start_, read_seconds_, request_.solve.scaffold_file, normalized});
+}
+
+// What is moved must be proven anew; where that fails there is no result.
+std::optional<InUnitSquare> MapRun::normalize(ParametrizationResult& result) {
+  auto normalized = into_unit_square(*result.map, in_.options.energy, record_.stop());
+  if (normalized) {
+    result.map = normalized->map;
+    result.measures = normalized->measures;
+  } else {
+    result.status = Status::Failed;
+    result.message =
+        "in the unit square its smallest triangles are too small for doubles; leave out "
+        "--normalize";
+  }
+  return normalized;
 }
 
 double MapRun::seconds() const {

@@ -9,6 +9,7 @@
 
 #include <CLI/App.hpp>
 #include <chrono>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,7 @@ class MapRun {
 
  private:
   double seconds() const;
+  std::optional<InUnitSquare> normalize(ParametrizationResult& result);
 
   std::string verb_;
   MapVerb& request_;

@@ -7,24 +7,14 @@
 #include "apps/global_verdict.h"
 #include "apps/streams.h"
 #include "majorant/framework/evaluator.h"
+#include "majorant/io/certified_file.h"
 #include "majorant/io/scaffold_file.h"
 
 namespace majorant::app {
 namespace {
 
-// uv in the file = (uv - origin) / size; null when they are the same.
-using Normalization = Json;
-
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-// Into the unit square, aspect ratio kept, lower left corner at the origin.
-Normalization normalize(Points2& uv) {
-  const Eigen::RowVector2d low = uv.colwise().minCoeff(), high = uv.colwise().maxCoeff();
-  const double size = (high - low).maxCoeff();
-  uv = (uv.rowwise() - low) / size;
-  return {{"origin", {low.x(), low.y()}}, {"size", size}};
 }
 
 Json options_section(const FinishedRun& run) {
@@ -33,7 +23,13 @@ Json options_section(const FinishedRun& run) {
   return options;
 }
 
-std::string claims(const FinishedRun& run, const Normalization& normalization) {
+// uv in the file = (uv - origin) / size.
+Json normalized_section(const std::optional<InUnitSquare>& normalized) {
+  if (!normalized) return nullptr;
+  return {{"origin", {normalized->origin.x(), normalized->origin.y()}}, {"size", normalized->size}};
+}
+
+std::string claims(const FinishedRun& run) {
   const BezierMap& map = *run.result.map;
   Json pins = Json::array();
   for (const Pin& pin : run.in.options.pins) {
@@ -48,7 +44,7 @@ std::string claims(const FinishedRun& run, const Normalization& normalization) {
               {"init", run.map.init},
               {"seams", !map.seams().trivial()},
               {"bijective", run.in.options.injectivity == MapInjectivity::Global},
-              {"normalized", normalization},
+              {"normalized", normalized_section(run.normalized)},
               {"pins", pins},
               {"other_triangles", run.result.other_triangles},
               {"options", options_section(run)}};
@@ -57,28 +53,39 @@ std::string claims(const FinishedRun& run, const Normalization& normalization) {
   return json_text(claims);
 }
 
+// What a data file of the run must be when it is read back.
+ProofRequest promise(const FinishedRun& run, const std::string& path) {
+  ProofRequest promise;
+  promise.surface = &run.in.polygons;
+  if (!run.result.map->seams().trivial()) promise.cuts = CutRule::Seams;
+  if (run.in.options.injectivity == MapInjectivity::Global)
+    promise.overlap = ProofRequest::Overlap::Forbidden;
+  if (extension(path) == ".vtu") promise.labels = ProofRequest::FaceLabels::Compared;
+  return promise;
+}
+
 void write_maps(const FinishedRun& run, WrittenFiles& written) {
   MapFile file = to_map_file(*run.result.map);
-  file.distortion = run.result.measures.face_value;
+  if (!run.result.measures.cut_short) file.distortion = run.result.measures.face_value;
   file.min_det = run.result.measures.min_det;
-  Normalization normalization = nullptr;
-  if (run.outputs.normalize) normalization = normalize(file.uv);
-  file.claims = claims(run, normalization);
+  file.claims = claims(run);
   FormatOptions formats = run.outputs.formats;
   if (run.in.options.injectivity == MapInjectivity::Global)
     formats.tessellation.overlap = Overlap::Excluded;
-  if (run.result.scaffold && !run.outputs.normalize)
+  if (run.result.scaffold && !run.normalized)
     formats.svg.scaffold = to_map_file(*run.result.scaffold);
   for (const std::string& path : run.outputs.files) {
     if (extension(path) == ".json") continue;
     written.write(path, [&] {
       if (extension(path) == ".csv") return write_trace(path, run.record.trace());
-      write_map(path, file, run.result.other_triangles ? nullptr : &run.in.polygons, formats);
+      write_map(path, file, run.result.other_triangles ? nullptr : &run.in.polygons, formats,
+                certification(path, promise(run, path)));
     });
   }
   if (!run.scaffold_file.empty())
     written.write(run.scaffold_file, [&] {
-      write_map(run.scaffold_file, to_map_file(run.result.scaffold.value()), nullptr, {});
+      write_map(run.scaffold_file, to_map_file(run.result.scaffold.value()), nullptr, {},
+                certification(run.scaffold_file, {}));
     });
 }
 

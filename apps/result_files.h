@@ -9,6 +9,7 @@
 
 #include <CLI/App.hpp>
 #include <chrono>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@
 #include "apps/outputs.h"
 #include "apps/report.h"
 #include "majorant/parametrization/parametrize.h"
+#include "majorant/parametrization/unit_square.h"
 
 namespace majorant::app {
 
@@ -47,12 +49,14 @@ struct FinishedRun {
   std::chrono::steady_clock::time_point start;  // of the run
   double read_seconds = 0;
   std::string scaffold_file;  // or empty
+  const std::optional<InUnitSquare>& normalized;  // how result.map was moved
 };
 
 // Whether there is a map to write: the run did not fail, and was feasible.
 bool has_result(const ParametrizationResult& result);
 
-// Writes the maps if there is a result, then the reports, each file on its own, then the line on
+// Writes the maps if there is a result, each certified as the run promised (io/certified_file.h),
+// then the reports, each file on its own, then the line on
 // stderr; returns the exit code.
 int write_result(const FinishedRun& run);
 

@@ -82,7 +82,7 @@ class MapProof::Judge {
   }
 
  private:
-  bool is_stopped() const { return request_.stopped && request_.stopped(); }
+  bool is_stopped() const { return request_.stop() != Directive::Continue; }
 
   // The cells are no surface: of one that was given, they are not its faces.
   void give_up(const std::string& reason) {
@@ -245,7 +245,7 @@ class MapProof::Judge {
       if (request_.overlap == ProofRequest::Overlap::Forbidden) proof_.injective = stopped_finding();
       return;
     }
-    proof_.global = check_boundary(plain);
+    proof_.global = check_boundary(plain, {.stopped = [this] { return is_stopped(); }});
     if (request_.overlap == ProofRequest::Overlap::Reported) return;
     const SurfaceMesh& mesh = plain.mesh();
     const std::string reason = describe(*proof_.global, [&](Index face, Index corner) {
@@ -280,6 +280,10 @@ class MapProof::Judge {
 };
 
 MapProof::MapProof(const MapFile& file, const std::string& name, const ProofRequest& request) {
+  if (file.degree > BezierTriangleSpace::kMaxDegree)
+    throw Error(ErrorKind::Unsupported,
+                fmt::format("{}: cells of degree {}; only 1 to {} can be judged", name, file.degree,
+                            BezierTriangleSpace::kMaxDegree));
   if (!request.surface || knows_vertices(file)) {
     Judge(*this, file, name, request).run();
     return;

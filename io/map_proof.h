@@ -17,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+#include "majorant/framework/stop_check.h"
 #include "majorant/io/cut_map.h"
 #include "majorant/parametrization/global_injectivity.h"
 
@@ -50,8 +51,7 @@ struct ProofRequest {
   // Whether input_face of the file is compared with the surface: a .vtu says of which face a cell
   // is, the faces of an .obj are just those of the file.
   enum class FaceLabels { Ignored, Compared } labels = FaceLabels::Ignored;
-  // Asked now and then; when true, what is left is Undecided.
-  std::function<bool()> stopped;
+  StopCheck stop;  // asked now and then; after a stop, what is left is Undecided
 };
 
 // Edges of the surface whose sides differ, and the pieces that the map falls into.
@@ -68,8 +68,8 @@ std::string describe(const GlobalInjectivity& proof, const CornerNames& input_ve
 
 class MapProof {
  public:
-  // file must outlive this. What cannot be put together at all is a Violated or Undecided finding,
-  // nothing of that is thrown.
+  // What cannot be put together at all is a Violated or Undecided finding, nothing of that is
+  // thrown. Throws Error(Unsupported) for degrees that cannot be judged.
   MapProof(const MapFile& file, const std::string& name, const ProofRequest& request);
 
   // Of what was asked: Violated if a finding is, else Undecided if one is, else Proven.

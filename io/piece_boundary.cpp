@@ -68,7 +68,7 @@ class OverlapSearch {
   }
 
   std::vector<Index> run() {
-    visit_meeting_boxes(boxes_, [&](Index i, Index j) {
+    BoxTree(boxes_).visit_pairs([&](Index i, Index j) {
       if (!meet(edges_[at(i)], edges_[at(j)])) return true;
       constexpr double kPart = 0.25;
       const double least = kPart * std::max(bend_[at(i)], bend_[at(j)]);
@@ -110,7 +110,7 @@ class OverlapSearch {
         boxes.back().high = boxes.back().high.cwiseMax(boxes_[at(k)].high);
       }
     }
-    visit_meeting_boxes(boxes, [&](Index a, Index b) {
+    BoxTree(boxes).visit_pairs([&](Index a, Index b) {
       for (const auto& [inner, outer] : {std::pair(a, b), std::pair(b, a)}) {
         const std::vector<Index>& around = edges_of[at(roots[at(outer)])];
         const Vector2& p = from(edges_[at(edges_of[at(roots[at(inner)])].front())]);

@@ -26,7 +26,7 @@ bool is_simple(const std::vector<Vector2>& corners) {
   for (std::size_t k = 0; k < n; ++k)
     boxes.push_back({corner(k).cwiseMin(corner(k + 1)), corner(k).cwiseMax(corner(k + 1))});
   bool result = true;
-  visit_meeting_boxes(boxes, [&](Index i, Index j) {
+  BoxTree(boxes).visit_pairs([&](Index i, Index j) {
     const std::size_t e = at(i), f = at(j);
     if (f == e + 1)
       result = !segments_fold(corner(e), corner(f), corner(f + 1));
