@@ -4,6 +4,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <climits>
 #include <csignal>
 #include <cstdint>
@@ -137,6 +138,7 @@ void start_threads() {
   const std::size_t per_thread = stack_bytes() + kArena;
   while (threads() > 1 && !can_map(kRun + static_cast<std::size_t>(threads() - 1) * per_thread))
     set_threads(threads() - 1);
+  set_threads(threads());  // if it is 1, no library starts any
   const sigset_t set = ending_signals();
   run_on_threads([&set] {
     if (!pthread_equal(pthread_self(), main_thread)) pthread_sigmask(SIG_BLOCK, &set, nullptr);

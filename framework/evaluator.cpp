@@ -35,7 +35,10 @@ struct Evaluator::Scratch {
   Workspace kernel, local;
 };
 
-void set_threads(int count) { omp_set_num_threads(count); }
+void set_threads(int count) {
+  omp_set_num_threads(count);
+  omp_set_max_active_levels(count > 1 ? 1 : 0);  // for those who ask for a number of their own
+}
 int threads() { return omp_get_max_threads(); }
 
 void run_on_threads(const std::function<void()>& work) {

@@ -20,7 +20,8 @@
 
 namespace majorant {
 
-// Number of threads that evaluators and checkers of this process use (default: OpenMP's).
+// Number of threads that evaluators and checkers of this process use (default: OpenMP's). With 1 no
+// other library starts OpenMP threads either.
 void set_threads(int count);
 int threads();
 // Calls `work` once on each of the threads, which start if they do not run yet.
