@@ -25,8 +25,8 @@ using curve_piece::split;
 constexpr long kStepsAfterDoubt = 1 << 6;
 
 // kSteps: pairs of pieces looked at before a pair of curves is given up. What is decided at all
-// takes a few dozen, cubics along each other at 1e-9 of their size 75, at 1e-14 some hundreds
-// (degree 8: 300 and 1500). kCost: a step's share of a budget, by time.
+// takes a few dozen, curves along each other at 1e-12 of their size 20 to 300 (degrees 2 and 8).
+// kCost: a step's share of a budget, by time.
 template <class Real>
 struct Limits {
   static constexpr int kDepth = 60;

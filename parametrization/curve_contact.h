@@ -5,17 +5,17 @@
 //   const PlanarCurve line{1, {Vector2(1, 0), Vector2(1, 1)}};
 //   contact_between(arc, line).kind;   // Contact::Certain, near (1, 0.5)
 //
-// Pieces are apart when an axis separates their control points, or the graph of a quintic that is
-// fitted between them (curve_graph.h): curves along each other at the distance d take some
-// (size / d)^(1/6) pieces. They cross when one stays between the ends of the other and passes from
-// one side of its control points to the other, seen from a straight or a curved axis. Two pieces
-// with a common end have nothing else in common when a line through it separates their control
-// points; a piece is simple when its control polygon advances along its chord. Whatever double
-// precision cannot tell is tried again in quadruple precision. Lines are compared exactly.
+// Pieces are apart when an axis separates their control points, or the graph of a polynomial that
+// is fitted between them (curve_graph.h): curves along each other at the distance d take some (size
+// / d)^(1/8) pieces. They cross when one stays between the ends of the other and passes from one
+// side of its control points to the other, seen from a straight or a curved axis. Two pieces with a
+// common end have nothing else in common when a line through it separates their control points; a
+// piece is simple when its control polygon advances along its chord. Whatever double precision
+// cannot tell is tried again in quadruple precision. Lines are compared exactly.
 //
 // Possible is left where curves touch without crossing (Certain only if an end point of one is an
 // end point of the other, or lies on it and it is a line), where they leave a common end in the
-// same direction, at zero tangents, where one runs along the other within 1e-25 of its size or so,
+// same direction, at zero tangents, where one runs along the other within 1e-14 of its size or so,
 // where the budget ends, and out of range.
 #pragma once
 

@@ -170,7 +170,7 @@ BoundaryLoops wiggling_sides(int count, double gap) {
 }
 
 TEST(CheckLayout, CurvesAlongEachOtherAreCheap) {
-  const std::pair<double, long> cases[] = {{1e-6, 40}, {1e-9, 160}, {1e-12, 500}};
+  const std::pair<double, long> cases[] = {{1e-6, 30}, {1e-9, 70}, {1e-12, 200}};
   for (const auto& [gap, subdivisions] : cases) {
     const GlobalInjectivity proof = check_layout(wiggling_sides(100, gap));
     EXPECT_EQ(proof.result, Injectivity::Proven) << gap;
