@@ -61,6 +61,14 @@ class Stopwatch {
     if (interrupted_->load()) return Directive::Interrupt;
     return running_ > time_limit_ ? Directive::TimeLimit : Directive::Continue;
   }
+  // For what happens between two points. Only refers.
+  StopCheck stop() const {
+    return StopCheck([this] {
+      if (interrupted_->load(std::memory_order_relaxed)) return Directive::Interrupt;
+      const double now = std::chrono::duration<double>(Clock::now() - resumed_).count();
+      return running_ + now > time_limit_ ? Directive::TimeLimit : Directive::Continue;
+    });
+  }
   std::vector<ComparisonPoint> take_points() { return std::move(points_); }
 
  private:
@@ -156,8 +164,10 @@ std::vector<const Method*> choose(const Request& request, const Contest& contest
 
 MethodRun race(const Method& method, const Contest& contest, double time_limit) {
   const Vec y0 = contest.problem.reduce(contest.start);
-  const std::unique_ptr<Minimizer> minimizer = method.make(contest);
   Stopwatch watch(contest, time_limit);
+  Contest timed = contest;
+  timed.stop = watch.stop();
+  const std::unique_ptr<Minimizer> minimizer = method.make(timed);
   watch.start(y0);
   const SolveResult result = minimizer->minimize(
       contest.problem, y0, [&](const IterationRecord& r, const Vec& y) { return watch(r, y); });

@@ -38,6 +38,7 @@ Method newton(
             options.linear_solver = linear_solver;
             options.stopping.relative_decrease = c.tolerance;
             options.stopping.max_iterations = c.max_iterations;
+            options.stop = c.stop;
             return std::make_unique<NewtonMinimizer>(options);
           }};
 }
@@ -55,6 +56,7 @@ std::unique_ptr<Minimizer> make_gradient_flow(const Contest& c) {
   GradientFlowOptions options;
   options.metric = dirichlet_problem(c);
   options.stopping.max_iterations = c.max_iterations;
+  options.stop = c.stop;
   return std::make_unique<GradientFlowMinimizer>(options);
 }
 
@@ -62,12 +64,14 @@ std::unique_ptr<Minimizer> make_lbfgs(const Contest& c) {
   LbfgsOptions options;
   options.metric = dirichlet_problem(c);
   options.stopping.max_iterations = c.max_iterations;
+  options.stop = c.stop;
   return std::make_unique<LbfgsMinimizer>(options);
 }
 
 std::unique_ptr<Minimizer> make_hessian_lbfgs(const Contest& c) {
   LbfgsOptions options;
   options.stopping.max_iterations = c.max_iterations;
+  options.stop = c.stop;
   return std::make_unique<LbfgsMinimizer>(options);
 }
 
@@ -76,6 +80,7 @@ Method ceres_gradient(std::string name, std::string summary, CeresOptions::Metho
             CeresOptions options;
             options.method = method;
             options.max_iterations = c.max_iterations;
+            options.stop = c.stop;
             return std::make_unique<CeresMinimizer>(options);
           }};
 }

@@ -24,6 +24,7 @@ struct Contest {
   Problem problem;
   double tolerance = 1e-9;  // relative decrease; see StoppingRules
   int max_iterations = 1000;
+  StopCheck stop;  // ends a method in the middle of an iteration
 };
 
 struct Method {
