@@ -111,10 +111,14 @@ bool crosses_curved(const Piece<Real>& a, const Piece<Real>& b) {
 
 enum class Relation { Apart, Crossing, Unknown };
 
-// A graph is worth its cost (that of a few dozen axes) for pieces that are flat and of like size.
+// A graph is worth its cost (that of a few dozen axes) for pieces of like size that are flat and
+// point the same way, or the opposite one.
 template <class Real>
 bool may_be_graphs(const Piece<Real>& a, const Piece<Real>& b) {
-  constexpr double kFlat = 0.5, kLike = 8;
+  constexpr double kFlat = 0.5, kLike = 8, kSlope = 0.25;
+  const Direction<Real> u = a.chord(), v = b.chord();
+  if (magnitude(u.x * v.y - u.y * v.x) > Real(kSlope) * magnitude(u.x * v.x + u.y * v.y))
+    return false;
   const auto flat = [](const Piece<Real>& p) {
     const Direction<Real> chord = p.chord();
     const Interval<Real> slab = along(p, normal(chord));
