@@ -4,7 +4,9 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
+#include <limits>
 #include <locale>
 #include <sstream>
 #include <utility>
@@ -41,6 +43,43 @@ NumberStatus parse_number(std::string_view token, double& value) {
   if (stop != end || code == std::errc::invalid_argument) return NumberStatus::NotANumber;
   if (code == std::errc::result_out_of_range) return parse_extreme_number(token, value);
   return std::isfinite(value) ? NumberStatus::Good : NumberStatus::NotFinite;
+}
+
+bool is_exact(std::string_view decimal, double nearest) {
+  constexpr int kMostDigits = 19, kMostPower = 22;  // of a 64-bit integer; 10^22 is a double
+  if (!decimal.empty() && (decimal.front() == '-' || decimal.front() == '+'))
+    decimal.remove_prefix(1);
+  std::uint64_t digits = 0;
+  int count = 0, power = 0;
+  bool is_fraction = false;
+  std::size_t k = 0;
+  for (; k < decimal.size() && decimal[k] != 'e' && decimal[k] != 'E'; ++k) {
+    if (decimal[k] == '.') {
+      is_fraction = true;
+      continue;
+    }
+    if (count > 0 || decimal[k] != '0') ++count;
+    if (count > kMostDigits) return false;
+    digits = 10 * digits + static_cast<std::uint64_t>(decimal[k] - '0');
+    power -= is_fraction;
+  }
+  if (digits == 0) return true;
+  if (k < decimal.size()) {
+    int exponent = 0;
+    k += 1 + (k + 1 < decimal.size() && decimal[k + 1] == '+');
+    const char* end = decimal.data() + decimal.size();
+    if (std::from_chars(decimal.data() + k, end, exponent).ptr != end) return false;
+    if (std::abs(exponent) > kMostPower) return false;
+    power += exponent;
+  }
+  for (; digits % 10 == 0; digits /= 10) ++power;
+  const auto integer = static_cast<double>(digits);
+  if (digits > (std::uint64_t{1} << 53) || std::abs(power) > kMostPower) return false;
+  double scale = 1;  // 10^|power|, exactly
+  for (int p = 0; p < std::abs(power); ++p) scale *= 10;
+  // fma rounds once: it is zero only where the products are equal.
+  return power >= 0 ? std::fma(integer, scale, -std::abs(nearest)) == 0
+                    : std::fma(std::abs(nearest), scale, -integer) == 0;
 }
 
 LineCursor::LineCursor(const std::string& file, std::string_view text, Continuation continuation,
@@ -133,6 +172,8 @@ double LineCursor::next_number(std::string_view what) {
   double value = 0.0;
   switch (parse_number(token, value)) {
     case NumberStatus::Good:
+      number_ = token;
+      value_ = value;
       return value;
     case NumberStatus::NotANumber:
       fail(fmt::format("{} {} is not a number; correct the file", what, in_quotes(token)));
@@ -140,6 +181,12 @@ double LineCursor::next_number(std::string_view what) {
       break;
   }
   fail(fmt::format("{} {} is not finite; correct the file", what, in_quotes(token)));
+}
+
+double LineCursor::rounding() const {
+  if (is_exact(number_, value_)) return 0;
+  const double size = std::abs(value_);
+  return (std::nextafter(size, std::numeric_limits<double>::infinity()) - size) / 2;
 }
 
 long long LineCursor::next_integer(std::string_view what) {

@@ -41,6 +41,9 @@ class LineCursor {
   // Throw Error(Unreadable) if it is missing, not a number, not finite or (integers) over 64 bits.
   double next_number(std::string_view what);
   long long next_integer(std::string_view what);
+  // How far the decimals of the number that next_number gave last may be from it: half a unit of its
+  // last place, 0 where they are found to be the same number.
+  double rounding() const;
 
   // Throws Error(Unreadable) if a token is left on the current line.
   void require_end_of_line();
@@ -62,8 +65,14 @@ class LineCursor {
   long next_line_ = 1;  // number of the line that begins after line_end_
   Continuation continuation_;
   StopCheck stop_;
+  std::string_view number_;  // the token of the last number
+  double value_ = 0;
   std::size_t steps_ = 0;  // lines and tokens, for polling
 };
+
+// Whether a decimal is exactly this double, its nearest. Says false for decimals of more than 19
+// digits, or powers of ten beyond 22, that it does not look into.
+bool is_exact(std::string_view decimal, double nearest);
 
 enum class NumberStatus { Good, NotANumber, NotFinite };
 

@@ -120,8 +120,11 @@ MapFile to_map_file(const PolygonMesh& textured) {
   const auto count = static_cast<Index>(point_of.size());
   file.points.resize(count, 3);
   file.uv.resize(count, 2);
+  if (!textured.texcoord_rounding.empty()) file.uv_rounding.resize(count, 2);
   file.input_vertex.resize(count);
   for (const auto& [key, point] : point_of) {
+    if (file.uv_rounding.rows() > 0)
+      file.uv_rounding.row(point) = textured.texcoord_rounding[static_cast<std::size_t>(key.second)];
     file.points.row(point) = textured.positions[static_cast<std::size_t>(key.first)];
     file.uv.row(point) = textured.texcoords[static_cast<std::size_t>(key.second)];
     file.input_vertex[point] = key.first;

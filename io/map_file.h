@@ -18,6 +18,7 @@ struct MapFile {
   int degree = 1;
   Points3 points;                // #N by 3, control points of the flat surface triangles
   Points2 uv;                    // #N by 2, control points of the map
+  Points2 uv_rounding;           // #N by 2, how far the digits of the file may be from uv; empty: not
   Cells cells;                   // #F by (n+1)(n+2)/2, point numbers in VTK order
   Eigen::VectorXi input_vertex;  // #N, vertex of the input mesh, -1 where there is none
   Eigen::VectorXi input_face;    // #F, face (polygon) of the input mesh, 0-based

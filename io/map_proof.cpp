@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "majorant/framework/error.h"
@@ -93,6 +94,25 @@ class MapProof::Judge {
     if (request_.overlap == ProofRequest::Overlap::Forbidden) proof_.injective = proof_.continuous;
   }
 
+  Vector2 corner(Index cell, int k) const { return file_.uv.row(file_.cells(cell, k)); }
+
+  double twice_area(Index cell) const {
+    const Vector2 a = corner(cell, 1) - corner(cell, 0), b = corner(cell, 2) - corner(cell, 0);
+    return a.x() * b.y() - a.y() * b.x();
+  }
+
+  // What the decimals of a text file, which are not exactly its doubles, may change of twice the
+  // area of a triangle, and rounding of twice_area().
+  double rounding_of_det(Index cell) const {
+    if (file_.uv_rounding.rows() == 0) return 0;
+    const double off = 2 * file_.uv_rounding(file_.cells.row(cell), Eigen::all).maxCoeff();
+    if (off == 0) return 0;
+    const Vector2 a = corner(cell, 1) - corner(cell, 0), b = corner(cell, 2) - corner(cell, 0);
+    const double reach = a.lpNorm<1>() + b.lpNorm<1>();
+    return 1.01 * (off * reach + 2 * off * off) +
+           4 * std::numeric_limits<double>::epsilon() * a.lpNorm<1>() * b.lpNorm<1>();
+  }
+
   void judge_positivity() {
     NodeNumbering numbering;
     numbering.cells = file_.cells;
@@ -107,8 +127,11 @@ class MapProof::Judge {
         if (!is_violated) return;
         break;
       }
-      if (space.certify(c, x, kProofDepth).result == Positivity::Certified) continue;
-      const ExactPositivity exact = exact_positivity(file_.uv(file_.cells.row(c), Eigen::all));
+      const PositivityProof proof = space.certify(c, x, kProofDepth);
+      const double rounding = rounding_of_det(c);
+      if (proof.result == Positivity::Certified && proof.lower_bound > rounding) continue;
+      ExactPositivity exact = exact_positivity(file_.uv(file_.cells.row(c), Eigen::all));
+      if (rounding > 0 && std::abs(twice_area(c)) <= rounding) exact = {};  // the decimals decide
       if (exact.result == Positivity::Certified) continue;
       proof_.not_positive.push_back(c);
       if (is_violated) continue;

@@ -86,9 +86,14 @@ class ObjReader {
 
   void read_texcoord() {
     Vector2 texcoord(cursor_.next_number("texture coordinate"), 0.0);
-    if (!cursor_.at_end_of_line()) texcoord[1] = cursor_.next_number("texture coordinate");
+    Vector2 rounding(cursor_.rounding(), 0.0);
+    if (!cursor_.at_end_of_line()) {
+      texcoord[1] = cursor_.next_number("texture coordinate");
+      rounding[1] = cursor_.rounding();
+    }
     while (!cursor_.at_end_of_line()) cursor_.next_number("texture coordinate");
     mesh_.texcoords.push_back(texcoord);
+    mesh_.texcoord_rounding.push_back(rounding);
     ++spaces_[1].count;
   }
 

@@ -18,6 +18,8 @@ struct PolygonMesh {
   std::vector<long> polygon_lines;           // #P line (or record) numbers, 1-based; may be empty
 
   std::vector<Vector2> texcoords;                     // #T; may be empty
+  std::vector<Vector2> texcoord_rounding;             // #T: how far the decimals of the file may be
+                                                      // from texcoords; empty: not at all
   std::vector<std::vector<Index>> polygon_texcoords;  // #P lists parallel to polygons, or empty;
                                                       // a polygon without vt has an empty list
 

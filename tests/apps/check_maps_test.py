@@ -1,0 +1,101 @@
+"""check believes nothing: every small map of tests/data/maps gets the verdict its table demands.
+
+The table is made with the maps and judged by tests/checker, without the library. check sees the same
+digits; it also tests claims, which that checker ignores.
+"""
+import json
+
+from command_helpers import *
+
+MAPS = os.path.join(SOURCE, 'tests', 'data', 'maps')
+# Good maps, refused for what they claim.
+FALSE_CLAIMS = {'good/wrong_claims_1.vtu'}
+
+
+class SmallMaps(CommandTest):
+    def arguments(self, path, case):
+        options = ['--certify' if o == '--overlap' else o for o in case['options']]
+        if case['surface']:
+            name = case['surface'] if case['surface'].endswith('.obj') else case['surface'] + '.obj'
+            options += ['--surface', os.path.join(MAPS, 'surfaces', name)]
+        return ['check', os.path.join(MAPS, path)] + options
+
+    def test_every_map(self):
+        with open(os.path.join(MAPS, 'index.json')) as f:
+            index = json.load(f)
+        self.assertGreater(len(index), 90)
+        for path, case in sorted(index.items()):
+            with self.subTest(path=path, why=case['why']):
+                report = self.path('report.json')
+                outcome = majorant(*self.arguments(path, case), '--report', report)
+                good = path.startswith('good') and path not in FALSE_CLAIMS
+                self.assertIn(outcome.code, (OK,) if good else (UNREADABLE, INVALID), outcome.err)
+                self.assertEqual(outcome.err.count('\n'), 1)
+                if outcome.code == UNREADABLE:
+                    self.assertEqual(case['reason'], 'unreadable')
+                    continue
+                with open(report) as f:
+                    data = json.load(f)
+                self.assertIn(data['status'], ('valid',) if good else ('invalid', 'undecided'))
+                os.remove(report)
+
+
+class Cuts(CommandTest):
+    """A fan of six triangles in a C: with and without a surface, cuts allowed or not."""
+
+    def setUp(self):
+        super().setUp()
+        rim = [(math.cos(a), math.sin(a)) for a in (math.pi * k / 3 for k in range(6))]
+        v = [(0, 0, 0)] + [(x, y, 0.1) for x, y in rim]
+        faces = [(0, k + 1, (k + 1) % 6 + 1) for k in range(6)]
+        self.surface = self.write('fan.obj', obj_text(v, faces))
+        vt = [(0, 0)] + [(x, y) for x, y in rim] + [(rim[0][0] + 0.1, rim[0][1] - 0.3)]
+        lines = ['v %r %r %r' % p for p in v] + ['vt %r %r' % t for t in vt]
+        for a, b, c in faces:
+            last = 8 if c == 1 else c + 1  # the last triangle ends elsewhere
+            lines.append('f %d/%d %d/%d %d/%d' % (a + 1, a + 1, b + 1, b + 1, c + 1, last))
+        self.torn = self.write('torn.obj', '\n'.join(lines) + '\n')
+
+    def report(self, *args, code=OK):
+        path = self.path('report.json')
+        self.run_ok('check', self.torn, *args, '--report', path, code=code)
+        with open(path) as f:
+            return json.load(f)
+
+    def test_none_is_the_default_with_a_surface(self):
+        for options in ([], ['--cuts', 'none'], ['--certify']):
+            self.refused(INVALID, 'check', self.torn, '--surface', self.surface, *options,
+                         says=['not continuous', 'edge (0, 1)', '--cuts free'])
+        self.refused(INVALID, 'check', self.torn, '--cuts', 'none', says='--cuts free')
+
+    def test_free_counts_and_lists(self):
+        data = self.report('--surface', self.surface, '--cuts', 'free')
+        self.assertEqual(data['cuts']['other_edges'], 1)
+        self.assertEqual(data['cuts']['charts'], 1)
+        self.assertAlmostEqual(data['cuts']['length'], math.hypot(1, 0.1))
+        line = self.run_ok('check', self.torn, '--surface', self.surface, '--cuts', 'free').err
+        self.assertIn('cut along 1 edge', line)
+
+    def test_without_a_surface_the_summary_names_them(self):
+        line = self.run_ok('check', self.torn).err
+        self.assertIn('cut along 1 edge', line)
+        self.assertIn('not asked: surface (--surface), overlaps (--certify)', line)
+
+    def test_what_was_proven_is_in_the_report(self):
+        data = self.report('--surface', self.surface, '--cuts', 'free', '--certify')
+        self.assertEqual({q: p['answer'] for q, p in data['proofs'].items()},
+                         {'surface': 'proven', 'positive': 'proven', 'continuous': 'proven',
+                          'angles': 'proven', 'injective': 'proven'})
+
+    def test_a_limit_leaves_it_undecided(self):
+        path = self.path('report.json')
+        mesh = self.path('big.vtu')
+        self.run_ok('parametrize', '--quiet', generated('creature'), '-o', mesh, '--degree', '2',
+                    '--max-iterations', '0', code=LIMIT)
+        outcome = majorant('check', mesh, '--certify', '--time-limit', '0', '--report', path)
+        self.assertEqual(outcome.code, INVALID, outcome.err)
+        self.assertTrue('undecided' in outcome.err or 'time limit' in outcome.err, outcome.err)
+
+
+if __name__ == '__main__':
+    main()

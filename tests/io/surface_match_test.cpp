@@ -1,0 +1,121 @@
+#include "majorant/io/surface_match.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace majorant {
+namespace {
+
+// 3 x 3 vertices over the unit square, bent so that no two quads lie in one plane; numbered by row.
+PolygonMesh quads(double bend) {
+  PolygonMesh mesh;
+  for (int j = 0; j < 3; ++j)
+    for (int i = 0; i < 3; ++i)
+      mesh.positions.emplace_back(i, j, bend * (i * i + 3 * j * j + i * j));
+  for (const Index a : {0, 1, 3, 4}) mesh.polygons.push_back({a, a + 1, a + 4, a + 3});
+  return mesh;
+}
+
+PolygonMesh triangles(double bend) {
+  PolygonMesh mesh = quads(bend);
+  mesh.polygons.clear();
+  for (const Index a : {0, 1, 3, 4}) {
+    mesh.polygons.push_back({a, a + 1, a + 4});
+    mesh.polygons.push_back({a, a + 4, a + 3});
+  }
+  return mesh;
+}
+
+SurfaceMatch match(const PolygonMesh& cells, const PolygonMesh& surface,
+                   const std::vector<Index>& labels = {}) {
+  return match_surface(SurfaceMesh::from_polygons(cells, {}, Components::Any), surface, labels);
+}
+
+TEST(SurfaceMatch, TheSameFacesInAnyOrder) {
+  const PolygonMesh surface = triangles(0.1);
+  PolygonMesh cells = surface;
+  std::swap(cells.polygons[0], cells.polygons[5]);
+  std::rotate(cells.polygons[2].begin(), cells.polygons[2].begin() + 1, cells.polygons[2].end());
+  const SurfaceMatch same = match(cells, surface);
+  EXPECT_EQ(same.defect, "");
+  EXPECT_EQ(same.same, 8);
+  EXPECT_EQ(same.changed, 0);
+}
+
+TEST(SurfaceMatch, PolygonsInAnyTriangles) {
+  PolygonMesh cells = triangles(0.1);
+  EXPECT_EQ(match(cells, quads(0.1)).defect, "");
+  cells.polygons[0] = {0, 1, 3};  // the other diagonal of the first quad
+  cells.polygons[1] = {1, 4, 3};
+  EXPECT_EQ(match(cells, quads(0.1)).defect, "");
+  EXPECT_EQ(match(cells, quads(0.1)).same, 4);
+  // Of a surface of triangles the bent diagonal is another surface; in a plane it is not.
+  EXPECT_NE(match(cells, triangles(0.1)).defect, "");
+  EXPECT_EQ(match(cells, triangles(0)).defect, "");
+  EXPECT_EQ(match(cells, triangles(0)).changed, 2);
+}
+
+TEST(SurfaceMatch, FacesCutIntoPieces) {
+  const PolygonMesh surface = triangles(0.1);
+  PolygonMesh cells = surface;
+  // Edge (0, 4) of faces 0 and 1 gets a vertex at a third of it.
+  cells.positions.push_back(cells.positions[0] / 3 * 2 + cells.positions[4] / 3);
+  cells.polygons[0] = {0, 1, 9};
+  cells.polygons[1] = {0, 9, 3};
+  cells.polygons.push_back({1, 4, 9});
+  cells.polygons.push_back({9, 4, 3});
+  EXPECT_EQ(match(cells, surface).defect, "");
+  EXPECT_EQ(match(cells, surface).changed, 2);
+  PolygonMesh moved = cells;
+  moved.positions[9].x() += 1e-6;
+  EXPECT_NE(match(moved, surface).defect, "");
+  moved = cells;  // folded over its own face: the vertex lies beyond edge (1, 4)
+  moved.positions[9] = moved.positions[4] + 0.5 * (moved.positions[4] - moved.positions[0]);
+  EXPECT_NE(match(moved, surface).defect, "");
+}
+
+TEST(SurfaceMatch, DefectsAreNamed) {
+  const PolygonMesh surface = triangles(0.1);
+  PolygonMesh cells = surface;
+  cells.polygons.pop_back();
+  EXPECT_NE(match(cells, surface).defect.find("face 7"), std::string::npos);
+  cells = surface;
+  for (auto& polygon : cells.polygons) std::swap(polygon[0], polygon[1]);
+  EXPECT_NE(match(cells, surface).defect.find("turned over"), std::string::npos);
+  cells = surface;
+  cells.positions[4].z() += 1e-3;
+  EXPECT_EQ(match(cells, surface).defect, "vertex 4 is not where the surface has it");
+  cells = surface;
+  cells.positions.emplace_back(3, 0, 0);
+  cells.polygons.push_back({1, 2, 9});
+  std::swap(cells.polygons.back()[0], cells.polygons.back()[1]);
+  EXPECT_NE(match(cells, surface).defect, "");  // a face beyond the boundary
+}
+
+TEST(SurfaceMatch, LabelsMustFit) {
+  const PolygonMesh surface = triangles(0.1);
+  std::vector<Index> labels = {0, 1, 2, 3, 4, 5, 6, 7};
+  EXPECT_EQ(match(surface, surface, labels).defect, "");
+  std::swap(labels[1], labels[6]);
+  EXPECT_NE(match(surface, surface, labels).defect.find("is said to belong"), std::string::npos);
+}
+
+TEST(SurfaceMatch, SeveralComponents) {
+  PolygonMesh surface = triangles(0.1);
+  const auto shift = static_cast<Index>(surface.positions.size());
+  for (int v = 0; v < shift; ++v)
+    surface.positions.push_back(surface.positions[static_cast<std::size_t>(v)] + Vector3(9, 0, 0));
+  for (int f = 0; f < 8; ++f) {
+    auto polygon = surface.polygons[static_cast<std::size_t>(f)];
+    for (Index& v : polygon) v += shift;
+    surface.polygons.push_back(polygon);
+  }
+  EXPECT_EQ(match(surface, surface).defect, "");
+  PolygonMesh half = surface;
+  half.polygons.resize(8);
+  EXPECT_NE(match(half, surface).defect, "");
+}
+
+}  // namespace
+}  // namespace majorant
