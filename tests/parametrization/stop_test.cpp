@@ -13,7 +13,7 @@
 #include "majorant/parametrization/parametrize.h"
 #include "majorant/parametrization/seamless_map.h"
 #include "parametrization/closed_surfaces.h"
-#include "parametrization/counted_stop.h"
+#include "counted_stop.h"
 #include "parametrization/parametrization_test_helpers.h"
 
 namespace majorant {

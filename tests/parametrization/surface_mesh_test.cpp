@@ -4,7 +4,7 @@
 #include <numeric>
 #include <set>
 
-#include "parametrization/counted_stop.h"
+#include "counted_stop.h"
 #include "parametrization/parametrization_test_helpers.h"
 
 namespace majorant {

@@ -1,0 +1,136 @@
+// Stop checks: what evaluations, factorizations and minimizers ask, and what they leave when the
+// answer is to stop.
+#include "majorant/framework/stop_check.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+#include "counted_stop.h"
+#include "framework/barrier_chain.h"
+#include "majorant/framework/ceres_minimizer.h"
+#include "majorant/framework/gradient_flow.h"
+#include "majorant/framework/lbfgs.h"
+#include "majorant/framework/newton.h"
+
+namespace majorant::test {
+namespace {
+
+TEST(StopCheck, NothingStopsByItself) {
+  const StopCheck never;
+  EXPECT_EQ(never(), Directive::Continue);
+  EXPECT_NO_THROW(never.poll());
+  SharedPoll poll(never);
+  EXPECT_FALSE(poll.stopped());
+  EXPECT_NO_THROW(poll.rethrow());
+}
+
+TEST(StopCheck, SaysWhy) {
+  for (const Directive why : {Directive::TimeLimit, Directive::Interrupt}) {
+    const StopCheck stop([why] { return why; });
+    try {
+      stop.poll();
+      ADD_FAILURE() << "no exception";
+    } catch (const Stopped& stopped) {
+      EXPECT_EQ(stopped.why(), why);
+    }
+    SharedPoll poll(stop);
+    EXPECT_TRUE(poll.stopped());
+    EXPECT_THROW(poll.rethrow(), Stopped);
+  }
+}
+
+TEST(StopCheck, PollsAtMultiplesOfItsPeriod) {
+  const CountedStop stop;
+  for (std::size_t k = 0; k < 10 * StopCheck::kPeriod; ++k) stop.check().poll_at(k);
+  EXPECT_EQ(stop.asked(), 10);
+}
+
+// Each chunk of elements is asked for, and none is evaluated after a stop.
+TEST(StopCheck, EvaluationsAskBeforeEveryChunk) {
+  const ChainProblem chain(3000, 1);
+  const long chunks = chain.problem.plan(0).chunk_count();
+  ASSERT_GE(chunks, 20);
+  Evaluator evaluator(chain.problem);
+  Vec g, h;
+  const auto expect_chunks = [&](const auto& evaluate) {
+    const CountedStop never;
+    evaluate(never.check());
+    EXPECT_EQ(never.asked(), chunks);
+    for (const long k : {1L, chunks / 2, chunks}) {
+      const CountedStop stop(k);
+      EXPECT_THROW(evaluate(stop.check()), Stopped);
+      EXPECT_LE(stop.asked_after(), threads());  // threads that were on their way
+    }
+  };
+  expect_chunks([&](const StopCheck& stop) { evaluator.value(chain.start, stop); });
+  expect_chunks([&](const StopCheck& stop) { evaluator.gradient(chain.start, g, stop); });
+  expect_chunks([&](const StopCheck& stop) {
+    evaluator.linearize(chain.start, Curvature::Projected, g, h, stop);
+  });
+}
+
+TEST(StopCheck, FactorizationsAskBeforeEveryShift) {
+  SparsePattern pattern;
+  pattern.size = 2;
+  pattern.column_starts = {0, 2, 3};
+  pattern.rows = {0, 1, 1};
+  pattern.block_of = {0, 1};
+  const Vec indefinite = Vec{{1, 3, 1}};  // needs several shifts
+  const auto solver = make_eigen_ldlt_solver();
+  solver->analyze(pattern);
+  const CountedStop never;
+  EXPECT_EQ(factorize_shifted(*solver, pattern, indefinite, 1e-3, never.check()).status,
+            FactorStatus::Ok);
+  ASSERT_GE(never.asked(), 4);
+  for (long k = 1; k <= never.asked(); ++k) {
+    const CountedStop stop(k);
+    EXPECT_THROW(factorize_shifted(*solver, pattern, indefinite, 1e-3, stop.check()), Stopped);
+    EXPECT_EQ(stop.asked_after(), 0);
+  }
+}
+
+template <class M, class Options>
+std::unique_ptr<Minimizer> made(const StopCheck& stop) {
+  Options options;
+  options.stop = stop;
+  return std::make_unique<M>(options);
+}
+
+// Wherever it is stopped, a minimizer returns the last point that it told of, at once.
+TEST(StopCheck, MinimizersReturnTheLastAcceptedPoint) {
+  const ChainProblem chain(20, 2);
+  const long chunks = chain.problem.plan(0).chunk_count();
+  using Maker = std::unique_ptr<Minimizer> (*)(const StopCheck&);
+  const Maker makers[] = {made<NewtonMinimizer, NewtonOptions>, made<LbfgsMinimizer, LbfgsOptions>,
+                          made<GradientFlowMinimizer, GradientFlowOptions>,
+                          made<CeresMinimizer, CeresOptions>};
+  for (const Maker make : makers) {
+    SCOPED_TRACE(&make - makers);
+    std::vector<Vec> points{chain.start};
+    const Observer observe = [&](const IterationRecord&, const Vec& y) {
+      points.push_back(y);
+      return Directive::Continue;
+    };
+    const CountedStop never;
+    const SolveResult whole = make(never.check())->minimize(chain.problem, chain.start, observe);
+    // An evaluation with its gradient, and a line search that evaluates once, at least.
+    EXPECT_GE(never.asked(), 2 * chunks * static_cast<long>(whole.iterations.size()));
+    for (long k = 1; k <= never.asked(); k += std::max(1L, never.asked() / 30)) {
+      points.assign(1, chain.start);
+      const CountedStop stop(k);
+      const SolveResult r = make(stop.check())->minimize(chain.problem, chain.start, observe);
+      EXPECT_EQ(r.status, Status::Interrupted) << k << ": " << r.message;
+      EXPECT_EQ(r.y, points.back()) << k;
+      EXPECT_EQ(r.iterations.size() + 1, points.size());
+      EXPECT_LE(r.iterations.size(), whole.iterations.size());
+      EXPECT_LE(stop.asked_after(), 60);  // Ceres halves its step that often
+      EXPECT_EQ(r.energy, Evaluator(chain.problem).value(r.y));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace majorant::test
