@@ -20,7 +20,11 @@ void add_global_injectivity(Json& measures_section, const BezierMap& map,
   if (proof.result == Injectivity::Violated) injective = false;
   if (proof.result == Injectivity::Proven && locally) injective = true;
   measures_section["globally_injective"] = injective;
-  measures_section["boundary"] = {{"pairs_tested", proof.pairs_tested}, {"contacts", contacts}};
+  measures_section["boundary"] = {{"pairs_tested", proof.pairs_tested},
+                                  {"pairs_left", proof.pairs_left},
+                                  {"subdivisions", proof.subdivisions},
+                                  {"reason", proof.reason},
+                                  {"contacts", contacts}};
 }
 
 }  // namespace majorant::app
