@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -74,8 +74,8 @@ void check_fixed_boundary(const CheckedMap& checked, Findings& findings) {
   const Vec x = in_units_of_the_run(map.control_points(), checked.claims);
   double worst = 0;
   for (const Index node : map.space().boundary_nodes())
-    worst = std::max(worst, (x.segment<2>(2 * node) - initial.control_points().segment<2>(2 * node))
-                                .norm());
+    worst = std::max(
+        worst, (x.segment<2>(2 * node) - initial.control_points().segment<2>(2 * node)).norm());
   findings.require(worst <= kClose * x.cwiseAbs().maxCoeff(),
                    fmt::format("the boundary is off the initial map's by {:g}", worst));
 }
@@ -85,8 +85,8 @@ void check_fixed_boundary(const CheckedMap& checked, Findings& findings) {
 double rounding_of_det(const CheckedMap& checked, Index cell) {
   if (!checked.claims.normalized) return 0;
   const ClaimedNormalization& n = *checked.claims.normalized;
-  const double unit = 4 * std::numeric_limits<double>::epsilon() *
-                      (n.origin.cwiseAbs().maxCoeff() + n.size);
+  const double unit =
+      4 * std::numeric_limits<double>::epsilon() * (n.origin.cwiseAbs().maxCoeff() + n.size);
   const MapFile& file = checked.file;
   const double reach = n.size * extent(file.uv(file.cells.row(cell), Eigen::all));
   const auto corner = [&](Index k) { return Vector3(file.points.row(file.cells(cell, k))); };

@@ -1,5 +1,5 @@
-// majorant check RESULT: proves and measures a finished map again, from the file alone. Claims of the
-// file describe; what is proven is decided from points and uv (io/map_proof.h).
+// majorant check RESULT: proves and measures a finished map again, from the file alone. Claims of
+// the file describe; what is proven is decided from points and uv (io/map_proof.h).
 #include <fmt/format.h>
 
 #include <CLI/App.hpp>
@@ -48,12 +48,12 @@ void check_flat(const MapFile& file, Findings& findings) {
       fmt::format("surface control points are off their flat triangles by {:g}", worst));
 }
 
-// Without a surface nothing says where a file that claims nothing should be continuous: its cuts are
-// counted and named then.
+// Without a surface nothing says where a file that claims nothing should be continuous: its cuts
+// are counted and named then.
 CutRule cut_rule(const Request& request, const Claims& claims, bool is_seamless) {
   const bool says_nothing = !claims.version && !claims.seams;
-  const bool free = request.cuts == "free" ||
-                    (request.cuts.empty() && request.surface.empty() && says_nothing);
+  const bool free =
+      request.cuts == "free" || (request.cuts.empty() && request.surface.empty() && says_nothing);
   if (free) return is_seamless ? CutRule::SeamsOrFree : CutRule::Free;
   return is_seamless ? CutRule::Seams : CutRule::Nothing;
 }
@@ -78,8 +78,7 @@ void prove(Check& check, const StopCheck& stop) {
     wanted.overlap = ProofRequest::Overlap::Forbidden;
   else if (!check.request.common.report.empty())
     wanted.overlap = ProofRequest::Overlap::Reported;
-  if (extension(check.request.result) == ".vtu")
-    wanted.labels = ProofRequest::FaceLabels::Compared;
+  if (extension(check.request.result) == ".vtu") wanted.labels = ProofRequest::FaceLabels::Compared;
   wanted.stop = stop;
   check.proof.emplace(check.file, check.request.result, wanted);
   for (const auto& [question, finding] : check.proof->findings()) {
@@ -120,8 +119,8 @@ std::string in_words(const MapProof& proof) {
                           question == "surface" ? "surface (--surface)" : "overlaps (--certify)");
   }
   if (proof.cuts.others > 0)
-    proven += fmt::format(", cut along {} edges into {} charts", proof.cuts.others,
-                          proof.cuts.charts);
+    proven +=
+        fmt::format(", cut along {} edges into {} charts", proof.cuts.others, proof.cuts.charts);
   return proven + open;
 }
 
@@ -136,13 +135,13 @@ int conclude(Check& check) {
   if (!list.empty()) {
     const bool is_torn = check.proof && check.proof->continuous.answer == Answer::Violated;
     say("majorant: {}: {}: {}{}\n", request.result, status, fmt::join(list, "; "),
-               is_torn ? "; if the map is meant to be cut there, add --cuts free" : "");
+        is_torn ? "; if the map is meant to be cut there, add --cuts free" : "");
     return kInvalid;
   }
   if (!request.common.quiet)
     say("{}: valid, degree {}: {}; {} {:.9g}{}\n", request.result, check.file.degree,
-               in_words(*check.proof), claimed_energy(check.claims), check.measures->value,
-               seam_summary(check.report["result"]));
+        in_words(*check.proof), claimed_energy(check.claims), check.measures->value,
+        seam_summary(check.report["result"]));
   return kSuccess;
 }
 

@@ -7,8 +7,8 @@
 namespace majorant::app {
 
 // Sets "globally_injective" (true, false, or null: not decided) and "boundary" ({"pairs_tested",
-// "pairs_left", "subdivisions", "reason", "contacts"}, edges by vertices of the input). proof: of the boundary of `map` or of a map with the
-// same faces.
+// "pairs_left", "subdivisions", "reason", "contacts"}, edges by vertices of the input). proof: of
+// the boundary of `map` or of a map with the same faces.
 void add_global_injectivity(Json& measures_section, const BezierMap& map,
                             const MapMeasures& measures, const GlobalInjectivity& proof);
 

@@ -30,7 +30,7 @@ struct MapRequest {
   // Where nothing was said: 3, or 1 if every data file among the outputs has a format without
   // curves (pictures, traces and reports do not count).
   void choose_degree(const std::vector<std::string>& outputs);
-  Json to_json() const;               // for reports and claims
+  Json to_json() const;                     // for reports and claims
   std::vector<std::string> inputs() const;  // files to read; empty where none is given
 };
 

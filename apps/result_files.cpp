@@ -100,8 +100,7 @@ Json result_section(const FinishedRun& run) {
   if (was_stopped(r) && run.in.options.injectivity != MapInjectivity::Global)
     result["boundary"] = {{"reason", "not asked after the limit"}};
   else
-    add_global_injectivity(result, *r.map, r.measures,
-                           check_boundary(*r.map, {.stopped = [&] {
+    add_global_injectivity(result, *r.map, r.measures, check_boundary(*r.map, {.stopped = [&] {
                              return run.record.directive() != Directive::Continue;
                            }}));
   result["variables"] = r.variables;

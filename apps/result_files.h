@@ -48,7 +48,7 @@ struct FinishedRun {
   Json options;                                 // what the verb adds to map.to_json()
   std::chrono::steady_clock::time_point start;  // of the run
   double read_seconds = 0;
-  std::string scaffold_file;  // or empty
+  std::string scaffold_file;                      // or empty
   const std::optional<InUnitSquare>& normalized;  // how result.map was moved
 };
 

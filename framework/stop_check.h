@@ -8,8 +8,8 @@
 //   }
 //
 // Who catches Stopped keeps the state it had before: solvers return the last accepted point with
-// the status that belongs to it, readers and starts let it pass. Loops that threads share poll under
-// ParallelErrors (parallel_errors.h), because exceptions must not leave them.
+// the status that belongs to it, readers and starts let it pass. Loops that threads share poll
+// under ParallelErrors (parallel_errors.h), because exceptions must not leave them.
 #pragma once
 
 #include <cstddef>

@@ -75,7 +75,8 @@ Eigen::VectorXi number_by_place(const Points3& points, const std::vector<Vector3
   const auto key = [](const Vector3& p) {  // -0 is 0
     return std::array<double, 3>{p.x() + 0.0, p.y() + 0.0, p.z() + 0.0};
   };
-  for (std::size_t v = 0; v < known.size(); ++v) number.emplace(key(known[v]), static_cast<Index>(v));
+  for (std::size_t v = 0; v < known.size(); ++v)
+    number.emplace(key(known[v]), static_cast<Index>(v));
   auto next = static_cast<Index>(known.size());
   Eigen::VectorXi vertex(points.rows());
   for (Index p = 0; p < points.rows(); ++p) {
@@ -104,8 +105,7 @@ CutMap::CutMap(const MapFile& file, std::string name)
       equal += file.uv.row(p) == file.uv.row(q);
     }
     differs_[at(h)] = differs_[at(opposite)] = equal < edge_points_;
-    is_unshared_[at(h)] = is_unshared_[at(opposite)] =
-        edge_points_ == 2 ? shared < 2 : shared == 0;
+    is_unshared_[at(h)] = is_unshared_[at(opposite)] = edge_points_ == 2 ? shared < 2 : shared == 0;
   }
 }
 

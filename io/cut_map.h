@@ -31,8 +31,8 @@ class CutMap {
 
   // Whether the two sides of a half-edge have different uv; false at the boundary of the surface.
   bool differs(Index half_edge) const { return differs_[static_cast<std::size_t>(half_edge)]; }
-  // Whether they share no control points in the file (at degree 1: not both corners), be uv equal or
-  // not: files mark cuts so.
+  // Whether they share no control points in the file (at degree 1: not both corners), be uv equal
+  // or not: files mark cuts so.
   bool is_unshared(Index half_edge) const {
     return is_unshared_[static_cast<std::size_t>(half_edge)];
   }

@@ -41,8 +41,8 @@ class LineCursor {
   // Throw Error(Unreadable) if it is missing, not a number, not finite or (integers) over 64 bits.
   double next_number(std::string_view what);
   long long next_integer(std::string_view what);
-  // How far the decimals of the number that next_number gave last may be from it: half a unit of its
-  // last place, 0 where they are found to be the same number.
+  // How far the decimals of the number that next_number gave last may be from it: half a unit of
+  // its last place, 0 where they are found to be the same number.
   double rounding() const;
 
   // Throws Error(Unreadable) if a token is left on the current line.

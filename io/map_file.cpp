@@ -23,8 +23,8 @@ bool is_positive(const PolygonMesh& mesh, const std::vector<Index>& texture,
   return exact_positivity(uv).result == Positivity::Certified;
 }
 
-// Corner numbers of the triangles of a textured polygon: those of its shape in space unless they are
-// not positive in the plane and others are. Who shows the polygon may choose either.
+// Corner numbers of the triangles of a textured polygon: those of its shape in space unless they
+// are not positive in the plane and others are. Who shows the polygon may choose either.
 std::vector<std::array<int, 3>> triangles_of(const PolygonMesh& mesh, std::size_t polygon) {
   const auto& corners = mesh.polygons[polygon];
   const auto& texture = mesh.polygon_texcoords[polygon];
@@ -124,7 +124,8 @@ MapFile to_map_file(const PolygonMesh& textured) {
   file.input_vertex.resize(count);
   for (const auto& [key, point] : point_of) {
     if (file.uv_rounding.rows() > 0)
-      file.uv_rounding.row(point) = textured.texcoord_rounding[static_cast<std::size_t>(key.second)];
+      file.uv_rounding.row(point) =
+          textured.texcoord_rounding[static_cast<std::size_t>(key.second)];
     file.points.row(point) = textured.positions[static_cast<std::size_t>(key.first)];
     file.uv.row(point) = textured.texcoords[static_cast<std::size_t>(key.second)];
     file.input_vertex[point] = key.first;

@@ -16,10 +16,10 @@ namespace majorant {
 
 struct MapFile {
   int degree = 1;
-  Points3 points;                // #N by 3, control points of the flat surface triangles
-  Points2 uv;                    // #N by 2, control points of the map
-  Points2 uv_rounding;           // #N by 2, how far the digits of the file may be from uv; empty: not
-  Cells cells;                   // #F by (n+1)(n+2)/2, point numbers in VTK order
+  Points3 points;       // #N by 3, control points of the flat surface triangles
+  Points2 uv;           // #N by 2, control points of the map
+  Points2 uv_rounding;  // #N by 2, how far the digits of the file may be from uv; empty: not
+  Cells cells;          // #F by (n+1)(n+2)/2, point numbers in VTK order
   Eigen::VectorXi input_vertex;  // #N, vertex of the input mesh, -1 where there is none
   Eigen::VectorXi input_face;    // #F, face (polygon) of the input mesh, 0-based
   Vec distortion;                // #F, mean density; may be empty
@@ -32,9 +32,10 @@ struct MapFile {
 // Distortion, min_det and claims are left empty, cone and seam_edges too unless the map has seams
 // or cones.
 MapFile to_map_file(const BezierMap& map);
-// A mesh with texture coordinates as a map of degree 1: one point per (v, vt) pair; input_vertex and
-// input_face are the file's own. Polygons are triangulated, so that the triangles are positive in the
-// plane if the polygon has such a triangulation. Throws Error(Unreadable) where a corner has none.
+// A mesh with texture coordinates as a map of degree 1: one point per (v, vt) pair; input_vertex
+// and input_face are the file's own. Polygons are triangulated, so that the triangles are positive
+// in the plane if the polygon has such a triangulation. Throws Error(Unreadable) where a corner has
+// none.
 MapFile to_map_file(const PolygonMesh& textured);
 
 // u, v per node of a space over the file's cells, out of its points: points that are one node must

@@ -39,7 +39,8 @@ std::string describe(const GlobalInjectivity& proof, const CornerNames& input_ve
   if (proof.contacts.empty()) return proof.reason;
   const BoundaryContact& contact = proof.contacts.front();
   const auto edge = [&](Index h) {
-    return fmt::format("({}, {})", input_vertex(h / 3, h % 3), input_vertex(h / 3, (h % 3 + 1) % 3));
+    return fmt::format("({}, {})", input_vertex(h / 3, h % 3),
+                       input_vertex(h / 3, (h % 3 + 1) % 3));
   };
   const bool certain = contact.kind == Contact::Certain;
   const std::string where =
@@ -145,7 +146,8 @@ class MapProof::Judge {
     }
     const std::size_t bad = proof_.not_positive.size();
     if (bad > 1) worst += fmt::format(" ({} cells in all)", bad);
-    proof_.positive = bad == 0 ? Finding{Answer::Proven, fmt::format("{} cells", file_.cells.rows())}
+    proof_.positive = bad == 0
+                          ? Finding{Answer::Proven, fmt::format("{} cells", file_.cells.rows())}
                       : is_violated ? Finding{Answer::Violated, worst}
                                     : Finding{Answer::Undecided, worst};
   }
@@ -172,10 +174,9 @@ class MapProof::Judge {
     Index first = -1;
     for (Index h = 0; h < surface.half_edge_count(); ++h) {
       if (surface.opposite(h) < h || !cut_->differs(h)) continue;
-      proof_.cuts.length +=
-          (surface.positions().row(surface.to_vertex(h)) -
-           surface.positions().row(surface.from_vertex(h)))
-              .norm();
+      proof_.cuts.length += (surface.positions().row(surface.to_vertex(h)) -
+                             surface.positions().row(surface.from_vertex(h)))
+                                .norm();
       if (allows_seams(request_.cuts) && cut_->fit(h).mismatch <= close) {
         ++proof_.cuts.seams;
         continue;
@@ -191,11 +192,13 @@ class MapProof::Judge {
     proof_.continuous = {
         Answer::Violated,
         allows_seams(request_.cuts)
-            ? fmt::format("the map is not seamless: the sides of {} inner edges differ by more than "
-                          "a quarter turn and a translation, those of {} by {:.3g}",
-                          proof_.cuts.others, cut_->place(first), cut_->fit(first).mismatch)
-            : fmt::format("the map is not continuous: the sides of {} inner edges differ, first of {}",
-                          proof_.cuts.others, cut_->place(first))};
+            ? fmt::format(
+                  "the map is not seamless: the sides of {} inner edges differ by more than "
+                  "a quarter turn and a translation, those of {} by {:.3g}",
+                  proof_.cuts.others, cut_->place(first), cut_->fit(first).mismatch)
+            : fmt::format(
+                  "the map is not continuous: the sides of {} inner edges differ, first of {}",
+                  proof_.cuts.others, cut_->place(first))};
   }
 
   std::string count_of_cuts() const {
@@ -250,9 +253,9 @@ class MapProof::Judge {
                                      "map covers its neighbourhood more than once",
                                      surface.input_vertex(v), 90 * quarters)};
         if (may_be_cone)
-          proof_.angles.detail = fmt::format(
-              "the angles around vertex {} sum up to {:.9g} degrees, no multiple of 90",
-              surface.input_vertex(v), 90 * quarters);
+          proof_.angles.detail =
+              fmt::format("the angles around vertex {} sum up to {:.9g} degrees, no multiple of 90",
+                          surface.input_vertex(v), 90 * quarters);
         return;
       }
       if (nearest != 4) proof_.cones.push_back({surface.input_vertex(v), nearest});
@@ -265,7 +268,8 @@ class MapProof::Judge {
   void judge_overlaps(const BezierMap& plain) {
     if (request_.overlap == ProofRequest::Overlap::NotAsked) return;
     if (is_stopped()) {
-      if (request_.overlap == ProofRequest::Overlap::Forbidden) proof_.injective = stopped_finding();
+      if (request_.overlap == ProofRequest::Overlap::Forbidden)
+        proof_.injective = stopped_finding();
       return;
     }
     proof_.global = check_boundary(plain, {.stopped = [this] { return is_stopped(); }});

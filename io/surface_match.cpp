@@ -282,10 +282,10 @@ class Matcher {
   const PolygonMesh& surface_;
   const std::vector<Index>& face_of_cell_;
   double size_ = 0;
-  std::vector<char> used_;                           // vertices of the surface with a face
-  std::map<DirectedEdge, Index> face_of_edge_;       // of the surface, the face on its left
-  std::map<DirectedEdge, Index> half_edge_;          // of the cells
-  std::vector<std::vector<Index>> neighbours_;       // of the cells' vertices
+  std::vector<char> used_;                      // vertices of the surface with a face
+  std::map<DirectedEdge, Index> face_of_edge_;  // of the surface, the face on its left
+  std::map<DirectedEdge, Index> half_edge_;     // of the cells
+  std::vector<std::vector<Index>> neighbours_;  // of the cells' vertices
   std::vector<Index> face_left_;  // by half-edge of the cells: the face whose edge it lies on
   SurfaceMatch match_;
 };

@@ -97,7 +97,8 @@ Piece determinant(const TriangleIndices& ix, const std::vector<IntegerPoint>& b)
       const auto weight =
           static_cast<std::int64_t>(lower.multinomial(s)) * Integer(lower.multinomial(t));
       det.c[det.at(a[1] + d[1], a[2] + d[2])] +=
-          weight * cross(along_1[static_cast<std::size_t>(s)], along_2[static_cast<std::size_t>(t)]);
+          weight *
+          cross(along_1[static_cast<std::size_t>(s)], along_2[static_cast<std::size_t>(t)]);
     }
   for (int k = 0; k <= 2 * m; ++k)
     for (int j = 0; j + k <= 2 * m; ++j)

@@ -1,6 +1,6 @@
-// Is det J of a planar Bezier triangle positive? Decided in exact arithmetic, on the doubles as they
-// are: for the few cells where LocalInjectivity, whose bounds include rounding, finds no proof, and
-// to tell what is certainly inverted from what is merely too close to call.
+// Is det J of a planar Bezier triangle positive? Decided in exact arithmetic, on the doubles as
+// they are: for the few cells where LocalInjectivity, whose bounds include rounding, finds no
+// proof, and to tell what is certainly inverted from what is merely too close to call.
 //
 //   const ExactPositivity exact = exact_positivity(control_points);   // #(n+1)(n+2)/2 by 2
 //   if (exact.result == Positivity::Violated) exact.at;               // where det J <= 0

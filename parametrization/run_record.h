@@ -24,16 +24,17 @@ class RunRecord {
   // Called after every iteration.
   using Progress = std::function<void(const TraceEntry&)>;
 
-  // Seconds that reading and making the start may take under any time limit: what is stopped
-  // before it has a map has nothing to show. Ctrl-C has no such grace.
-  static constexpr double kGrace = 1;
+  // Seconds beyond the time limit that reading and making the start may take: what is stopped before
+  // it has a map has nothing to show. (50,000 faces take half a second for both.) Ctrl-C has no such
+  // grace.
+  static constexpr double kGrace = 10;
 
   explicit RunRecord(double time_limit_seconds = std::numeric_limits<double>::infinity(),
                      int max_iterations = std::numeric_limits<int>::max(),
                      const std::atomic<bool>* interrupt = nullptr, Progress progress = {})
       : max_iterations_(max_iterations),
         stop_(limits(start_, time_limit_seconds, interrupt)),
-        start_stop_(limits(start_, std::max(time_limit_seconds, kGrace), interrupt)),
+        start_stop_(limits(start_, time_limit_seconds + kGrace, interrupt)),
         progress_(std::move(progress)) {}
   // Ended by `stop` alone, without grace.
   explicit RunRecord(const StopCheck& stop) : stop_(stop), start_stop_(stop) {}

@@ -18,8 +18,8 @@ struct InUnitSquare {
   MapMeasures measures;  // measure_normalized(): in the units of before
 };
 
-// Lower left corner at the origin, the larger side 1; where that rounds a cell away, between 1/2 and
-// 1 (division by a power of two rounds nothing). None when the map stays locally injective in
+// Lower left corner at the origin, the larger side 1; where that rounds a cell away, between 1/2
+// and 1 (division by a power of two rounds nothing). None when the map stays locally injective in
 // neither: its smallest cells are below what doubles resolve beside its largest.
 std::optional<InUnitSquare> into_unit_square(const BezierMap& map, const EnergySum& energy,
                                              const StopCheck& stop = {});

@@ -185,8 +185,7 @@ TEST(CutMap, SidesThatDoNotFitAreNamed) {
     const auto on_edge = bezier_edge_points(degree, k);
     const Index point = file.cells(cell, on_edge[static_cast<std::size_t>(degree / 2)]);
     file.uv(point, 0) += 0.01;
-    const std::string message =
-        error_message(ErrorKind::Invalid, [&] { seamless_map_of(file); });
+    const std::string message = error_message(ErrorKind::Invalid, [&] { seamless_map_of(file); });
     EXPECT_NE(message.find("edge ("), std::string::npos) << message;
     // What is too little to be refused is measured.
     file.uv(point, 0) += 1e-6 - 0.01;

@@ -7,13 +7,13 @@
 #include <fstream>
 #include <optional>
 
+#include "counted_stop.h"
 #include "majorant/parametrization/deform.h"
 #include "majorant/parametrization/global_injectivity.h"
 #include "majorant/parametrization/improve_mesh.h"
 #include "majorant/parametrization/parametrize.h"
 #include "majorant/parametrization/seamless_map.h"
 #include "parametrization/closed_surfaces.h"
-#include "counted_stop.h"
 #include "parametrization/parametrization_test_helpers.h"
 
 namespace majorant {
