@@ -119,30 +119,31 @@ std::string in_words(const MapProof& proof) {
                           question == "surface" ? "surface (--surface)" : "overlaps (--certify)");
   }
   if (proof.cuts.others > 0)
-    proven +=
-        fmt::format(", cut along {} edges into {} charts", proof.cuts.others, proof.cuts.charts);
+    proven += fmt::format(", cut along {} into {}", counted(proof.cuts.others, "edge"),
+                          counted(proof.cuts.charts, "chart"));
   return proven + open;
 }
 
 int conclude(Check& check) {
+  const Request& request = check.request;
   const std::vector<std::string>& list = check.findings.list();
   const char* status = list.empty() ? "valid" : check.findings.violated() ? "invalid" : "undecided";
   check.report["status"] = status;
   check.report["message"] = list.empty() ? "" : list.front();
   check.report["findings"] = list;
-  const Request& request = check.request;
-  if (!request.common.report.empty()) write_json(request.common.report, check.report);
   if (!list.empty()) {
     const bool is_torn = check.proof && check.proof->continuous.answer == Answer::Violated;
     say("majorant: {}: {}: {}{}\n", request.result, status, fmt::join(list, "; "),
         is_torn ? "; if the map is meant to be cut there, add --cuts free" : "");
-    return kInvalid;
-  }
-  if (!request.common.quiet)
+  } else if (!request.common.quiet) {
     say("{}: valid, degree {}: {}; {} {:.9g}{}\n", request.result, check.file.degree,
         in_words(*check.proof), claimed_energy(check.claims), check.measures->value,
         seam_summary(check.report["result"]));
-  return kSuccess;
+  }
+  WrittenFiles written;
+  const std::string& report = request.common.report;
+  if (!report.empty()) written.write(report, [&] { write_json(report, check.report); });
+  return written.conclude(list.empty() ? kSuccess : kInvalid);
 }
 
 int check(const Request& request) {

@@ -35,6 +35,10 @@ std::string_view answer_name(Answer answer) {
   return kNames[static_cast<std::size_t>(answer)];
 }
 
+std::string counted(Index count, std::string_view noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
 std::string describe(const GlobalInjectivity& proof, const CornerNames& input_vertex) {
   if (proof.contacts.empty()) return proof.reason;
   const BoundaryContact& contact = proof.contacts.front();
@@ -146,10 +150,10 @@ class MapProof::Judge {
     }
     const std::size_t bad = proof_.not_positive.size();
     if (bad > 1) worst += fmt::format(" ({} cells in all)", bad);
-    proof_.positive = bad == 0
-                          ? Finding{Answer::Proven, fmt::format("{} cells", file_.cells.rows())}
-                      : is_violated ? Finding{Answer::Violated, worst}
-                                    : Finding{Answer::Undecided, worst};
+    proof_.positive =
+        bad == 0 ? Finding{Answer::Proven, counted(static_cast<Index>(file_.cells.rows()), "cell")}
+        : is_violated ? Finding{Answer::Violated, worst}
+                      : Finding{Answer::Undecided, worst};
   }
 
   void judge_surface() {
@@ -162,7 +166,7 @@ class MapProof::Judge {
       proof_.surface = {Answer::Violated, match.defect};
       return;
     }
-    proof_.surface = {Answer::Proven, fmt::format("{} faces", match.same + match.changed)};
+    proof_.surface = {Answer::Proven, counted(match.same + match.changed, "face")};
     if (match.changed > 0)
       proof_.surface.detail += fmt::format(", {} of them in other triangles", match.changed);
   }
@@ -193,21 +197,21 @@ class MapProof::Judge {
         Answer::Violated,
         allows_seams(request_.cuts)
             ? fmt::format(
-                  "the map is not seamless: the sides of {} inner edges differ by more than "
-                  "a quarter turn and a translation, those of {} by {:.3g}",
-                  proof_.cuts.others, cut_->place(first), cut_->fit(first).mismatch)
-            : fmt::format(
-                  "the map is not continuous: the sides of {} inner edges differ, first of {}",
-                  proof_.cuts.others, cut_->place(first))};
+                  "the map is not seamless: the sides of {} differ by more than a quarter turn "
+                  "and a translation, those of {} by {:.3g}",
+                  counted(proof_.cuts.others, "inner edge"), cut_->place(first),
+                  cut_->fit(first).mismatch)
+            : fmt::format("the map is not continuous: the sides of {} differ, first of {}",
+                          counted(proof_.cuts.others, "inner edge"), cut_->place(first))};
   }
 
   std::string count_of_cuts() const {
     const CutCount& cuts = proof_.cuts;
     if (!allows_seams(request_.cuts) && cuts.others == 0) return "no cuts";
     std::string text;
-    if (allows_seams(request_.cuts)) text = fmt::format("{} seam edges", cuts.seams);
+    if (allows_seams(request_.cuts)) text = counted(cuts.seams, "seam edge");
     if (allows_any(request_.cuts) && cuts.others > 0)
-      text += fmt::format("{}{} cut edges", text.empty() ? "" : ", ", cuts.others);
+      text += (text.empty() ? "" : ", ") + counted(cuts.others, "cut edge");
     return text;
   }
 
@@ -262,7 +266,7 @@ class MapProof::Judge {
     }
     proof_.angles = {Answer::Proven, fmt::format("{} inner vertices", inner)};
     if (allows_seams(request_.cuts))
-      proof_.angles.detail += fmt::format(", {} cones", proof_.cones.size());
+      proof_.angles.detail += ", " + counted(static_cast<Index>(proof_.cones.size()), "cone");
   }
 
   void judge_overlaps(const BezierMap& plain) {
@@ -285,7 +289,7 @@ class MapProof::Judge {
     else if (proof_.global->result == Injectivity::Undecided)
       proof_.injective = {Answer::Undecided, reason};
     else
-      proof_.injective = {Answer::Proven, fmt::format("{} charts", proof_.cuts.charts)};
+      proof_.injective = {Answer::Proven, counted(proof_.cuts.charts, "chart")};
   }
 
   void find_seams() {

@@ -39,6 +39,9 @@ enum class CutRule {
   SeamsOrFree  // seams are told from other cuts
 };
 
+// "1 edge", "3 edges".
+std::string counted(Index count, std::string_view noun);
+
 // Mismatch of the sides of a seam, in sizes of the layout, beyond which a map is not seamless. The
 // optimizer holds seams to some 1e-15; a coordinate printed with fewer than 10 digits shows.
 inline constexpr double kSeamClose = 1e-9;

@@ -126,25 +126,30 @@ class Matcher {
     const Index a = cells_.find_input_vertex(edge.first), b = cells_.find_input_vertex(edge.second);
     if (a < 0 || b < 0) return {};
     if (has_edge(a, b)) return {a, b};
-    const Vector3 start = place(edge.first), step = place(edge.second) - start;
     std::vector<Index> out{a};
-    for (double travelled = 0; out.back() != b;) {
-      Index next = -1;
-      double best = 2;
-      for (const Index v : neighbours_[at(out.back())]) {
-        if (v != b && surface_vertex(v) >= 0) continue;
-        const Vector3 offset = cell_place(v) - start;
-        const double t = v == b ? 1.0 : offset.dot(step) / step.squaredNorm();
-        if (!(t > travelled) || t >= best || !((offset - t * step).norm() <= kClose * size_))
-          continue;
-        best = t;
-        next = v;
-      }
-      if (next < 0) return {};
-      travelled = best;
-      out.push_back(next);
+    return extend(out, 0, edge, b) ? out : std::vector<Index>{};
+  }
+
+  // Appends new vertices further along the edge than `travelled` (of its length) until one is
+  // beside b. Several may be on it: the other side of a slit lies in the same place, and ends
+  // elsewhere.
+  bool extend(std::vector<Index>& chain, double travelled, const DirectedEdge& edge,
+              Index b) const {
+    if (chain.size() > 1 && has_edge(chain.back(), b)) {
+      chain.push_back(b);
+      return true;
     }
-    return out;
+    const Vector3 start = place(edge.first), step = place(edge.second) - start;
+    for (const Index v : neighbours_[at(chain.back())]) {
+      if (surface_vertex(v) >= 0) continue;
+      const Vector3 offset = cell_place(v) - start;
+      const double t = offset.dot(step) / step.squaredNorm();
+      if (!(t > travelled) || !(t < 1) || !((offset - t * step).norm() <= kClose * size_)) continue;
+      chain.push_back(v);
+      if (extend(chain, t, edge, b)) return true;
+      chain.pop_back();
+    }
+    return false;
   }
 
   // Notes on which side of the cells' edges the face lies, or joins it with its neighbour where the

@@ -24,9 +24,9 @@ class RunRecord {
   // Called after every iteration.
   using Progress = std::function<void(const TraceEntry&)>;
 
-  // Seconds beyond the time limit that reading and making the start may take: what is stopped before
-  // it has a map has nothing to show. (50,000 faces take half a second for both.) Ctrl-C has no such
-  // grace.
+  // Seconds beyond the time limit that reading and making the start may take: what is stopped
+  // before it has a map has nothing to show. (50,000 faces take half a second for both.) Ctrl-C has
+  // no such grace.
   static constexpr double kGrace = 10;
 
   explicit RunRecord(double time_limit_seconds = std::numeric_limits<double>::infinity(),

@@ -75,6 +75,24 @@ TEST(SurfaceMatch, FacesCutIntoPieces) {
   EXPECT_NE(match(moved, surface).defect, "");
 }
 
+// Two sides of a slit lie in the same place: each is followed to its own end.
+TEST(SurfaceMatch, SlitsAreFollowedOnTheirOwnSide) {
+  PolygonMesh surface;  // a fan around 0, open along the edges (0, 1) and (0, 5)
+  surface.positions.emplace_back(0, 0, 0);
+  for (const auto& [x, y] : {std::pair(1, 0), {0, 1}, {-1, 0}, {0, -1}, {1, 0}})
+    surface.positions.emplace_back(x, y, 0);
+  for (Index k = 1; k < 5; ++k) surface.polygons.push_back({0, k, k + 1});
+  PolygonMesh cells = surface;
+  for (const double t : {0.5, 0.25, 0.75}) cells.positions.emplace_back(t, 0, 0);
+  cells.polygons[0] = {0, 6, 2};  // (0, 1) is halved by 6
+  cells.polygons.push_back({6, 1, 2});
+  cells.polygons[3] = {4, 7, 0};  // (0, 5) has vertices at a quarter and at three quarters
+  cells.polygons.push_back({4, 8, 7});
+  cells.polygons.push_back({4, 5, 8});
+  EXPECT_EQ(match(cells, surface).defect, "");
+  EXPECT_EQ(match(cells, surface).changed, 2);
+}
+
 TEST(SurfaceMatch, DefectsAreNamed) {
   const PolygonMesh surface = triangles(0.1);
   PolygonMesh cells = surface;
