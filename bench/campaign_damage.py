@@ -9,6 +9,7 @@ import math
 import campaign_maps as maps
 from campaign_kinds import INVALID, UNREADABLE, VALID, base, steps, strict, write
 
+
 def tear(made, rng, options):
     """One side of an inner edge differs, by one ulp or more; where seams are allowed, by more than
     they may."""
@@ -68,14 +69,14 @@ def double(made, rng, options):
 
 
 def shift(made, rng, options):
-    """Parts elsewhere in the plane or in space, corners or numbers in another order."""
-    how = rng.randrange(4)
+    """Parts elsewhere in the plane or in space; corners, vertices or faces by other numbers."""
+    how = rng.randrange(5)
     cell = rng.randrange(len(made.uv))
     if how == 0:
         at = rng.choice(made.inner_edges())[0]
         step = made.size() * rng.choice((2, 1e-3))
         made.shift([at], (step, 0))
-        if options.get('seamless'):  # a translation, which seams have: the angles are those of a cut
+        if options.get('seamless'):  # a translation, which seams have
             return None, strict(made, rng)
         return INVALID, strict(made, rng)
     if how == 1:
@@ -91,6 +92,9 @@ def shift(made, rng, options):
         made.positions[vertex] = x, y, z + 10.0 ** rng.randrange(-4, 2) * math.dist(
             *[[f(c) for c in zip(*made.positions)] for f in (min, max)])
         return INVALID, {'surface': made.mesh}
+    if how == 3:
+        made.input_face = made.input_face[1:] + made.input_face[:1]
+        return INVALID, {'surface': made.mesh, 'extension': '.vtu', 'unseen': 'ok'}
     other = made.corners[cell][1]
     made.numbers = {vertex: other, other: vertex}
     return INVALID, {'surface': made.mesh, 'extension': '.vtu'}
@@ -134,14 +138,15 @@ def damaged(*damages):
 # ------------------------------------------------------------------ claims
 WIDENING = {'normalized': {'origin': [0, -1e17], 'size': 1e-17}, 'other_triangles': True,
             'seams': True, 'bijective': True, 'version': '0.1.0', 'boundary': 'free'}
-WRONG_TYPES = [{'degree': 'three'}, {'seams': 'yes'}, {'pins': 5}, {'cones': [{}]}, {'value': None,
-               'bijective': 1}, {'normalized': {'origin': [0], 'size': 1}}, {'degree': 1e300}]
+WRONG_TYPES = [{'degree': 'three'}, {'degree': 1e300}, {'seams': 'yes'}, {'bijective': 1},
+               {'pins': 5}, {'cones': [{}]}, {'normalized': {'origin': [0], 'size': 1}}]
 
 
 def claims(rng):
     """Claims that are wrong, or that would excuse a damage; and some that do not matter."""
     made, options = base(rng)
-    made.claims = {'version': '0.1.0', 'degree': made.degree, **({'seams': True} if options else {})}
+    made.claims = {'version': '0.1.0', 'degree': made.degree}
+    made.claims.update({'seams': True} if options else {})
     how = rng.randrange(6)
     if how == 0:
         made.claims['energy'] = rng.choice(('none', 'no such energy', ''))

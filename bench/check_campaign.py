@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """The proof of `majorant check`: its verdicts on thousands of generated files against the truth.
 
-Files of many kinds, good and broken (campaign_kinds.py, campaign_damage.py), and files that the program wrote itself,
-whole and then damaged. The truth is known by construction, or is the word of the independent
-checker in tests/checker; where both speak they must agree. Never is it the library's. Wrong is:
-invalid where the truth is valid, valid where it is not, and everything but a verdict. Of valid files
-at most 2 % may be undecided, of those the program wrote none.
+Files of many kinds, good and broken (campaign_kinds.py, campaign_damage.py), and files that the
+program wrote itself, whole and then damaged. The truth is known by construction, or is the word of
+the independent checker in tests/checker; where both speak they must agree. Never is it the
+library's. Wrong is: invalid where the truth is valid, valid where it is not, and everything but a
+verdict. Of valid files at most 2 % may be undecided, of those the program wrote none.
 
 An OBJ whose decimals say something else than the doubles that readers make of them has no truth for
 `check`, which sees the doubles: such files are counted apart.
@@ -97,8 +97,8 @@ def run_program(rng, program, folder):
     found = [(WRITTEN + verb, name) for name in names]
     if len(made.uv) < 300:
         names = ['b.obj', 'b.vtu']
-        done = common.parametrize(program, folder / 'a.vtu', [folder / n for n in names], '--refine',
-                                  rng.randrange(1, 4), verb='convert')
+        done = common.parametrize(program, folder / 'a.vtu', [folder / n for n in names],
+                                  '--refine', rng.randrange(1, 4), verb='convert')
         if done.code != 0:
             return 'convert: ' + done.stderr.strip()
         found += [(WRITTEN + 'convert', name) for name in names]
@@ -153,7 +153,8 @@ def write_as(case, result):
 
 # ------------------------------------------------------------------ judges
 def ask_checker(path, case, surface):
-    words = [str(path), '--cuts', case.cut_rule()] + (['--surface', str(surface)] if surface else [])
+    words = [str(path), '--cuts', case.cut_rule()]
+    words += ['--surface', str(surface)] if surface else []
     words += ['--seamless'] * case.seamless_at_all() + ['--overlap'] * case.certify
     try:
         return check_map.check(str(path), check_map.parse(words)).verdict
