@@ -238,7 +238,7 @@ def table(results):
 def summary(results, program, seconds):
     apart = Counter(r.verdict for r in results if r.truth == DIFFERS)
     no_truth = sum(r.truth is None for r in results)
-    lines = ['', '%d files, seed %d: %d VTU; degrees 1 to 4: %s; %d closed or with holes; 1 to %d '
+    return ['', '%d files, seed %d: %d VTU; degrees 1 to 4: %s; %d closed or with holes; 1 to %d '
              'faces, %d files with more than 200.'
              % (len(results), program.seed, sum(r.extension == '.vtu' for r in results),
                 ', '.join(str(sum(r.degree == d for r in results)) for d in range(1, 5)),
@@ -252,12 +252,14 @@ def summary(results, program, seconds):
                 sum(r.is_disputed for r in results)),
              '`check`: %.0f s in all, at most %.1f s a file. The campaign: %.0f s.'
              % (sum(r.seconds for r in results), max(r.seconds for r in results), seconds)]
-    for r in results:
-        if r.outcome() == 'wrong' or r.is_disputed:
-            print('%s: %s (%s): truth %s, checker %s, program %s'
-                  % ('disputed' if r.is_disputed else 'wrong', r.name, r.kind, r.truth, r.checker,
-                     r.verdict), file=sys.stderr)
-    return lines
+
+
+def complaints(results):
+    return ['%s: %s (%s): truth %s, checker %s, program %s'
+            % ('disputed' if r.is_disputed else r.outcome(), r.name, r.kind, r.truth, r.checker,
+               r.verdict)
+            for r in results if r.is_disputed or r.outcome() == 'wrong'
+            or r.outcome() == UNDECIDED and r.truth == VALID]
 
 
 def holds(results):
@@ -298,8 +300,8 @@ def main():
                 break
     results = results[:program.count]
     print('\n'.join(table(results) + summary(results, program, time.monotonic() - start)))
-    for message in refused:
-        print('a run wrote nothing: ' + message)
+    for line in ['a run wrote nothing: ' + message for message in refused] + complaints(results):
+        print(line, file=sys.stderr)
     return 0 if holds(results) else 1
 
 
