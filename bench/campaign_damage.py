@@ -147,7 +147,7 @@ def claims(rng):
     made, options = base(rng)
     made.claims = {'version': '0.1.0', 'degree': made.degree}
     made.claims.update({'seams': True} if options else {})
-    how = rng.randrange(6)
+    how = rng.randrange(7)
     if how == 0:
         made.claims['energy'] = rng.choice(('none', 'no such energy', ''))
         return write(made, rng, INVALID, unseen='ok', **options)
@@ -160,7 +160,13 @@ def claims(rng):
     if how == 3:
         made.claims.update(rng.choice(WRONG_TYPES))
         return write(made, rng, UNREADABLE, unseen='ok', **options)
-    if how == 4:
+    if how == 4 and not options:
+        made.claims['boundary'] = 'fixed'
+        if rng.random() < 0.5:
+            tear(made, rng, options)
+            return write(made, rng, INVALID, '.vtu', cuts='none')
+        return write(made, rng, INVALID, unseen='ok')
+    if how == 5:
         made.claims.update({'tool': [1, {'x': None}], 'init': None, 'colour': 'red'})
         return write(made, rng, VALID, **options)
     truth, more = rng.choice((tear, double, bulge))(made, rng, {'seamless': True})
