@@ -115,33 +115,40 @@ class VtuText:
                 connectivity.append(known[key])
         size = len(small.uv[0])
         self.appended = b''
-        data = self._array(self.real, 'uv', 2, [x for row in rows for x in row[1]])
+        data = self.array(self.real, 'uv', 2, [x for row in rows for x in row[1]])
         if numbers != {}:
-            data += self._array('Int32', 'input_vertex', 1, [row[2] for row in rows])
+            data += self.array('Int32', 'input_vertex', 1, [row[2] for row in rows])
         if weights:
-            data += self._array(self.real, 'RationalWeights', 1, [row[3] for row in rows])
+            data += self.array(self.real, 'RationalWeights', 1, [row[3] for row in rows])
         for name, value in scalars:
-            data += self._array('Float64', name, 1, [value] * len(rows))
+            data += self.array('Float64', name, 1, [value] * len(rows))
         count = len(small.uv)
         kind = 5 if small.degree == 1 else 76
-        cells = (self._array('Int64', 'connectivity', 1, connectivity)
-                 + self._array('Int64', 'offsets', 1, [size * (c + 1) for c in range(count)])
-                 + self._array('UInt8', 'types', 1, types or [kind] * count))
-        faces = self._array('Int32', 'input_face', 1, small.input_face)
-        points = self._array('Float64', 'Points', 3, [x for row in rows for x in row[0]])
+        cells = (self.array('Int64', 'connectivity', 1, connectivity)
+                 + self.array('Int64', 'offsets', 1, [size * (c + 1) for c in range(count)])
+                 + self.array('UInt8', 'types', 1, types or [kind] * count))
+        faces = self.array('Int32', 'input_face', 1, small.input_face)
+        points = self.array('Float64', 'Points', 3, [x for row in rows for x in row[0]])
+        return self.document(small.claims, len(rows), count, (data, faces, points, cells))
+
+    def document(self, claims, points, cells, sections):
+        """The file around its arrays; sections: those of points, cells, places and connectivity,
+        the text of each."""
+        data, faces, places, connectivity = sections
         text = ('<?xml version="1.0"?>\n<VTKFile type="UnstructuredGrid" version="1.0" '
                 'byte_order="LittleEndian" header_type="%s">\n<UnstructuredGrid>\n%s'
                 '<Piece NumberOfPoints="%d" NumberOfCells="%d">\n<PointData>\n%s</PointData>\n'
                 '<CellData>\n%s</CellData>\n<Points>\n%s</Points>\n<Cells>\n%s</Cells>\n'
                 '</Piece>\n</UnstructuredGrid>\n'
-                % (self.header, _claims(small.claims), len(rows), count, data, faces, points, cells)
+                % (self.header, _claims(claims), points, cells, data, faces, places, connectivity)
                 ).encode()
         if self.appended:
             text += (b'<AppendedData encoding="%s">\n_%s\n</AppendedData>\n'
                      % (self.form.encode(), self.appended))
         return text + b'</VTKFile>\n'
 
-    def _array(self, kind, name, width, values):
+    def array(self, kind, name, width, values):
+        """One DataArray; appended ones put their bytes into `appended`."""
         head = '<DataArray type="%s" Name="%s" NumberOfComponents="%d"' % (kind, name, width)
         if self.form == 'ascii':
             return '%s format="ascii">\n%s\n</DataArray>\n' % (head, ' '.join(map(_number, values)))
