@@ -7,8 +7,8 @@ magnitude; as VTU and OBJ; plain, with --normalize, and with --bijective. Each f
 four judges: SHARED/tools/layout.py (OBJ) or verify.py (VTU), tests/checker/check_map.py, and
 `majorant check`. Exit codes 0 and 4 promise valid files; other exit codes are refusals: listed
 with their message, and what they wrote nevertheless is judged, too. Where the degree is 1, a run
-without --degree that writes OBJ alone must give the same file. Slow judges on large files make the
-full set take hours: cheap runs come first, --results is continued after an interruption, and
+without --degree that writes OBJ alone must give the same file. The full set takes the better part
+of an hour: cheap runs come first, --results is continued after an interruption, and
 written_summary.py prints its table at any time.
 
 Sample runs:
