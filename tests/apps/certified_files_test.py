@@ -104,7 +104,7 @@ class Certified(CommandTest):
     def test_normalized_tubes(self):
         # The smallest triangles of these maps are lost when the layout is moved: refused, or valid.
         codes = set()
-        for sides, rings in ((4, 32), (4, 40), (5, 40)):
+        for sides, rings in ((4, 40), (4, 48), (5, 50)):
             mesh = self.write('tube.obj', obj_text(*tube(sides, rings)))
             for energy in ('mips', 'asap'):
                 for name in ('vtu', 'obj'):
@@ -138,8 +138,11 @@ class Certified(CommandTest):
                            self.path('a.obj'))
         self.assertEqual(outcome.code, INVALID, outcome.err)
         self.assertIn('cell 200', outcome.err)
-        self.assertIn('written: %s' % self.path('a.svg'), outcome.err)  # a picture shows it
-        self.assertEqual(self.files(), ['a.svg', 'bad.vtu', 'good.vtu'])
+        # A picture shows what is wrong. Straight triangles between the cells' corners are valid.
+        self.assertIn('written: %s, %s' % (self.path('a.svg'), self.path('a.obj')), outcome.err)
+        self.assertEqual(self.files(), ['a.obj', 'a.svg', 'bad.vtu', 'good.vtu'])
+        self.assertEqual(flipped(self.path('a.obj')), 0)
+        self.run_ok('check', self.path('a.obj'), '--surface', generated('cap'))
 
 
 if __name__ == '__main__':

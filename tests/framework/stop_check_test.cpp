@@ -14,6 +14,7 @@
 #include "majorant/framework/gradient_flow.h"
 #include "majorant/framework/lbfgs.h"
 #include "majorant/framework/newton.h"
+#include "majorant/framework/parallel_errors.h"
 
 namespace majorant::test {
 namespace {
@@ -22,9 +23,9 @@ TEST(StopCheck, NothingStopsByItself) {
   const StopCheck never;
   EXPECT_EQ(never(), Directive::Continue);
   EXPECT_NO_THROW(never.poll());
-  SharedPoll poll(never);
-  EXPECT_FALSE(poll.stopped());
-  EXPECT_NO_THROW(poll.rethrow());
+  ParallelErrors errors;
+  errors.guard([&] { never.poll(); });
+  EXPECT_NO_THROW(errors.rethrow());
 }
 
 TEST(StopCheck, SaysWhy) {
@@ -36,9 +37,9 @@ TEST(StopCheck, SaysWhy) {
     } catch (const Stopped& stopped) {
       EXPECT_EQ(stopped.why(), why);
     }
-    SharedPoll poll(stop);
-    EXPECT_TRUE(poll.stopped());
-    EXPECT_THROW(poll.rethrow(), Stopped);
+    ParallelErrors errors;  // carries it out of a loop that threads share
+    errors.guard([&] { stop.poll(); });
+    EXPECT_THROW(errors.rethrow(), Stopped);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <cmath>
 #include <random>
 
@@ -78,7 +79,7 @@ TEST(ExactPositivity, AgreesWithTheFloatingPointProof) {
       violated += exact.result == Positivity::Violated;
     }
   EXPECT_GT(certified, 60);
-  EXPECT_GT(violated, 60);
+  EXPECT_GT(violated, 30);
 }
 
 // (x, y) -> (x, y (x - m)^2 + (e + k (x - m)^2) y ...): det J = ((u - m)^2 + e) exactly, with its

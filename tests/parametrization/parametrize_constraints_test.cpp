@@ -111,10 +111,17 @@ TEST(Parametrize, TimeLimitZeroGivesAValidMapOfTheDegree) {
   EXPECT_LE(record.trace().size(), 1u);
 }
 
+TEST(Parametrize, InterruptionBeforeThereIsAMap) {
+  const std::atomic<bool> interrupt{true};
+  RunRecord record(INFINITY, std::numeric_limits<int>::max(), &interrupt);
+  EXPECT_THROW(parametrize(generated("tube"), degree(4), record), Stopped);
+  EXPECT_TRUE(record.trace().empty());
+}
+
 TEST(Parametrize, InterruptionGivesAValidMapOfTheDegree) {
   const auto mesh = generated("tube");
-  for (const std::size_t after : {std::size_t(0), std::size_t(3)}) {
-    std::atomic<bool> interrupt{after == 0};
+  for (const std::size_t after : {std::size_t(1), std::size_t(3)}) {
+    std::atomic<bool> interrupt{false};
     std::size_t calls = 0;
     RunRecord record(INFINITY, std::numeric_limits<int>::max(), &interrupt, [&](const TraceEntry&) {
       if (++calls >= after) interrupt = true;

@@ -105,8 +105,8 @@ TEST(Untangle, ImpossibleBoundary) {
 TEST(Untangle, EndsWithItsTime) {
   Square square(8);
   square.spec.boundary = BoundaryCondition::Fixed;
-  const UntangleResult result =
-      untangle(square.spec, square.space, square.shuffled(1), RunRecord(0.0, 1000));
+  const RunRecord record(StopCheck([] { return Directive::TimeLimit; }));
+  const UntangleResult result = untangle(square.spec, square.space, square.shuffled(1), record);
   EXPECT_LE(result.iterations, 1);
   EXPECT_FALSE(result.inverted.empty());
 }
