@@ -11,7 +11,7 @@ namespace majorant::app {
 // name the method that made their start as `init`.
 bool keeps_texture_cuts(const CheckedMap& checked);
 
-// Cones, marks; the cut, if the surface has texture coordinates.
+// Cones; where there are seams, marks, and the cut, if the surface has texture coordinates.
 void check_seams(const CheckedMap& checked, Findings& findings);
 
 // The boundary of the uncut surface is where the texture of the surface has it; nothing without

@@ -40,6 +40,30 @@ class SmallMaps(CommandTest):
                 os.remove(report)
 
 
+class Claims(CommandTest):
+    """Claims that are false where nothing of the kind is there to be measured."""
+
+    def check(self, claims, *args, code=INVALID, says=''):
+        self.run_ok('parametrize', '--quiet', generated('cap'), '-o', self.path('a.vtu'), '--degree',
+                    '1')
+        vtu = Vtu(self.path('a.vtu'))
+        vtu.claims.update(claims)
+        outcome = self.run_ok('check', vtu.write(self.path('b.vtu')), *args, code=code)
+        self.assertIn(says, outcome.err)
+
+    def test_cones_without_seams(self):
+        self.check({'cones': [{'vertex': 40, 'quarter_turns': 3}]}, says='vertex 40')
+
+    def test_an_energy_that_overflows(self):
+        self.check({'value': 1e300, 'normalized': {'origin': [0, 0], 'size': 1e300}},
+                   says='inf is found')
+
+    def test_the_boundary_of_texture_that_is_not_there(self):
+        claims = {'boundary': 'fixed', 'init': 'input'}
+        self.check(claims, '--surface', generated('cap'), says='a fixed boundary is claimed')
+        self.check(claims, code=OK)  # nothing to compare with: not asked
+
+
 class Cuts(CommandTest):
     """A fan of six triangles in a C: with and without a surface, cuts allowed or not."""
 
