@@ -76,7 +76,7 @@ void check_fixed_boundary(const CheckedMap& checked, Findings& findings) {
   for (const Index node : map.space().boundary_nodes())
     worst = std::max(
         worst, (x.segment<2>(2 * node) - initial.control_points().segment<2>(2 * node)).norm());
-  findings.require(worst <= kClose * x.cwiseAbs().maxCoeff(),
+  findings.require(x.allFinite() && worst <= kClose * x.cwiseAbs().maxCoeff(),
                    fmt::format("the boundary is off the initial map's by {:g}", worst));
 }
 
@@ -113,6 +113,17 @@ void check_arrays(const CheckedMap& checked, Findings& findings) {
     }
 }
 
+void check_boundary_claim(const CheckedMap& checked, Findings& findings) {
+  try {
+    if (checked.map.seams().trivial())
+      check_fixed_boundary(checked, findings);
+    else
+      check_fixed_texture_boundary(checked, findings);
+  } catch (const Error& e) {  // there is no such start
+    findings.add_violation(fmt::format("a fixed boundary is claimed: {}", e.what()));
+  }
+}
+
 // The scale that a normalized result was made in.
 double claimed_scale(const Claims& claims) {
   return claims.normalized ? claims.normalized->size : 1.0;
@@ -141,21 +152,6 @@ MapMeasures measure_as_claimed(const BezierMap& map, const Claims& claims, const
   return measure_normalized(map, claimed_scale(claims), energy, stop);
 }
 
-namespace {
-
-void check_boundary_claim(const CheckedMap& checked, Findings& findings) {
-  try {
-    if (checked.map.seams().trivial())
-      check_fixed_boundary(checked, findings);
-    else
-      check_fixed_texture_boundary(checked, findings);
-  } catch (const Error& e) {  // there is no such start
-    findings.add_violation(fmt::format("a fixed boundary is claimed: {}", e.what()));
-  }
-}
-
-}  // namespace
-
 void check_claims(const CheckedMap& checked, Findings& findings) {
   const auto& [file, map, measures, claims, surface, is_seamless] = checked;
   findings.require(!claims.value || measures.cut_short ||
@@ -164,6 +160,8 @@ void check_claims(const CheckedMap& checked, Findings& findings) {
                             kEnergyClose * std::abs(measures.value) + kZeroEnergy),
                    fmt::format("energy {:.9g} is claimed, {:.9g} is found",
                                claims.value.value_or(0), measures.value));
+  if (measures.cut_short && (claims.value || file.distortion.size() > 0))
+    findings.add_open("the claimed energy: could not be decided: stopped before it was measured");
   findings.require(claims.degree.value_or(file.degree) == file.degree,
                    fmt::format("degree {} is not the one claimed", file.degree));
   check_pins(file, claims, findings);

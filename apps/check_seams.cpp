@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "majorant/constraints/seamless_constraint.h"
-#include "majorant/io/read_mesh.h"
+#include "majorant/framework/error.h"
 #include "majorant/parametrization/seamless_start.h"
 
 namespace majorant::app {
@@ -56,7 +56,8 @@ void check_marks(const MapFile& file, const BezierMap& map, Findings& findings) 
   const MapFile found = to_map_file(map);
   for (Index h = 0; h < 3 * file.seam_edges.rows(); ++h) {
     const bool is_marked = file.seam_edges(h / 3, h % 3) != 0;
-    if (is_marked == (found.seam_edges(h / 3, h % 3) != 0)) continue;
+    const bool is_found = found.seam_edges.size() > 0 && found.seam_edges(h / 3, h % 3) != 0;
+    if (is_marked == is_found) continue;
     findings.require(
         false,
         fmt::format("cell {}: {} is {}", h / 3, place(input_edge(map.mesh(), h)),
@@ -66,12 +67,12 @@ void check_marks(const MapFile& file, const BezierMap& map, Findings& findings) 
   if (file.cone.size() == 0) return;
   for (Index h = 0; h < 3 * file.cells.rows(); ++h) {
     const Index point = file.cells(h / 3, h % 3);
-    const int turns = found.cone[found.cells(h / 3, h % 3)];
+    const int turns = found.cone.size() > 0 ? found.cone[found.cells(h / 3, h % 3)] : 0;
     if (file.cone[point] == turns) continue;
     return findings.require(false,
                             fmt::format("vertex {}: marked as a cone of {} quarter turns, {} "
                                         "are found",
-                                        file.input_vertex[point], file.cone[point], turns));
+                                        input_edge(map.mesh(), h).first, file.cone[point], turns));
   }
 }
 
@@ -108,11 +109,14 @@ bool keeps_texture_cuts(const CheckedMap& checked) {
 void check_seams(const CheckedMap& checked, Findings& findings) {
   const BezierMap& map = checked.map;
   if (checked.claims.cones) check_cones(map, *checked.claims.cones, findings);
-  if (map.seams().trivial()) return;
   check_marks(checked.file, map, findings);
+  if (map.seams().trivial()) return;
   if (!keeps_texture_cuts(checked)) return;
-  const SurfaceMesh surface = SurfaceMesh::from_polygons(*checked.surface);
-  if (surface.corner_texcoords().rows() > 0) check_cut(map, surface, findings);
+  try {
+    check_cut(map, SurfaceMesh::from_polygons(*checked.surface), findings);
+  } catch (const Error& e) {  // that texture is no seamless map: not asked, unless it is claimed
+    if (checked.claims.version) findings.add_violation(e.what());
+  }
 }
 
 void check_fixed_texture_boundary(const CheckedMap& checked, Findings& findings) {
@@ -145,7 +149,7 @@ void check_fixed_texture_boundary(const CheckedMap& checked, Findings& findings)
       worst = std::max(worst, (uv - (1 - s) * from - s * to).norm());
     }
   }
-  findings.require(worst <= kClose * x.cwiseAbs().maxCoeff(),
+  findings.require(x.allFinite() && worst <= kClose * x.cwiseAbs().maxCoeff(),
                    fmt::format("the boundary is off the initial map's by {:g}", worst));
 }
 

@@ -9,6 +9,7 @@
 #include "majorant/io/certified_file.h"
 #include "majorant/io/cut_map.h"
 #include "majorant/io/read_map.h"
+#include "majorant/io/read_mesh.h"
 
 namespace majorant::app {
 namespace {
@@ -26,6 +27,7 @@ void mark_seams(MapFile& map, const std::string& name) {
   if (map.seam_edges.size() > 0 || !is_cut(map)) return;
   try {
     const MapFile marked = to_map_file(CutMap(map, name).seamless_map());
+    if (marked.cone.size() == 0) return;
     map.seam_edges = marked.seam_edges;
     map.cone = Eigen::VectorXi::Zero(map.points.rows());
     for (Index c = 0; c < map.cells.rows(); ++c)
@@ -42,12 +44,13 @@ Overlap allowed_overlap(const MapFile& map, const std::string& name) {
   return is_bijective ? Overlap::Excluded : Overlap::Allowed;
 }
 
-// As cut, and as free of overlaps, as the map is or claims to be.
-ProofRequest promise_of(const MapFile& map, const std::string& name) {
+// A map of the same surface, as cut and as free of overlaps as this one is or claims to be.
+ProofRequest promise_of(const MapFile& map, const PolygonMesh& surface, const std::string& name) {
   ProofRequest question;
   question.cuts = CutRule::SeamsOrFree;
   const CutCount cuts = MapProof(map, name, question).cuts;
   ProofRequest promise;
+  promise.surface = &surface;
   if (cuts.seams > 0) promise.cuts = CutRule::Seams;
   if (cuts.others > 0) promise.cuts = CutRule::SeamsOrFree;
   if (allowed_overlap(map, name) == Overlap::Excluded)
@@ -73,7 +76,8 @@ int convert(Request request) {
   MapFile map = read_map(request.input);
   mark_seams(map, request.input);
   request.formats.tessellation.overlap = allowed_overlap(map, request.input);
-  const ProofRequest promise = promise_of(map, request.input);
+  const PolygonMesh surface = mesh_from_map(map, request.input);
+  const ProofRequest promise = promise_of(map, surface, request.input);
   WrittenFiles written;
   for (const std::string& path : request.outputs)
     written.write(path, [&] {

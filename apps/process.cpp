@@ -1,7 +1,9 @@
 #include "apps/process.h"
 
 #include <pthread.h>
+#include <sys/auxv.h>
 #include <sys/mman.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -81,9 +83,8 @@ void handle_signals() {
   action.sa_flags = SA_RESTART;
   for (const int number : kEndingSignals) {
     struct sigaction before {};
-    if (number == SIGHUP && sigaction(SIGHUP, nullptr, &before) == 0 &&
-        before.sa_handler == SIG_IGN)
-      continue;
+    // nohup, and jobs that a script starts in the background
+    if (sigaction(number, nullptr, &before) == 0 && before.sa_handler == SIG_IGN) continue;
     sigaction(number, &action, nullptr);
   }
 }
@@ -96,6 +97,13 @@ void require_one_blas_thread(char** argv) {
   const ssize_t length = ::readlink("/proc/self/exe", program, sizeof program - 1);
   if (length <= 0 || ::setenv(kVariable, "1", 1) != 0) return;
   program[length] = '\0';
+  // Not where a loader runs it: it would start the loader.
+  struct stat named {
+  }, running{};
+  const auto* name = reinterpret_cast<const char*>(getauxval(AT_EXECFN));
+  if (!name || ::stat(name, &named) != 0 || ::stat(program, &running) != 0 ||
+      named.st_ino != running.st_ino || named.st_dev != running.st_dev)
+    return;
   ::execv(program, argv);  // where it fails, all works as long as there is memory
 }
 

@@ -5,7 +5,8 @@
 //
 // SIGINT, SIGTERM and SIGHUP end the process and remove its temporary files. From the first call of
 // interruption_flag() on, the first of them only sets the flag, so that a run can stop and write
-// what it has; the next one ends the process. A SIGHUP that is ignored (nohup) stays ignored.
+// what it has; the next one ends the process. One that is ignored at the start (nohup) stays
+// ignored.
 #pragma once
 
 #include <atomic>

@@ -56,8 +56,7 @@ struct FinishedRun {
 bool has_result(const ParametrizationResult& result);
 
 // Writes the maps if there is a result, each certified as the run promised (io/certified_file.h),
-// then the reports, each file on its own, then the line on
-// stderr; returns the exit code.
+// then the reports, each file on its own, then the line on stderr; returns the exit code.
 int write_result(const FinishedRun& run);
 
 }  // namespace majorant::app

@@ -21,7 +21,7 @@ FileVerification certification(std::string path, ProofRequest wanted) {
       const MapProof proof(file, path, wanted);
       if (proof.verdict() != Answer::Proven) refuse(proof.first_defect());
     } catch (const Error& e) {
-      if (e.kind() == ErrorKind::Invalid) throw;
+      if (e.kind() != ErrorKind::Unreadable && e.kind() != ErrorKind::Unsupported) throw;
       refuse(e.what());
     }
   };

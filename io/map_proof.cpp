@@ -64,7 +64,11 @@ class MapProof::Judge {
       : proof_(proof), file_(file), name_(name), request_(request) {}
 
   void run() {
-    judge_positivity();
+    try {
+      judge_positivity();
+    } catch (const Stopped&) {  // inside of a cell
+      if (proof_.positive.answer == Answer::NotAsked) proof_.positive = stopped_finding();
+    }
     try {
       cut_.emplace(file_, name_);
     } catch (const Error& e) {
@@ -135,7 +139,8 @@ class MapProof::Judge {
       const PositivityProof proof = space.certify(c, x, kProofDepth);
       const double rounding = rounding_of_det(c);
       if (proof.result == Positivity::Certified && proof.lower_bound > rounding) continue;
-      ExactPositivity exact = exact_positivity(file_.uv(file_.cells.row(c), Eigen::all));
+      ExactPositivity exact =
+          exact_positivity(file_.uv(file_.cells.row(c), Eigen::all), request_.stop);
       if (rounding > 0 && std::abs(twice_area(c)) <= rounding) exact = {};  // the decimals decide
       if (exact.result == Positivity::Certified) continue;
       proof_.not_positive.push_back(c);
@@ -223,8 +228,12 @@ class MapProof::Judge {
     for (Index c = 0; c < file_.cells.rows(); ++c)
       for (int k = 0; k < 3; ++k) {
         const auto point = [&](int local) { return Vector2(file_.uv.row(file_.cells(c, local))); };
-        const Vector2 a = point(ix.edge(k)[1]) - point(k);
-        const Vector2 b = point(ix.edge((k + 2) % 3)[at(file_.degree) - 1]) - point(k);
+        const auto direction = [&](int local) {  // of length about 1: products do not underflow
+          const Vector2 step = point(local) - point(k);
+          return Vector2(step / step.lpNorm<Eigen::Infinity>());
+        };
+        const Vector2 a = direction(ix.edge(k)[1]);
+        const Vector2 b = direction(ix.edge((k + 2) % 3)[at(file_.degree) - 1]);
         sum[surface.faces()(c, k)] += std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
       }
     return sum;

@@ -12,8 +12,7 @@
 namespace majorant {
 namespace {
 
-// Of the surface's size: what other programs' six to nine printed digits, or a point computed on an
-// edge, may be off.
+// Of the surface's size: what a point computed on an edge, or printed with ten digits, may be off.
 constexpr double kClose = 1e-9;
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
@@ -122,34 +121,39 @@ class Matcher {
   }
 
   // The vertices of the cells along the straight edge of the surface; empty if the cells lack it.
+  // Depth first, every new vertex once: several may be on the edge, since the other side of a slit
+  // lies in the same place and ends elsewhere.
   std::vector<Index> chain(const DirectedEdge& edge) const {
     const Index a = cells_.find_input_vertex(edge.first), b = cells_.find_input_vertex(edge.second);
     if (a < 0 || b < 0) return {};
     if (has_edge(a, b)) return {a, b};
-    std::vector<Index> out{a};
-    return extend(out, 0, edge, b) ? out : std::vector<Index>{};
+    std::map<Index, Index> before{{a, -1}};  // the vertex that each one was reached from
+    std::vector<std::pair<Index, double>> open{{a, 0.0}};
+    while (!open.empty()) {
+      const auto [from, travelled] = open.back();
+      open.pop_back();
+      if (from != a && has_edge(from, b)) {
+        std::vector<Index> out{b};
+        for (Index v = from; v >= 0; v = before.at(v)) out.push_back(v);
+        std::reverse(out.begin(), out.end());
+        return out;
+      }
+      for (const Index v : neighbours_[at(from)]) {
+        const std::optional<double> t = place_along(edge, v);
+        if (t && *t > travelled && before.emplace(v, from).second) open.emplace_back(v, *t);
+      }
+    }
+    return {};
   }
 
-  // Appends new vertices further along the edge than `travelled` (of its length) until one is
-  // beside b. Several may be on it: the other side of a slit lies in the same place, and ends
-  // elsewhere.
-  bool extend(std::vector<Index>& chain, double travelled, const DirectedEdge& edge,
-              Index b) const {
-    if (chain.size() > 1 && has_edge(chain.back(), b)) {
-      chain.push_back(b);
-      return true;
-    }
+  // Where a new vertex lies on an edge of the surface, between 0 and 1.
+  std::optional<double> place_along(const DirectedEdge& edge, Index vertex) const {
+    if (surface_vertex(vertex) >= 0) return {};
     const Vector3 start = place(edge.first), step = place(edge.second) - start;
-    for (const Index v : neighbours_[at(chain.back())]) {
-      if (surface_vertex(v) >= 0) continue;
-      const Vector3 offset = cell_place(v) - start;
-      const double t = offset.dot(step) / step.squaredNorm();
-      if (!(t > travelled) || !(t < 1) || !((offset - t * step).norm() <= kClose * size_)) continue;
-      chain.push_back(v);
-      if (extend(chain, t, edge, b)) return true;
-      chain.pop_back();
-    }
-    return false;
+    const Vector3 offset = cell_place(vertex) - start;
+    const double t = offset.dot(step) / step.squaredNorm();
+    const bool is_on = t > 0 && t < 1 && (offset - t * step).norm() <= kClose * size_;
+    return is_on ? std::optional(t) : std::nullopt;
   }
 
   // Notes on which side of the cells' edges the face lies, or joins it with its neighbour where the
@@ -266,6 +270,8 @@ class Matcher {
     }
     Vector3 total = Vector3::Zero();
     for (const auto& corners : of_faces) total += area_vector(corners);
+    if (!(total.norm() > kClose * kClose * size_ * size_))
+      refuse("cells have other edges than the surface around face {}, where it is not flat", face);
     const Vector3 normal = total.normalized(), origin = of_faces.front().front();
     double areas[2] = {0, 0};
     for (const auto* list : {&of_faces, &of_cells})
@@ -275,7 +281,7 @@ class Matcher {
             refuse("cells leave the plane of face {} of the surface", face);
         const double area = area_vector(corners).dot(normal);
         if (!(area >= -kClose * kClose * size_ * size_))
-          refuse("a cell is turned over in face {} of the surface", face);
+          refuse("a cell is turned over around face {} of the surface, or that is not flat", face);
         areas[list == &of_cells] += area;
       }
     if (!(std::abs(areas[0] - areas[1]) <= kClose * areas[0]))

@@ -17,6 +17,8 @@ using Integer = boost::multiprecision::cpp_int;
 // Pieces of one cell. Valid cells whose minimum is 1e-9 of their mean take some hundred; without a
 // bound a minimum of exactly zero at an irrational point would be bisected for ever.
 constexpr int kMostPieces = 4000;
+// Of bisection; two halve the edges, so pieces are 2^-50 of the cell then. Integers grow with it.
+constexpr int kDeepest = 100;
 constexpr int kMantissaBits = std::numeric_limits<double>::digits;
 
 struct IntegerPoint {
@@ -67,6 +69,7 @@ struct Piece {
   int degree;
   std::vector<Integer> c;
   std::array<Barycentric, 3> corners;
+  int depth = 0;
 
   // i + j + k = degree; rows of constant k.
   std::size_t at(int j, int k) const {
@@ -79,7 +82,7 @@ struct Piece {
 // C the multinomial coefficients of degree m, d_r b_alpha = b_{alpha + e_r} - b_{alpha + e_0}.
 Piece determinant(const TriangleIndices& ix, const std::vector<IntegerPoint>& b) {
   const int m = ix.degree() - 1;
-  Piece det{2 * m, {}, {Barycentric::UnitX(), Barycentric::UnitY(), Barycentric::UnitZ()}};
+  Piece det{2 * m, {}, {Barycentric::UnitX(), Barycentric::UnitY(), Barycentric::UnitZ()}, 0};
   det.c.resize(static_cast<std::size_t>(control_point_count(2 * m)));
   const TriangleIndices& lower = TriangleIndices::of_degree(m);
   const auto point = [&](int i, int j, int k) -> const IntegerPoint& {
@@ -111,8 +114,8 @@ Piece determinant(const TriangleIndices& ix, const std::vector<IntegerPoint>& b)
 std::array<Piece, 2> halves(const Piece& p) {
   const int n = p.degree;
   const Barycentric middle = (p.corners[0] + p.corners[1]) / 2;
-  std::array<Piece, 2> half{Piece{n, p.c, {p.corners[2], p.corners[0], middle}},
-                            Piece{n, p.c, {p.corners[1], p.corners[2], middle}}};
+  std::array<Piece, 2> half{Piece{n, p.c, {p.corners[2], p.corners[0], middle}, p.depth + 1},
+                            Piece{n, p.c, {p.corners[1], p.corners[2], middle}, p.depth + 1}};
   for (int k = 0; k <= n; ++k) {
     const int d = n - k;  // the row is a polynomial of degree d along the edge
     std::vector<Integer> row;
@@ -132,13 +135,15 @@ std::array<Piece, 2> halves(const Piece& p) {
 
 }  // namespace
 
-ExactPositivity exact_positivity(const Points2& control_points) {
+ExactPositivity exact_positivity(const Points2& control_points, const StopCheck& stop) {
   const int degree = degree_from_control_points(static_cast<int>(control_points.rows()));
   if (degree < 1 || degree > TriangleIndices::kMaxDegree)
     throw std::invalid_argument("exact_positivity: no Bezier triangle of degree 1..20");
   std::vector<Piece> open{
       determinant(TriangleIndices::of_degree(degree), to_integers(control_points))};
+  bool is_left = false;
   for (int pieces = 0; !open.empty(); ++pieces) {
+    stop.poll();
     if (pieces == kMostPieces) return {};
     const Piece piece = std::move(open.back());
     open.pop_back();
@@ -148,8 +153,11 @@ ExactPositivity exact_positivity(const Points2& control_points) {
       if (piece.c[corners[k]] <= 0) return {Positivity::Violated, piece.corners[k]};
     if (std::all_of(piece.c.begin(), piece.c.end(), [](const Integer& c) { return c > 0; }))
       continue;
+    is_left = is_left || piece.depth == kDeepest;
+    if (piece.depth == kDeepest) continue;
     for (Piece& half : halves(piece)) open.push_back(std::move(half));
   }
+  if (is_left) return {};
   return {Positivity::Certified, Barycentric::Zero()};
 }
 

@@ -7,12 +7,13 @@
 //
 // The Bernstein coefficients of det J are scaled to integers; the triangle is bisected until all
 // coefficients of every piece are positive, or one at a corner of a piece, which is a value of
-// det J, is not. Degree 1 always decides. A few microseconds to milliseconds a cell: not for the
-// solver.
+// det J, is not. Degree 1 always decides. Microseconds where that is soon, up to a second for a
+// minimum of zero at degree 8: not for the solver.
 #pragma once
 
 #include "majorant/elements/bernstein.h"
 #include "majorant/elements/positivity.h"
+#include "majorant/framework/stop_check.h"
 
 namespace majorant {
 
@@ -24,7 +25,7 @@ struct ExactPositivity {
 };
 
 // control_points: finite, in VTK's order (elements/bernstein.h). Throws std::invalid_argument when
-// their number is not triangular or the degree is over 20.
-ExactPositivity exact_positivity(const Points2& control_points);
+// their number is not triangular or the degree is over 20; Stopped.
+ExactPositivity exact_positivity(const Points2& control_points, const StopCheck& stop = {});
 
 }  // namespace majorant
