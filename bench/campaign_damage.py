@@ -155,7 +155,11 @@ def claims(rng):
         made.claims['degree'] = made.degree + rng.choice((1, 3))
         return write(made, rng, INVALID, unseen='ok', **options)
     if how == 2:
-        made.claims['pins'] = [{'vertex': rng.choice(made.corners)[0], 'target': [1e9, 0]}]
+        vertex = rng.choice(made.corners)[0]
+        made.claims.update(rng.choice((
+            {'pins': [{'vertex': vertex, 'target': [1e9, 0]}]},
+            {'cones': [{'vertex': vertex, 'quarter_turns': 9}]},
+            {'value': 1e300, 'normalized': {'origin': [0, 0], 'size': 1e300}})))
         return write(made, rng, INVALID, unseen='ok', **options)
     if how == 3:
         made.claims.update(rng.choice(WRONG_TYPES))
@@ -184,8 +188,10 @@ def lie(made, rng, options):
     how = rng.choice(('value', 'degree', 'pins', 'normalized', 'cones', 'boundary'))
     if how == 'normalized' and claims.get('normalized'):
         claims['normalized']['size'] *= rng.choice((0.5, 2))
-    elif how == 'cones' and claims.get('cones'):
-        rng.choice(claims['cones'])['quarter_turns'] += rng.choice((1, 4))
+    elif how == 'cones':
+        cones = claims.setdefault('cones', [])
+        cones += [{'vertex': made.corners[0][0], 'quarter_turns': 4}] if not cones else []
+        rng.choice(cones)['quarter_turns'] += rng.choice((1, 4))
     elif how == 'boundary' and claims['boundary'] == 'free' and not claims['seams']:
         claims['boundary'] = 'fixed'
     elif how == 'degree':

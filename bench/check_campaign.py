@@ -7,8 +7,8 @@ the independent checker in tests/checker; where both speak they must agree. Neve
 library's. Wrong is: invalid where the truth is valid, valid where it is not, and everything but a
 verdict. Of valid files at most 2 % may be undecided, of those the program wrote none.
 
-An OBJ whose decimals say something else than the doubles that readers make of them has no truth for
-`check`, which sees the doubles: such files are counted apart.
+An OBJ whose decimals say something else than the doubles that readers make of them has no one truth:
+such files are counted apart.
 
 Prints a Markdown table; exit code 0 exactly if all of it holds. Wrong files are kept with --keep.
 
