@@ -32,23 +32,6 @@ struct Request {
   bool certify = false, seamless = false;
 };
 
-// Surface control points must be those of flat triangles, or the file shows another surface.
-void check_flat(const MapFile& file, Findings& findings) {
-  const TriangleIndices& ix = TriangleIndices::of_degree(file.degree);
-  double worst = 0;
-  for (Index c = 0; c < file.cells.rows(); ++c)
-    for (int l = 0; l < ix.count(); ++l) {
-      Eigen::RowVector3d flat = Eigen::RowVector3d::Zero();
-      for (int k = 0; k < 3; ++k)
-        flat += ix.multi(l)[static_cast<std::size_t>(k)] / double(file.degree) *
-                file.points.row(file.cells(c, k));
-      worst = std::max(worst, (flat - file.points.row(file.cells(c, l))).norm());
-    }
-  findings.require(
-      std::isfinite(worst) && worst <= kClose * extent(file.points),
-      fmt::format("surface control points are off their flat triangles by {:g}", worst));
-}
-
 // Without a surface nothing says where a file that claims nothing should be continuous: its cuts
 // are counted and named then.
 CutRule cut_rule(const Request& request, const Claims& claims, bool is_seamless) {
@@ -162,7 +145,6 @@ int check(const Request& request) {
   Check check{request, file, claims, surface};
   check.report = {{"schema_version", 1}, {"version", MAJORANT_VERSION}, {"command", "check"}};
   prove(check, stop);
-  check_flat(file, check.findings);
   return conclude(check);
 }
 

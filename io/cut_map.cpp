@@ -70,14 +70,14 @@ bool knows_vertices(const MapFile& file) {
          file.input_vertex(file.cells.leftCols<3>().reshaped()).minCoeff() >= 0;
 }
 
-Eigen::VectorXi number_by_place(const Points3& points, const std::vector<Vector3>& known) {
+Eigen::VectorXi number_by_place(const Points3& points, const PolygonMesh& known) {
   std::map<std::array<double, 3>, Index> number;
   const auto key = [](const Vector3& p) {  // -0 is 0
     return std::array<double, 3>{p.x() + 0.0, p.y() + 0.0, p.z() + 0.0};
   };
-  for (std::size_t v = 0; v < known.size(); ++v)
-    number.emplace(key(known[v]), static_cast<Index>(v));
-  auto next = static_cast<Index>(known.size());
+  for (const auto& polygon : known.polygons)
+    for (const Index v : polygon) number.emplace(key(known.positions[at(v)]), v);
+  auto next = static_cast<Index>(known.positions.size());
   Eigen::VectorXi vertex(points.rows());
   for (Index p = 0; p < points.rows(); ++p) {
     const auto [entry, is_new] = number.emplace(key(points.row(p)), next);
@@ -134,7 +134,8 @@ CutMap::Fit CutMap::fit(Index h) const {
 }
 
 double CutMap::extent() const {
-  return (file_.uv.colwise().maxCoeff() - file_.uv.colwise().minCoeff()).maxCoeff();
+  const Points2 used = file_.uv(file_.cells.reshaped(), Eigen::all);
+  return (used.colwise().maxCoeff() - used.colwise().minCoeff()).maxCoeff();
 }
 
 double CutMap::mean_length() const {

@@ -46,7 +46,7 @@ class CutMap {
     double mismatch = 0;
   };
   Fit fit(Index half_edge) const;
-  // Larger side of the bounding box of uv; mean length in uv of the edges of the cells.
+  // Larger side of the bounding box of the cells' uv; mean length in uv of the edges of the cells.
   double extent() const;
   double mean_length() const;
 
@@ -75,9 +75,9 @@ class CutMap {
 
 // Whether the file says which vertex of the input every corner of a cell is.
 bool knows_vertices(const MapFile& file);
-// Where it does not: a number for every point, equal for points at exactly the same place; those at
-// a known place have its (first) number.
-Eigen::VectorXi number_by_place(const Points3& points, const std::vector<Vector3>& known);
+// Where it does not: a number for every point, equal for points at exactly the same place; those
+// where a known mesh has a vertex of a polygon have its (first) number.
+Eigen::VectorXi number_by_place(const Points3& points, const PolygonMesh& known);
 
 // Whether the file holds a vertex of the input several times: whether its map is cut.
 bool is_cut(const MapFile& file);

@@ -18,6 +18,7 @@ namespace {
 constexpr int kProofDepth = 16;  // of bisection in floating point; what is left is decided exactly
 // Angle sums are whole multiples of a quarter turn by continuity; their rounding is some 1e-14.
 constexpr double kAngleTolerance = 1e-6;
+constexpr double kFlatClose = 1e-9;  // of the surface's size: points are printed with ten digits
 constexpr Index kCellsPerPoll = 256;
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
@@ -69,6 +70,7 @@ class MapProof::Judge {
     } catch (const Stopped&) {  // inside of a cell
       if (proof_.positive.answer == Answer::NotAsked) proof_.positive = stopped_finding();
     }
+    judge_flatness();
     try {
       cut_.emplace(file_, name_);
     } catch (const Error& e) {
@@ -159,6 +161,28 @@ class MapProof::Judge {
         bad == 0 ? Finding{Answer::Proven, counted(static_cast<Index>(file_.cells.rows()), "cell")}
         : is_violated ? Finding{Answer::Violated, worst}
                       : Finding{Answer::Undecided, worst};
+  }
+
+  // Else the file shows another surface than the one between its corners.
+  void judge_flatness() {
+    const TriangleIndices& ix = TriangleIndices::of_degree(file_.degree);
+    const Points3 used = file_.points(file_.cells.reshaped(), Eigen::all);
+    const double size = (used.colwise().maxCoeff() - used.colwise().minCoeff()).maxCoeff();
+    double worst = 0;
+    for (Index c = 0; c < file_.cells.rows(); ++c)
+      for (int l = 0; l < ix.count(); ++l) {
+        Eigen::RowVector3d flat = Eigen::RowVector3d::Zero();
+        for (int k = 0; k < 3; ++k)
+          flat += ix.multi(l)[at(k)] / double(file_.degree) * file_.points.row(file_.cells(c, k));
+        worst = std::max(worst, (flat - file_.points.row(file_.cells(c, l))).norm());
+      }
+    const double rounding = 8 * std::numeric_limits<double>::epsilon() * used.cwiseAbs().maxCoeff();
+    if (std::isfinite(worst) && worst <= kFlatClose * size + rounding)
+      proof_.flat = {Answer::Proven, counted(static_cast<Index>(file_.cells.rows()), "cell")};
+    else
+      proof_.flat = {
+          Answer::Violated,
+          fmt::format("surface control points are off their flat triangles by {:g}", worst)};
   }
 
   void judge_surface() {
@@ -329,7 +353,7 @@ MapProof::MapProof(const MapFile& file, const std::string& name, const ProofRequ
     return;
   }
   MapFile numbered = file;
-  numbered.input_vertex = number_by_place(file.points, request.surface->positions);
+  numbered.input_vertex = number_by_place(file.points, *request.surface);
   Judge(*this, numbered, name, request).run();
 }
 
@@ -343,11 +367,8 @@ Answer MapProof::verdict() const {
 }
 
 std::vector<std::pair<std::string_view, const Finding*>> MapProof::findings() const {
-  return {{"surface", &surface},
-          {"positive", &positive},
-          {"continuous", &continuous},
-          {"angles", &angles},
-          {"injective", &injective}};
+  return {{"surface", &surface},       {"flat", &flat},     {"positive", &positive},
+          {"continuous", &continuous}, {"angles", &angles}, {"injective", &injective}};
 }
 
 std::string MapProof::first_defect() const {

@@ -83,6 +83,7 @@ class MapProof {
   std::string first_defect() const;
 
   Finding surface;     // the cells are the faces of the surface
+  Finding flat;        // the surface's control points are those of flat triangles
   Finding positive;    // det J > 0 on every closed cell
   Finding continuous;  // no cut but as the request allows
   Finding angles;      // one full turn around inner vertices, quarter turns at those of seams

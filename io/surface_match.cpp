@@ -4,9 +4,11 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace majorant {
@@ -86,13 +88,18 @@ class Matcher {
     for (std::size_t v = 0; v < used_.size(); ++v)
       if (used_[v]) box.extend(surface_.positions[v]);
     size_ = box.sizes().maxCoeff();
+    const double farthest =
+        std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+    close_ = kClose * size_ + 8 * std::numeric_limits<double>::epsilon() * farthest;
   }
 
   void check_vertices() const {
     for (Index v = 0; v < cells_.vertex_count(); ++v) {
       const Index known = surface_vertex(v);
-      if (known >= 0 && !((cell_place(v) - place(known)).norm() <= kClose * size_))
+      if (known >= 0 && !((cell_place(v) - place(known)).norm() <= close_))
         refuse("vertex {} is not where the surface has it", known);
+      if (known < 0 && !face_of_cell_.empty())
+        refuse("the surface has no vertex {}", cells_.input_vertex(v));
     }
   }
 
@@ -152,7 +159,7 @@ class Matcher {
     const Vector3 start = place(edge.first), step = place(edge.second) - start;
     const Vector3 offset = cell_place(vertex) - start;
     const double t = offset.dot(step) / step.squaredNorm();
-    const bool is_on = t > 0 && t < 1 && (offset - t * step).norm() <= kClose * size_;
+    const bool is_on = t > 0 && t < 1 && (offset - t * step).norm() <= close_;
     return is_on ? std::optional(t) : std::nullopt;
   }
 
@@ -231,11 +238,40 @@ class Matcher {
                cells_.input_face(c), face_of_cell_[at(c)], patch.faces.front());
     }
     if (is_triangulated_polygon(patch)) {
+      if (!is_unfolded(patch))
+        refuse("a cell is turned over in face {} of the surface", patch.faces.front());
       ++match_.same;
       return;
     }
     match_.changed += static_cast<Index>(patch.faces.size());
     require_same_plane(patch);
+  }
+
+  static double size_of(const std::vector<std::vector<Vector3>>& faces) {
+    Eigen::AlignedBox3d box;
+    for (const auto& corners : faces)
+      for (const Vector3& p : corners) box.extend(p);
+    return box.sizes().maxCoeff();
+  }
+
+  // Whether no cell is turned over in the polygon: cells are those that SurfaceMesh makes of it, or
+  // all of them face its side.
+  bool is_unfolded(const Patch& patch) const {
+    const auto& polygon = surface_.polygons[at(patch.faces.front())];
+    std::vector<Vector3> corners;
+    for (const Index v : polygon) corners.push_back(place(v));
+    if (corners.size() == 3) return true;
+    const Vector3 side = area_vector(corners);
+    std::set<std::set<Index>> usual;
+    for (const auto& t : triangulate_polygon(corners))
+      usual.insert({polygon[at(t[0])], polygon[at(t[1])], polygon[at(t[2])]});
+    return std::all_of(patch.cells.begin(), patch.cells.end(), [&](Index c) {
+      const auto vertex = [&](Index k) { return cells_.faces()(c, k); };
+      const auto name = [&](Index k) { return surface_vertex(vertex(k)); };
+      return usual.contains({name(0), name(1), name(2)}) ||
+             area_vector({cell_place(vertex(0)), cell_place(vertex(1)), cell_place(vertex(2))})
+                     .dot(side) > 0;
+    });
   }
 
   bool is_triangulated_polygon(const Patch& patch) const {
@@ -270,21 +306,21 @@ class Matcher {
     }
     Vector3 total = Vector3::Zero();
     for (const auto& corners : of_faces) total += area_vector(corners);
-    if (!(total.norm() > kClose * kClose * size_ * size_))
+    if (!(total.norm() > close_ * close_))
       refuse("cells have other edges than the surface around face {}, where it is not flat", face);
     const Vector3 normal = total.normalized(), origin = of_faces.front().front();
     double areas[2] = {0, 0};
     for (const auto* list : {&of_faces, &of_cells})
       for (const auto& corners : *list) {
         for (const Vector3& p : corners)
-          if (!(std::abs(normal.dot(p - origin)) <= kClose * size_))
+          if (!(std::abs(normal.dot(p - origin)) <= close_))
             refuse("cells leave the plane of face {} of the surface", face);
         const double area = area_vector(corners).dot(normal);
-        if (!(area >= -kClose * kClose * size_ * size_))
+        if (!(area >= -close_ * close_))
           refuse("a cell is turned over around face {} of the surface, or that is not flat", face);
         areas[list == &of_cells] += area;
       }
-    if (!(std::abs(areas[0] - areas[1]) <= kClose * areas[0]))
+    if (!(std::abs(areas[0] - areas[1]) <= kClose * areas[0] + close_ * size_of(of_faces)))
       refuse("cells cover {:.9g} of the area {:.9g} around face {} of the surface", areas[1],
              areas[0], face);
   }
@@ -292,7 +328,7 @@ class Matcher {
   const SurfaceMesh& cells_;
   const PolygonMesh& surface_;
   const std::vector<Index>& face_of_cell_;
-  double size_ = 0;
+  double size_ = 0, close_ = 0;                 // of the surface; what counts as the same place
   std::vector<char> used_;                      // vertices of the surface with a face
   std::map<DirectedEdge, Index> face_of_edge_;  // of the surface, the face on its left
   std::map<DirectedEdge, Index> half_edge_;     // of the cells
@@ -301,6 +337,23 @@ class Matcher {
   SurfaceMatch match_;
 };
 
+// As SurfaceMesh takes it.
+PolygonMesh triangulated(const PolygonMesh& surface) {
+  PolygonMesh out;
+  out.positions = surface.positions;
+  for (const auto& polygon : surface.polygons) {
+    std::vector<Vector3> corners;
+    for (const Index v : polygon) corners.push_back(surface.positions[at(v)]);
+    if (polygon.size() == 3) {
+      out.polygons.push_back(polygon);
+      continue;
+    }
+    for (const auto& t : triangulate_polygon(corners))
+      out.polygons.push_back({polygon[at(t[0])], polygon[at(t[1])], polygon[at(t[2])]});
+  }
+  return out;
+}
+
 }  // namespace
 
 SurfaceMatch match_surface(const SurfaceMesh& cells, const PolygonMesh& surface,
@@ -308,7 +361,12 @@ SurfaceMatch match_surface(const SurfaceMesh& cells, const PolygonMesh& surface,
   try {
     return Matcher(cells, surface, face_of_cell).run();
   } catch (const Defect& defect) {
-    return {defect.line};
+    const bool has_polygons = std::any_of(surface.polygons.begin(), surface.polygons.end(),
+                                          [](const auto& p) { return p.size() > 3; });
+    if (!has_polygons || !face_of_cell.empty()) return {defect.line};
+    // Pieces of the triangles of a polygon that is not flat.
+    const SurfaceMatch triangles = match_surface(cells, triangulated(surface));
+    return triangles.defect.empty() ? triangles : SurfaceMatch{defect.line};
   }
 }
 

@@ -28,8 +28,8 @@ struct SurfaceMatch {
 };
 
 // cells: vertices of the surface have its numbers as input_vertex(); others are new. face_of_cell:
-// what the file says, the face each cell belongs to, or empty. Positions may be off by kClose of
-// the surface's size.
+// what the file says, the face each cell belongs to, or empty; where it says so, there are no new
+// vertices. Positions may be off by 1e-9 of the surface's size.
 SurfaceMatch match_surface(const SurfaceMesh& cells, const PolygonMesh& surface,
                            const std::vector<Index>& face_of_cell = {});
 

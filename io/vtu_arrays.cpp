@@ -137,7 +137,10 @@ std::vector<T> VtuArrays::values(const XmlElement& array) const {
     while (cursor.next_line()) {
       while (!cursor.at_end_of_line()) {
         if constexpr (std::is_same_v<T, double>) {
-          result.push_back(cursor.next_number("value"));
+          const double value = cursor.next_number("value");
+          const bool is_float = array.attribute("type") == "Float32";
+          result.push_back(is_float ? double(static_cast<float>(value)) : value);
+          if (!std::isfinite(result.back())) fail(array, "a value is not finite");
         } else {
           result.push_back(cursor.next_integer("value"));
         }

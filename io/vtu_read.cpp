@@ -60,15 +60,18 @@ class VtuReader {
     return *child;
   }
 
-  // The array of a name, upper or lower case; null if there is none.
-  static const XmlElement* find_array(const XmlElement& section, std::string_view name) {
+  // The array of a name, upper or lower case; null if there is none. Two are refused: readers would
+  // not agree on which one it is.
+  const XmlElement* find_array(const XmlElement& section, std::string_view name) const {
+    const XmlElement* found = nullptr;
     for (const XmlElement& array : section.children) {
-      if ((array.name == "DataArray" || array.name == "Array") &&
-          same_name(array.attribute("Name"), name)) {
-        return &array;
-      }
+      if ((array.name != "DataArray" && array.name != "Array") ||
+          !same_name(array.attribute("Name"), name))
+        continue;
+      if (found != nullptr) fail(fmt::format("two arrays are called {}", in_quotes(name)));
+      found = &array;
     }
-    return nullptr;
+    return found;
   }
 
   // The array that plays a role of VTK's: the one that the section's attribute names, else the one

@@ -108,7 +108,7 @@ class Cuts(CommandTest):
     def test_what_was_proven_is_in_the_report(self):
         data = self.report('--surface', self.surface, '--cuts', 'free', '--certify')
         self.assertEqual({q: p['answer'] for q, p in data['proofs'].items()},
-                         {'surface': 'proven', 'positive': 'proven', 'continuous': 'proven',
+                         {'surface': 'proven', 'flat': 'proven', 'positive': 'proven', 'continuous': 'proven',
                           'angles': 'proven', 'injective': 'proven'})
 
     def test_a_limit_leaves_it_undecided(self):
