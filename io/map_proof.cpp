@@ -188,9 +188,17 @@ class MapProof::Judge {
   void judge_surface() {
     if (!request_.surface) return;
     std::vector<Index> labels;
-    if (request_.labels == ProofRequest::FaceLabels::Compared && file_.input_face.size() > 0)
+    const bool has_numbers = request_.labels == ProofRequest::FaceLabels::Compared;
+    const SurfaceMesh& cells = cut_->surface();
+    for (Index v = 0; v < cells.vertex_count() && has_numbers; ++v)
+      if (at(cells.input_vertex(v)) >= request_.surface->positions.size()) {
+        proof_.surface = {Answer::Violated,
+                          fmt::format("the surface has no vertex {}", cells.input_vertex(v))};
+        return;
+      }
+    if (has_numbers && file_.input_face.size() > 0)
       labels.assign(file_.input_face.begin(), file_.input_face.end());
-    const SurfaceMatch match = match_surface(cut_->surface(), *request_.surface, labels);
+    const SurfaceMatch match = match_surface(cells, *request_.surface, labels);
     if (!match.defect.empty()) {
       proof_.surface = {Answer::Violated, match.defect};
       return;

@@ -51,8 +51,9 @@ struct ProofRequest {
   CutRule cuts = CutRule::Nothing;
   // Reported: `global` is filled in, the verdict does not depend on it.
   enum class Overlap { NotAsked, Reported, Forbidden } overlap = Overlap::NotAsked;
-  // Whether input_face of the file is compared with the surface: a .vtu says of which face a cell
-  // is, the faces of an .obj are just those of the file.
+  // Whether vertices and input_face of the file are compared with the surface: a .vtu says of which
+  // face a cell is, and has no others; an .obj may have pieces of faces, with vertices of their
+  // own.
   enum class FaceLabels { Ignored, Compared } labels = FaceLabels::Ignored;
   StopCheck stop;  // asked now and then; after a stop, what is left is Undecided
 };

@@ -94,6 +94,20 @@ class Certified(CommandTest):
             self.assertEqual(flipped(out), 0)
             self.run_ok('check', out, '--surface', generated('creature'))
 
+    def test_polygons_that_are_not_flat(self):
+        mesh = self.write('quads.obj', obj_text(*quads(5)))
+        for options in (['--refine', '2'], ['--degree', '3', '--refine', '2']):
+            self.run_ok('parametrize', '--quiet', mesh, '-o', self.path('out.obj'), *options)
+            self.assertEqual(flipped(self.path('out.obj')), 0)
+            self.run_ok('check', self.path('out.obj'), '--surface', mesh)
+
+    def test_far_from_the_origin(self):
+        points, faces = grid(5)
+        far = [(x + 1e6, y - 1e6, z + 1e6) for x, y, z in points]
+        mesh = self.write('far.obj', obj_text(far, faces))
+        self.run_ok('parametrize', '--quiet', mesh, '-o', self.path('out.obj'), '--refine', '3')
+        self.run_ok('check', self.path('out.obj'), '--surface', mesh)
+
     def test_bijective_in_straight_files(self):
         out = self.path('out.obj')
         self.run_ok('parametrize', '--quiet', generated('ribbon'), '-o', out, '--degree', '3',

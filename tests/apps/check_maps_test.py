@@ -54,6 +54,19 @@ class Claims(CommandTest):
     def test_cones_without_seams(self):
         self.check({'cones': [{'vertex': 40, 'quarter_turns': 3}]}, says='vertex 40')
 
+    def test_marks_of_seams_that_are_not_there(self):
+        self.run_ok('parametrize', '--quiet', generated('cap'), '-o', self.path('a.vtu'), '--degree',
+                    '1')
+        vtu = Vtu(self.path('a.vtu'))
+        array = ('<DataArray type="Int32" Name="cone" NumberOfComponents="1" format="ascii">\n%s\n'
+                 '</DataArray>\n</PointData>' % ' '.join('3' for _ in vtu.rows('uv')))
+        for without in (False, True):
+            text = vtu.text.replace('</PointData>', array)
+            if without:  # nor numbers of vertices to name them by
+                text = re.sub(r'<DataArray type="Int32" Name="input_vertex".*?</DataArray>\n', '',
+                              text, flags=re.S)
+            self.refused(INVALID, 'check', self.write('marks.vtu', text), says='marked as a cone')
+
     def test_an_energy_that_overflows(self):
         self.check({'value': 1e300, 'normalized': {'origin': [0, 0], 'size': 1e300}},
                    says='inf is found')

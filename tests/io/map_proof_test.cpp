@@ -108,6 +108,50 @@ TEST(MapProof, WhatIsInvertedIsNamed) {
   EXPECT_EQ(proof.verdict(), Answer::Violated);
 }
 
+// Points that no cell uses are nothing to measure by.
+TEST(MapProof, UnusedPointsWidenNoTolerance) {
+  const PolygonMesh mesh = sheet(3);
+  MapFile file = map_of(mesh, 2);
+  const Index last = file.points.rows();
+  file.points.conservativeResize(last + 1, 3);
+  file.uv.conservativeResize(last + 1, 2);
+  file.input_vertex.conservativeResize(last + 1);
+  file.points.row(last).setConstant(1e12);
+  file.uv.row(last).setConstant(1e12);
+  file.input_vertex[last] = -1;
+  EXPECT_EQ(MapProof(file, "file", of(mesh)).verdict(), Answer::Proven);
+  file.points(file.cells(0, 3), 2) += 0.01;  // inside an edge: off the flat triangle
+  EXPECT_EQ(MapProof(file, "file", of(mesh)).flat.answer, Answer::Violated);
+}
+
+TEST(MapProof, TinyAndHugeLayouts) {
+  const PolygonMesh mesh = sheet(3);
+  for (const double scale : {1e-300, 1e-170, 1e150, 1e300}) {
+    MapFile file = map_of(mesh, 1);
+    file.uv *= scale;
+    ProofRequest request;
+    request.surface = &mesh;
+    const MapProof proof(file, "file", request);
+    EXPECT_EQ(proof.verdict(), Answer::Proven) << scale << " " << proof.first_defect();
+  }
+}
+
+TEST(MapProof, ExactProofsAreStoppedToo) {
+  // det J = 0 at one point inside, of degree 6: thousands of pieces of growing integers.
+  MapFile file = map_of(sheet(1), 6);
+  file.cells = file.cells.topRows(1).eval();
+  file.input_face.conservativeResize(1);
+  for (Index k = 0; k < file.cells.cols(); ++k) file.uv.row(file.cells(0, k)).setZero();
+  file.uv(file.cells(0, 1), 0) = 1;
+  int polls = 0;
+  ProofRequest request;
+  request.stop =
+      StopCheck([&] { return ++polls > 3 ? Directive::Interrupt : Directive::Continue; });
+  const MapProof proof(file, "file", request);
+  EXPECT_NE(proof.verdict(), Answer::Proven);
+  EXPECT_LT(polls, 20);
+}
+
 TEST(MapProof, AStopLeavesQuestionsOpen) {
   const PolygonMesh mesh = sheet(20);
   const MapFile file = map_of(mesh, 2);

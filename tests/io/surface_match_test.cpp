@@ -113,6 +113,63 @@ TEST(SurfaceMatch, DefectsAreNamed) {
   EXPECT_NE(match(cells, surface).defect, "");  // a face beyond the boundary
 }
 
+// Area vectors that cancel have no plane: nothing may be compared in it.
+TEST(SurfaceMatch, FoldedSheetsHaveNoPlane) {
+  PolygonMesh surface;  // folded flat along edge (0, 1)
+  surface.positions = {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.25, 1.0, 0.0}, {0.75, 1.0, 0.0}};
+  surface.polygons = {{0, 1, 2}, {1, 0, 3}};
+  PolygonMesh cells = surface;
+  cells.polygons = {{0, 3, 2}, {3, 1, 2}};
+  EXPECT_NE(match(cells, surface).defect, "");
+}
+
+// Of a concave quad in a plane the wrong diagonal turns a triangle over.
+TEST(SurfaceMatch, TheWrongDiagonalOfAConcaveQuad) {
+  PolygonMesh surface;
+  surface.positions = {{0, 0, 0}, {4, -4, 0}, {1, 0, 0}, {4, 4, 0}};
+  surface.polygons = {{0, 1, 2, 3}};
+  PolygonMesh cells = surface;
+  cells.polygons = {{0, 1, 2}, {0, 2, 3}};
+  EXPECT_EQ(match(cells, surface).defect, "");
+  cells.polygons = {{0, 1, 3}, {1, 2, 3}};
+  EXPECT_NE(match(cells, surface).defect.find("turned over"), std::string::npos);
+}
+
+// Pieces of polygons that are not flat lie on the triangles that SurfaceMesh makes of them.
+TEST(SurfaceMatch, PiecesOfBentPolygons) {
+  const PolygonMesh surface = quads(0.1);
+  const SurfaceMesh mesh = SurfaceMesh::from_polygons(surface);
+  PolygonMesh cells;
+  cells.positions = surface.positions;
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    const Index a = mesh.faces()(f, 0), b = mesh.faces()(f, 1), c = mesh.faces()(f, 2);
+    const auto middle = static_cast<Index>(cells.positions.size());
+    cells.positions.push_back((cells.positions[static_cast<std::size_t>(a)] +
+                               cells.positions[static_cast<std::size_t>(b)] +
+                               cells.positions[static_cast<std::size_t>(c)]) /
+                              3);
+    for (const auto& [p, q] : {std::pair(a, b), {b, c}, {c, a}})
+      cells.polygons.push_back({p, q, middle});
+  }
+  EXPECT_EQ(match(cells, surface).defect, "");
+}
+
+// Chains of many vertices on one edge, and a surface far from the origin.
+TEST(SurfaceMatch, LongChainsAndFarAway) {
+  for (const auto& [far, count] : {std::pair(0.0, 20000), {1e6, 7}}) {
+    PolygonMesh surface;
+    surface.positions = {{far, far, 0}, {far + 1, far, 0}, {far, far + 1, 0}};
+    surface.polygons = {{0, 1, 2}};
+    PolygonMesh cells = surface;
+    cells.polygons.clear();
+    for (Index k = 1; k < count; ++k)
+      cells.positions.emplace_back(far + static_cast<double>(k) / count, far, 0);
+    for (Index k = 0; k < count; ++k)
+      cells.polygons.push_back({k == 0 ? 0 : k + 2, k + 1 == count ? 1 : k + 3, 2});
+    EXPECT_EQ(match(cells, surface).defect, "");
+  }
+}
+
 TEST(SurfaceMatch, LabelsMustFit) {
   const PolygonMesh surface = triangles(0.1);
   std::vector<Index> labels = {0, 1, 2, 3, 4, 5, 6, 7};

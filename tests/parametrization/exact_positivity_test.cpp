@@ -70,7 +70,9 @@ TEST(ExactPositivity, AgreesWithTheFloatingPointProof) {
       for (Index k = 0; k < points.rows(); ++k)
         x.segment<2>(2 * space.cells()(0, k)) = points.row(k);
       const PositivityProof proof = space.certify(0, x, 16);
-      if (proof.result == Positivity::Certified) EXPECT_EQ(exact.result, Positivity::Certified);
+      if (proof.result == Positivity::Certified) {
+        EXPECT_EQ(exact.result, Positivity::Certified);
+      }
       if (exact.result == Positivity::Violated) {
         EXPECT_LT(det(points, exact.at), 1e-14L);
         EXPECT_NE(proof.result, Positivity::Certified);
