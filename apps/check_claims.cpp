@@ -153,7 +153,7 @@ MapMeasures measure_as_claimed(const BezierMap& map, const Claims& claims, const
 }
 
 void check_claims(const CheckedMap& checked, Findings& findings) {
-  const auto& [file, map, measures, claims, surface, is_seamless] = checked;
+  const auto& [file, map, measures, claims, surface, cuts] = checked;
   findings.require(!claims.value || measures.cut_short ||
                        (std::isfinite(measures.value) &&
                         std::abs(*claims.value - measures.value) <=

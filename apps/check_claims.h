@@ -7,7 +7,7 @@
 
 #include "apps/claims.h"
 #include "apps/findings.h"
-#include "majorant/io/map_file.h"
+#include "majorant/io/map_proof.h"
 #include "majorant/parametrization/measure.h"
 
 namespace majorant::app {
@@ -19,7 +19,7 @@ struct CheckedMap {
   const MapMeasures& measures;  // of measure_as_claimed()
   const Claims& claims;
   const PolygonMesh* surface;  // what it should be a map of; may be null
-  bool is_seamless;            // claimed or asked for
+  const CutCount& cuts;        // with others than seams, marks and cones are not compared
 };
 
 // Measured with the claimed energy, in the units of the run; an energy that does not exist is a

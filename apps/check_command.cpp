@@ -88,7 +88,7 @@ void prove(Check& check, const StopCheck& stop) {
     add_global_injectivity(result, map, *check.measures, *check.proof->global);
   check.report["result"] = result;
   if (check.proof->surface.answer == Answer::Violated) return;  // claims are about another mesh
-  check_claims({check.file, map, *check.measures, check.claims, wanted.surface, is_seamless},
+  check_claims({check.file, map, *check.measures, check.claims, wanted.surface, cuts},
                check.findings);
 }
 

@@ -108,6 +108,7 @@ bool keeps_texture_cuts(const CheckedMap& checked) {
 
 void check_seams(const CheckedMap& checked, Findings& findings) {
   const BezierMap& map = checked.map;
+  if (checked.cuts.others > 0) return;
   if (checked.claims.cones) check_cones(map, *checked.claims.cones, findings);
   check_marks(checked.file, map, findings);
   if (map.seams().trivial()) return;
