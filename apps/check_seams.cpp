@@ -65,13 +65,13 @@ void check_marks(const MapFile& file, const BezierMap& map, Findings& findings) 
   }
   if (file.cone.size() == 0) return;
   for (Index h = 0; h < 3 * file.cells.rows(); ++h) {
-    const Index point = file.cells(h / 3, h % 3);
-    const int turns = found.cone[found.cells(h / 3, h % 3)];
-    if (file.cone[point] == turns) continue;
+    const Index point = file.cells(h / 3, h % 3), node = found.cells(h / 3, h % 3);
+    if (file.cone[point] == found.cone[node]) continue;
     return findings.require(false,
                             fmt::format("vertex {}: marked as a cone of {} quarter turns, {} "
                                         "are found",
-                                        file.input_vertex[point], file.cone[point], turns));
+                                        found.input_vertex[node], file.cone[point],
+                                        found.cone[node]));
   }
 }
 
