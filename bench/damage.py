@@ -205,8 +205,8 @@ def with_array(content, at, header, data):
 def some_array(content, rng):
     """A match of ARRAY and the code of its numbers, or nothing."""
     arrays = [m for m in ARRAY.finditer(content) if m.group(2).decode() in CODES]
-    if rng.random() < 0.6:                        # numbers of any value rather than indices
-        arrays = [m for m in arrays if m.group(2).startswith(b'Float')]
+    wanted = rng.choice((b'Float', b'Float', b'Float', b'Int32', b''))   # rather than cells
+    arrays = [m for m in arrays if m.group(2).startswith(wanted)]
     at = rng.choice(arrays) if arrays else None
     return at, at and CODES[at.group(2).decode()]
 

@@ -109,7 +109,7 @@ def check(rng, result, surface):
 def convert(rng, result, _=None):
     outputs = rng.choice((['OUT.vtu'], ['OUT.obj'], ['OUT.svg'], ['OUT.vtu', 'OUT2.obj', 'OUT.svg']))
     return ['convert', result] + [word for path in outputs for word in ('-o', path)] \
-        + some(rng, 0.2, ['--refine', '2']) + some(rng, 0.2, ['--grid', '0.25'])
+        + some(rng, 0.2, ['--refine', '2']) + some(rng, 0.2, ['--grid'] + some(rng, 0.5, [rng.choice(('0.25', '1e-3', '1e-9', '1e9'))]))
 
 
 def with_list(rng, kind, good):

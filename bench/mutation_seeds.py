@@ -158,6 +158,13 @@ def in_ascii(vtu):
     return re.sub(r'<DataArray type="(\w+)"([^>]*)format="binary">\n(.*?)\n<', numbers, vtu, flags=re.S)
 
 
+def without(vtu, *names):
+    """The same file without some arrays; a reader must do without them."""
+    for name in names:
+        vtu = re.sub(r'<DataArray [^>]*Name="%s".*?</DataArray>\n' % name, '', vtu, flags=re.S)
+    return vtu
+
+
 def made_maps(options, folder):
     """Maps that the program makes of the meshes in `folder`."""
     runs = [('map%d.vtu' % n, 'parametrize', 'patch.obj', ['--degree', n]) for n in (1, 2, 3, 4)]
@@ -173,7 +180,11 @@ def made_maps(options, folder):
         content = (folder / name).read_bytes()
         yield Seed(name, 'VTU', content, folder / mesh)
         if name in ('map2.vtu', 'seams1.vtu'):
-            yield Seed('ascii_' + name, 'VTU ascii', in_ascii(content.decode()).encode(), folder / mesh)
+            text = content.decode()
+            bare = without(text, 'input_vertex', 'input_face', 'distortion', 'min_det')
+            yield Seed('ascii_' + name, 'VTU ascii', in_ascii(text).encode(), folder / mesh)
+            yield Seed('unnumbered_' + name, 'VTU', without(text, 'input_vertex').encode(), folder / mesh)
+            yield Seed('bare_' + name, 'VTU', bare.encode(), folder / mesh)
 
 
 def committed_maps():
