@@ -26,8 +26,9 @@ struct Request {
 void mark_seams(MapFile& map, const std::string& name) {
   if (map.seam_edges.size() > 0 || !is_cut(map)) return;
   try {
-    const MapFile marked = to_map_file(CutMap(map, name).seamless_map());
-    if (marked.cone.size() == 0) return;
+    const BezierMap seamless = CutMap(map, name).seamless_map();
+    if (seamless.seams().trivial()) return;  // points that no cut needs
+    const MapFile marked = to_map_file(seamless);
     map.seam_edges = marked.seam_edges;
     map.cone = Eigen::VectorXi::Zero(map.points.rows());
     for (Index c = 0; c < map.cells.rows(); ++c)

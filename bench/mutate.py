@@ -1,303 +1,262 @@
 #!/usr/bin/python3
 """Damages files of every format and runs the command on them: it must refuse or work, never break.
 
-Small meshes are written in every format the command reads (OBJ, OFF, PLY ascii and binary, STL ascii
-and binary, VTU of the command's own and with ascii arrays), with files of pins, handles, cones and
-weights. Each run damages one of them in one way, chosen with a fixed seed, and gives it to one verb
-with --time-limit 2. Good: exit codes 0 to 5 in time. Bad: 6, a signal, a finding of a sanitizer, a
-run that does not end. Prints a Markdown table; exit code 0 exactly if nothing was bad.
+Small meshes, maps and JSON files (mutation_seeds.py) are damaged in one way or more (damage.py),
+chosen with a fixed seed; each damaged file goes to one verb with options and small limits. Good:
+exit codes 0 to 5 in time, and no finding of a sanitizer. Of the runs that end with 0 or 4, a sample
+(--judged) is judged: the map files they wrote must be maps for tests/checker. Prints a Markdown
+table; exit code 0 exactly if nothing was bad.
 
 Sample runs:
   bench/mutate.py --count 2000 --jobs 2
   bench/mutate.py --binary build/asan/apps/majorant --keep findings
+  bench/mutate.py --first 1234 --count 1 --keep findings      (one run again)
 """
 import argparse
-import base64
 import collections
 import json
-import math
+import os
 import random
 import re
-import struct
+import shutil
 import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import common
+import mutation_seeds
+from damage import damage
 
-NUMBERS = ['nan', 'inf', '-inf', '1e308', '-1e308', '1e-308', '1e400', '0', '-0', '-1', '0.5', '1e9', '2147483647',
-           '2147483648', '-2147483648', '4294967296', '9223372036854775808', '1e20', '1e150', '']
-VALUES = [None, True, False, 'text', '', [], {}, [[]], -1, 0, 1.5, 1e20, 1e308, 2**31, 2**63, 2**64, [0], [0, 'x'],
-          {'vertex': -1}, {'vertex': 0, 'target': [0, 0]}, {'origin': [0, 0], 'size': 0}]
 FINDING = re.compile(r'Sanitizer|runtime error:')
-LIMIT = ['--time-limit', '2']
-BINARY = {'.stlb', '.plyb'}                       # kept apart here; the command sees .stl and .ply
+CHECKER = common.ROOT / 'tests/checker/check_map.py'
+# Damaged files are as many of each kind as the number says.
+SHARES = {'OBJ': 3, 'OFF': 1, 'PLY ascii': 2, 'PLY binary': 2, 'STL ascii': 1, 'STL binary': 1, 'VTU': 6,
+          'VTU ascii': 2, 'VTU appended': 1, 'small map VTU': 5, 'small map OBJ': 2, 'pins JSON': 1,
+          'handles JSON': 1, 'cones JSON': 1, 'weights': 1}
+ENERGIES = ['symmetric-dirichlet', 'asap', 'mips', 'arap', 'symmetric-arap', 'log-isometric', 'authalic',
+            'amips-exponential', 'symmetric-dirichlet + 0.1*asap']
+CURVATURES = ['projected', 'majorizer', 'paper-majorizer', 'exact', 'reweighted']
+# Memory and threads of a run are small, failed allocations are errors as without a sanitizer, and
+# OpenBLAS need not start the program again to have one thread.
+SANITIZER = 'allocator_may_return_null=1:hard_rss_limit_mb=3000:detect_leaks=1'
+ENVIRONMENT = dict(os.environ, OPENBLAS_NUM_THREADS='1', OMP_WAIT_POLICY='passive', ASAN_OPTIONS=SANITIZER,
+                   UBSAN_OPTIONS='print_stacktrace=1')
 
-
-# ------------------------------------------------------------------ good files
-def patch(n):
-    """A bumpy square of n x n quads, each in two triangles."""
-    points = [(i / n, j / n, 0.2 * math.sin(3 * i / n) * math.cos(2 * j / n))
-              for j in range(n + 1) for i in range(n + 1)]
-    faces = []
-    for j in range(n):
-        for i in range(n):
-            a = j * (n + 1) + i
-            faces += [(a, a + 1, a + n + 2), (a, a + n + 2, a + n + 1)]
-    return points, faces
-
-
-def octahedron():
-    points = [(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)]
-    faces = [(0, 2, 4), (2, 1, 4), (1, 3, 4), (3, 0, 4), (2, 0, 5), (1, 2, 5), (3, 1, 5), (0, 3, 5)]
-    return points, faces
-
-
-def mesh_files(name, points, faces):
-    """{file name: bytes} of one mesh in every format."""
-    rows = ['%r %r %r' % p for p in points]
-    obj = ['v ' + r for r in rows] + ['vt %r %r' % p[:2] for p in points]
-    obj += ['f ' + ' '.join('%d/%d' % (v + 1, v + 1) for v in f) for f in faces]
-    off = ['OFF', '%d %d 0' % (len(points), len(faces))] + rows + ['3 %d %d %d' % f for f in faces]
-    header = ['ply', 'format %s 1.0', 'element vertex %d' % len(points)]
-    header += ['property double ' + c for c in 'xyz']
-    header += ['element face %d' % len(faces), 'property list uchar int vertex_indices', 'end_header', '']
-    header = '\n'.join(header)
-    stl = ['solid a']
-    for f in faces:
-        stl += ['facet normal 0 0 1', 'outer loop'] + ['vertex ' + rows[v] for v in f] + ['endloop', 'endfacet']
-    binary = b''.join(struct.pack('<12fH', 0, 0, 1, *(c for v in f for c in points[v]), 0) for f in faces)
-    ply = b''.join(struct.pack('<3d', *p) for p in points) + b''.join(struct.pack('<B3i', 3, *f) for f in faces)
-    text = {'.obj': '\n'.join(obj) + '\n', '.off': '\n'.join(off) + '\n',
-            '.ply': header % 'ascii' + '\n'.join(rows + ['3 %d %d %d' % f for f in faces]) + '\n',
-            '.stl': '\n'.join(stl + ['endsolid']) + '\n'}
-    files = {name + extension: content.encode() for extension, content in text.items()}
-    files[name + '.plyb'] = (header % 'binary_little_endian').encode() + ply
-    files[name + '.stlb'] = bytes(80) + struct.pack('<I', len(faces)) + binary
-    return files
-
-
-def in_ascii(vtu):
-    """The same file with ascii arrays."""
-    def numbers(match):
-        kind, rest, payload = match.groups()
-        code = {'Float64': 'd', 'Int32': 'i', 'Int64': 'q', 'UInt8': 'B'}[kind]
-        data = base64.b64decode(payload)[8:]
-        values = struct.unpack('<%d%s' % (len(data) // struct.calcsize(code), code), data)
-        return '<DataArray type="%s"%sformat="ascii">\n%s\n<' % (kind, rest, ' '.join(map(repr, values)))
-    return re.sub(r'<DataArray type="(\w+)"([^>]*)format="binary">\n(.*?)\n<', numbers, vtu, flags=re.S)
-
-
-def good_files(options, folder):
-    """{name: bytes}; the command makes the VTU files."""
-    files = mesh_files('patch', *patch(4))
-    files.update(mesh_files('closed', *octahedron()))
-    for name, content in files.items():
-        (folder / seen_as(name)).write_bytes(content)
-    for name, verb, mesh, degree in (('map1.vtu', 'parametrize', 'patch.obj', 1),
-                                     ('map3.vtu', 'parametrize', 'patch.obj', 3),
-                                     ('cut.vtu', 'seamless', 'closed.obj', 1)):
-        done = common.parametrize(options, folder / mesh, [folder / name], '--degree', degree, verb=verb)
-        if done.code != 0:
-            sys.exit('cannot make %s: %s' % (name, done.stderr))
-        files[name] = (folder / name).read_bytes()
-    files['ascii.vtu'] = in_ascii(files['map3.vtu'].decode()).encode()
-    handles = [{'vertex': 0, 'target': 'initial'}, {'vertex': 24, 'target': [0.4, 0.3]}]
-    files['handles.json'] = json.dumps({'handles': handles}).encode()
-    files['pins.json'] = json.dumps({'handles': handles[:1], 'index_base': 0}).encode()
-    files['cones.json'] = json.dumps({'cones': [{'vertex': v, 'quarter_turns': 3} for v in range(4)]
-                                      + [{'vertex': 4, 'index': 0.5}, {'vertex': 5, 'index': 0.5}]}).encode()
-    files['weights.txt'] = ('# weights\n' + '\n'.join(str(1 + k % 3) for k in range(32)) + '\n').encode()
-    for name, content in files.items():
-        (folder / seen_as(name)).write_bytes(content)
-    return files
-
-
-def seen_as(name):
-    """The name a file has for the command."""
-    return name[:-1].replace('.', '_b.') if Path(name).suffix in BINARY else name
-
-
-# ------------------------------------------------------------------ damage
-def change_number(content, rng):
-    places = list(re.finditer(rb'[-+]?\d[-+.\deE]*', content))
-    at = rng.choice(places)
-    return content[:at.start()] + rng.choice(NUMBERS).encode() + content[at.end():]
-
-
-def change_lines(content, rng):
-    lines = content.split(b'\n')
-    at, other = rng.randrange(len(lines)), rng.randrange(len(lines))
-    kind = rng.randrange(4)
-    if kind == 0:
-        del lines[at]
-    elif kind == 1:
-        lines.insert(other, lines[at])
-    elif kind == 2:
-        lines[at], lines[other] = lines[other], lines[at]
-    else:
-        lines[at] = lines[at] + b' ' + lines[other]
-    return b'\n'.join(lines)
-
-
-def change_bytes(content, rng):
-    data = bytearray(content)
-    for _ in range(rng.choice((1, 1, 2, 8, 64))):
-        data[rng.randrange(len(data))] = rng.randrange(256)
-    return bytes(data)
-
-
-def truncate(content, rng):
-    return content[:rng.randrange(len(content))]
-
-
-def repeat(content, rng):
-    a, b = sorted(rng.randrange(len(content)) for _ in range(2))
-    return content[:b] + content[a:b] * rng.choice((1, 3, 100)) + content[b:]
-
-
-def nest(content, rng):
-    at = rng.randrange(len(content))
-    return content[:at] + rng.choice((b'[', b'{"a":', b'<a>', b'(', b'- ')) * 100000 + content[at:]
-
-
-def change_document(document, rng):
-    """Some value of a JSON document becomes another, or its key does."""
-    node, key = {'': document}, ''
-    while isinstance(node[key], (dict, list)) and node[key] and rng.random() < 0.8:
-        node = node[key]
-        key = rng.choice(list(node) if isinstance(node, dict) else range(len(node)))
-    if isinstance(node, dict) and key and rng.random() < 0.1:
-        node[str(key) + '_'] = node.pop(key)
-    else:
-        node[key] = rng.choice(VALUES)
-    return node[''] if '' in node and node is not document else document
-
-
-def change_json(content, rng):
-    return json.dumps(change_document(json.loads(content), rng)).encode()
-
-
-def change_claims(content, rng):
-    """The same for the claims of a VTU file; its arrays of numbers stay good."""
-    pattern = re.compile(rb'(Name="majorant_claims"[^>]*>\n)(.*?)(\n</)', re.S)
-    claims = json.loads(bytes(map(int, pattern.search(content).group(2).split()))[:-1])
-    text = json.dumps(change_document(claims, rng)).encode()
-    if rng.random() < 0.1:
-        text = nest(text, rng)
-    codes = ' '.join(map(str, text)).encode() + b' 0'
-    return pattern.sub(lambda m: m.group(1) + codes + m.group(3), content)
-
-
-def change_array(content, rng):
-    """Bytes of one base64 array of a VTU file, which stays base64."""
-    arrays = list(re.finditer(rb'format="binary">\n(.*?)\n<', content, re.S))
-    if not arrays:
-        return change_number(content, rng)
-    at = rng.choice(arrays)
-    data = bytearray(base64.b64decode(at.group(1)))
-    for _ in range(rng.choice((1, 4, 32))):
-        data[rng.randrange(len(data))] = rng.choice((0, 1, 0x7f, 0x80, 0xf0, 0xff, rng.randrange(256)))
-    return content[:at.start(1)] + base64.b64encode(bytes(data)) + content[at.end(1):]
-
-
-def damages(name):
-    extension = Path(name).suffix
-    common_ones = [change_bytes, truncate, repeat, nest]
-    if extension in BINARY:
-        return common_ones[:3]
-    if extension == '.vtu':
-        return common_ones + [change_claims] * 3 + [change_array] * 3 + [change_number]
-    if extension == '.json':
-        return common_ones + [change_json] * 4 + [change_number] * 2
-    return common_ones + [change_number] * 4 + [change_lines] * 3
+# verdict: of the checker, or None; bad: what was bad, or ''
+Outcome = collections.namedtuple('Outcome', 'kind verb code verdict bad')
 
 
 # ------------------------------------------------------------------ runs
-def commands(name, good):
-    """What may be done with a file, as words; {} is the file, OUT a name for the output."""
-    degree = ['--degree', '2']
+def some(rng, chance, words):
+    return words if rng.random() < chance else []
+
+
+def limits(rng):
+    return ['--time-limit', '0.3', '--max-iterations', rng.choice('033339')]
+
+
+def map_options(rng):
+    """Options of the verbs that solve, and of compare."""
+    return ['--degree', str(rng.choice((1, 1, 2, 3, 4)))] + some(rng, 0.4, ['--energy', rng.choice(ENERGIES)]) \
+        + some(rng, 0.05, ['--quadrature', str(rng.choice((1, 3, 10)))]) + some(rng, 0.05, ['--boundary-angles']) \
+        + some(rng, 0.1, ['--threads', '2'])
+
+
+def solve_options(rng):
+    """Options of the verbs that solve, outputs included."""
+    words = map_options(rng) + limits(rng) + ['-o', 'OUT.' + rng.choice(('vtu', 'vtu', 'obj'))]
+    words += some(rng, 0.1, ['-o', 'OUT2.obj']) + some(rng, 0.1, ['-o', 'OUT.svg'])
+    words += some(rng, 0.1, ['-o', 'OUT.csv']) + some(rng, 0.3, ['--report', 'OUT.json'])
+    words += some(rng, 0.1, ['--curvature', rng.choice(CURVATURES)]) + some(rng, 0.1, ['--elevation', 'direct'])
+    words += some(rng, 0.1, ['--refine', '3']) + some(rng, 0.05, ['--grid'])
+    words += some(rng, 0.8, ['--quiet'])
+    if rng.random() < 0.25:
+        words += ['--bijective'] + some(rng, 0.2, ['--no-flips']) + some(rng, 0.2, ['--write-scaffold', 'OUT_s.vtu'])
+    return words
+
+
+def free_options(rng, words):
+    """Options that do not go with --write-scaffold, pins, handles or weights."""
+    return [] if '--write-scaffold' in words else some(rng, 0.25, ['--normalize']) + some(rng, 0.15, ['--improve-mesh'])
+
+
+def parametrize(rng, mesh):
+    words = ['parametrize', mesh] + solve_options(rng) + some(rng, 0.2, ['--boundary', 'fixed'])
+    words += some(rng, 0.4, ['--init', 'input'])
+    return words + some(rng, 0.3 if 'input' in words else 0, ['--seamless'])
+
+
+def seamless(rng, mesh):
+    start = rng.choice(('automatic', 'field', 'scaled-field', 'conformal'))
+    return ['seamless', mesh] + solve_options(rng) + some(rng, 0.3, ['--start', start]) \
+        + some(rng, 0.1, ['--curvature-alignment', '10'])
+
+
+def compare(rng, mesh):
+    methods = rng.choice(('newton,lbfgs', 'newton-exact', 'ceres-lbfgs,gradient-flow'))
+    return ['compare', mesh, '--methods', methods, '-o', 'OUT.' + rng.choice(('csv', 'html', 'json'))] \
+        + map_options(rng) + limits(rng) + some(rng, 0.3, ['--init', 'input'])
+
+
+def check(rng, result, surface):
+    words = ['check', result, '--time-limit', '2'] + some(rng, 0.3, ['--certify']) + some(rng, 0.2, ['--seamless'])
+    if surface and rng.random() < 0.6:
+        words += ['--surface', surface] + some(rng, 0.4, ['--cuts', rng.choice(('none', 'free'))])
+    return words + some(rng, 0.5, ['--report', 'OUT.json'])
+
+
+def convert(rng, result, _=None):
+    outputs = rng.choice((['OUT.vtu'], ['OUT.obj'], ['OUT.svg'], ['OUT.vtu', 'OUT2.obj', 'OUT.svg']))
+    return ['convert', result] + [word for path in outputs for word in ('-o', path)] \
+        + some(rng, 0.2, ['--refine', '2']) + some(rng, 0.2, ['--grid'] + some(rng, 0.5, [rng.choice(('0.25', '1e-3', '1e-9', '1e9'))]))
+
+
+def with_list(rng, kind, good):
+    """A verb that reads a damaged file of pins, handles, cones or weights; the mesh is good."""
     mesh = str(good / 'patch.obj')
-    out = ['-o', 'OUT.vtu', '--report', 'OUT.json']
-    if name == 'handles.json':
-        return [['parametrize', mesh, '--handles', '{}'] + out + LIMIT, ['deform', mesh, '--handles', '{}'] + out + LIMIT]
-    if name == 'pins.json':
-        return [['parametrize', mesh, '--pins', '{}'] + degree + out + LIMIT]
-    if name == 'cones.json':
-        return [['seamless', str(good / 'closed.obj'), '--cones', '{}', '--degree', '1'] + out + LIMIT]
-    if name == 'weights.txt':
-        return [['parametrize', mesh, '--weights', '{}'] + degree + out + LIMIT]
-    any_mesh = [['parametrize', '{}'] + degree + out + LIMIT, ['info', '{}', '--report', 'OUT.json'],
-                ['parametrize', '{}', '--bijective', '--degree', '1'] + out + LIMIT,
-                ['parametrize', '{}', '--init', 'input', '-o', 'OUT.obj'] + LIMIT,
-                ['seamless', '{}', '--degree', '1'] + out + LIMIT]
-    result = [['check', '{}'], ['check', '{}', '--certify', '--surface', mesh, '--report', 'OUT.json'],
-              ['check', '{}', '--seamless'], ['convert', '{}', '-o', 'OUT.svg', '-o', 'OUT.obj', '-o', 'OUT.vtu']]
-    if name.endswith('.vtu'):
-        return 3 * result + any_mesh
-    return any_mesh + (result if name.endswith('.obj') else [])
+    if kind == 'cones JSON':
+        return ['seamless', str(good / 'closed.obj'), '--cones', '{}'] + solve_options(rng)
+    option = {'pins JSON': '--pins', 'handles JSON': '--handles', 'weights': '--weights'}[kind]
+    if kind != 'weights' and rng.random() < 0.3:
+        return ['deform', str(good / 'flat.obj'), option, '{}'] + solve_options(rng)
+    if rng.random() < 0.1:
+        return compare(rng, mesh) + [option, '{}']
+    return parametrize(rng, mesh) + [option, '{}'] + some(rng, 0.2, ['--soft', rng.choice(('1e-3', '1e9'))])
 
 
-def one(options, good, files, index, folder):
-    """Damages one file and runs one verb: (file name, damage, exit code, what was bad)."""
+def on_map(rng, seed, good):
+    """A verb for a damaged map, or for a good map of a damaged surface."""
+    if 'map' not in seed.kind and 'VTU' not in seed.kind:
+        return check(rng, str(good / 'map2.vtu'), '{}')
+    surface = rng.choice((seed.surface and str(seed.surface), '{}'))
+    return rng.choice((check, check, convert))(rng, '{}', surface)
+
+
+def command(rng, seed, good):
+    """What may be done with a file, as words; {} is the file, OUT the start of an output's name."""
+    if 'JSON' in seed.kind or seed.kind == 'weights':
+        return with_list(rng, seed.kind, good)
+    is_map, is_closed = 'map' in seed.kind or 'VTU' in seed.kind, seed.name.startswith(('closed', 'annulus', 'seams'))
+    verbs = {'map': 60 if is_map else 15, 'parametrize': 10 if is_closed else 45, 'seamless': 30 if is_closed else 15,
+             'deform': 30 if seed.name.startswith('flat') else 1, 'info': 8, 'compare': 5,
+             'convert': 10 if seed.name.endswith('.obj') else 0}
+    verb = rng.choices(list(verbs), verbs.values())[0]
+    if verb == 'map':
+        return on_map(rng, seed, good)
+    if verb == 'deform':
+        return ['deform', '{}', '--handles', str(good / 'handles.json')] + solve_options(rng)
+    if verb == 'info':
+        return ['info', '{}'] + some(rng, 0.5, ['--report', 'OUT.json'])
+    words = {'parametrize': parametrize, 'seamless': seamless, 'compare': compare, 'convert': convert}[verb](rng, '{}')
+    return words + (free_options(rng, words) if verb in ('parametrize', 'seamless') else [])
+
+
+# ------------------------------------------------------------------ judging
+def checker_flags(words):
+    """What the checker must know of a run to judge its map files."""
+    if words[0] == 'convert':                     # with the cuts of the map that was read
+        return ['--cuts', 'free']
+    flags = ['--seamless'] if words[0] == 'seamless' or '--seamless' in words else []
+    return flags + (['--overlap', '--may-touch'] if '--bijective' in words else [])
+
+
+def judge(options, words, written):
+    """(verdict, what is bad) of the map files that a run wrote; of converted maps, which keep what
+    is wrong with their surfaces, only that they are positive and continuous."""
+    verdict = None
+    words_that_count = {'positivity', 'continuity'} if words[0] == 'convert' else None
+    for path in written:
+        done = common.run([common.PYTHON, CHECKER, path, '--json'] + checker_flags(words), options.timeout)
+        text, _, last = done.stdout.strip().rpartition('\n')
+        verdict = last.split()[0] if last else 'none'
+        violations = {'unreadable': last or done.stderr[-200:]}
+        if text.startswith('{'):
+            violations = json.loads(text)['violations']
+        if words_that_count:
+            violations = {word: found for word, found in violations.items() if word in words_that_count}
+        if violations:
+            return verdict, '%s: %s' % (path.name, last)
+    return verdict, ''
+
+
+def keep(options, index, path, words, done, bad):
+    """What is needed to look at a finding: the damaged file, the command and its words."""
+    options.keep.mkdir(parents=True, exist_ok=True)
+    shutil.copy(path, options.keep)
+    (options.keep / ('%d.txt' % index)).write_text('%s\n%s\n%s\n%s' % (bad, ' '.join(words), done.stdout, done.stderr))
+
+
+def one(options, kinds, index, work, good):
+    """Damages one file and runs one verb."""
     rng = random.Random('%d %d' % (options.seed, index))
-    name = rng.choice(sorted(files))
-    damage = rng.choice(damages(name))
-    path = folder / ('%d_%s' % (index, seen_as(name)))
-    path.write_bytes(damage(files[name], rng))
-    out = str(folder / ('%d_out' % index))
-    words = [w.replace('{}', str(path)).replace('OUT', out) if w == '{}' or w.startswith('OUT') else w
-             for w in rng.choice(commands(name, good))]
-    done = common.run([options.binary.resolve()] + words, options.timeout)
-    bad = ''
+    kind = rng.choices(list(SHARES), SHARES.values())[0]
+    seed = rng.choice(kinds[kind])
+    content, how = damage(seed.content, kind, rng)
+    words = command(rng, seed, good)
+    judged = rng.random() < options.judged
+    folder = work / str(index)
+    folder.mkdir()
+    path = folder / ('%d_%s' % (index, seed.name))
+    path.write_bytes(content)
+    words = [str(path) if w == '{}' else str(folder / w) if w.startswith('OUT') else w for w in words]
+    done = common.run([options.binary.resolve()] + words, options.timeout, ENVIRONMENT)
+    verdict, bad = None, ''
     if done.code not in range(6):
         bad = 'exit %s' % done.code
     elif FINDING.search(done.stderr):
         bad = 'sanitizer'
-    if bad and options.keep:
-        options.keep.mkdir(parents=True, exist_ok=True)
-        (options.keep / path.name).write_bytes(path.read_bytes())
-    for left in [path] + list(folder.glob('%d_out*' % index)):
-        left.unlink()
+    elif judged and done.code in (0, 4):
+        verdict, bad = judge(options, words, sorted(p for p in folder.glob('OUT*') if p.suffix in ('.vtu', '.obj')
+                                                    and not p.stem.endswith('_s')))
     if bad:
-        print('%s: %s: %s\n  %s' % (bad, path.name, ' '.join(words), done.stderr.strip()[:400]), flush=True)
-    return name, damage.__name__, done.code, bad
+        if options.keep:
+            keep(options, index, path, words, done, bad)
+        print('%s: %d: %s (%s): %s\n  %s' % (bad, index, seed.name, ', '.join(how), ' '.join(words),
+                                             done.stderr.strip()[:400]), flush=True)
+    shutil.rmtree(folder)
+    return Outcome(kind, words[0], done.code, verdict, bad)
 
 
-def table(rows):
-    codes = sorted({code for _, _, code, _ in rows}, key=str)
+# ------------------------------------------------------------------ table
+def table(outcomes, key, header):
+    """Rows by outcome.key: how many there were, how they ended."""
+    codes = sorted({o.code for o in outcomes}, key=str)
     count = collections.Counter()
-    for name, _, code, bad in rows:
-        kind = Path(name).suffix if name.endswith(('.vtu', '.obj', '.off', '.ply', '.stl', '.plyb', '.stlb')) else name
-        count[kind, code] += 1
-        count[kind, 'bad'] += bool(bad)
-    kinds = sorted({kind for kind, _ in count})
-    print('\n| format | files | %s | bad |' % ' | '.join('exit %s' % c for c in codes))
-    print('|---|' + '---|' * (len(codes) + 2))
-    for kind in kinds:
-        each = [count[kind, c] for c in codes]
-        print('| %s | %d | %s | %d |' % (kind, sum(each), ' | '.join(map(str, each)), count[kind, 'bad']))
+    for o in outcomes:
+        name = getattr(o, key)
+        for column in [o.code, 'all'] + ['judged'] * bool(o.verdict) + ['bad'] * bool(o.bad):
+            count[name, column] += 1
+            count['all', column] += 1
+    names = sorted({getattr(o, key) for o in outcomes}) + ['all']
+    columns = ['all'] + codes + ['judged', 'bad']
+    heads = [header, 'files'] + ['exit %s' % c for c in codes] + ['judged', 'bad']
+    return common.markdown_table(heads, [[name] + [count[name, c] for c in columns] for name in names])
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument('--binary', type=Path, default=common.DEFAULT_BINARY, help='the majorant program')
-    parser.add_argument('--timeout', type=float, default=60, help='seconds a single process may take')
+    parser.add_argument('--timeout', type=float, default=20, help='seconds a single process may take')
     parser.add_argument('--count', type=int, default=20000, help='damaged files')
+    parser.add_argument('--first', type=int, default=0, help='number of the first one')
     parser.add_argument('--jobs', type=int, default=2, help='processes at a time')
     parser.add_argument('--seed', type=int, default=1)
+    parser.add_argument('--judged', type=float, default=0.05, help='share of the written maps that are judged')
     parser.add_argument('--keep', type=Path, help='folder for the files that something bad happened with')
     options = parser.parse_args()
     with tempfile.TemporaryDirectory(prefix='majorant_mutate_') as name:
         good, work = Path(name) / 'good', Path(name) / 'work'
         good.mkdir()
         work.mkdir()
-        files = good_files(options, good)
+        kinds = mutation_seeds.seeds(options, good)
+        numbers = range(options.first, options.first + options.count)
         with ThreadPoolExecutor(options.jobs) as pool:
-            rows = list(pool.map(lambda k: one(options, good, files, k, work), range(options.count)))
-    table(rows)
-    sys.exit(any(bad for _, _, _, bad in rows))
+            outcomes = list(pool.map(lambda k: one(options, kinds, k, work, good), numbers))
+    print('\n'.join([''] + table(outcomes, 'kind', 'kind of file') + [''] + table(outcomes, 'verb', 'verb')))
+    verdicts = collections.Counter(o.verdict for o in outcomes if o.verdict)
+    print('\njudged: ' + (', '.join('%d %s' % (n, v) for v, n in sorted(verdicts.items())) or 'none'))
+    sys.exit(any(o.bad for o in outcomes))
 
 
 if __name__ == '__main__':

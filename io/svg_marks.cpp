@@ -93,13 +93,14 @@ void add_grid(SvgLayout& layout, double spacing) {
       "\"/></clipPath>\n<path clip-path=\"url(#layout)\" fill=\"none\" stroke=\"{}\" "
       "stroke-width=\"{:.3g}\" d=\"",
       kGridColor, std::max(1.0, 2 * layout.stroke_width()));
-  for (double i = std::ceil(low[0]); i <= high[0]; ++i) {
-    layout.add_point('M', layout.place(Vector2(i * spacing, layout.low()[1])));
-    layout.add_point('L', layout.place(Vector2(i * spacing, layout.high()[1])));
-  }
-  for (double i = std::ceil(low[1]); i <= high[1]; ++i) {
-    layout.add_point('M', layout.place(Vector2(layout.low()[0], i * spacing)));
-    layout.add_point('L', layout.place(Vector2(layout.high()[0], i * spacing)));
+  for (int axis = 0; axis < 2; ++axis) {
+    const double first = std::ceil(low[axis]), count = std::floor(high[axis]) - first;
+    for (double k = 0; k <= count; ++k) {  // far from the origin, first + 1 may be first
+      Vector2 from = layout.low(), to = layout.high();
+      from[axis] = to[axis] = (first + k) * spacing;
+      layout.add_point('M', layout.place(from));
+      layout.add_point('L', layout.place(to));
+    }
   }
   layout.add("\"/>\n");
 }
