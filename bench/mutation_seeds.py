@@ -119,7 +119,7 @@ f -5/-4/1 -2/-3/-1 -1/-2/-1 -4/-1/-1
 
 
 def mesh_seeds():
-    shapes = {'patch': patch(3), 'flat': patch(2, 0.0), 'closed': octahedron(), 'annulus': annulus()}
+    shapes = {'patch': patch(3), 'flat': patch(3, 0.0), 'closed': octahedron(), 'annulus': annulus()}
     for name, (points, faces) in shapes.items():
         yield Seed(name + '.obj', 'OBJ', obj(points, faces).encode(), None)
         yield Seed(name + '.off', 'OFF', off(points, faces).encode(), None)
