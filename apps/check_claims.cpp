@@ -11,7 +11,7 @@
 #include "apps/check_seams.h"
 #include "apps/energy_option.h"
 #include "majorant/framework/error.h"
-#include "majorant/parametrization/initial_map.h"
+#include "majorant/parametrization/starts/initial_map.h"
 
 namespace majorant::app {
 namespace {

@@ -8,7 +8,7 @@
 #include "apps/claims.h"
 #include "apps/findings.h"
 #include "majorant/io/map_proof.h"
-#include "majorant/parametrization/measure.h"
+#include "majorant/parametrization/maps/measure.h"
 
 namespace majorant::app {
 

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "majorant/constraints/seams.h"
 #include "majorant/framework/types.h"
+#include "majorant/mesh/seams.h"
 
 namespace majorant::app {
 

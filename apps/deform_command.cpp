@@ -4,7 +4,7 @@
 
 #include "apps/energy_option.h"
 #include "apps/map_run.h"
-#include "majorant/parametrization/deform.h"
+#include "majorant/parametrization/drive/deform.h"
 
 namespace majorant::app {
 namespace {

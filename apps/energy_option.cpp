@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "majorant/framework/error.h"
-#include "majorant/parametrization/map_problem.h"
+#include "majorant/parametrization/maps/map_problem.h"
 
 namespace majorant::app {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "apps/report.h"
-#include "majorant/parametrization/global_injectivity.h"
+#include "majorant/parametrization/injectivity/global_injectivity.h"
 
 namespace majorant::app {
 

@@ -9,8 +9,8 @@
 #include <string>
 
 #include "apps/report.h"
-#include "majorant/parametrization/parametrize.h"
-#include "majorant/parametrization/seamless_start.h"
+#include "majorant/parametrization/drive/parametrize.h"
+#include "majorant/parametrization/starts/seamless_start.h"
 
 namespace majorant::app {
 

@@ -18,7 +18,7 @@
 #include "majorant/io/map_file.h"
 #include "majorant/io/tessellate_map.h"
 #include "majorant/io/write_svg.h"
-#include "majorant/parametrization/polygon_mesh.h"
+#include "majorant/mesh/polygon_mesh.h"
 
 namespace majorant::app {
 

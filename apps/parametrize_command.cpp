@@ -5,7 +5,7 @@
 #include "apps/energy_option.h"
 #include "apps/map_run.h"
 #include "apps/unless_stopped.h"
-#include "majorant/parametrization/parametrize.h"
+#include "majorant/parametrization/drive/parametrize.h"
 
 namespace majorant::app {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "apps/command.h"
-#include "majorant/parametrization/run_record.h"
+#include "majorant/framework/run_record.h"
 
 namespace majorant::app {
 

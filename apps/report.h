@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "majorant/parametrization/measure.h"
-#include "majorant/parametrization/run_record.h"
-#include "majorant/parametrization/surface_mesh.h"
+#include "majorant/framework/run_record.h"
+#include "majorant/mesh/surface_mesh.h"
+#include "majorant/parametrization/maps/measure.h"
 
 namespace majorant::app {
 

@@ -17,8 +17,8 @@
 #include "apps/map_request.h"
 #include "apps/outputs.h"
 #include "apps/report.h"
-#include "majorant/parametrization/parametrize.h"
-#include "majorant/parametrization/unit_square.h"
+#include "majorant/parametrization/drive/parametrize.h"
+#include "majorant/parametrization/drive/unit_square.h"
 
 namespace majorant::app {
 

@@ -6,8 +6,8 @@
 #include "apps/map_run.h"
 #include "apps/number_check.h"
 #include "majorant/io/read_vertex_lists.h"
-#include "majorant/parametrization/parametrize.h"
-#include "majorant/parametrization/seamless_map.h"
+#include "majorant/parametrization/drive/parametrize.h"
+#include "majorant/parametrization/starts/seamless_map.h"
 
 namespace majorant::app {
 namespace {

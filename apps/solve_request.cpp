@@ -7,8 +7,8 @@
 #include "apps/progress.h"
 #include "majorant/framework/curvature_name.h"
 #include "majorant/framework/error.h"
-#include "majorant/parametrization/improve_mesh.h"
-#include "majorant/parametrization/measure.h"
+#include "majorant/parametrization/maps/measure.h"
+#include "majorant/parametrization/scaffold/improve_mesh.h"
 
 namespace majorant::app {
 

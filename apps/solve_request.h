@@ -8,7 +8,7 @@
 #include "apps/command.h"
 #include "apps/report.h"
 #include "apps/result_files.h"
-#include "majorant/parametrization/parametrize.h"
+#include "majorant/parametrization/drive/parametrize.h"
 
 namespace majorant::app {
 

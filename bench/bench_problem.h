@@ -9,9 +9,9 @@
 #include "majorant/energies/named_energies.h"
 #include "majorant/framework/newton.h"
 #include "majorant/io/read_mesh.h"
-#include "majorant/parametrization/initial_map.h"
-#include "majorant/parametrization/parametrize.h"
-#include "majorant/parametrization/quadrature_ladder.h"
+#include "majorant/parametrization/drive/parametrize.h"
+#include "majorant/parametrization/maps/quadrature_ladder.h"
+#include "majorant/parametrization/starts/initial_map.h"
 
 namespace majorant {
 

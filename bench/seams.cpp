@@ -23,8 +23,8 @@
 #include "majorant/constraints/local_injectivity.h"
 #include "majorant/energies/named_energies.h"
 #include "majorant/framework/newton.h"
-#include "majorant/parametrization/quadrature_ladder.h"
-#include "parametrization/seamless_cases.h"
+#include "majorant/parametrization/maps/quadrature_ladder.h"
+#include "parametrization/starts/seamless_cases.h"
 
 using namespace majorant;
 

@@ -1,16 +1,18 @@
-# majorant_module(NAME [PUBLIC target...] [PRIVATE target...])
+# majorant_module(FOLDER [PUBLIC target...] [PRIVATE target...])
 #
-# One layer of the tree = one static library `majorant_NAME` (alias majorant::NAME) made of every
-# NAME/*.cpp. Headers are included as "majorant/NAME/x.h", inside the tree as after install; a link
-# in the build tree makes that path, one include root per layer.
-function(majorant_module name)
+# One room of the house = one static library `majorant_ROOM` (alias majorant::ROOM; ROOM is the last
+# part of FOLDER) made of every FOLDER/*.cpp. Headers are included as "majorant/FOLDER/x.h", inside
+# the tree as after install; a link in the build tree makes that path, one include root per room.
+function(majorant_module folder)
   cmake_parse_arguments(ARG "" "" "PUBLIC;PRIVATE" ${ARGN})
-  set(source_dir ${PROJECT_SOURCE_DIR}/${name})
+  get_filename_component(name ${folder} NAME)
+  set(source_dir ${PROJECT_SOURCE_DIR}/${folder})
   file(GLOB sources CONFIGURE_DEPENDS ${source_dir}/*.cpp)
   set(root ${PROJECT_BINARY_DIR}/include/${name})
-  file(MAKE_DIRECTORY ${root}/majorant)
-  if(NOT EXISTS ${root}/majorant/${name})
-    file(CREATE_LINK ${source_dir} ${root}/majorant/${name} SYMBOLIC)
+  get_filename_component(parent ${root}/majorant/${folder} DIRECTORY)
+  file(MAKE_DIRECTORY ${parent})
+  if(NOT EXISTS ${root}/majorant/${folder})
+    file(CREATE_LINK ${source_dir} ${root}/majorant/${folder} SYMBOLIC)
   endif()
 
   add_library(majorant_${name} STATIC ${sources})
@@ -28,17 +30,17 @@ function(majorant_module name)
   target_link_libraries(majorant_${name} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
   install(TARGETS majorant_${name} EXPORT majorantTargets
           ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-  install(DIRECTORY ${source_dir}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/majorant/${name}
+  install(DIRECTORY ${source_dir}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/majorant/${folder}
           FILES_MATCHING PATTERN "*.h")
 endfunction()
 
 # The exported package: find_package(majorant) gives majorant::majorant (everything) and one target
-# per layer.
+# per room.
 function(majorant_install_package)
   include(CMakePackageConfigHelpers)
   add_library(majorant INTERFACE)
   add_library(majorant::majorant ALIAS majorant)
-  target_link_libraries(majorant INTERFACE majorant_io)
+  target_link_libraries(majorant INTERFACE majorant_drive majorant_io)
   install(TARGETS majorant EXPORT majorantTargets)
   set(destination ${CMAKE_INSTALL_LIBDIR}/cmake/majorant)
   install(EXPORT majorantTargets NAMESPACE majorant:: DESTINATION ${destination})

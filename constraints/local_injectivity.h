@@ -12,10 +12,10 @@
 #include <atomic>
 #include <memory>
 
-#include "majorant/constraints/seams.h"
 #include "majorant/elements/bezier_triangle_space.h"
 #include "majorant/framework/feasibility.h"
 #include "majorant/framework/stop_check.h"
+#include "majorant/mesh/seams.h"
 
 namespace majorant {
 

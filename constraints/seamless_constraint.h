@@ -16,9 +16,9 @@
 #include <memory>
 
 #include "majorant/constraints/axis_alignment.h"
-#include "majorant/constraints/seams.h"
 #include "majorant/elements/bezier_triangle_space.h"
 #include "majorant/framework/constraint.h"
+#include "majorant/mesh/seams.h"
 
 namespace majorant {
 

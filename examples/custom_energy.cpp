@@ -9,7 +9,7 @@
 #include "majorant/framework/derivative_check.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/vtu.h"
-#include "majorant/parametrization/parametrize.h"
+#include "majorant/parametrization/drive/parametrize.h"
 
 using namespace majorant;
 

@@ -12,7 +12,7 @@
 
 #include "majorant/constraints/local_injectivity.h"
 #include "majorant/framework/error.h"
-#include "majorant/parametrization/seamless_start.h"
+#include "majorant/parametrization/starts/seamless_start.h"
 
 namespace majorant {
 namespace {

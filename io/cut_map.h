@@ -7,7 +7,7 @@
 //   const BezierMap map = cut.map_cut_along(cut.cuts());
 //
 // Files hold points and who shares them; an edge whose two sides have other uv is a cut whatever
-// the file says of it. Of a seamless map (constraints/seams.h) rotations and cones follow.
+// the file says of it. Of a seamless map (mesh/seams.h) rotations and cones follow.
 #pragma once
 
 #include <memory>

@@ -11,7 +11,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/io/piece_boundary.h"
-#include "majorant/parametrization/exact_predicates.h"
+#include "majorant/parametrization/injectivity/exact_predicates.h"
 
 namespace majorant {
 namespace {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "majorant/framework/error.h"
-#include "majorant/parametrization/exact_positivity.h"
+#include "majorant/parametrization/injectivity/exact_positivity.h"
 
 namespace majorant {
 

@@ -9,8 +9,8 @@
 #include <string>
 
 #include "majorant/framework/types.h"
-#include "majorant/parametrization/bezier_map.h"
-#include "majorant/parametrization/polygon_mesh.h"
+#include "majorant/mesh/polygon_mesh.h"
+#include "majorant/parametrization/maps/bezier_map.h"
 
 namespace majorant {
 

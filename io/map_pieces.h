@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "majorant/io/map_file.h"
-#include "majorant/parametrization/polygon_mesh.h"
+#include "majorant/mesh/polygon_mesh.h"
 
 namespace majorant {
 

@@ -10,7 +10,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/io/surface_match.h"
-#include "majorant/parametrization/exact_positivity.h"
+#include "majorant/parametrization/injectivity/exact_positivity.h"
 
 namespace majorant {
 namespace {

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "majorant/framework/stop_check.h"
-#include "majorant/parametrization/polygon_mesh.h"
+#include "majorant/mesh/polygon_mesh.h"
 
 namespace majorant {
 

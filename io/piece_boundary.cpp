@@ -4,8 +4,8 @@
 #include <numeric>
 #include <set>
 
-#include "majorant/parametrization/box_pairs.h"
-#include "majorant/parametrization/exact_predicates.h"
+#include "majorant/parametrization/injectivity/box_pairs.h"
+#include "majorant/parametrization/injectivity/exact_predicates.h"
 
 namespace majorant {
 namespace {

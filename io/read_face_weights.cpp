@@ -5,7 +5,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/io/input_file.h"
 #include "majorant/io/line_cursor.h"
-#include "majorant/parametrization/map_problem.h"
+#include "majorant/parametrization/maps/map_problem.h"
 
 namespace majorant {
 

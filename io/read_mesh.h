@@ -20,7 +20,7 @@
 
 #include "majorant/framework/stop_check.h"
 #include "majorant/io/map_file.h"
-#include "majorant/parametrization/polygon_mesh.h"
+#include "majorant/mesh/polygon_mesh.h"
 
 namespace majorant {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "majorant/io/map_file.h"
-#include "majorant/parametrization/bezier_mesh.h"
+#include "majorant/parametrization/maps/bezier_mesh.h"
 
 namespace majorant {
 

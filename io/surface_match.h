@@ -15,8 +15,8 @@
 #include <string>
 #include <vector>
 
-#include "majorant/parametrization/polygon_mesh.h"
-#include "majorant/parametrization/surface_mesh.h"
+#include "majorant/mesh/polygon_mesh.h"
+#include "majorant/mesh/surface_mesh.h"
 
 namespace majorant {
 

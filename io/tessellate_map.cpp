@@ -10,8 +10,8 @@
 #include "majorant/framework/error.h"
 #include "majorant/io/map_pieces.h"
 #include "majorant/io/read_mesh.h"
-#include "majorant/parametrization/box_pairs.h"
-#include "majorant/parametrization/exact_predicates.h"
+#include "majorant/parametrization/injectivity/box_pairs.h"
+#include "majorant/parametrization/injectivity/exact_predicates.h"
 
 namespace majorant {
 namespace {

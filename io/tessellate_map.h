@@ -12,7 +12,7 @@
 
 #include "majorant/io/cut_pieces.h"
 #include "majorant/io/map_file.h"
-#include "majorant/parametrization/polygon_mesh.h"
+#include "majorant/mesh/polygon_mesh.h"
 
 namespace majorant {
 

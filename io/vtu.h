@@ -15,7 +15,7 @@
 // VTK derives the degree of a triangle from its number of points, so no HigherOrderDegrees are
 // written. Arrays are inline base64, uncompressed, little endian, 64-bit headers: any XML parser
 // reads them and no bit is lost. Empty optional arrays of the map are left out. Cones and seams
-// are there for maps of cut surfaces (constraints/seams.h); `seam` only repeats `seam_edges` for
+// are there for maps of cut surfaces (mesh/seams.h); `seam` only repeats `seam_edges` for
 // viewers, where chains meet the one with the smallest number, and is not read.
 #pragma once
 

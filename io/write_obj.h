@@ -8,7 +8,7 @@
 #include "majorant/io/atomic_file.h"
 #include "majorant/io/map_file.h"
 #include "majorant/io/tessellate_map.h"
-#include "majorant/parametrization/polygon_mesh.h"
+#include "majorant/mesh/polygon_mesh.h"
 
 namespace majorant {
 

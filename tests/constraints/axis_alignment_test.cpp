@@ -7,7 +7,7 @@
 
 #include "majorant/constraints/fixed_points.h"
 #include "majorant/framework/elimination.h"
-#include "parametrization/seamless_cases.h"
+#include "parametrization/starts/seamless_cases.h"
 #include "support.h"
 
 namespace majorant {

@@ -12,8 +12,8 @@
 #include "majorant/energies/named_energies.h"
 #include "majorant/framework/elimination.h"
 #include "majorant/framework/evaluator.h"
-#include "majorant/parametrization/quadrature_ladder.h"
-#include "parametrization/seamless_cases.h"
+#include "majorant/parametrization/maps/quadrature_ladder.h"
+#include "parametrization/starts/seamless_cases.h"
 #include "support.h"
 
 namespace majorant {

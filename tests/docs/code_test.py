@@ -19,7 +19,7 @@ import unittest
 
 SOURCE = pathlib.Path(os.environ['MAJORANT_SOURCE_DIR'])
 BUILD = pathlib.Path(os.environ['MAJORANT_BUILD_DIR'])
-LAYERS = 'framework elements energies constraints parametrization io'.split()
+ROOMS = sorted(path.name for path in (BUILD / 'include').iterdir())
 TOP_LINE = re.compile(r'#include|using ')
 DEFINITION = re.compile(r'(class|struct|template|inline|namespace)\b')
 
@@ -82,7 +82,7 @@ def compile_text(text):
         return subprocess.run(
             [os.environ.get('CXX', 'c++'), '-std=c++20', '-fsyntax-only', '-Wall',
              '-DEIGEN_MAX_ALIGN_BYTES=16', '-DEIGEN_MALLOC_ALREADY_ALIGNED=0',
-             '-Wno-unused', *('-I%s' % (BUILD / 'include' / layer) for layer in LAYERS),
+             '-Wno-unused', *('-I%s' % (BUILD / 'include' / room) for room in ROOMS),
              '-isystem', '/usr/include/eigen3', str(path)], capture_output=True, text=True)
 
 

@@ -80,7 +80,7 @@ class EnergyTable(unittest.TestCase):
 
 class Names(unittest.TestCase):
     def test_methods_of_compare_are_in_the_table(self):
-        source = (SOURCE / 'apps/methods.cpp').read_text()
+        source = (SOURCE / 'apps/compare/methods.cpp').read_text()
         source = source[source.index('std::span<const Method> methods()'):]
         names = set(re.findall(r'(?:newton|ceres_gradient)\("([\w-]+)"', source))
         names |= set(re.findall(r'^\s+\{"([\w-]+)",', source, re.M)) | {'ceres-lm'}

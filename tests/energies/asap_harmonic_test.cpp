@@ -6,7 +6,7 @@
 
 #include "energies/density_fixture.h"
 #include "majorant/framework/newton.h"
-#include "majorant/parametrization/map_problem.h"
+#include "majorant/parametrization/maps/map_problem.h"
 
 namespace majorant {
 namespace {

@@ -3,8 +3,8 @@
 
 #include "energies/density_fixture.h"
 #include "majorant/framework/evaluator.h"
-#include "majorant/parametrization/parametrize.h"
-#include "parametrization/parametrize_expectations.h"
+#include "majorant/parametrization/drive/parametrize.h"
+#include "parametrization/drive/parametrize_expectations.h"
 
 namespace majorant {
 namespace {

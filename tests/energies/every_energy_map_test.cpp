@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "majorant/framework/evaluator.h"
-#include "majorant/parametrization/initial_map.h"
-#include "majorant/parametrization/parametrize.h"
-#include "parametrization/parametrization_test_helpers.h"
+#include "majorant/parametrization/drive/parametrize.h"
+#include "majorant/parametrization/starts/initial_map.h"
+#include "mesh/test_meshes.h"
 
 namespace majorant {
 namespace {

@@ -7,7 +7,7 @@
 #include "majorant/constraints/fixed_points.h"
 #include "majorant/framework/derivative_check.h"
 #include "majorant/framework/newton.h"
-#include "majorant/parametrization/map_problem.h"
+#include "majorant/parametrization/maps/map_problem.h"
 
 namespace majorant {
 namespace {

@@ -12,8 +12,8 @@
 #include "majorant/io/vtu.h"
 #include "majorant/io/write_obj.h"
 #include "majorant/io/write_svg.h"
-#include "majorant/parametrization/measure.h"
-#include "majorant/parametrization/seamless_start.h"
+#include "majorant/parametrization/maps/measure.h"
+#include "majorant/parametrization/starts/seamless_start.h"
 
 namespace majorant {
 namespace {

@@ -11,7 +11,7 @@
 #include "majorant/io/piece_boundary.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/write_obj.h"
-#include "parametrization/exact_curves.h"
+#include "parametrization/injectivity/exact_curves.h"
 
 namespace majorant {
 namespace {

@@ -1,0 +1,287 @@
+// majorant compare IN: one problem, many methods.
+//
+// Every method minimizes the same Problem from the same start, on one quadrature rule, without the
+// help that parametrize gives Newton (degree schedule, refined quadrature, ways out of stalls).
+#include <fmt/format.h>
+
+#include <CLI/App.hpp>
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <memory>
+
+#include "apps/command.h"
+#include "apps/compare/comparison_table.h"
+#include "apps/compare/methods.h"
+#include "apps/compare/write_comparison.h"
+#include "apps/energy_option.h"
+#include "apps/map_request.h"
+#include "apps/number_check.h"
+#include "apps/outputs.h"
+#include "apps/process.h"
+#include "apps/report.h"
+#include "apps/streams.h"
+#include "apps/unless_stopped.h"
+#include "majorant/framework/evaluator.h"
+#include "majorant/parametrization/drive/normalized_start.h"
+#include "majorant/parametrization/maps/quadrature_ladder.h"
+
+namespace majorant::app {
+namespace {
+
+struct Request {
+  CommonOptions common;
+  MapRequest map;
+  std::vector<std::string> outputs, methods;
+  int max_iterations = 1000;
+  double tolerance = 1e-9, time_limit = 60;
+};
+
+// Every point of a run measured in the same way, whatever the method says of itself. The clock
+// stands still while measuring.
+class Stopwatch {
+ public:
+  Stopwatch(const Contest& contest, double time_limit)
+      : evaluator_(contest.problem),
+        injectivity_(contest.space, 2 * contest.specification.rest.measure),
+        vertices_(contest.space, AngleSums::Vertices::Interior),
+        time_limit_(time_limit) {}
+
+  void start(const Vec& y) {
+    measure(0, 0, 0, y);
+    resumed_ = Clock::now();
+  }
+  Directive operator()(const IterationRecord& record, const Vec& y) {
+    running_ += std::chrono::duration<double>(Clock::now() - resumed_).count();
+    measure(record.iteration, running_, record.step, y);
+    resumed_ = Clock::now();
+    if (interrupted_->load()) return Directive::Interrupt;
+    return running_ > time_limit_ ? Directive::TimeLimit : Directive::Continue;
+  }
+  // For what happens between two points. Only refers.
+  StopCheck stop() const {
+    return StopCheck([this] {
+      if (interrupted_->load(std::memory_order_relaxed)) return Directive::Interrupt;
+      const double now = std::chrono::duration<double>(Clock::now() - resumed_).count();
+      return running_ + now > time_limit_ ? Directive::TimeLimit : Directive::Continue;
+    });
+  }
+  std::vector<ComparisonPoint> take_points() { return std::move(points_); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void measure(int iteration, double seconds, double step, const Vec& y) {
+    Vec gradient;
+    const Vec x = evaluator_.problem().expand(y);
+    const double min_det = injectivity_.lower_bounds(x).minCoeff();
+    // A map that is not certified is no result: it must not become the best.
+    const bool valid = min_det > 0 && vertices_.check(x).feasible;
+    using Limits = std::numeric_limits<double>;
+    const double energy = valid ? evaluator_.gradient(y, gradient) : Limits::infinity();
+    const double norm = std::isfinite(energy) ? gradient.norm() : Limits::quiet_NaN();
+    points_.push_back({iteration, seconds, energy, norm, step, min_det});
+  }
+  Evaluator evaluator_;
+  LocalInjectivity injectivity_;
+  AngleSums vertices_;  // methods that certify no paths might wind twice around a vertex
+  const std::atomic<bool>* interrupted_ = interruption_flag();
+  double time_limit_, running_ = 0;
+  Clock::time_point resumed_;
+  std::vector<ComparisonPoint> points_;
+};
+
+std::string processor() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);)
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  return "unknown processor";
+}
+
+// Under Ctrl-C alone: the time limit is that of the methods.
+Contest make_contest(const Request& request) {
+  const RunRecord limits(std::numeric_limits<double>::infinity(), request.max_iterations,
+                         interruption_flag());
+  const MapInput in = read_input(request.map, limits.start_stop());
+  const Vec initial = unless_stopped("making the start of " + request.map.input, [&] {
+    return initial_map(*in.mesh, in.options, limits.start_stop());
+  });
+  const NormalizedStart start(BezierMap::linear(in.mesh, initial), in.options);
+  BezierMap map = start.map();
+  while (map.degree() < request.map.degree) map = map.elevated();
+  Contest c;
+  c.specification = start.specification();
+  c.energy = request.map.energy;
+  c.space = map.shared_space();
+  c.rule = optimizer_ladder(map.degree(), request.map.quadrature).guarded.front();
+  c.injectivity =
+      std::make_shared<const LocalInjectivity>(c.space, 2 * c.specification.rest.measure);
+  c.start = map.control_points();
+  c.problem = map_problem(c.specification, c.space, c.start,
+                          energy_terms(c.specification, c.space, {c.rule}), c.injectivity);
+  if (!std::isfinite(Evaluator(c.problem).value(c.problem.reduce(c.start))))
+    throw Error(ErrorKind::Infeasible,
+                fmt::format("{}: energy '{}' is infinite at the start; begin with another map "
+                            "(--init input) or another energy",
+                            request.map.input, request.map.energy));
+  c.tolerance = request.tolerance;
+  c.max_iterations = request.max_iterations;
+  return c;
+}
+
+// The methods asked for, each once; all of them without a wish.
+std::vector<const Method*> wanted_methods(const Request& request) {
+  std::vector<const Method*> wanted;
+  for (std::string name : request.methods) {
+    std::erase(name, ' ');
+    const Method* m = find_method(name);
+    if (!m) {
+      std::vector<std::string> names;
+      for (const Method& known : methods()) names.push_back(known.name);
+      throw Error(ErrorKind::Usage,
+                  fmt::format("no method is called '{}'; use {}", name, fmt::join(names, ", ")));
+    }
+    if (std::find(wanted.begin(), wanted.end(), m) == wanted.end()) wanted.push_back(m);
+  }
+  if (wanted.empty())
+    for (const Method& m : methods()) wanted.push_back(&m);
+  return wanted;
+}
+
+// Without those that the contest is not for; asked for by name, that is an error.
+std::vector<const Method*> choose(const Request& request, const Contest& contest) {
+  std::vector<const Method*> chosen;
+  for (const Method* m : wanted_methods(request)) {
+    const std::string why = m->obstacle(contest);
+    if (!why.empty() && !request.methods.empty())
+      throw Error(ErrorKind::Usage, fmt::format("method {}: {}", m->name, why));
+    if (why.empty()) chosen.push_back(m);
+  }
+  return chosen;
+}
+
+MethodRun race(const Method& method, const Contest& contest, double time_limit) {
+  const Vec y0 = contest.problem.reduce(contest.start);
+  Stopwatch watch(contest, time_limit);
+  Contest timed = contest;
+  timed.stop = watch.stop();
+  const std::unique_ptr<Minimizer> minimizer = method.make(timed);
+  watch.start(y0);
+  const SolveResult result = minimizer->minimize(
+      contest.problem, y0, [&](const IterationRecord& r, const Vec& y) { return watch(r, y); });
+  const std::string message = result.status == Status::Converged ? "" : result.message;
+  return {method.name, std::string(name(result.status)), message, watch.take_points()};
+}
+
+// The first method would pay for waking threads and touching memory.
+void warm_up(const Contest& contest) {
+  Contest short_contest = contest;
+  short_contest.max_iterations = 2;
+  find_method("newton")
+      ->make(short_contest)
+      ->minimize(contest.problem, contest.problem.reduce(contest.start), {});
+}
+
+Json report_of(const Request& request, const Comparison& comparison) {
+  Json options = request.map.to_json();
+  options.erase("curvature");  // part of the methods' names
+  options["tolerance"] = request.tolerance;
+  options["max_iterations"] = request.max_iterations;
+  options["time_limit"] = request.time_limit;
+  const double best = comparison.best_energy();
+  Json runs = Json::array();
+  for (const MethodRun& run : comparison.runs) {
+    Json within = Json::object();
+    for (const auto& [key, fraction] : {std::pair("0.01", 0.01), {"0.0001", 0.0001}})
+      if (const ComparisonPoint* p = first_within(run, best, fraction))
+        within[key] = {{"iterations", p->iteration}, {"seconds", p->seconds}};
+      else
+        within[key] = nullptr;
+    runs.push_back({{"method", run.method},
+                    {"status", run.status},
+                    {"message", run.message},
+                    {"iterations", run.points.back().iteration},
+                    {"seconds", run.points.back().seconds},
+                    {"energy", run.points.back().energy},
+                    {"gradient_norm", run.points.back().gradient_norm},
+                    {"min_det", run.points.back().min_det},
+                    {"within", within}});
+  }
+  return {{"schema_version", 1},           {"version", MAJORANT_VERSION},
+          {"command", "compare"},          {"title", comparison.title},
+          {"machine", comparison.machine}, {"options", options},
+          {"best_energy", best},           {"methods", runs}};
+}
+
+WrittenFiles write(const Request& request, const Comparison& comparison) {
+  WrittenFiles written;
+  std::vector<std::string> paths = request.outputs;
+  if (!request.common.report.empty()) paths.push_back(request.common.report);
+  for (const std::string& path : paths)
+    written.write(path, [&] {
+      if (extension(path) == ".csv") write_comparison_csv(path, comparison);
+      if (extension(path) == ".html") write_comparison_html(path, comparison);
+      if (extension(path) == ".json") write_json(path, report_of(request, comparison));
+    });
+  return written;
+}
+
+int compare(const Request& request) {
+  require_writable(request.common, {{request.outputs, {".csv", ".html", ".json"}}},
+                   request.map.inputs());
+  if (!(request.time_limit >= 0) || !(request.tolerance > 0))
+    throw Error(ErrorKind::Usage, "--time-limit and --tolerance must be numbers");
+  wanted_methods(request);  // complains before anything is read
+  interruption_flag();
+  request.common.apply();
+  const Contest contest = make_contest(request);
+  const std::vector<const Method*> chosen = choose(request, contest);
+  Comparison comparison;
+  comparison.title = fmt::format("{}, degree {}, {}, {} boundary, {} unknowns", request.map.input,
+                                 request.map.degree, request.map.energy, request.map.boundary,
+                                 contest.problem.size());
+  comparison.machine = fmt::format("{}, {} threads", processor(), threads());
+  warm_up(contest);
+  for (const Method* method : chosen) {
+    if (!request.common.quiet) say("{} ...\n", method->name);
+    comparison.runs.push_back(race(*method, contest, request.time_limit));
+    if (interruption_flag()->load()) break;
+  }
+  print_text(comparison_table(comparison));
+  return write(request, comparison).conclude(interruption_flag()->load() ? kLimit : kSuccess);
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app, Action* run) {
+  auto request = std::make_shared<Request>();
+  Request& r = *request;
+  CLI::App& verb = *app.add_subcommand("compare", "solve one problem with many methods");
+  r.map.add_to(verb);
+  r.map.add_start_to(verb);
+  verb.add_option("--methods", r.methods, "names, comma separated (all that fit the energy)")
+      ->delimiter(',');
+  verb.add_option("-o,--output", r.outputs, "output: .csv .html .json, repeatable")
+      ->allow_extra_args(false);
+  verb.add_option("--tolerance", r.tolerance, "relative decrease that ends Newton (1e-9)")
+      ->check(positive_number());
+  verb.add_option("--max-iterations", r.max_iterations, "of each method (1000)")
+      ->check(non_negative_number());
+  verb.add_option("--time-limit", r.time_limit, "seconds for each method (60)")
+      ->check(non_negative_number());
+  r.common.add_to(verb);
+  std::string list = energy_help() + "Methods:\n";
+  for (const Method& m : methods()) list += fmt::format("  {:<24} {}\n", m.name, m.summary);
+  verb.footer(list +
+              "Example: majorant compare bunny.obj --degree 2 --methods newton,lbfgs -o c.html");
+  verb.callback([request, run] {
+    *run = [request] {
+      request->map.choose_degree({});
+      return compare(*request);
+    };
+  });
+}
+
+}  // namespace majorant::app

@@ -1,0 +1,141 @@
+#include "apps/compare/methods.h"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "apps/compare/least_squares.h"
+#include "majorant/energies/make_energy.h"
+#include "majorant/framework/ceres_minimizer.h"
+#include "majorant/framework/curvature_name.h"
+#include "majorant/framework/gradient_flow.h"
+#include "majorant/framework/lbfgs.h"
+#include "majorant/framework/newton.h"
+
+namespace majorant::app {
+namespace {
+
+using SolverFactory = std::function<std::unique_ptr<LinearSolver>()>;
+
+std::string none(const Contest&) { return {}; }
+
+// Where the exact Hessian takes over near the minimum; never, for methods named after a model.
+const double kExactTail = NewtonOptions().exact_below;
+constexpr double kNoExactTail = 0;
+
+Method newton(
+    std::string name, std::string summary, Curvature curvature, double exact_below,
+    SolverFactory linear_solver = [] { return make_cholmod_solver(); }) {
+  const auto obstacle = [curvature](const Contest& c) {
+    return c.problem.supports(curvature) ? std::string()
+                                         : fmt::format("energy '{}' has no curvature model '{}'",
+                                                       c.energy, majorant::name(curvature));
+  };
+  return {std::move(name), std::move(summary), obstacle, [=](const Contest& c) {
+            NewtonOptions options;
+            options.curvature = curvature;
+            options.exact_below = exact_below;
+            options.linear_solver = linear_solver;
+            options.stopping.relative_decrease = c.tolerance;
+            options.stopping.max_iterations = c.max_iterations;
+            options.stop = c.stop;
+            return std::make_unique<NewtonMinimizer>(options);
+          }};
+}
+
+// The same unknowns with the Dirichlet energy |J|^2, whose Hessian is the Laplacian.
+Problem dirichlet_problem(const Contest& c) {
+  MapSpecification spec = c.specification;
+  spec.energy = {{energy_factory(
+      invariant("dirichlet", [](const auto& x, const auto& y) { return 2.0 * (x + y); },
+                {Domain::Everywhere, Convexity::Convex}))}};
+  return map_problem(spec, c.space, c.start, energy_terms(spec, c.space, {c.rule}), c.injectivity);
+}
+
+std::unique_ptr<Minimizer> make_gradient_flow(const Contest& c) {
+  GradientFlowOptions options;
+  options.metric = dirichlet_problem(c);
+  options.stopping.max_iterations = c.max_iterations;
+  options.stop = c.stop;
+  return std::make_unique<GradientFlowMinimizer>(options);
+}
+
+std::unique_ptr<Minimizer> make_lbfgs(const Contest& c) {
+  LbfgsOptions options;
+  options.metric = dirichlet_problem(c);
+  options.stopping.max_iterations = c.max_iterations;
+  options.stop = c.stop;
+  return std::make_unique<LbfgsMinimizer>(options);
+}
+
+std::unique_ptr<Minimizer> make_hessian_lbfgs(const Contest& c) {
+  LbfgsOptions options;
+  options.stopping.max_iterations = c.max_iterations;
+  options.stop = c.stop;
+  return std::make_unique<LbfgsMinimizer>(options);
+}
+
+Method ceres_gradient(std::string name, std::string summary, CeresOptions::Method method) {
+  return {std::move(name), std::move(summary), none, [method](const Contest& c) {
+            CeresOptions options;
+            options.method = method;
+            options.max_iterations = c.max_iterations;
+            options.stop = c.stop;
+            return std::make_unique<CeresMinimizer>(options);
+          }};
+}
+
+Method least_squares() {
+  const auto obstacle = [](const Contest& c) -> std::string {
+    if (c.energy != "symmetric-dirichlet") return "it needs --energy symmetric-dirichlet";
+    if (c.specification.face_weight.size()) return "it does not know --weights";
+    if (!c.specification.handles.empty()) return "it does not know --handles";
+    return {};
+  };
+  return {"ceres-lm", "Ceres, Levenberg-Marquardt on J and J^-1 as residuals", obstacle,
+          [](const Contest& c) {
+            LeastSquaresOptions options;
+            options.max_iterations = c.max_iterations;
+            return std::make_unique<LeastSquaresMinimizer>(c.space, c.specification.rest, c.rule,
+                                                           options);
+          }};
+}
+
+}  // namespace
+
+std::span<const Method> methods() {
+  static const std::vector<Method> all{
+      newton("newton", "Newton, projected Hessian, exact near the minimum", Curvature::Projected,
+             kExactTail),
+      newton("newton-projected", "Newton, projected Hessian throughout", Curvature::Projected,
+             kNoExactTail),
+      newton("newton-majorizer", "Newton, composite majorizer", Curvature::Majorizer, kNoExactTail),
+      newton("newton-paper-majorizer", "Newton, the paper's majorizer", Curvature::PaperMajorizer,
+             kNoExactTail),
+      newton("newton-reweighted", "Newton, SLIM's reweighting", Curvature::Reweighted,
+             kNoExactTail),
+      newton("newton-exact", "Newton, exact Hessian, shifted where indefinite", Curvature::Exact,
+             kNoExactTail),
+      newton("newton-simplicial", "newton with CHOLMOD without supernodes", Curvature::Projected,
+             kExactTail, [] { return make_cholmod_solver(Factorization::Simplicial); }),
+      newton("newton-eigen", "newton with Eigen's L D L^T", Curvature::Projected, kExactTail,
+             [] { return make_eigen_ldlt_solver(); }),
+      {"lbfgs", "L-BFGS, metric: Laplacian", none, make_lbfgs},
+      {"lbfgs-hessian", "L-BFGS, metric: projected Hessian at the start", none, make_hessian_lbfgs},
+      {"gradient-flow", "gradient flow in the Sobolev metric of the Laplacian", none,
+       make_gradient_flow},
+      ceres_gradient("ceres-lbfgs", "Ceres, L-BFGS", CeresOptions::Method::Lbfgs),
+      ceres_gradient("ceres-nlcg", "Ceres, nonlinear conjugate gradients",
+                     CeresOptions::Method::NonlinearConjugateGradient),
+      least_squares(),
+  };
+  return all;
+}
+
+const Method* find_method(const std::string& name) {
+  for (const Method& m : methods())
+    if (m.name == name) return &m;
+  return nullptr;
+}
+
+}  // namespace majorant::app

@@ -1,0 +1,40 @@
+// The methods that `majorant compare` knows, by name.
+//
+// To add one: a line in methods.cpp.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "majorant/framework/minimizer.h"
+#include "majorant/parametrization/maps/map_problem.h"
+
+namespace majorant::app {
+
+// One problem, as every method gets it.
+struct Contest {
+  MapSpecification specification;
+  std::string energy;  // as asked
+  std::shared_ptr<const BezierTriangleSpace> space;
+  Quadrature rule;
+  std::shared_ptr<const FeasibilityChecker> injectivity;
+  Vec start;  // full unknowns
+  Problem problem;
+  double tolerance = 1e-9;  // relative decrease; see StoppingRules
+  int max_iterations = 1000;
+  StopCheck stop;  // ends a method in the middle of an iteration
+};
+
+struct Method {
+  std::string name, summary;
+  // Why the contest is not for this method; empty when it is.
+  std::function<std::string(const Contest&)> obstacle;
+  std::function<std::unique_ptr<Minimizer>(const Contest&)> make;
+};
+
+std::span<const Method> methods();
+const Method* find_method(const std::string& name);
+
+}  // namespace majorant::app

@@ -1,0 +1,265 @@
+#include "apps/compare/write_comparison.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string_view>
+
+#include "apps/compare/comparison_table.h"
+#include "embedded/comparison_chart_js.h"
+#include "embedded/comparison_page_css.h"
+#include "embedded/comparison_page_html.h"
+#include "embedded/comparison_page_js.h"
+#include "majorant/io/atomic_file.h"
+
+namespace majorant {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kDrawnPoints = 2000;
+
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"') quoted += '"';
+    quoted += c;
+  }
+  return quoted + "\"";
+}
+
+// The text with U+FFFD for what is not UTF-8.
+std::string valid_utf8(const std::string& text) {
+  return Json::parse(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+std::string html_text(const std::string& text) {
+  std::string escaped;
+  for (const char c : valid_utf8(text)) {
+    switch (c) {
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      case '\0':
+        escaped += "\ufffd";
+        break;  // not allowed in HTML
+      default:
+        escaped += c;
+    }
+  }
+  return escaped;
+}
+
+// JSON for a <script> element: "<" occurs in strings only, and there it may be written \u003c.
+std::string script_json(const Json& json) {
+  std::string text;
+  for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {
+    if (c == '<') {
+      text += "\\u003c";
+    } else {
+      text += c;
+    }
+  }
+  return text;
+}
+
+// null where JSON has no number.
+Json json_number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+// Six digits: enough to read, and a third of the page.
+Json short_number(double value) {
+  if (!std::isfinite(value)) return nullptr;
+  const std::string digits = fmt::format("{:.6g}", value);
+  double rounded = value;
+  std::from_chars(digits.data(), digits.data() + digits.size(), rounded);
+  return rounded;
+}
+
+// The points to draw: all, or the first, the last and kDrawnPoints - 2 by two spacings.
+std::vector<std::size_t> drawn_points(std::size_t count) {
+  std::set<std::size_t> chosen;
+  if (count <= kDrawnPoints) {
+    for (std::size_t i = 0; i < count; ++i) chosen.insert(chosen.end(), i);
+  } else {
+    constexpr std::size_t kHalf = kDrawnPoints / 2;
+    const auto last = static_cast<double>(count - 1);
+    for (std::size_t i = 0; i < kHalf; ++i) {
+      const double part = static_cast<double>(i) / (kHalf - 1);
+      chosen.insert(static_cast<std::size_t>(std::round(last * part)));
+      chosen.insert(static_cast<std::size_t>(std::round(std::pow(last, part))));
+    }
+  }
+  return {chosen.begin(), chosen.end()};
+}
+
+Json json_run(const MethodRun& run) {
+  Json iteration = Json::array(), seconds = Json::array(), energy = Json::array(),
+       gradient_norm = Json::array(), step = Json::array(), min_det = Json::array();
+  for (const std::size_t i : drawn_points(run.points.size())) {
+    const ComparisonPoint& point = run.points[i];
+    iteration.push_back(point.iteration);
+    seconds.push_back(short_number(point.seconds));
+    energy.push_back(json_number(point.energy));
+    gradient_norm.push_back(short_number(point.gradient_norm));
+    step.push_back(short_number(point.step));
+    min_det.push_back(short_number(point.min_det));
+  }
+  return {{"method", run.method},           {"status", run.status}, {"count", run.points.size()},
+          {"iteration", iteration},         {"seconds", seconds},   {"energy", energy},
+          {"gradient_norm", gradient_norm}, {"step", step},         {"min_det", min_det}};
+}
+
+std::string json_data(const Comparison& comparison) {
+  Json runs = Json::array();
+  for (const MethodRun& run : comparison.runs) runs.push_back(json_run(run));
+  return script_json({{"title", comparison.title},
+                      {"machine", comparison.machine},
+                      {"best", json_number(comparison.best_energy())},
+                      {"fractions", kComparisonFractions},
+                      {"runs", runs}});
+}
+
+// The fewest seconds to within a fraction of the best energy, +inf if nobody came so near.
+double fastest(const Comparison& comparison, double best, double fraction) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const MethodRun& run : comparison.runs) {
+    const ComparisonPoint* point = first_within(run, best, fraction);
+    if (point) least = std::min(least, point->seconds);
+  }
+  return least;
+}
+
+std::string table_head() {
+  std::string first, second;
+  for (const double fraction : kComparisonFractions) {
+    first += fmt::format(
+        "<th colspan=\"2\" scope=\"colgroup\" class=\"group\">"
+        "<span>within {:g}&nbsp;%</span></th>",
+        100.0 * fraction);
+    second += "<th scope=\"col\" class=\"group\">iterations</th><th scope=\"col\">seconds</th>";
+  }
+  std::string columns;
+  for (const char* name :
+       {"method", "status", "iterations", "seconds", "final energy", "excess", "min det"}) {
+    columns += fmt::format("<th scope=\"col\" rowspan=\"2\">{}</th>", name);
+  }
+  return fmt::format("<tr>{}{}</tr>\n<tr>{}</tr>", columns, first, second);
+}
+
+std::string table_body(const Comparison& comparison) {
+  const double best = comparison.best_energy();
+  const auto rows = comparison_rows(comparison);
+  std::string body;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const ComparisonRow& row = rows[i];
+    const MethodRun& run = comparison.runs[i];
+    const bool wins = !run.points.empty() && run.points.back().energy == best;
+    const std::string note =
+        row.message.empty() ? "" : fmt::format("<small>{}</small>", html_text(row.message));
+    body += fmt::format(
+        "<tr><th scope=\"row\"><span data-run=\"{}\">{}</span></th><td "
+        "class=\"text\">{}{}</td><td>{}</td>"
+        "<td>{}</td><td{}>{}</td><td>{}</td><td>{}</td>",
+        i, html_text(row.method), html_text(row.status), note, row.iterations, row.seconds,
+        wins ? " class=\"least\"" : "", row.energy, row.excess, row.min_det);
+    for (std::size_t k = 0; k < kComparisonFractions.size(); ++k) {
+      const ComparisonPoint* point = first_within(run, best, kComparisonFractions[k]);
+      const bool leads =
+          point && point->seconds == fastest(comparison, best, kComparisonFractions[k]);
+      body += fmt::format("<td class=\"group\">{}</td><td{}>{}</td>", row.iterations_to[k],
+                          leads ? " class=\"least\"" : "", row.seconds_to[k]);
+    }
+    body += "</tr>\n";
+  }
+  return body;
+}
+
+std::string notes(const Comparison& comparison) {
+  const double best = comparison.best_energy();
+  std::string text = "No run has a finite energy.";
+  if (best == 0.0) {
+    text =
+        "The best energy of all runs is 0: excess is the energy itself, and only 0 is within a "
+        "percentage of it.";
+  } else if (std::isfinite(best)) {
+    text = fmt::format(
+        "Best energy of all runs: {:.10g}. Excess is (E &minus; E<sub>best</sub>) / "
+        "|E<sub>best</sub>|.",
+        best);
+  }
+  text += " Iteration 0 is the start. Bold: the best final energy, the fewest seconds.";
+  const bool thinned =
+      std::any_of(comparison.runs.begin(), comparison.runs.end(),
+                  [](const MethodRun& run) { return run.points.size() > kDrawnPoints; });
+  if (thinned) {
+    text += fmt::format(
+        " Runs of more than {0} points are drawn with at most {0}: the start, the "
+        "end, and points at even steps and at even ratios of their number; the "
+        "table is made from all of them.",
+        kDrawnPoints);
+  }
+  return text;
+}
+
+// Puts the values into their {{name}}, in one pass: a value is never searched for names.
+std::string fill_in(std::string_view page,
+                    const std::vector<std::pair<std::string_view, std::string>>& values) {
+  std::string result;
+  for (std::size_t open = page.find("{{"); open != std::string_view::npos; open = page.find("{{")) {
+    const std::size_t close = page.find("}}", open);
+    const std::string_view name = page.substr(open + 2, close - open - 2);
+    const auto value = std::find_if(values.begin(), values.end(),
+                                    [&](const auto& entry) { return entry.first == name; });
+    result += page.substr(0, open);
+    result += value->second;
+    page.remove_prefix(close + 2);
+  }
+  return result.append(page);
+}
+
+}  // namespace
+
+void write_comparison_csv(const std::string& path, const Comparison& comparison) {
+  fmt::memory_buffer text;
+  const auto out = std::back_inserter(text);
+  fmt::format_to(out, "method,iteration,seconds,energy,gradient_norm,step,min_det\n");
+  for (const MethodRun& run : comparison.runs) {
+    const std::string method = csv_field(run.method);
+    for (const ComparisonPoint& point : run.points) {
+      fmt::format_to(out, "{},{},{},{},{},{},{}\n", method, point.iteration, point.seconds,
+                     point.energy, point.gradient_norm, point.step, point.min_det);
+    }
+  }
+  write_file_atomically(path, {text.data(), text.size()});
+}
+
+void write_comparison_html(const std::string& path, const Comparison& comparison) {
+  const std::string script = std::string(comparison_chart_js()) + std::string(comparison_page_js());
+  write_file_atomically(
+      path, fill_in(comparison_page_html(), {{"title", html_text(comparison.title)},
+                                             {"machine", html_text(comparison.machine)},
+                                             {"style", std::string(comparison_page_css())},
+                                             {"head", table_head()},
+                                             {"body", table_body(comparison)},
+                                             {"notes", notes(comparison)},
+                                             {"data", json_data(comparison)},
+                                             {"script", script}}));
+}
+
+}  // namespace majorant

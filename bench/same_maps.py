@@ -1,0 +1,66 @@
+#!/usr/bin/python3
+"""Whether two builds write the same maps, to the last bit: for changes that must not change results.
+
+Every disk at degrees 1 to 3 with free and with fixed boundary, and the textured seamless meshes;
+compares the bytes of the VTU files, which hold every control point losslessly. Files of the old
+build are kept in --work and made once.
+
+Sample runs:
+  bench/same_maps.py --old /tmp/before/majorant --faces 500
+  bench/same_maps.py --old /tmp/before/majorant --faces 500,2500,10000 --degrees 1,2,3
+"""
+import argparse
+import sys
+from pathlib import Path
+
+import common
+
+
+def cases(options):
+    """(name, verb and flags) of every run; the mesh is the first word after the verb."""
+    data = options.shared / 'data/public'
+    for faces in options.faces.split(','):
+        for mesh in sorted((data / 'disks').glob('*_%s.obj' % faces)):
+            for degree in options.degrees.split(','):
+                for boundary in ('free', 'fixed'):
+                    yield ('%s.%s.%s' % (mesh.stem, degree, boundary),
+                           ['parametrize', mesh, '--degree', degree, '--boundary', boundary])
+    for mesh in sorted((data / 'seamless').glob('*.obj')):
+        for degree in options.degrees.split(','):
+            yield ('%s.%s.seamless' % (mesh.stem, degree),
+                   ['parametrize', mesh, '--degree', degree, '--seamless'])
+
+
+def write(options, binary, words, target):
+    """Runs one case; the exit code."""
+    return common.run([binary, *words, '-o', target, '--quiet'], options.timeout).code
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    common.add_options(parser)
+    parser.add_argument('--old', type=Path, required=True, help='the majorant program to compare with')
+    parser.add_argument('--faces', default='500,2500')
+    parser.add_argument('--degrees', default='1,2,3')
+    parser.add_argument('--work', type=Path, default=Path('out/same_maps'))
+    options = parser.parse_args()
+    common.require_files(options)
+    options.work.mkdir(parents=True, exist_ok=True)
+    different = total = 0
+    for name, words in cases(options):
+        old, new = options.work / (name + '.old.vtu'), options.work / (name + '.new.vtu')
+        if not old.exists():
+            write(options, options.old.resolve(), words, old)
+        new.unlink(missing_ok=True)
+        code = write(options, options.binary.resolve(), words, new)
+        total += 1
+        same = old.exists() == new.exists() and (not new.exists() or old.read_bytes() == new.read_bytes())
+        if not same:
+            different += 1
+            print('%s: different (exit %s)' % (name, code), flush=True)
+    print('%d of %d runs write the same bytes' % (total - different, total))
+    sys.exit(different > 0)
+
+
+if __name__ == '__main__':
+    main()

@@ -1,0 +1,23 @@
+// Where to cut a surface so that it becomes a disk.
+#pragma once
+
+#include <vector>
+
+#include "majorant/mesh/surface_mesh.h"
+
+namespace majorant {
+
+// 3 #F flags, both half-edges of an edge or none, of the edges along which a connected surface is
+// cut to one disk: mesh.cut_along(cut_graph(mesh, cones), nullptr).require_disk() holds. Every
+// vertex of `through` (any order; repeated and boundary vertices are harmless) lies on the cut; a
+// cut ends only there or at the boundary. A disk without such vertices is not cut; a closed surface
+// always is.
+//
+// Length: within a factor of 2 of the shortest for spheres and disks (a minimum spanning tree over
+// shortest paths, [Meh88]), then shortened path by path; the shortest loops of a tree-cotree
+// decomposition [EW05] for handles. Throws Error(Usage) for a vertex that does not exist;
+// Stopped.
+std::vector<char> cut_graph(const SurfaceMesh& mesh, const std::vector<Index>& through,
+                            const StopCheck& stop = {});
+
+}  // namespace majorant

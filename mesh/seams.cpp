@@ -1,0 +1,84 @@
+#include "majorant/mesh/seams.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace majorant {
+namespace {
+
+std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+int opposite_turns(int turns) { return (4 - turns) % 4; }
+
+}  // namespace
+
+Vector2 rotated(const Vector2& uv, int turns) {
+  switch ((turns % 4 + 4) % 4) {
+    case 1:
+      return {-uv.y(), uv.x()};
+    case 2:
+      return {-uv.x(), -uv.y()};
+    case 3:
+      return {uv.y(), -uv.x()};
+    default:
+      return uv;
+  }
+}
+
+Seams::Seams(const Cells& cut_faces, std::vector<Index> surface_vertex, std::vector<SeamEdge> edges,
+             std::vector<int> quarter_turns)
+    : surface_vertex_(std::move(surface_vertex)),
+      edges_(std::move(edges)),
+      quarter_turns_(std::move(quarter_turns)) {
+  find_chains(cut_faces);
+}
+
+std::vector<Cone> Seams::cones() const {
+  std::vector<Cone> cones;
+  for (std::size_t v = 0; v < quarter_turns_.size(); ++v)
+    if (quarter_turns_[v] != 0 && quarter_turns_[v] != 4)
+      cones.push_back({static_cast<Index>(v), quarter_turns_[v]});
+  return cones;
+}
+
+// Walks from every edge over the vertices where nothing but two seam edges of equal turns meet.
+void Seams::find_chains(const Cells& cut_faces) {
+  const auto from = [&](Index h) { return cut_faces(h / 3, h % 3); };
+  const auto to = [&](Index h) { return cut_faces(h / 3, (h + 1) % 3); };
+  std::vector<std::vector<Index>> edges_at(quarter_turns_.size());
+  for (std::size_t e = 0; e < edges_.size(); ++e)
+    for (const Index v : {from(edges_[e].side), to(edges_[e].side)})
+      edges_at[at(surface_vertex_[at(v)])].push_back(static_cast<Index>(e));
+  for (SeamEdge& edge : edges_) edge.chain = -1;
+  std::vector<Index> stack;
+  for (std::size_t start = 0; start < edges_.size(); ++start) {
+    if (edges_[start].chain >= 0) continue;
+    edges_[start].chain = chain_count_;
+    stack.push_back(static_cast<Index>(start));
+    while (!stack.empty()) {
+      const Index e = stack.back();
+      stack.pop_back();
+      const SeamEdge& edge = edges_[at(e)];
+      for (const Index v : {from(edge.side), to(edge.side)}) {
+        const Index surface = surface_vertex_[at(v)];
+        const auto& around = edges_at[at(surface)];
+        if (around.size() != 2 || around[0] == around[1] || quarter_turns_[at(surface)] == 0)
+          continue;
+        SeamEdge& other = edges_[at(around[0] == e ? around[1] : around[0])];
+        if (other.chain == chain_count_) continue;
+        // The same fan of faces lies on the same side of both edges.
+        const bool same = from(other.side) == v || to(other.side) == v;
+        if ((same ? other.turns : opposite_turns(other.turns)) != edge.turns) continue;
+        if (!same) {
+          std::swap(other.side, other.opposite);
+          other.turns = opposite_turns(other.turns);
+        }
+        other.chain = chain_count_;
+        stack.push_back(static_cast<Index>(&other - edges_.data()));
+      }
+    }
+    ++chain_count_;
+  }
+}
+
+}  // namespace majorant

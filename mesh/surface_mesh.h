@@ -1,0 +1,111 @@
+// A validated triangle mesh: what the rest of the library may rely on.
+//
+//   SurfaceMesh mesh = SurfaceMesh::from_polygons(read_mesh("bunny.obj"));
+//   mesh.require_disk();
+//
+// Edge- and vertex-manifold, consistently oriented, connected unless the caller says otherwise, no
+// degenerate or duplicate faces.
+// Polygons are triangulated, unreferenced vertices left out; input_vertex() and input_face() lead
+// back to the file. Immutable.
+//
+// Half-edge 3 f + k runs from corner k of face f to its corner k + 1 (mod 3).
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "majorant/framework/stop_check.h"
+#include "majorant/framework/types.h"
+#include "majorant/mesh/polygon_mesh.h"
+
+namespace majorant {
+
+// u, v of the three corners of every face.
+using CornerPoints = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>;
+
+struct Topology {
+  Index vertices = 0, edges = 0, faces = 0, components = 0, boundary_loops = 0;
+  Index euler_characteristic() const { return vertices - edges + faces; }
+};
+
+// Whether a mesh may fall into several components: what is solved must be one, what is judged may
+// be the layout of an atlas.
+enum class Components { One, Any };
+
+class SurfaceMesh {
+ public:
+  // Throws Error(Unsupported) naming file, place and remedy for the first defect found; Stopped.
+  static SurfaceMesh from_polygons(const PolygonMesh& input, const StopCheck& stop = {},
+                                   Components components = Components::One);
+
+  // Throws Error(Unsupported) unless the surface is a disk (connected, one boundary loop, Euler
+  // characteristic 1).
+  void require_disk() const;
+  // Throws Error(Unsupported) unless the surface is a disk with or without holes: genus 0, bounded.
+  void require_planar() const;
+
+  const std::string& file() const { return file_; }
+  const Points3& positions() const { return positions_; }  // #V by 3, model units
+  const Cells& faces() const { return faces_; }            // #F by 3, counterclockwise
+  Index vertex_count() const { return static_cast<Index>(positions_.rows()); }
+  Index face_count() const { return static_cast<Index>(faces_.rows()); }
+  // Index in the file of a vertex, and of the polygon that a face belongs to.
+  Index input_vertex(Index v) const { return input_vertex_[static_cast<std::size_t>(v)]; }
+  Index input_face(Index f) const { return input_face_[static_cast<std::size_t>(f)]; }
+  // Vertex of this mesh for a vertex of the file, -1 when no face uses it.
+  Index find_input_vertex(Index input) const;
+
+  Index half_edge_count() const { return 3 * face_count(); }
+  Index from_vertex(Index half_edge) const { return faces_(half_edge / 3, half_edge % 3); }
+  Index to_vertex(Index half_edge) const { return faces_(half_edge / 3, (half_edge + 1) % 3); }
+  // The half-edge of the neighbouring face along the same edge, -1 at the boundary.
+  Index opposite(Index half_edge) const { return opposite_[static_cast<std::size_t>(half_edge)]; }
+
+  // Boundary loops, vertices in face orientation (surface on the left), each starting at its
+  // smallest vertex, loops ordered by that vertex.
+  const std::vector<std::vector<Index>>& boundary_loops() const { return boundary_loops_; }
+  const Topology& topology() const { return topology_; }
+  double area() const { return area_; }
+
+  // Texture coordinates per face corner (#F by 6: u, v of each corner), empty unless every corner
+  // of the file has one, and their numbers in the file (#F by 3).
+  const CornerPoints& corner_texcoords() const { return corner_texcoords_; }
+  const Cells& texcoord_ids() const { return texcoord_ids_; }
+
+  // The surface cut open along the half-edges h with is_cut[h] (both sides of an edge, or none):
+  // same faces, a vertex for every fan of faces that cuts do not separate. The first copy of a
+  // vertex keeps its number. surface_vertex (may be null) receives the vertex of this mesh for each
+  // vertex of the result, which may fall into several pieces.
+  SurfaceMesh cut_along(const std::vector<char>& is_cut, std::vector<Index>* surface_vertex) const;
+
+  // Other faces over the same vertices (#F by 3, counterclockwise; manifold, connected and using
+  // every vertex, which is the caller's promise), with the polygon of the file that each belongs
+  // to. Texture coordinates, which are those of other corners, are left out.
+  SurfaceMesh with_faces(const Cells& faces, std::vector<Index> input_face) const;
+
+ private:
+  SurfaceMesh() = default;
+  void build_connectivity(const StopCheck& stop = {});
+  Index count_components() const;
+
+  std::string file_;
+  Points3 positions_;
+  Cells faces_;
+  std::vector<Index> input_vertex_, input_face_, vertex_of_input_, opposite_;
+  std::vector<std::vector<Index>> boundary_loops_;
+  Topology topology_;
+  double area_ = 0;
+  CornerPoints corner_texcoords_;
+  Cells texcoord_ids_;
+};
+
+// Triangles (local corner numbers) of a simple polygon, n - 2 of them, by ear clipping in its mean
+// plane; the shape-preserving choice among valid ears is the one with the largest smallest angle.
+// A polygon that crosses itself there is clipped all the same, at its least bad ears. Of more than
+// 2,048 corners the constrained Delaunay triangulation is taken (large_polygon.h), which exists for
+// simple ones alone: Error(Unsupported) without a place. Polls for each O(n) of work.
+std::vector<std::array<int, 3>> triangulate_polygon(const std::vector<Vector3>& corners,
+                                                    const StopCheck& stop = {});
+
+}  // namespace majorant

@@ -1,0 +1,148 @@
+#include "majorant/parametrization/drive/deform.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "majorant/framework/error.h"
+
+namespace majorant {
+namespace {
+
+constexpr double kFlat = 1e-9;  // of the mesh's size: deviation from a plane
+constexpr int kSteps = 10;      // towards the targets
+constexpr double kStepTolerance = 1e-3;
+// Stiffness of the springs that pull pins, and how close (of the size) they must come to be held.
+constexpr double kFirstStiffness = 1e5, kStiffer = 100, kStiffest = 1e13;
+constexpr double kReached = 1e-6;
+
+Vector2 start_of(const BezierMap& map, Index vertex) {
+  return map.control_points().segment<2>(2 * vertex);
+}
+
+double size_of(const BezierMap& map) {
+  const Eigen::Map<const Points2> points(map.control_points().data(),
+                                         map.control_points().size() / 2, 2);
+  return (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff();
+}
+
+class Deformation {
+ public:
+  Deformation(const BezierMap& start, const ParametrizationOptions& options, RunRecord& record)
+      : start_(start), options_(options), record_(record), map_(start) {}
+
+  ParametrizationResult solve() {
+    if (options_.handles.empty() && options_.pins.empty())
+      return parametrize(start_, options_, record_);
+    for (int k = 1; k <= kSteps && going_on(); ++k)
+      pull(static_cast<double>(k) / kSteps, options_.handle_weight);
+    if (!options_.pins.empty()) reach_pins();
+    return parametrize(map_, options_, record_);
+  }
+
+ private:
+  bool going_on() const {
+    return record_.iterations_left() > 0 && record_.directive() == Directive::Continue;
+  }
+
+  // One solve at degree 1 with all targets soft, at the part t of their way.
+  double pull(double t, double weight) {
+    ParametrizationOptions o = options_;
+    o.degree = 1;
+    o.tolerance = kStepTolerance;
+    o.handle_weight = weight;
+    o.handles.clear();
+    o.pins.clear();
+    for (const auto* points : {&options_.handles, &options_.pins})
+      for (const Pin& p : *points) {
+        const Vector2 from = start_of(start_, p.vertex);
+        o.handles.push_back({p.vertex, Vector2(from + t * (p.target.value_or(from) - from))});
+      }
+    const ParametrizationResult r = parametrize(map_, o, record_);
+    if (r.map) map_ = *r.map;
+    return r.handle_distance;
+  }
+
+  void reach_pins() {
+    const double enough = kReached * size_of(start_);
+    for (double w = kFirstStiffness; w <= kStiffest && going_on() && pin_distance().second > enough;
+         w *= kStiffer)
+      pull(1.0, w);
+    const auto [vertex, distance] = pin_distance();
+    const auto refuse = [&](const std::string& why) {
+      throw Error(ErrorKind::Infeasible,
+                  fmt::format("{}: no valid way to the pins' targets found: {}; use soft handles, "
+                              "or targets nearer to the start",
+                              start_.mesh().file(), why));
+    };
+    if (distance > enough && !going_on())
+      throw Error(ErrorKind::Infeasible,
+                  start_.mesh().file() +
+                      ": stopped by a limit or Ctrl-C before the pins' targets were "
+                      "reached; raise --max-iterations or --time-limit");
+    const Index name = start_.mesh().input_vertex(vertex);
+    if (distance > enough) refuse(fmt::format("vertex {} stays {:.3g} away", name, distance));
+    Vec x = map_.control_points();
+    for (const Pin& p : options_.pins)
+      x.segment<2>(2 * p.vertex) = p.target.value_or(start_of(start_, p.vertex));
+    map_ = map_.with(map_.shared_space(), std::move(x));
+  }
+
+  // The pin that is farthest from its target.
+  std::pair<Index, double> pin_distance() const {
+    std::pair<Index, double> worst{-1, -1.0};
+    for (const Pin& p : options_.pins) {
+      const Vector2 target = p.target.value_or(start_of(start_, p.vertex));
+      const double d = (start_of(map_, p.vertex) - target).norm();
+      if (d > worst.second) worst = {p.vertex, d};
+    }
+    return worst;
+  }
+
+  const BezierMap& start_;
+  const ParametrizationOptions& options_;
+  RunRecord& record_;
+  BezierMap map_;
+};
+
+}  // namespace
+
+BezierMap planar_map(std::shared_ptr<const SurfaceMesh> mesh) {
+  const Points3& p = mesh->positions();
+  const double size = (p.colwise().maxCoeff() - p.colwise().minCoeff()).maxCoeff();
+  for (Index v = 0; v < mesh->vertex_count(); ++v)
+    if (!(std::abs(p(v, 2) - p(0, 2)) <= kFlat * size))
+      throw Error(ErrorKind::Unsupported,
+                  fmt::format("{}: vertex {} is off the plane z = {:g}; deform needs a planar mesh",
+                              mesh->file(), mesh->input_vertex(v) + 1, p(0, 2)));
+  Vec twice_area(mesh->face_count());
+  for (Index f = 0; f < mesh->face_count(); ++f) {
+    const Eigen::RowVector2d a = p.row(mesh->faces()(f, 0)).head<2>();
+    const Eigen::RowVector2d b = p.row(mesh->faces()(f, 1)).head<2>() - a;
+    const Eigen::RowVector2d c = p.row(mesh->faces()(f, 2)).head<2>() - a;
+    twice_area[f] = b.x() * c.y() - b.y() * c.x();
+  }
+  const double side = twice_area.sum() < 0 ? -1 : 1;
+  for (Index f = 0; f < mesh->face_count(); ++f)
+    if (!(side * twice_area[f] > 0))
+      throw Error(ErrorKind::Unsupported,
+                  fmt::format("{}: face {} is turned over in the plane; repair the mesh",
+                              mesh->file(), mesh->input_face(f) + 1));
+  Vec uv(2 * mesh->vertex_count());
+  for (Index v = 0; v < mesh->vertex_count(); ++v) uv.segment<2>(2 * v) << side * p(v, 0), p(v, 1);
+  return BezierMap::linear(std::move(mesh), std::move(uv));
+}
+
+ParametrizationResult deform(const BezierMap& start, const ParametrizationOptions& options,
+                             RunRecord& record) {
+  for (const auto* points : {&options.pins, &options.handles})
+    for (const Pin& p : *points)
+      if (p.vertex < 0 || p.vertex >= start.mesh().vertex_count())
+        throw Error(ErrorKind::Usage,
+                    fmt::format("{}: vertex {} does not exist", start.mesh().file(), p.vertex));
+  return Deformation(start, options, record).solve();
+}
+
+}  // namespace majorant

@@ -1,0 +1,72 @@
+// Cross fields: four directions at right angles in every face, as smooth as possible, and the cones
+// around which they turn. What a seamless map is made from: its rotations across the cuts and the
+// angles at its vertices.
+//
+//   CrossField field = smoothest_cross_field(mesh);
+//   std::vector<char> is_cut = cut_graph(mesh, cone_vertices(field));
+//   comb(mesh, is_cut, field);           // turns are 0 but across the cut
+//
+// The branches of a face are numbered 0..3 counterclockwise; `angle` is branch 0. All of this is
+// intrinsic: rotating or scaling the mesh changes nothing but rounding.
+#pragma once
+
+#include <vector>
+
+#include "majorant/mesh/seams.h"
+#include "majorant/mesh/surface_mesh.h"
+
+namespace majorant {
+
+struct CrossField {
+  // #F: direction of branch 0, radians, counterclockwise from the edge corner 0 -> corner 1.
+  Vec angle;
+  // 3 #F: k in 0..3 such that the branch of the face of half-edge h, transported across the edge
+  // and turned by k quarter turns (counterclockwise, seen from outside), belongs to the branch of
+  // the opposite face. The opposite half-edge has (4 - k) % 4, the boundary 0. It is the nearest
+  // branch except where cones were moved or prescribed.
+  std::vector<int> turns;
+  // #V: 4 - 4 index, what the angles around the vertex add up to in a seamless map that follows the
+  // field, in units of 90 degrees; 0 at boundary vertices. Modulo 4 it is the sum of the turns of
+  // the half-edges that enter the vertex. On a closed surface sum (4 - quarter_turns) = 4 chi.
+  std::vector<int> quarter_turns;
+};
+
+struct CrossFieldOptions {
+  // 0: the smoothest field. t > 0: minimizes int |grad z|^2 + (t^2 / area) int |z - q|^2, where z
+  // is the fourth power of the branch as a complex number and q that of the principal directions,
+  // of length between 0 (flat, umbilic) and 1: curvature directions averaged over a distance of
+  // about sqrt(area) / t. 5 to 50 are useful.
+  double curvature_weight = 0;
+  // 3 #F or empty: half-edges that the field follows, one branch along the edge, on both of its
+  // sides (flagging one is enough). A face with several follows the longest.
+  std::vector<char> aligned;
+  // Without curvature and alignment, cones are cancelled and moved as long as that lowers
+  //   1/2 int |rotation of the branches|^2 + cone_cost * sum |quarter_turns - 4|.
+  // The first is also 1/2 int |grad log scale|^2 of a conformal map with these cones: the
+  // distortion they leave. 0: cancels only what makes the field smoother.
+  double cone_cost = 0.1;
+  StopCheck stop;  // polled between steps: Stopped
+};
+
+// The field of least sum weight |z_f e^{4 i transport} - z_g|^2 over interior edges with
+// sum area |z|^2 = 1 [KCPS13], or with the constraints of `options`; its cones then cleaned up
+// (cone_cleanup.h) and the branches relaxed to them. Throws Error(Infeasible) when the mesh is too
+// coarse to hold the cones, std::invalid_argument for sizes or weights that are not valid.
+CrossField smoothest_cross_field(const SurfaceMesh& mesh, const CrossFieldOptions& options = {});
+
+// The smoothest field with exactly these cones, all other interior vertices regular [CDS10]; how
+// it turns along loops that are not contractible is rounded to multiples of 90 degrees such that
+// the field stays smooth. Throws Error(Usage) for cones on the boundary, repeated or out of range,
+// with less than one quarter turn or at least two for every face, or (closed surfaces) when
+// sum (4 - quarter_turns) is not 4 chi.
+CrossField cross_field_with_cones(const SurfaceMesh& mesh, const std::vector<Cone>& cones);
+
+// Interior vertices with other than 4 quarter turns.
+std::vector<Index> cone_vertices(const CrossField& field);
+
+// Renames branches so that turns[h] is 0 across every half-edge with is_cut[h] == 0 (3 #F). Throws
+// Error(Usage) when that is impossible: the cut surface is not simply connected, or has a cone
+// inside.
+void comb(const SurfaceMesh& mesh, const std::vector<char>& is_cut, CrossField& field);
+
+}  // namespace majorant

@@ -1,0 +1,111 @@
+#include "majorant/parametrization/maps/bezier_map.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "majorant/elements/rest_shapes.h"
+
+namespace majorant {
+
+BezierMap::BezierMap(std::shared_ptr<const SurfaceMesh> mesh,
+                     std::shared_ptr<const BezierTriangleSpace> space, Vec control_points,
+                     std::shared_ptr<const Seams> seams)
+    : mesh_(std::move(mesh)),
+      space_(std::move(space)),
+      seams_(seams ? std::move(seams) : std::make_shared<const Seams>()),
+      x_(std::move(control_points)) {
+  if (x_.size() != 2 * space_->node_count() || space_->element_count() != mesh_->face_count())
+    throw std::invalid_argument("BezierMap: sizes do not fit");
+}
+
+BezierMap BezierMap::linear(std::shared_ptr<const SurfaceMesh> mesh, Vec uv,
+                            std::shared_ptr<const Seams> seams) {
+  auto space = std::make_shared<const BezierTriangleSpace>(mesh->faces(), mesh->vertex_count(), 1);
+  return BezierMap(std::move(mesh), std::move(space), std::move(uv), std::move(seams));
+}
+
+BezierMap BezierMap::with(std::shared_ptr<const BezierTriangleSpace> space,
+                          Vec control_points) const {
+  return BezierMap(mesh_, std::move(space), std::move(control_points), seams_);
+}
+
+Vector2 BezierMap::evaluate(Index face, const Barycentric& xi) const {
+  const Vec b = bernstein_values(degree(), xi);
+  Vector2 uv = Vector2::Zero();
+  for (Index k = 0; k < b.size(); ++k) uv += b[k] * x_.segment<2>(2 * space_->cells()(face, k));
+  return uv;
+}
+
+Eigen::Matrix2d BezierMap::jacobian(Index face, const Barycentric& xi) const {
+  const Eigen::MatrixX2d g = bernstein_gradients(degree(), xi);
+  Eigen::Matrix2d j = Eigen::Matrix2d::Zero();
+  for (Index k = 0; k < g.rows(); ++k) j += x_.segment<2>(2 * space_->cells()(face, k)) * g.row(k);
+  return j * flat_triangles(mesh_->positions(), mesh_->faces().row(face)).inverse_of(0);
+}
+
+std::pair<double, double> BezierMap::singular_values(Index face, const Barycentric& xi) const {
+  const Eigen::Matrix2d j = jacobian(face, xi);
+  const double alpha = 0.5 * std::hypot(j(0, 0) + j(1, 1), j(1, 0) - j(0, 1));
+  const double beta = 0.5 * std::hypot(j(0, 0) - j(1, 1), j(1, 0) + j(0, 1));
+  return {alpha + beta, alpha - beta};
+}
+
+Points2 BezierMap::sample(const std::vector<Barycentric>& points) const {
+  const auto count = static_cast<Index>(points.size());
+  Eigen::MatrixXd basis(count, space_->nodes_per_element());
+  for (Index l = 0; l < count; ++l)
+    basis.row(l) = bernstein_values(degree(), points[static_cast<std::size_t>(l)]);
+  Points2 uv(count * space_->element_count(), 2);
+  Points2 local(space_->nodes_per_element(), 2);
+  for (Index f = 0; f < space_->element_count(); ++f) {
+    for (Index k = 0; k < local.rows(); ++k)
+      local.row(k) = x_.segment<2>(2 * space_->cells()(f, k));
+    uv.middleRows(f * count, count) = basis * local;
+  }
+  return uv;
+}
+
+BezierMap BezierMap::elevated() const {
+  auto higher = std::make_shared<const BezierTriangleSpace>(mesh_->faces(), mesh_->vertex_count(),
+                                                            degree() + 1);
+  Vec x = space_->elevate(x_, *higher);
+  return with(std::move(higher), std::move(x));
+}
+
+// The numbering of a Bezier space of degree K is that of the K-fold subdivision's points.
+BezierMap::Refinement BezierMap::refine(int k) const {
+  if (k < 1 || k > TriangleIndices::kMaxDegree)
+    throw std::invalid_argument("BezierMap::refine: K must be 1..20");
+  const TriangleIndices& ix = TriangleIndices::of_degree(k);
+  const LatticeNumbering numbering = number_lattice(mesh_->faces(), mesh_->vertex_count(), k);
+  Refinement r;
+  r.positions.resize(numbering.node_count, 3);
+  r.uv.resize(numbering.node_count, 2);
+  r.triangles.resize(mesh_->face_count() * k * k, 3);
+  std::vector<Barycentric> points;
+  for (int l = 0; l < ix.count(); ++l)
+    points.push_back(Barycentric(ix.multi(l)[0], ix.multi(l)[1], ix.multi(l)[2]) / k);
+  const Points2 uv = sample(points);
+  Index t = 0;
+  for (Index f = 0; f < mesh_->face_count(); ++f) {
+    const auto node = [&](int i, int j) { return numbering.cells(f, ix.local(i, j, k - i - j)); };
+    for (int l = 0; l < ix.count(); ++l) {
+      const Index p = numbering.cells(f, l);
+      r.uv.row(p) = uv.row(f * ix.count() + l);
+      const Barycentric& xi = points[static_cast<std::size_t>(l)];
+      r.positions.row(p) = xi[0] * mesh_->positions().row(mesh_->faces()(f, 0)) +
+                           xi[1] * mesh_->positions().row(mesh_->faces()(f, 1)) +
+                           xi[2] * mesh_->positions().row(mesh_->faces()(f, 2));
+    }
+    for (int i = 0; i < k; ++i)
+      for (int j = 0; j < k - i; ++j) {
+        r.triangles.row(t++) << node(i + 1, j), node(i, j + 1), node(i, j);
+        if (i + j < k - 1)
+          r.triangles.row(t++) << node(i, j + 1), node(i + 1, j), node(i + 1, j + 1);
+      }
+  }
+  return r;
+}
+
+}  // namespace majorant

@@ -1,0 +1,68 @@
+// The result: a continuous piecewise polynomial map of a surface onto the plane.
+//
+//   Vector2 uv = map.evaluate(face, {0.2, 0.3, 0.5});
+//   auto [Sigma, sigma] = map.singular_values(face, xi);   // sigma < 0 where orientation flips
+//
+// Immutable and cheap to copy. Positions and uv are in model units. A map of a cut surface may know
+// its seams: its mesh is the cut surface then.
+#pragma once
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "majorant/elements/bezier_triangle_space.h"
+#include "majorant/mesh/seams.h"
+#include "majorant/mesh/surface_mesh.h"
+
+namespace majorant {
+
+class BezierMap {
+ public:
+  // control_points: u, v per node of `space`, a space over the faces of `mesh`. seams: null, or
+  // those of `mesh`.
+  BezierMap(std::shared_ptr<const SurfaceMesh> mesh,
+            std::shared_ptr<const BezierTriangleSpace> space, Vec control_points,
+            std::shared_ptr<const Seams> seams = nullptr);
+  // The piecewise linear map with these uv per vertex of the mesh.
+  static BezierMap linear(std::shared_ptr<const SurfaceMesh> mesh, Vec uv,
+                          std::shared_ptr<const Seams> seams = nullptr);
+  // The map of the same surface, with the same seams, that has these control points.
+  BezierMap with(std::shared_ptr<const BezierTriangleSpace> space, Vec control_points) const;
+
+  const SurfaceMesh& mesh() const { return *mesh_; }
+  const BezierTriangleSpace& space() const { return *space_; }
+  const std::shared_ptr<const SurfaceMesh>& shared_mesh() const { return mesh_; }
+  const std::shared_ptr<const BezierTriangleSpace>& shared_space() const { return space_; }
+  const std::shared_ptr<const Seams>& shared_seams() const { return seams_; }
+  const Seams& seams() const { return *seams_; }  // empty where the surface is not cut
+  const Vec& control_points() const { return x_; }
+  int degree() const { return space_->degree(); }
+
+  Vector2 evaluate(Index face, const Barycentric& xi) const;
+  // Derivative in the face's orthonormal frame of RestShapes (e0 = p0 - p2 along the first axis).
+  Eigen::Matrix2d jacobian(Index face, const Barycentric& xi) const;
+  // Signed: first >= |second|, product = det J.
+  std::pair<double, double> singular_values(Index face, const Barycentric& xi) const;
+  // uv at `points` on every face: (#F * #points) by 2, face by face.
+  Points2 sample(const std::vector<Barycentric>& points) const;
+
+  // The same map with one degree more.
+  BezierMap elevated() const;
+  // The piecewise linear interpolant on the K-fold subdivision: positions (#P by 3), uv (#P by 2),
+  // triangles (#F K^2 by 3); points on shared edges are shared. K >= 1.
+  struct Refinement {
+    Points3 positions;
+    Points2 uv;
+    Cells triangles;
+  };
+  Refinement refine(int k) const;
+
+ private:
+  std::shared_ptr<const SurfaceMesh> mesh_;
+  std::shared_ptr<const BezierTriangleSpace> space_;
+  std::shared_ptr<const Seams> seams_;
+  Vec x_;
+};
+
+}  // namespace majorant

@@ -1,0 +1,141 @@
+#include "majorant/parametrization/maps/map_problem.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "majorant/constraints/seamless_constraint.h"
+#include "majorant/energies/quadratic_penalty.h"
+#include "majorant/framework/evaluator.h"
+
+namespace majorant {
+namespace {
+
+// Pieces of a surface: vertices that faces connect.
+class Pieces {
+ public:
+  explicit Pieces(const BezierTriangleSpace& space)
+      : parent_(static_cast<std::size_t>(space.vertex_count())) {
+    std::iota(parent_.begin(), parent_.end(), 0);
+    for (Index f = 0; f < space.element_count(); ++f)
+      for (const int k : {1, 2}) {
+        const Index a = of(space.faces()(f, 0)), b = of(space.faces()(f, k));
+        parent_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+      }
+  }
+  // Named by its smallest vertex.
+  Index of(Index vertex) const {
+    while (parent_[static_cast<std::size_t>(vertex)] != vertex)
+      vertex = parent_[static_cast<std::size_t>(vertex)] =
+          parent_[static_cast<std::size_t>(parent_[static_cast<std::size_t>(vertex)])];
+    return vertex;
+  }
+
+ private:
+  mutable std::vector<Index> parent_;
+};
+
+const Seams& seams_of(const MapSpecification& spec) {
+  static const Seams none;
+  return spec.seams ? *spec.seams : none;
+}
+
+}  // namespace
+
+std::vector<Index> gauge_vertices(const MapSpecification& spec, const BezierTriangleSpace& space) {
+  const Pieces pieces(space);
+  std::vector<char> is_held(static_cast<std::size_t>(space.vertex_count()), 0);
+  std::vector<char> on_seam = is_held;
+  for (const auto* points : {&spec.pins, &spec.handles})
+    for (const FixedPoint& p : *points) is_held[static_cast<std::size_t>(pieces.of(p.node))] = 1;
+  if (spec.boundary == BoundaryCondition::Fixed)
+    for (const Index node : boundary_nodes(space, seams_of(spec)))
+      if (node < space.vertex_count()) is_held[static_cast<std::size_t>(pieces.of(node))] = 1;
+  for (const SeamEdge& edge : seams_of(spec).edges())
+    for (const Index h : {edge.side, edge.opposite})
+      for (const int end : {0, 1})
+        on_seam[static_cast<std::size_t>(space.faces()(h / 3, (h + end) % 3))] = 1;
+  // Off the seams first, where holding a point makes no fractions.
+  std::vector<Index> gauge;
+  for (const char allowed : {0, 1})
+    for (Index v = 0; v < space.vertex_count(); ++v) {
+      char& held = is_held[static_cast<std::size_t>(pieces.of(v))];
+      if (held || on_seam[static_cast<std::size_t>(v)] > allowed) continue;
+      held = 1;
+      gauge.push_back(v);
+    }
+  return gauge;
+}
+
+DensityTerms energy_terms(const MapSpecification& spec,
+                          const std::shared_ptr<const BezierTriangleSpace>& space,
+                          const std::vector<Quadrature>& rules) {
+  DensityTerms terms;
+  for (const WeightedEnergy& e : spec.energy) terms.push_back(e.make(space, spec.rest, rules));
+  return terms;
+}
+
+void add_map(ProblemBuilder& builder, const MapSpecification& spec,
+             const std::shared_ptr<const BezierTriangleSpace>& space, VecIn start,
+             const DensityTerms& terms) {
+  const double area = spec.rest.measure.sum();
+  for (std::size_t k = 0; k < terms.size(); ++k) {
+    TermState state;
+    state.weight = spec.energy[k].weight / area;
+    state.element_weight = spec.face_weight;
+    builder.add(terms[k], state);
+  }
+  if (spec.boundary_angles == BoundaryAngles::AtMostFullTurn)
+    builder.add(
+        std::make_shared<const AngleSums>(space, AngleSums::Vertices::Boundary, spec.seams));
+  if (!seams_of(spec).empty()) builder.add(SeamlessConstraint(space, spec.seams));
+  if (!spec.aligned.empty()) builder.add(AxisAlignment(space, spec.aligned));
+  if (spec.boundary == BoundaryCondition::Fixed)
+    builder.add(FixedPoints::at(boundary_nodes(*space, seams_of(spec)), start));
+  if (!spec.handles.empty())
+    builder.add(std::make_shared<const QuadraticPenalty>(FixedPoints(spec.handles)),
+                spec.handle_weight / area);
+  if (!spec.pins.empty()) builder.add(FixedPoints(spec.pins));
+}
+
+Problem map_problem(const MapSpecification& spec,
+                    const std::shared_ptr<const BezierTriangleSpace>& space, VecIn start,
+                    const DensityTerms& terms,
+                    std::shared_ptr<const FeasibilityChecker> injectivity) {
+  ProblemBuilder builder(2 * space->node_count());
+  add_map(builder, spec, space, start, terms);
+  if (injectivity) builder.add(std::move(injectivity));
+  builder.add(FixedPoints::at(gauge_vertices(spec, *space), start));
+  return builder.build();
+}
+
+std::vector<TermState> energy_states(const MapSpecification& spec, const Problem& problem,
+                                     const std::vector<RuleId>& rules, const Vec& element_weight) {
+  std::vector<TermState> states;
+  for (std::size_t k = 0; k < problem.term_count(); ++k) {
+    states.push_back(problem.state(k));
+    if (k >= spec.energy.size()) continue;
+    states[k].element_rule = rules;
+    states[k].element_weight = spec.face_weight;
+    if (element_weight.size() == 0) continue;
+    if (spec.face_weight.size() == 0)
+      states[k].element_weight = element_weight;
+    else
+      states[k].element_weight.array() *= element_weight.array();
+  }
+  return states;
+}
+
+Vec energy_by_face(const MapSpecification& spec, const DensityTerms& terms,
+                   const std::vector<RuleId>& rules, VecIn x, const StopCheck& stop) {
+  Vec sum = Vec::Zero(spec.rest.measure.size());
+  TermState state;
+  state.element_rule = rules;
+  for (std::size_t k = 0; k < terms.size(); ++k) {
+    const ChunkPlan plan(terms[k]->stencils(), rules);
+    sum += spec.energy[k].weight * element_values(*terms[k], state, plan, x, stop);
+  }
+  if (spec.face_weight.size()) sum.array() *= spec.face_weight.array();
+  return sum;
+}
+
+}  // namespace majorant

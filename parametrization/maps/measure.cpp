@@ -1,0 +1,158 @@
+#include "majorant/parametrization/maps/measure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "majorant/constraints/local_injectivity.h"
+#include "majorant/constraints/seamless_constraint.h"
+#include "majorant/framework/evaluator.h"
+#include "majorant/parametrization/maps/quadrature_ladder.h"
+
+namespace majorant {
+namespace {
+
+constexpr double kAgreement = 1e-6;  // of the total, spread over the elements
+constexpr int kProofDepth = 16;      // of bisection: proofs need not be cheap here
+constexpr int kSamples = 8;          // extremes are sampled at the points (i,j,k)/8
+
+// A weighted sum of energies on the same rules.
+class Measured {
+ public:
+  Measured(const EnergySum& energy, const BezierMap& map, const RestShapes& rest,
+           const std::vector<Quadrature>& rules)
+      : energy_(energy), x_(map.control_points()) {
+    for (const WeightedEnergy& e : energy)
+      terms_.push_back(e.make(map.shared_space(), rest, rules));
+  }
+  Vec values(const std::vector<RuleId>& rules) const {
+    TermState state;
+    state.element_rule = rules;
+    const ChunkPlan plan(terms_.front()->stencils(), rules);
+    Vec sum = Vec::Zero(static_cast<Index>(rules.size()));
+    for (std::size_t k = 0; k < terms_.size(); ++k)
+      sum += energy_[k].weight * element_values(*terms_[k], state, plan, x_);
+    return sum;
+  }
+
+ private:
+  const EnergySum& energy_;
+  VecIn x_;
+  std::vector<std::shared_ptr<const DensityTerm>> terms_;
+};
+
+std::vector<Barycentric> sample_points() {
+  std::vector<Barycentric> points;
+  for (int i = 0; i <= kSamples; ++i)
+    for (int j = 0; j <= kSamples - i; ++j)
+      points.push_back(Barycentric(i, j, kSamples - i - j) / kSamples);
+  return points;
+}
+
+Quadrature single_point(const Barycentric& xi) {
+  Quadrature q;
+  q.cell = {3};
+  q.points = xi.transpose();
+  q.weights = Vec::Ones(1);
+  return q;
+}
+
+// At one point at least; m.cut_short where stopped before the others.
+void sample_extremes(const BezierMap& map, const RestShapes& rest, const EnergySum& energy,
+                     const StopCheck& stop, MapMeasures& m) {
+  const std::vector<Barycentric> points =
+      map.degree() == 1 ? std::vector<Barycentric>{Barycentric::Constant(1.0 / 3)}
+                        : sample_points();
+  std::vector<Quadrature> rules;
+  for (const Barycentric& xi : points) rules.push_back(single_point(xi));
+  const Measured measured(energy, map, rest, rules);
+  m.sigma_min = std::numeric_limits<double>::infinity();
+  m.max_density = -m.sigma_min;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    m.cut_short = m.cut_short || (k > 0 && stop() != Directive::Continue);
+    if (k > 0 && m.cut_short) return;
+    const std::vector<RuleId> rule(static_cast<std::size_t>(rest.measure.size()),
+                                   static_cast<RuleId>(k));
+    const Vec density = measured.values(rule).cwiseQuotient(rest.measure);
+    m.max_density = std::max(m.max_density, density.maxCoeff());
+    const Eigen::MatrixX2d g = bernstein_gradients(map.degree(), points[k]);
+    for (Index f = 0; f < rest.measure.size(); ++f) {
+      Eigen::Matrix2d j = Eigen::Matrix2d::Zero();
+      for (Index q = 0; q < g.rows(); ++q)
+        j += map.control_points().segment<2>(2 * map.space().cells()(f, q)) * g.row(q);
+      j *= rest.inverse_of(f);
+      const double alpha = 0.5 * std::hypot(j(0, 0) + j(1, 1), j(1, 0) - j(0, 1));
+      const double beta = 0.5 * std::hypot(j(0, 0) - j(1, 1), j(1, 0) + j(0, 1));
+      m.sigma_max = std::max(m.sigma_max, alpha + beta);
+      m.sigma_min = std::min(m.sigma_min, alpha - beta);
+    }
+  }
+}
+
+// Sets value, face_value and, where stopped before they are good, cut_short.
+void measure_energy(const BezierMap& map, const RestShapes& rest, const EnergySum& energy,
+                    const StopCheck& stop, MapMeasures& m) {
+  const std::vector<Quadrature> ladder = measuring_rules(map.degree());
+  const Measured measured(energy, map, rest, ladder);
+  const Index faces = rest.measure.size();
+  std::vector<RuleId> level(static_cast<std::size_t>(faces), 0);
+  Vec values = measured.values(level);
+  std::vector<char> open(static_cast<std::size_t>(faces), 1);
+  for (std::size_t top = 1; top < ladder.size(); ++top) {
+    m.cut_short = stop() != Directive::Continue;
+    if (m.cut_short) break;
+    for (std::size_t f = 0; f < level.size(); ++f)
+      if (open[f]) level[f] = static_cast<RuleId>(top);
+    const Vec finer = measured.values(level);
+    const double bound = kAgreement * std::abs(finer.sum()) / static_cast<double>(faces);
+    for (Index f = 0; f < faces; ++f)
+      if (std::abs(finer[f] - values[f]) <= bound) open[static_cast<std::size_t>(f)] = 0;
+    values = finer;
+  }
+  m.face_value = values.cwiseQuotient(rest.measure);
+  m.value = values.sum() / rest.measure.sum();
+}
+
+}  // namespace
+
+double mean_density(const BezierMap& map, const RestShapes& rest, const EnergySum& energy,
+                    Vec& face_value) {
+  MapMeasures m;
+  measure_energy(map, rest, energy, {}, m);
+  face_value = std::move(m.face_value);
+  return m.value;
+}
+
+MapMeasures measure(const BezierMap& map, const EnergySum& energy, const StopCheck& stop) {
+  return measure_normalized(map, 1.0, energy, stop);
+}
+
+MapMeasures measure_normalized(const BezierMap& map, double scale, const EnergySum& energy,
+                               const StopCheck& stop) {
+  MapMeasures m;
+  const RestShapes rest = flat_triangles(map.mesh().positions(), map.mesh().faces());
+  const BezierMap scaled =
+      scale == 1 ? map : map.with(map.shared_space(), scale * map.control_points());
+  measure_energy(scaled, rest, energy, stop, m);
+  sample_extremes(scaled, rest, energy, stop, m);
+  m.min_det = LocalInjectivity(map.shared_space(), 2 * rest.measure, kProofDepth)
+                  .lower_bounds(map.control_points());
+  const bool interior_ok =
+      AngleSums(map.shared_space(), AngleSums::Vertices::Interior, map.shared_seams())
+          .check(map.control_points())
+          .feasible;
+  m.locally_injective = interior_ok && m.min_det.minCoeff() > 0;
+  m.min_det *= scale * scale;
+  m.seam_residual = seam_residual(map.space(), map.seams(), scaled.control_points());
+  const Vec sums = vertex_angle_sums(map.space(), map.control_points());
+  for (const Index v : boundary_nodes(map.space(), map.seams())) {
+    if (v >= map.space().vertex_count()) continue;
+    m.max_boundary_angle = std::max(m.max_boundary_angle, sums[v]);
+    if (sums[v] > 2 * std::numbers::pi + 1e-6) ++m.boundary_over_full_turn;
+  }
+  return m;
+}
+
+}  // namespace majorant

@@ -1,0 +1,39 @@
+// What a finished map is worth: energies from a rule fine enough to be trusted, extremes, proofs.
+#pragma once
+
+#include "majorant/elements/rest_shapes.h"
+#include "majorant/energies/energy_factory.h"
+#include "majorant/framework/stop_check.h"
+#include "majorant/parametrization/maps/bezier_map.h"
+
+namespace majorant {
+
+struct MapMeasures {
+  double value = 0;  // mean of the energy's density, good to 1e-5 relative
+  Vec face_value;    // #F mean density of each face
+  // A stop ended measuring early: value and face_value are those of coarser rules, extremes of few
+  // samples. Proofs are complete.
+  bool cut_short = false;
+  double max_density = 0;               // sampled
+  double sigma_max = 0, sigma_min = 0;  // sampled extreme singular values
+  Vec min_det;  // #F certified lower bound of det J (<= 0: not proven positive)
+  // All min_det > 0 and interior angle sums 2 pi, at cones their angle.
+  bool locally_injective = false;
+  double seam_residual = 0;           // seamless_constraint.h, model units
+  double max_boundary_angle = 0;      // radians, largest sector sum at a boundary vertex
+  Index boundary_over_full_turn = 0;  // boundary vertices whose sum exceeds 2 pi
+};
+
+// Mean density and #F mean densities, adaptively: elements are refined until two successive rules
+// agree to 1e-6 of the total.
+double mean_density(const BezierMap& map, const RestShapes& rest, const EnergySum& energy,
+                    Vec& face_value);
+
+// After a stop, or when it comes meanwhile, only what is needed to judge the map.
+MapMeasures measure(const BezierMap& map, const EnergySum& energy, const StopCheck& stop = {});
+// Of a map whose control points were divided by `scale` after it was made, in the units of before.
+// What is proven (min_det, angles, local injectivity) is proven of the control points as they are.
+MapMeasures measure_normalized(const BezierMap& map, double scale, const EnergySum& energy,
+                               const StopCheck& stop = {});
+
+}  // namespace majorant

@@ -1,0 +1,33 @@
+// Which rule of a quadrature ladder each face uses: most stay on level 0 for good; a face that
+// blocks a run, or whose integral its rule gets wrong, climbs.
+#pragma once
+
+#include <vector>
+
+#include "majorant/parametrization/maps/map_problem.h"
+#include "majorant/parametrization/maps/quadrature_ladder.h"
+
+namespace majorant {
+
+class QuadratureLevels {
+ public:
+  QuadratureLevels(QuadratureLadder ladder, Index face_count)
+      : ladder_(std::move(ladder)), level_(static_cast<std::size_t>(face_count), 0) {}
+
+  // All rules of the ladder, guarded ones first, as terms number them.
+  std::vector<Quadrature> rules() const;
+  const std::vector<RuleId>& of_faces() const { return level_; }
+
+  // One level up, where there is one; whether any face climbed.
+  bool climb(const std::vector<Index>& faces);
+  // The faces whose integrals are worst climb, until the error of the rest is below 3e-5 of the
+  // energy. terms: on rules(). Throws Stopped, the levels unchanged.
+  bool climb_inaccurate(const MapSpecification& spec, const DensityTerms& terms, VecIn x,
+                        const StopCheck& stop);
+
+ private:
+  QuadratureLadder ladder_;
+  std::vector<RuleId> level_;
+};
+
+}  // namespace majorant

@@ -1,0 +1,21 @@
+// Starts for the optimizer.
+#pragma once
+
+#include "majorant/mesh/surface_mesh.h"
+
+namespace majorant {
+
+// Tutte's embedding [Tut63] with uniform weights: boundary on the circle of the surface's area
+// (radius sqrt(area / pi), centre 0), counterclockwise, spaced by arc length, the first boundary
+// vertex in file order at angle 0. Returns u, v per vertex, model units. Of several boundary loops
+// the longest goes to the circle; the others are filled with a vertex each, so that the image has
+// holes there.
+// Needs a disk, possibly with holes; throws Error(Infeasible) when the linear system cannot be
+// solved; Stopped.
+Vec tutte_map(const SurfaceMesh& mesh, const StopCheck& stop = {});
+
+// The file's texture coordinates as u, v per vertex, for `--init input`. Throws Error(Unsupported)
+// when a corner has none or a vertex has several.
+Vec texture_map(const SurfaceMesh& mesh);
+
+}  // namespace majorant

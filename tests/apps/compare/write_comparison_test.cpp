@@ -1,0 +1,244 @@
+#include "apps/compare/write_comparison.h"
+
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "apps/compare/comparison_samples.h"
+#include "io/io_test_helpers.h"
+
+namespace majorant {
+namespace {
+
+using Json = nlohmann::json;
+
+// The records of a CSV file as RFC 4180 has them, lines ending with \n.
+std::vector<std::vector<std::string>> parse_csv(const std::string& text) {
+  std::vector<std::vector<std::string>> records(1, {""});
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (quoted && c == '"' && i + 1 < text.size() && text[i + 1] == '"') {
+      records.back().back() += text[++i];
+    } else if (c == '"') {
+      quoted = !quoted;
+    } else if (!quoted && c == ',') {
+      records.back().emplace_back();
+    } else if (!quoted && c == '\n') {
+      records.push_back({""});
+    } else {
+      records.back().back() += c;
+    }
+  }
+  EXPECT_FALSE(quoted);
+  EXPECT_EQ(records.back(), std::vector<std::string>{""}) << "the last line has no end";
+  records.pop_back();
+  return records;
+}
+
+std::string page_of(const Comparison& comparison) {
+  const TemporaryFolder folder;
+  write_comparison_html(folder.file("a.html"), comparison);
+  return content_of(folder.file("a.html"));
+}
+
+Json data_of(const std::string& page) {
+  const std::string open = "<script type=\"application/json\" id=\"data\">";
+  const std::size_t begin = page.find(open) + open.size();
+  return Json::parse(page.substr(begin, page.find("</script>", begin) - begin));
+}
+
+std::size_t count(const std::string& text, const std::string& piece) {
+  std::size_t result = 0;
+  for (std::size_t at = text.find(piece); at != std::string::npos; at = text.find(piece, at + 1)) {
+    ++result;
+  }
+  return result;
+}
+
+void expect_same(double a, double b) {
+  EXPECT_TRUE(a == b || (std::isnan(a) && std::isnan(b))) << a << " " << b;
+}
+
+TEST(WriteComparisonCsv, ReadsBackEqual) {
+  const TemporaryFolder folder;
+  auto all = odd_comparisons();
+  all.emplace_back("usual", usual_comparison());
+  for (const auto& [name, comparison] : all) {
+    SCOPED_TRACE(name);
+    write_comparison_csv(folder.file("a.csv"), comparison);
+    const auto records = parse_csv(content_of(folder.file("a.csv")));
+    EXPECT_EQ(records[0], (std::vector<std::string>{"method", "iteration", "seconds", "energy",
+                                                    "gradient_norm", "step", "min_det"}));
+    std::size_t line = 1;
+    for (const MethodRun& run : comparison.runs) {
+      for (const ComparisonPoint& point : run.points) {
+        ASSERT_LT(line, records.size());
+        const auto& record = records[line++];
+        ASSERT_EQ(record.size(), 7u);
+        EXPECT_EQ(record[0], run.method);
+        EXPECT_EQ(std::stoi(record[1]), point.iteration);
+        const auto number = [&](std::size_t i) { return std::strtod(record[i].c_str(), nullptr); };
+        expect_same(number(2), point.seconds);
+        expect_same(number(3), point.energy);
+        expect_same(number(4), point.gradient_norm);
+        expect_same(number(5), point.step);
+        expect_same(number(6), point.min_det);
+      }
+    }
+    EXPECT_EQ(line, records.size());
+  }
+}
+
+TEST(WriteComparisonCsv, QuotesOnlyWhatNeedsIt) {
+  const TemporaryFolder folder;
+  Comparison all{"t", "m", {}};
+  for (const char* name : {"plain name", "a,b", "say \"hi\"", "two\nlines"}) {
+    all.runs.push_back(run_of_energies(name, {0.1}));
+  }
+  write_comparison_csv(folder.file("a.csv"), all);
+  EXPECT_EQ(content_of(folder.file("a.csv")),
+            "method,iteration,seconds,energy,gradient_norm,step,min_det\n"
+            "plain name,0,0,0.1,1,1,0.5\n"
+            "\"a,b\",0,0,0.1,1,1,0.5\n"
+            "\"say \"\"hi\"\"\",0,0,0.1,1,1,0.5\n"
+            "\"two\nlines\",0,0,0.1,1,1,0.5\n");
+}
+
+TEST(WriteComparisonHtml, IsOneSelfContainedPage) {
+  auto all = odd_comparisons();
+  all.emplace_back("usual", usual_comparison());
+  for (const auto& [name, comparison] : all) {
+    SCOPED_TRACE(name);
+    const std::string page = page_of(comparison);
+    EXPECT_EQ(page, page_of(comparison));
+    EXPECT_EQ(page.rfind("<!DOCTYPE html>", 0), 0u);
+    for (const char* piece : {"http:", "https:", "src=", "@import", "url(", "NaN,", "Infinity]"}) {
+      EXPECT_EQ(count(page, piece), 0u) << piece;
+    }
+    EXPECT_EQ(count(page, "href="), 1u);  // the empty icon
+    EXPECT_EQ(count(page, "<script"), 2u);
+    EXPECT_EQ(count(page, "</script"), 2u);
+    EXPECT_EQ(count(page, "<!--"), 0u);
+    EXPECT_EQ(count(page, "<b "), 0u);
+    EXPECT_EQ(count(page, "<th scope=\"row\">"), comparison.runs.size());
+    EXPECT_LT(page.size(), 3u << 20);
+    EXPECT_EQ(data_of(page)["runs"].size(), comparison.runs.size());
+  }
+}
+
+TEST(WriteComparisonHtml, DataReadsBack) {
+  const Comparison comparison = usual_comparison();
+  const Json data = data_of(page_of(comparison));
+  EXPECT_EQ(data["title"], comparison.title);
+  EXPECT_EQ(data["machine"], comparison.machine);
+  EXPECT_EQ(data["best"], comparison.best_energy());
+  for (std::size_t r = 0; r < comparison.runs.size(); ++r) {
+    const MethodRun& run = comparison.runs[r];
+    const Json& json = data["runs"][r];
+    EXPECT_EQ(json["method"], run.method);
+    EXPECT_EQ(json["status"], run.status);
+    ASSERT_EQ(json["energy"].size(), run.points.size());
+    for (std::size_t i = 0; i < run.points.size(); ++i) {
+      const ComparisonPoint& point = run.points[i];
+      EXPECT_EQ(json["iteration"][i], point.iteration);
+      EXPECT_EQ(json["energy"][i], point.energy);  // every digit: the excess is a difference
+      EXPECT_NEAR(json["seconds"][i].get<double>(), point.seconds, 1e-5 * point.seconds);
+      EXPECT_NEAR(json["min_det"][i].get<double>(), point.min_det, 1e-5 * point.min_det);
+      EXPECT_EQ(json["step"][i].is_null(), i == 0);
+    }
+  }
+}
+
+TEST(WriteComparisonHtml, NoNumberIsNull) {
+  for (const auto& [name, comparison] : odd_comparisons()) {
+    if (name != "not_finite" && name != "never_finite") continue;
+    const Json data = data_of(page_of(comparison));
+    EXPECT_EQ(data["best"].is_null(), name == "never_finite");
+    const auto& points = comparison.runs[0].points;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      EXPECT_EQ(data["runs"][0]["energy"][i].is_null(), !std::isfinite(points[i].energy));
+    }
+  }
+}
+
+TEST(WriteComparisonHtml, TextsMayHoldAnything) {
+  const std::string text =
+      "</script><script>x()</script><!-- {{body}} \"quoted\" 'q' & \xc3\xa9\n\t";
+  Comparison comparison{text, text, {{text, text, text, {}}}};
+  std::string page = page_of(comparison);
+  EXPECT_EQ(count(page, "x()</script>"), 0u);
+  EXPECT_EQ(count(page, "<!--"), 0u);
+  EXPECT_NE(page.find("<h1>&lt;/script&gt;&lt;script&gt;x()&lt;/script&gt;&lt;!-- {{body}} "
+                      "&quot;quoted&quot; 'q' &amp; \xc3\xa9\n\t</h1>"),
+            std::string::npos);
+  EXPECT_EQ(data_of(page)["title"], text);
+  EXPECT_EQ(data_of(page)["runs"][0]["method"], text);
+
+  comparison.title = "not UTF-8: \xff, cut: \xc3";
+  comparison.machine = std::string("a\0b", 3);
+  page = page_of(comparison);
+  EXPECT_EQ(data_of(page)["title"], "not UTF-8: \xef\xbf\xbd, cut: \xef\xbf\xbd");
+  EXPECT_EQ(page.find('\0'), std::string::npos);
+}
+
+TEST(WriteComparisonHtml, LongRunsAreThinnedAndSaySo) {
+  const Comparison comparison{"",
+                              "",
+                              {decaying_run("long", 100000, 3.0, 1e-4, 1e-3),
+                               decaying_run("short", 1999, 3.0, 1e-2, 1e-3)}};
+  const std::string page = page_of(comparison);
+  EXPECT_LT(page.size(), 1u << 20);
+  EXPECT_NE(page.find("more than 2000 points"), std::string::npos);
+  const Json data = data_of(page);
+  EXPECT_EQ(data["runs"][1]["iteration"].size(), 2000u);
+  const auto kept = data["runs"][0]["iteration"].get<std::vector<int>>();
+  EXPECT_LE(kept.size(), 2000u);
+  EXPECT_GT(kept.size(), 1500u);
+  EXPECT_EQ(data["runs"][0]["count"], 100001);
+  EXPECT_TRUE(std::is_sorted(kept.begin(), kept.end()));
+  EXPECT_EQ(std::set<int>(kept.begin(), kept.end()).size(), kept.size());
+  EXPECT_EQ(kept.front(), 0);
+  EXPECT_EQ(kept.back(), 100000);
+  for (std::size_t i = 1; i < kept.size(); ++i) {  // no gap in either way of counting
+    EXPECT_LE(kept[i] - kept[i - 1], 101);
+    EXPECT_LE(kept[i], std::max(kept[i - 1] + 1, static_cast<int>(1.02 * kept[i - 1] + 1.0)));
+  }
+  EXPECT_EQ(page_of(usual_comparison()).find("more than 2000 points"), std::string::npos);
+}
+
+TEST(WriteComparison, WholeOrAbsent) {
+  const TemporaryFolder folder;
+  const Comparison comparison = usual_comparison();
+  const std::string path = folder.file("no/such/folder");
+  for (const auto write : {write_comparison_csv, write_comparison_html}) {
+    const std::string message = error_message(ErrorKind::Usage, [&] { write(path, comparison); });
+    EXPECT_NE(message.find(path), std::string::npos);
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+// Headless Chromium opens every page, uses its controls and looks for errors.
+TEST(WriteComparisonHtml, WorksInABrowser) {
+  const TemporaryFolder folder;
+  const std::string script = MAJORANT_SOURCE_DIR "/tests/apps/compare/comparison_page.py";
+  ASSERT_TRUE(std::filesystem::exists(script)) << script;
+  std::string command = "/usr/bin/python3 '" + script + "'";
+  auto all = odd_comparisons();
+  all.emplace_back("usual", usual_comparison());
+  for (const auto& [name, comparison] : all) {
+    const std::string path = folder.file(name + ".html");
+    write_comparison_html(path, comparison);
+    command += " '" + path + "'";
+  }
+  const int status = std::system(command.c_str());
+  ASSERT_TRUE(WIFEXITED(status));
+  if (WEXITSTATUS(status) == 77) GTEST_SKIP() << "no /usr/bin/chromium";
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+}
+
+}  // namespace
+}  // namespace majorant

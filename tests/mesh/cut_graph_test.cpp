@@ -1,0 +1,151 @@
+// Cut graphs make disks of every surface, pass through what they have to and end nowhere else.
+#include "majorant/mesh/cut_graph.h"
+
+#include <algorithm>
+
+#include "mesh/surfaces_of_any_genus.h"
+
+namespace majorant {
+namespace {
+
+double cut_length(const SurfaceMesh& mesh, const std::vector<char>& is_cut) {
+  double length = 0;
+  for (Index h = 0; h < mesh.half_edge_count(); ++h)
+    if (is_cut[at(h)])
+      length += 0.5 * (mesh.positions().row(mesh.to_vertex(h)) -
+                       mesh.positions().row(mesh.from_vertex(h)))
+                          .norm();
+  return length;
+}
+
+// Cut edges at every vertex.
+std::vector<int> cut_valences(const SurfaceMesh& mesh, const std::vector<char>& is_cut) {
+  std::vector<int> valence(at(mesh.vertex_count()), 0);
+  for (Index h = 0; h < mesh.half_edge_count(); ++h)
+    if (is_cut[at(h)]) ++valence[at(mesh.from_vertex(h))];
+  return valence;
+}
+
+std::vector<char> boundary_flags(const SurfaceMesh& mesh) {
+  std::vector<char> flags(at(mesh.vertex_count()), 0);
+  for (const auto& loop : mesh.boundary_loops())
+    for (const Index v : loop) flags[at(v)] = 1;
+  return flags;
+}
+
+// Everything the header promises, but for the length.
+void expect_proper_cut(const SurfaceMesh& mesh, const std::vector<Index>& through,
+                       const std::vector<char>& is_cut) {
+  ASSERT_EQ(is_cut.size(), at(mesh.half_edge_count()));
+  for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+    const Index o = mesh.opposite(h);
+    EXPECT_EQ(is_cut[at(h)], o < 0 ? 0 : is_cut[at(o)]);
+  }
+  std::vector<Index> surface_vertex;
+  const SurfaceMesh cut = mesh.cut_along(is_cut, &surface_vertex);
+  EXPECT_NO_THROW(cut.require_disk());
+  const std::vector<int> valence = cut_valences(mesh, is_cut);
+  const std::vector<char> on_boundary = boundary_flags(mesh);
+  std::vector<char> allowed_end = on_boundary;
+  for (const Index v : through) {
+    allowed_end[at(v)] = 1;
+    EXPECT_TRUE(valence[at(v)] > 0 || on_boundary[at(v)]) << v;
+  }
+  const bool slit = mesh.boundary_loops().empty() && mesh.topology().euler_characteristic() == 2 &&
+                    through.size() < 3;
+  for (Index v = 0; v < mesh.vertex_count(); ++v)
+    if (valence[at(v)] == 1) {
+      EXPECT_TRUE(slit || allowed_end[at(v)]) << v;
+    }
+}
+
+std::vector<Index> some_vertices(const SurfaceMesh& mesh, int count, unsigned seed) {
+  std::mt19937 random(seed);
+  std::vector<Index> all(at(mesh.vertex_count()));
+  for (Index v = 0; v < mesh.vertex_count(); ++v) all[at(v)] = v;
+  std::shuffle(all.begin(), all.end(), random);
+  all.resize(std::min(all.size(), static_cast<std::size_t>(count)));
+  return all;
+}
+
+TEST(CutGraph, MakesADiskOfEverySurface) {
+  for (const auto& [name, input] : surfaces_of_any_genus()) {
+    const SurfaceMesh mesh = SurfaceMesh::from_polygons(input);
+    for (const int count : {0, 1, 2, 3, 8, 40, mesh.vertex_count()})
+      for (const unsigned seed : {1u, 2u, 3u}) {
+        SCOPED_TRACE(name + ", " + std::to_string(count) + " vertices, " + std::to_string(seed));
+        const std::vector<Index> through = some_vertices(mesh, count, seed);
+        expect_proper_cut(mesh, through, cut_graph(mesh, through));
+      }
+  }
+}
+
+TEST(CutGraph, LeavesDisksAlone) {
+  for (const PolygonMesh& input : {grid(4, bumpy), one_triangle(), cone(6, true)}) {
+    const std::vector<char> is_cut = cut_graph(SurfaceMesh::from_polygons(input), {});
+    EXPECT_EQ(std::count(is_cut.begin(), is_cut.end(), 0), static_cast<long>(is_cut.size()));
+  }
+  // Vertices of the boundary need no cut.
+  const std::vector<char> is_cut = cut_graph(SurfaceMesh::from_polygons(grid(4)), {0, 3, 24, 0});
+  EXPECT_EQ(std::count(is_cut.begin(), is_cut.end(), 0), static_cast<long>(is_cut.size()));
+}
+
+TEST(CutGraph, TakesTheShortWay) {
+  // One vertex of a square, two steps from the boundary.
+  const SurfaceMesh square = SurfaceMesh::from_polygons(grid(8));
+  EXPECT_NEAR(cut_length(square, cut_graph(square, {2 * 9 + 4})), 2 / 8.0, 1e-12);
+  // Two of them, close to each other and far from the boundary.
+  EXPECT_NEAR(cut_length(square, cut_graph(square, {4 * 9 + 4, 4 * 9 + 5})), 4 / 8.0, 1e-12);
+  // A row of vertices on a large box: the path along them.
+  const SurfaceMesh cube = SurfaceMesh::from_polygons(voxel_surface(box(6, 6, 6)));
+  std::vector<Index> row;
+  for (Index v = 0; v < cube.vertex_count(); ++v) {
+    const Vector3 p = cube.positions().row(v);
+    if (p.x() == 3 && p.z() == 6) row.push_back(v);
+  }
+  ASSERT_EQ(row.size(), 7u);
+  EXPECT_NEAR(cut_length(cube, cut_graph(cube, row)), 6, 1e-12);
+  // An annulus is cut across where it is thin, a torus around the tube and around the hole.
+  const SurfaceMesh ring = SurfaceMesh::from_polygons(grid_without(8, {3 * 8 + 1}));
+  EXPECT_NEAR(cut_length(ring, cut_graph(ring, {})), 1 / 8.0, 1e-12);
+  const SurfaceMesh wheel = SurfaceMesh::from_polygons(torus(40, 20, 0));
+  EXPECT_LT(cut_length(wheel, cut_graph(wheel, {})), 2 * kPi * (1 + 1) * 1.01);
+}
+
+TEST(CutGraph, RefusesVerticesThatDoNotExist) {
+  const SurfaceMesh mesh = SurfaceMesh::from_polygons(octahedron());
+  for (const Index v : {-1, 6})
+    expect_contains(error_message(ErrorKind::Usage,
+                                  [&] {
+                                    cut_graph(mesh, {0, v});
+                                  }),
+                    {"no vertex", std::to_string(v)});
+}
+
+TEST(CutGraph, DependsOnTheSurfaceOnly) {
+  const PolygonMesh input = bar_with_holes(2, 3);
+  const auto moved = transformed(input, [](const Vector3& p) -> Vector3 {
+    return 8 * Vector3(p.z(), p.x(), p.y()) + Vector3(1, 2, 3);
+  });
+  const SurfaceMesh mesh = SurfaceMesh::from_polygons(input);
+  const std::vector<Index> through = some_vertices(mesh, 10, 4);
+  EXPECT_EQ(cut_graph(mesh, through), cut_graph(SurfaceMesh::from_polygons(moved), through));
+  std::vector<Index> reversed(through.rbegin(), through.rend());
+  EXPECT_EQ(cut_graph(mesh, through), cut_graph(mesh, reversed));
+}
+
+TEST(CutGraph, SharedMeshes) {
+  const std::vector<std::string> files = shared_closed_meshes();
+  if (files.empty()) GTEST_SKIP() << "no shared meshes";
+  for (const std::string& file : files) {
+    const SurfaceMesh mesh = SurfaceMesh::from_polygons(read_mesh(file));
+    for (const int count : {0, 30}) {
+      SCOPED_TRACE(file + ", " + std::to_string(count));
+      const std::vector<Index> through = some_vertices(mesh, count, 5);
+      expect_proper_cut(mesh, through, cut_graph(mesh, through));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace majorant

@@ -1,0 +1,139 @@
+// MapInjectivity::Global: no overlaps, at the price of the energy only where there would be some.
+#include <algorithm>
+
+#include "majorant/parametrization/injectivity/global_injectivity.h"
+#include "parametrization/drive/parametrize_expectations.h"
+
+namespace majorant {
+namespace {
+
+ParametrizationOptions options(int n, MapInjectivity injectivity) {
+  ParametrizationOptions o = degree(n);
+  o.injectivity = injectivity;
+  return o;
+}
+
+// A ramp that climbs slowly over `turns`: flattened without distortion it lies on itself.
+std::shared_ptr<const SurfaceMesh> ramp(double turns, int steps) {
+  std::vector<Vector3> positions;
+  for (int i = 0; i <= steps; ++i)
+    for (int j = 0; j <= 2; ++j) {
+      const double t = turns * i / steps, angle = 2 * kPi * t, r = 1 + 0.25 * j;
+      positions.push_back({r * std::cos(angle), r * std::sin(angle), 0.3 * t});
+    }
+  std::vector<std::vector<Index>> faces;
+  for (int i = 0; i < steps; ++i)
+    for (int j = 0; j < 2; ++j) {
+      const Index a = 3 * i + j;
+      faces.push_back({a, a + 1, a + 4});
+      faces.push_back({a, a + 4, a + 3});
+    }
+  return surface(polygon_mesh(positions, faces));
+}
+
+int proof(const ParametrizationResult& result) {
+  return static_cast<int>(check_boundary(*result.map).result);
+}
+
+TEST(Bijective, ARampThatWouldOverlap) {
+  const auto mesh = ramp(1.3, 36);
+  for (int n = 1; n <= 3; ++n) {
+    const ParametrizationResult local = parametrize(mesh, options(n, MapInjectivity::Local));
+    EXPECT_EQ(proof(local), static_cast<int>(Injectivity::Violated)) << n;
+    EXPECT_FALSE(local.scaffold.has_value());
+    const ParametrizationResult global = parametrize(mesh, options(n, MapInjectivity::Global));
+    expect_valid(global, n);
+    EXPECT_EQ(proof(global), static_cast<int>(Injectivity::Proven)) << n;
+    EXPECT_GE(global.measures.value, local.measures.value);
+    EXPECT_LE(global.measures.value, 1.01 * local.measures.value);
+    EXPECT_EQ(static_cast<int>(global.status), static_cast<int>(Status::Converged));
+    ASSERT_TRUE(global.scaffold.has_value());
+    EXPECT_EQ(global.scaffold->degree, n);
+    EXPECT_GT(global.flips.performed, 0);
+    EXPECT_LE(global.flips.performed, global.flips.intended);
+  }
+}
+
+TEST(Bijective, CostsNothingWhereNothingOverlaps) {
+  for (const auto& [name, highest] : {std::pair("cap", 3), std::pair("creature", 1)})
+    for (int n = 1; n <= highest; ++n) {
+      const auto mesh = generated(name);
+      const ParametrizationResult local = parametrize(mesh, options(n, MapInjectivity::Local));
+      ASSERT_EQ(proof(local), static_cast<int>(Injectivity::Proven));
+      const ParametrizationResult global = parametrize(mesh, options(n, MapInjectivity::Global));
+      expect_valid(global, n);
+      EXPECT_EQ(proof(global), static_cast<int>(Injectivity::Proven));
+      EXPECT_EQ(static_cast<int>(global.status), static_cast<int>(Status::Converged));
+      EXPECT_LE(global.measures.value, 1.0005 * local.measures.value) << name << ' ' << n;
+    }
+}
+
+TEST(Bijective, ADiskWithTwoHoles) {
+  PolygonMesh polygons = grid(6, bumpy);
+  for (const int square : {22, 13}) {
+    const auto first = polygons.polygons.begin() + 2 * square;
+    polygons.polygons.erase(first, first + 2);
+  }
+  polygons.polygon_lines.resize(polygons.polygons.size());
+  const auto mesh = surface(polygons);
+  const BezierMap start =
+      BezierMap::linear(mesh, uv_of(*mesh, [](const Vector3& p) { return Vector2(p.x(), p.y()); }));
+  for (int n = 1; n <= 3; ++n) {
+    RunRecord record;
+    const ParametrizationResult result =
+        parametrize(start, options(n, MapInjectivity::Global), record);
+    expect_valid(result, n);
+    EXPECT_EQ(static_cast<int>(result.status), static_cast<int>(Status::Converged));
+    EXPECT_EQ(proof(result), static_cast<int>(Injectivity::Proven));
+    EXPECT_LT(result.measures.value, result.initial_value);
+    // Tutte's map has holes there, too.
+    const ParametrizationResult other = parametrize(mesh, options(n, MapInjectivity::Global));
+    expect_valid(other, n);
+    EXPECT_EQ(proof(other), static_cast<int>(Injectivity::Proven));
+    EXPECT_NEAR(other.measures.value, result.measures.value, 1e-4 * result.measures.value);
+  }
+  error_message(ErrorKind::Unsupported, [&] { parametrize(mesh, degree(1)); });
+}
+
+TEST(Bijective, DirectElevationAndLimits) {
+  const auto mesh = ramp(1.3, 36);
+  ParametrizationOptions o = options(2, MapInjectivity::Global);
+  o.elevation = Elevation::Direct;
+  for (const int iterations : {0, 1, 7}) {  // valid whenever it is stopped
+    RunRecord record(1e9, iterations);
+    const ParametrizationResult result = parametrize(mesh, o, record);
+    expect_valid(result, 2);
+    EXPECT_EQ(static_cast<int>(result.status), static_cast<int>(Status::MaxIterations));
+    EXPECT_EQ(proof(result), static_cast<int>(Injectivity::Proven)) << iterations;
+  }
+}
+
+TEST(Bijective, PinsAndFixedBoundaryHold) {
+  const auto mesh = generated("cap");
+  ParametrizationOptions o = options(2, MapInjectivity::Global);
+  o.pins = {{100, std::nullopt}, {150, std::nullopt}};
+  const Vec start = initial_map(*mesh, o);
+  const ParametrizationResult pinned = parametrize(mesh, o);
+  expect_valid(pinned, 2);
+  const double size = start.cwiseAbs().maxCoeff();
+  for (const Pin& p : o.pins)
+    EXPECT_LE(
+        (pinned.map->control_points().segment<2>(2 * p.vertex) - start.segment<2>(2 * p.vertex))
+            .norm(),
+        1e-14 * size);
+  o.pins.clear();
+  o.boundary = BoundaryCondition::Fixed;
+  const ParametrizationResult fixed = parametrize(mesh, o);
+  expect_valid(fixed, 2);
+  expect_boundary_fixed(fixed, start);
+}
+
+TEST(Bijective, AStartThatOverlapsIsRefused) {
+  const auto mesh = ramp(1.3, 36);
+  ParametrizationOptions o = options(1, MapInjectivity::Global);
+  o.initial = uv_of(*mesh, [](const Vector3& p) { return Vector2(p.x(), p.y()); });
+  error_message(ErrorKind::Infeasible, [&] { parametrize(mesh, o); });
+}
+
+}  // namespace
+}  // namespace majorant

@@ -1,0 +1,39 @@
+// What every result of parametrize() must satisfy.
+#pragma once
+
+#include "majorant/parametrization/drive/parametrize.h"
+#include "mesh/test_meshes.h"
+
+namespace majorant {
+
+inline ParametrizationOptions degree(int n) {
+  ParametrizationOptions options;
+  options.degree = n;
+  return options;
+}
+
+// What must hold for every result, converged or not.
+inline void expect_valid(const ParametrizationResult& result, int n) {
+  ASSERT_TRUE(result.map.has_value());
+  EXPECT_EQ(result.map->degree(), n);
+  EXPECT_TRUE(result.map->control_points().allFinite());
+  EXPECT_TRUE(result.measures.locally_injective);
+  EXPECT_GT(result.measures.min_det.minCoeff(), 0);
+  EXPECT_GE(result.measures.value, 4 - 1e-12);
+  EXPECT_LE(result.constraint_residual, 1e-12 * result.map->control_points().cwiseAbs().maxCoeff());
+}
+
+// The elevation of the start along the boundary, in the doubles that the solver fixes.
+inline void expect_boundary_fixed(const ParametrizationResult& result, const Vec& start) {
+  const BezierMap initial =
+      elevated_to(BezierMap::linear(result.map->shared_mesh(), start), result.map->degree());
+  const double size = start.cwiseAbs().maxCoeff();
+  for (const Index node : result.map->space().boundary_nodes())
+    EXPECT_LE((result.map->control_points().segment<2>(2 * node) -
+               initial.control_points().segment<2>(2 * node))
+                  .norm(),
+              1e-14 * size)
+        << "node " << node;
+}
+
+}  // namespace majorant
