@@ -3,8 +3,11 @@
 import csv
 import json
 import math
+import os
+import sys
 import unittest
 
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 from command_helpers import *
 
 CAP, TUBE = generated('cap'), generated('tube')
