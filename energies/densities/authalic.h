@@ -13,7 +13,8 @@ inline auto authalic_density() {
                      const auto det = x - y;
                      return det + 1.0 / det;
                    },
-                   {Domain::PositiveDeterminant, Convexity::Unknown, Reweighting::Refused});
+                   {Domain::PositiveDeterminant, Convexity::Unknown, Reweighting::Refused,
+                    Barrier::Weak});
 }
 
 }  // namespace majorant

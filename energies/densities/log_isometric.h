@@ -13,7 +13,8 @@ inline auto log_isometric_density() {
                     using std::log;
                     return log(S) * log(S) + log(s) * log(s);
                   },
-                  {Domain::PositiveDeterminant, Convexity::Unknown, Reweighting::Separable});
+                  {Domain::PositiveDeterminant, Convexity::Unknown, Reweighting::Separable,
+                    Barrier::Weak});
 }
 
 }  // namespace majorant

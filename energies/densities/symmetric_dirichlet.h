@@ -12,7 +12,8 @@ inline auto symmetric_dirichlet_density() {
                      const auto det = x - y;
                      return 2.0 * ((x + y) * (1.0 + 1.0 / (det * det)));
                    },
-                   {Domain::PositiveDeterminant, Convexity::Convex, Reweighting::Separable});
+                   {Domain::PositiveDeterminant, Convexity::Convex, Reweighting::Separable,
+                    Barrier::Strong});
 }
 
 }  // namespace majorant
