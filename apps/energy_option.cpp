@@ -82,8 +82,7 @@ EnergySum parse_energy(const std::string& expression) {
 std::string energy_help() {
   std::string text = "Energies (sums such as 'symmetric-dirichlet + 0.1*asap' too):\n";
   for (const NamedEnergy& e : named_energies())
-    text += fmt::format("  {:<20} {}; {}\n", e.name, e.summary,
-                        in_words(e.make.traits().barrier));
+    text += fmt::format("  {:<20} {}; {}\n", e.name, e.summary, in_words(e.make.traits().barrier));
   return text;
 }
 

@@ -32,8 +32,7 @@ inline auto builtin_energies() {
       BuiltinEnergy{symmetric_arap_density(), "|J - R|^2 + |J^-1 - R^-1|^2; isometry 0"},
       BuiltinEnergy{log_isometric_density(), "log^2 Sigma + log^2 sigma; isometry 0"},
       BuiltinEnergy{authalic_density(), "det J + 1 / det J, areas; equal areas 2"},
-      BuiltinEnergy{amips_exponential_density(),
-                    "exp(5 ((mips + authalic) / 4 - 1)); isometry 1"},
+      BuiltinEnergy{amips_exponential_density(), "exp(5 ((mips + authalic) / 4 - 1)); isometry 1"},
   };
 }
 using BuiltinEnergies = decltype(builtin_energies());

@@ -1,7 +1,7 @@
 // Energies that can be put on any space and rules: what drivers take as "the energy".
 //
-//   EnergySum sum = {{mips(), 1.0}, {asap, 0.1}};           // asap: an EnergyFactory, too
-//   if (free_scale_of(sum) == FreeScale::Collapses) ...     // what holds the scale?
+//   const EnergySum sum{{mips(), 1.0}, {symmetric_dirichlet(), 0.1}};
+//   const bool has_a_scale = free_scale_of(sum) == FreeScale::Determined;   // true
 #pragma once
 
 #include <functional>
@@ -46,8 +46,8 @@ using EnergySum = std::vector<WeightedEnergy>;
 
 // The strongest of the summands; None of an empty sum.
 Barrier barrier_of(const EnergySum& energy);
-// Determined if one summand is, else Collapses if one does, else Arbitrary: one scale is enough, and
-// nothing but a scale withstands a summand that shrinks the map.
+// Determined if one summand is, else Collapses if one does, else Arbitrary: one scale is enough,
+// and nothing but a scale withstands a summand that shrinks the map.
 FreeScale free_scale_of(const EnergySum& energy);
 
 }  // namespace majorant

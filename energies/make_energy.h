@@ -61,18 +61,16 @@ std::shared_ptr<const DensityTerm> make_energy(std::shared_ptr<const ElementSpac
 template <class Density>
 EnergyFactory energy_factory(Density density, const DensityKernels& kernels) {
   DensityTraits traits = density_traits(density);
-  return {std::move(traits),
-          [density = std::move(density), kernels](std::shared_ptr<const ElementSpace> space,
-                                                  const RestShapes& rest,
-                                                  const std::vector<Quadrature>& rules) {
+  return {std::move(traits), [density = std::move(density), kernels](
+                                 std::shared_ptr<const ElementSpace> space, const RestShapes& rest,
+                                 const std::vector<Quadrature>& rules) {
             return make_energy(std::move(space), rest, density, rules, kernels);
           }};
 }
 
 template <class Density>
 EnergyFactory energy_factory(Density density) {
-  return energy_factory(std::move(density),
-                        kernel::make_kernels<xsimd::default_arch, Density>());
+  return energy_factory(std::move(density), kernel::make_kernels<xsimd::default_arch, Density>());
 }
 
 }  // namespace majorant

@@ -15,8 +15,7 @@ inline auto amips_exponential_density() {
                      const auto exponent = 0.25 * (2.0 * ((x + y) / det) + det + 1.0 / det) - 1.0;
                      return exp(5.0 * exponent);
                    },
-                   {Domain::PositiveDeterminant, Convexity::Unknown, Reweighting::Refused,
-                    Barrier::Weak});
+                   {Domain::PositiveDeterminant, Convexity::Unknown, Reweighting::Refused});
 }
 
 }  // namespace majorant

@@ -13,7 +13,7 @@ inline auto arap_density() {
                      using std::sqrt;
                      return 2.0 * (x + y) - 4.0 * sqrt(x) + 2.0;
                    },
-                   {Domain::Everywhere, Convexity::Convex, Reweighting::Separable, Barrier::None});
+                   {Domain::Everywhere, Convexity::Convex, Reweighting::Separable});
 }
 
 }  // namespace majorant

@@ -13,8 +13,7 @@ inline auto authalic_density() {
                      const auto det = x - y;
                      return det + 1.0 / det;
                    },
-                   {Domain::PositiveDeterminant, Convexity::Unknown, Reweighting::Refused,
-                    Barrier::Weak});
+                   {Domain::PositiveDeterminant, Convexity::Unknown, Reweighting::Refused});
 }
 
 }  // namespace majorant

@@ -13,8 +13,7 @@ inline auto log_isometric_density() {
                     using std::log;
                     return log(S) * log(S) + log(s) * log(s);
                   },
-                  {Domain::PositiveDeterminant, Convexity::Unknown, Reweighting::Separable,
-                    Barrier::Weak});
+                  {Domain::PositiveDeterminant, Convexity::Unknown, Reweighting::Separable});
 }
 
 }  // namespace majorant

@@ -15,8 +15,7 @@ inline auto symmetric_arap_density() {
                      return 2.0 * ((x + y) * (1.0 + 1.0 / (det * det))) -
                             4.0 * (sqrt(x) * (1.0 + 1.0 / det)) + 4.0;
                    },
-                   {Domain::PositiveDeterminant, Convexity::Convex, Reweighting::Separable,
-                    Barrier::Weak});
+                   {Domain::PositiveDeterminant, Convexity::Convex, Reweighting::Separable});
 }
 
 }  // namespace majorant

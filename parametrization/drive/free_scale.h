@@ -1,10 +1,11 @@
 // What holds the scale of a map whose energy does not: energies such as ASAP are smallest for a map
 // shrunk to a point (FreeScale::Collapses), and a free boundary lets them.
 //
-//   if (collapses(options, start.space(), start.seams())) ...   // refuse it, in your own words
-//   require_scale(options, start);                              // or in ours
+//   const bool bad = collapses(options, start.space(), start.seams());
+//   require_scale(options, start);   // throws if so
 //
-// parametrize() and deform() ask by themselves.
+// parametrize() and deform() ask by themselves; collapses() is for callers who want to refuse in
+// their own words, or earlier.
 #pragma once
 
 #include "majorant/parametrization/drive/parametrize.h"
@@ -13,9 +14,9 @@
 namespace majorant {
 
 // Whether minimizing options.energy shrinks the map to a point: the sum collapses, and neither a
-// fixed boundary nor two points (pins, soft handles) of one piece of the surface at different places
-// withstand. space: the (cut) surface's, of any degree; its vertices are those of the points, which
-// must exist. A surface without a boundary has none to fix.
+// fixed boundary nor two points (pins, soft handles) of one piece of the surface at different
+// places withstand. space: the (cut) surface's, of any degree; its vertices are those of the
+// points, which must exist. A surface without a boundary has none to fix.
 bool collapses(const ParametrizationOptions& options, const BezierTriangleSpace& space,
                const Seams& seams);
 
