@@ -145,7 +145,7 @@ MapMeasures measure_as_claimed(const BezierMap& map, const Claims& claims, const
                                Findings& findings) {
   EnergySum energy{{symmetric_dirichlet(), 1.0}};
   try {
-    energy = parse_energy(claimed_energy(claims)).sum;
+    energy = parse_energy(claimed_energy(claims));
   } catch (const Error& e) {
     findings.add_violation(fmt::format("majorant_claims: {}", e.what()));
   }

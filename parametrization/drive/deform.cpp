@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "majorant/framework/error.h"
+#include "majorant/parametrization/drive/free_scale.h"
 
 namespace majorant {
 namespace {
@@ -142,6 +143,7 @@ ParametrizationResult deform(const BezierMap& start, const ParametrizationOption
       if (p.vertex < 0 || p.vertex >= start.mesh().vertex_count())
         throw Error(ErrorKind::Usage,
                     fmt::format("{}: vertex {} does not exist", start.mesh().file(), p.vertex));
+  require_scale(options, start);
   return Deformation(start, options, record).solve();
 }
 

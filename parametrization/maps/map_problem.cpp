@@ -41,6 +41,13 @@ const Seams& seams_of(const MapSpecification& spec) {
 
 }  // namespace
 
+std::vector<Index> pieces_of(const BezierTriangleSpace& space) {
+  const Pieces pieces(space);
+  std::vector<Index> out(static_cast<std::size_t>(space.vertex_count()));
+  for (Index v = 0; v < space.vertex_count(); ++v) out[static_cast<std::size_t>(v)] = pieces.of(v);
+  return out;
+}
+
 std::vector<Index> gauge_vertices(const MapSpecification& spec, const BezierTriangleSpace& space) {
   const Pieces pieces(space);
   std::vector<char> is_held(static_cast<std::size_t>(space.vertex_count()), 0);

@@ -179,7 +179,7 @@ RestShapes Scaffold::rest() const {
 
 std::shared_ptr<const DensityTerm> Scaffold::term_on(
     std::shared_ptr<const BezierTriangleSpace> space) const {
-  return find_energy("mips")->make(std::move(space), rest(), scaffold_rules(mesh_.degree));
+  return mips()(std::move(space), rest(), scaffold_rules(mesh_.degree));
 }
 
 std::shared_ptr<const DensityTerm> Scaffold::energy_term() const { return term_on(space_); }
