@@ -13,7 +13,7 @@
 #include "majorant/io/read_face_weights.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/read_vertex_lists.h"
-#include "majorant/parametrization/starts/initial_map.h"
+#include "majorant/parametrization/starts/texture_seams.h"
 
 namespace majorant::app {
 namespace {

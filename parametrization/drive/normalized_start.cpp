@@ -8,7 +8,7 @@
 #include "majorant/constraints/seamless_constraint.h"
 #include "majorant/framework/elimination.h"
 #include "majorant/framework/error.h"
-#include "majorant/parametrization/starts/seamless_start.h"
+#include "majorant/parametrization/starts/texture_seams.h"
 
 namespace majorant {
 namespace {
