@@ -11,7 +11,8 @@
 #include "apps/check_seams.h"
 #include "apps/energy_option.h"
 #include "majorant/framework/error.h"
-#include "majorant/parametrization/starts/initial_map.h"
+#include "majorant/parametrization/starts/texture_seams.h"
+#include "majorant/parametrization/starts/tutte.h"
 
 namespace majorant::app {
 namespace {

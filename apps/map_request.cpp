@@ -14,7 +14,7 @@
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/read_vertex_lists.h"
 #include "majorant/parametrization/drive/free_scale.h"
-#include "majorant/parametrization/starts/initial_map.h"
+#include "majorant/parametrization/starts/texture_seams.h"
 
 namespace majorant::app {
 namespace {

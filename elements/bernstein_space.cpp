@@ -23,7 +23,7 @@ const BernsteinElement& checked(const BernsteinElement& element) {
 }
 
 std::size_t local_size(const ElementSpace& space) {
-  return static_cast<std::size_t>(space.reference_dim() * space.nodes_per_element());
+  return at(space.reference_dim() * space.nodes_per_element());
 }
 
 }  // namespace
@@ -83,7 +83,7 @@ void BernsteinSpace::gather(Index e, const Store& store) const {
 }
 
 PositivityProof BernsteinSpace::certify(Index e, VecIn x, int max_depth) const {
-  const std::size_t size = local_size(*this), count = static_cast<std::size_t>(det_.count());
+  const std::size_t size = local_size(*this), count = at(det_.count());
   Scratch c(size), det(count), error(count);
   gather(e, [at = c.data(), &x](int i, Index k) { at[i] = x[k]; });
   if (!std::all_of(c.data(), c.data() + size, [](double v) { return std::isfinite(v); }))
@@ -102,7 +102,7 @@ PositivityProof BernsteinSpace::certify(Index e, VecIn x, int max_depth) const {
 template <int K>
 double BernsteinSpace::largest_step_in(Index e, VecIn x, VecIn d, double s, int max_depth) const {
   SmallBuffer<StepPolynomial<1>, 128> c(local_size(*this));
-  SmallBuffer<StepPolynomial<K>, 128> det(static_cast<std::size_t>(det_.count()));
+  SmallBuffer<StepPolynomial<K>, 128> det(at(det_.count()));
   gather(e, [&, at = c.data()](int i, Index k) { at[i] = {{x[k], d[k]}}; });
   det_.along_line(c.data(), det.data());
   return largest_positive_step(subdivision_, det.data(), s, max_depth);

@@ -57,4 +57,12 @@ Vec BezierTriangleSpace::elevate(VecIn x, const BezierTriangleSpace& higher) con
   return out;
 }
 
+std::vector<Index> edge_nodes(const BezierTriangleSpace& space, Index half_edge) {
+  const TriangleIndices& ix = TriangleIndices::of_degree(space.degree());
+  std::vector<Index> nodes;
+  for (const int local : ix.edge(half_edge % 3))
+    nodes.push_back(space.cells()(half_edge / 3, local));
+  return nodes;
+}
+
 }  // namespace majorant

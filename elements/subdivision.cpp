@@ -13,15 +13,15 @@ Subdivision::Subdivision(const BernsteinBasis& basis, const std::vector<Step>& s
 }
 
 Subdivision::Plan Subdivision::plan(const BernsteinBasis& basis, const Step& step) {
-  const auto a = static_cast<std::size_t>(step.a), b = static_cast<std::size_t>(step.b);
+  const auto a = at(step.a), b = at(step.b);
   // Coefficient of a child whose midpoint has exponent l and whose remaining end of the edge has
   // exponent `rest`.
   const auto child = [&](const std::vector<int>& slots, int end, Exponents parent, int l,
                          int rest) {
-    parent[static_cast<std::size_t>(end)] = rest;
+    parent[at(end)] = rest;
     Exponents e{};
     for (std::size_t s = 0; s < slots.size(); ++s)
-      e[s] = slots[s] == kMidpoint ? l : parent[static_cast<std::size_t>(slots[s])];
+      e[s] = slots[s] == kMidpoint ? l : parent[at(slots[s])];
     return basis.find(e);
   };
   Plan out;

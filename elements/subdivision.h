@@ -42,9 +42,7 @@ class Subdivision {
     int levels = 0;
     std::vector<int> lines;
   };
-  const Plan& step(int depth) const {
-    return plans_[static_cast<std::size_t>(depth) % plans_.size()];
-  }
+  const Plan& step(int depth) const { return plans_[at(depth) % plans_.size()]; }
   static Plan plan(const BernsteinBasis& basis, const Step& step);
   int count_;
   std::vector<int> corners_;

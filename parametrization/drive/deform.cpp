@@ -123,7 +123,7 @@ BezierMap planar_map(std::shared_ptr<const SurfaceMesh> mesh) {
     const Eigen::RowVector2d a = p.row(mesh->faces()(f, 0)).head<2>();
     const Eigen::RowVector2d b = p.row(mesh->faces()(f, 1)).head<2>() - a;
     const Eigen::RowVector2d c = p.row(mesh->faces()(f, 2)).head<2>() - a;
-    twice_area[f] = b.x() * c.y() - b.y() * c.x();
+    twice_area[f] = cross(b, c);
   }
   const double side = twice_area.sum() < 0 ? -1 : 1;
   for (Index f = 0; f < mesh->face_count(); ++f)

@@ -9,7 +9,7 @@
 #include "majorant/framework/elimination.h"
 #include "majorant/framework/error.h"
 #include "majorant/parametrization/drive/free_scale.h"
-#include "majorant/parametrization/starts/seamless_start.h"
+#include "majorant/parametrization/starts/texture_seams.h"
 
 namespace majorant {
 namespace {

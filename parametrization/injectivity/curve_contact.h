@@ -36,7 +36,7 @@ struct PlanarCurve {
   bool in_range() const;  // all coordinates finite and below kLargest
 
   const Vector2& front() const { return control_points[0]; }
-  const Vector2& back() const { return control_points[static_cast<std::size_t>(degree)]; }
+  const Vector2& back() const { return control_points[at(degree)]; }
 };
 
 enum class Contact { None, Certain, Possible };

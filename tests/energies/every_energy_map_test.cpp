@@ -4,7 +4,7 @@
 
 #include "majorant/framework/evaluator.h"
 #include "majorant/parametrization/drive/parametrize.h"
-#include "majorant/parametrization/starts/initial_map.h"
+#include "majorant/parametrization/starts/tutte.h"
 #include "mesh/test_meshes.h"
 
 namespace majorant {

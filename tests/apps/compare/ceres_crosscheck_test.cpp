@@ -9,7 +9,7 @@
 #include "majorant/framework/newton.h"
 #include "majorant/parametrization/drive/normalized_start.h"
 #include "majorant/parametrization/maps/quadrature_ladder.h"
-#include "majorant/parametrization/starts/initial_map.h"
+#include "majorant/parametrization/starts/tutte.h"
 #include "mesh/test_meshes.h"
 
 namespace majorant {
