@@ -40,7 +40,7 @@ std::vector<Exponents> vtk_lattice(const Degrees& degrees) {
 
 // Kuhn bisection [Mau95]: edges (v0, v3), (v0, v2), (v0, v1) in turn.
 BernsteinElement tetrahedron(int degree) {
-  constexpr int m = Subdivision::kMidpoint;
+  constexpr int m = EdgeBisection::kMidpoint;
   return {.name = "BezierTetrahedronSpace",
           .degree = degree,
           .max_degree = BezierTetrahedronSpace::kMaxDegree,

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "majorant/elements/bernstein.h"
+#include "majorant/elements/node_lattice.h"
 
 namespace majorant {
 namespace {
@@ -19,7 +20,7 @@ std::vector<Exponents> vtk_lattice(const Degrees& degrees) {
 
 // Derivatives by xi0 and xi1 with xi2 = 1 - xi0 - xi1, as in [MC20].
 BernsteinElement triangle(int degree) {
-  constexpr int m = Subdivision::kMidpoint;
+  constexpr int m = EdgeBisection::kMidpoint;
   return {.name = "BezierTriangleSpace",
           .degree = degree,
           .max_degree = BezierTriangleSpace::kMaxDegree,

@@ -44,7 +44,7 @@ void check_derivatives(const BernsteinElement& element) {
 void check_child(const BernsteinElement& element, std::vector<int> slots, int lost) {
   bool sound = static_cast<int>(slots.size()) == element.coordinate_count() &&
                std::find(slots.begin(), slots.end(), lost) == slots.end();
-  std::replace(slots.begin(), slots.end(), Subdivision::kMidpoint, lost);
+  std::replace(slots.begin(), slots.end(), EdgeBisection::kMidpoint, lost);
   for (std::size_t k = 0; k < slots.size() && sound; ++k) {
     const int place = static_cast<int>(k);
     sound = slots[k] == place || same_factor(element, slots[k], place);
@@ -59,7 +59,7 @@ void check_child(const BernsteinElement& element, std::vector<int> slots, int lo
 
 void check_bisections(const BernsteinElement& element) {
   if (element.bisections.empty()) refuse(element, "no bisections");
-  for (const Subdivision::Step& step : element.bisections) {
+  for (const EdgeBisection& step : element.bisections) {
     if (!same_factor(element, step.a, step.b))
       refuse(element,
              fmt::format("a bisection between coordinates {} and {}, not two of one factor", step.a,

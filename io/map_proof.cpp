@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "majorant/framework/error.h"
+#include "majorant/io/cut_map.h"
 #include "majorant/io/surface_match.h"
 #include "majorant/parametrization/injectivity/exact_positivity.h"
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "majorant/framework/error.h"
+#include "majorant/io/cut_pieces.h"
 #include "majorant/io/map_pieces.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/mesh/exact_predicates.h"

@@ -300,14 +300,6 @@ SubdivisionBudget unlimited() { return SubdivisionBudget(std::numeric_limits<lon
 
 }  // namespace
 
-bool PlanarCurve::in_range() const {
-  for (int k = 0; k <= degree; ++k) {
-    const Vector2& p = control_points[at(k)];
-    if (!(std::abs(p.x()) < kLargest && std::abs(p.y()) < kLargest)) return false;
-  }
-  return true;
-}
-
 bool SubdivisionBudget::spend(long subdivisions) {
   constexpr long kUnasked = 32;  // some dozen microseconds
   if (state_ == State::Open && subdivisions > limit_ - spent_) state_ = State::UsedUp;

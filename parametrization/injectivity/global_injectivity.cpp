@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "majorant/parametrization/injectivity/box_pairs.h"
+#include "majorant/parametrization/injectivity/curve_contact.h"
 #include "majorant/parametrization/injectivity/loop_winding.h"
 #include "majorant/parametrization/injectivity/segment_sweep.h"
 

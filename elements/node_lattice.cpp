@@ -1,4 +1,4 @@
-#include "majorant/elements/node_numbering.h"
+#include "majorant/elements/node_lattice.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
