@@ -19,8 +19,8 @@ namespace majorant {
 //
 // Derivatives are taken in D directions gamma_a of the reference element (for Bezier triangles the
 // three barycentric ones, which makes every recombination a single term). With basis functions B_i:
-//   d_a B_i       = sum_k  G[i,a,k]    first_k     (`gradient` list, `first` table)
-//   d_a B_i d_b B_j = sum_m H[i,a,j,b,m] moment_m  (`hessian` list, `moment` table)
+//     d_a B_i       = sum_k  G[i,a,k]    first_k     (`gradient` list, `first` table)
+//     d_a B_i d_b B_j = sum_m H[i,a,j,b,m] moment_m  (`hessian` list, `moment` table)
 // so the sums over quadrature points are moments, and basis pairs appear only afterwards.
 struct ContractionTable {
   int nodes = 0;         // per element

@@ -15,8 +15,9 @@
 namespace majorant {
 
 // Stopping formulas, with E_k the energy after iteration k, g_k its gradient there:
-//   |E_k - E_{k-1}| <= function_tolerance |E_{k-1}|,  max_i |g_k,i| <= gradient_tolerance / scale,
-//   |y_k - y_{k-1}| <= parameter_tolerance (|y_k| + parameter_tolerance).
+//     |E_k - E_{k-1}| <= function_tolerance |E_{k-1}|,
+//     max_i |g_k,i| <= gradient_tolerance / scale,
+//     |y_k - y_{k-1}| <= parameter_tolerance (|y_k| + parameter_tolerance).
 struct CeresOptions {
   enum class Method { Lbfgs, NonlinearConjugateGradient };
   Method method = Method::Lbfgs;

@@ -1,7 +1,7 @@
 // Evaluates a Problem: energy, gradient and curvature in the reduced unknowns.
 //
 //   Evaluator evaluator(problem);
-//   Vec g, h;
+//   Vec y = problem.reduce(x), g, h;
 //   double energy = evaluator.value(y);                                 // line searches
 //   energy = evaluator.gradient(y, g);                                  // first-order methods
 //   energy = evaluator.linearize(y, Curvature::Projected, g, h);        // Newton

@@ -2,7 +2,7 @@
 // `majorant seamless`.
 //
 //   RunRecord record;
-//   SeamlessMap seamless = make_seamless(mesh, {}, record);
+//   SeamlessMap seamless = make_seamless(*mesh, {}, record);
 //   ParametrizationResult result = parametrize(seamless.map, options, record);
 //
 // Cones, those of a cross field unless they are given -> cut graph through them -> a map with these

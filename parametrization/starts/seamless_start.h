@@ -1,8 +1,7 @@
 // A seamless map to start from: read from texture coordinates, or assembled from a cut surface
 // whose images nearly fit.
 //
-//   // mesh: closed or bounded, of any genus
-//   SeamlessStart start = seamless_from_texture(mesh);
+//   SeamlessStart start = seamless_from_texture(*mesh);   // closed or bounded, of any genus
 //   ParametrizationResult result = parametrize(start.map, options, record);
 //
 // Rotations between the sides of a seam are snapped to multiples of 90 degrees, translations are
