@@ -1,8 +1,9 @@
 // What the command says: messages and progress on stderr, data on stdout. Nothing else in apps/
 // prints.
 //
-//   say("{}: valid\n", path);   // never fails: that nobody can read it changes nothing
-//   print_data("faces: {}\n", mesh->faces().rows());   // what is lost is an error: data_error()
+//   const int count = 12;
+//   say("{}: valid\n", path);           // never fails: that nobody can read it changes nothing
+//   print_data("faces: {}\n", count);   // what is lost here is an error, see data_error()
 #pragma once
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // Seams that hold exactly: the control points on the two sides of every seam edge agree up to the
 // chain's rotation and translation, c = i^k c' + t.
 //
-//   builder.add(SeamlessConstraint(*space, *map.seams()));
+//   builder.add(SeamlessConstraint(space, map.shared_seams()));
 //
 // Equivalent to [MC20] Eq. 15, c_i - c_{i+1} = R^k (c'_i - c'_{i+1}), which says the same without
 // t. The translation is kept as an auxiliary unknown: eliminating it would tie every control point

@@ -1,7 +1,8 @@
 // What a map is measured against: the shapes of the elements at rest.
 //
 //   auto flat = flat_triangles(mesh->positions(), mesh->faces());   // a surface of flat triangles
-//   auto curved = curved_shapes(*space, space->node_positions(mesh->positions()), rule);  // nodes of any element space
+//   const RowMatrix nodes = space->node_positions(mesh->positions());
+//   auto curved = curved_shapes(*space, nodes, rule);               // nodes of any element space
 //
 // J = (d image / d reference) M, M the inverse Jacobian of the rest shape (reference coordinates ->
 // orthonormal frame of the rest shape).

@@ -3,7 +3,8 @@
 //   ProblemBuilder builder(2 * space->node_count());
 //   builder.add(energy, 1.0);                 // shared_ptr<const EnergyTerm>
 //   builder.add(FixedPoints({{0, {0, 0}}}));  // Constraint: eliminated, holds exactly
-//   builder.add(injectivity);                 // FeasibilityChecker: held by the line search
+//   // FeasibilityChecker: held by the line search
+//   builder.add(std::make_shared<LocalInjectivity>(space, 2 * rest.measure));
 //   Problem problem = builder.build();
 //   SolveResult r = NewtonMinimizer().minimize(problem, problem.reduce(x), observer);
 //

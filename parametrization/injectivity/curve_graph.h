@@ -1,10 +1,10 @@
 // A polynomial graph between two pieces of curves, for curve_contact.cpp: curves that run along
 // each other at a small distance, which no straight line separates unless they are cut to bits.
 //
-//   const auto below = [](const auto& b, const auto& a) {      // two pieces
+//   const auto below = [](const auto& b, const auto& a) {      // that piece b is below a
 //     using namespace curve_piece;
 //     const auto graph = graph_between(a, b);
-//     return before(heights(b, graph).all, heights(a, graph).all);   // proves that they do not meet
+//     return before(heights(b, graph).all, heights(a, graph).all);   // proof
 //   };
 //
 // (x, height) with x along the pieces and height = y - g(x) are coordinates of the whole plane, so

@@ -2,7 +2,7 @@
 //
 //   ParametrizationResult first = parametrize(mesh, options);
 //   ImprovedMap better = improve_mesh(*first.map, options.energy);
-//   better.map.mesh();   // the same surface with other triangles; the map is as injective as before
+//   better.map.mesh();   // the same surface with other triangles; as injective as before
 //
 // Two faces in one plane may be any two triangles of their quadrilateral: the surface stays what it
 // is, and so does everything outside the quadrilateral. Its image gets the other diagonal

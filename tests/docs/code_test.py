@@ -156,7 +156,7 @@ class Code(unittest.TestCase):
             *('#include "%s"' % header.relative_to(SOURCE) for header in headers()),
             'namespace usual_names {', 'using namespace majorant::app;',
             *(example.function(number) for number, example in enumerate(found)), '}', '']),
-            '-I%s' % SOURCE, '-Wno-return-type', '-fmax-errors=400')
+            '-I%s' % SOURCE, '-Wno-return-type', '-fopenmp', '-fmax-errors=400')
         errors = re.findall(r'^(\S+\.h):(\d+):\d+: (?:fatal )?error: (.*)', result.stderr, re.M)
         for example in found:
             wrong = ['%s:%s: %s' % (name, line, message) for name, line, message in errors
@@ -166,6 +166,18 @@ class Code(unittest.TestCase):
                 self.assertFalse(wrong, 'the example of %s does not compile:\n%s'
                                  % (example.where, '\n'.join(wrong)))
         self.assertEqual(result.returncode, 0, result.stderr[:3000])
+
+    def test_usual_names_are_usual(self):
+        text = (SOURCE / 'tests/docs/usual_names.h').read_text().split('namespace usual_names')[1]
+        names = [name.strip() for line in re.findall(r'^extern [^;]*[> ](\w+(?:, \w+)*);', text, re.M)
+                 for name in line.split(',')]
+        self.assertGreaterEqual(len(names), 15)
+        used = {name: {header for header in headers() for example in examples(header)
+                       if example.is_code and re.search(
+                           r'\b%s\b' % name, '\n'.join(line for _, line in example.lines))}
+                for name in names}
+        for name in names:
+            self.assertGreaterEqual(len(used[name]), 2, name + ': declare it in the example')
 
     def test_examples_of_headers_are_not_glued(self):
         """What a formatter leaves of code that it takes for prose: long lines cut, joined."""
