@@ -60,7 +60,8 @@ struct SolveResult {
 //       with the exact Hessian do not count, they converge quadratically to the decrement rule
 //     idle: small step, or a certified step below stall_step, in stall_iterations successive
 //       iterations: Converged if -g.p <= stall_decrement |E_{k-1}|, else Stalled, and the result is
-//       the last point reached by a step of at least anchor_step: what follows it led into a corner
+//       the last point reached where the certified step was at least anchor_step: what follows it
+//       led into a corner
 //     no step decreases the energy: Converged or Stalled by the same bound on -g.p.
 struct StoppingRules {
   double relative_decrease = 1e-6;
