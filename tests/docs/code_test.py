@@ -132,6 +132,12 @@ def examples(header):
             lines = []
 
 
+def anchors(page):
+    """Of the headings, as GitHub makes them."""
+    return [re.sub(r'[^\w -]', '', heading.lower()).replace(' ', '-')
+            for heading in re.findall(r'^#+ (.*)', page.read_text(), re.M)]
+
+
 class Code(unittest.TestCase):
     def test_blocks_compile(self):
         work = [(made_of, text) for page in pages() for made_of, text in programs(page)]
@@ -209,9 +215,12 @@ class Code(unittest.TestCase):
         for page in [*pages(), SOURCE / 'CONTRIBUTING.md', SOURCE / 'CHANGELOG.md',
                      SOURCE / 'examples/README.md']:
             prose = re.sub(r'^```.*?^```', '', page.read_text(), flags=re.S | re.M)
-            for target in re.findall(r'\]\(([^)#:]+)(?:#[^)]*)?\)', prose):
-                self.assertTrue((page.parent / target).exists(),
-                                '%s: no %s' % (page.relative_to(SOURCE), target))
+            for target, heading in re.findall(r'\]\(([^)#:]*)(?:#([^)]*))?\)', prose):
+                path = page.parent / target if target else page
+                where = '%s: no %s' % (page.relative_to(SOURCE), target)
+                self.assertTrue(path.exists(), where)
+                if heading:
+                    self.assertIn(heading, anchors(path), where)
 
 
 if __name__ == '__main__':
