@@ -1,6 +1,6 @@
 // --energy: a named energy or a weighted sum of them.
 //
-//   parse_energy("symmetric-dirichlet + 0.1*asap")
+//   options.energy = parse_energy("symmetric-dirichlet + 0.1*asap").sum;
 #pragma once
 
 #include <string>

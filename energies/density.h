@@ -1,7 +1,9 @@
 // Any density of the Jacobian from one line of code: anisotropic, of volumes, of surfaces in space.
 //
-//   auto mips = density<2, 2>("mips", [](const auto& J) { return J.squaredNorm() / J.determinant();
-//   }); builder.add(make_energy(space, rest_shapes, mips, rules), 1.0 / area);
+//   auto mips = density<2, 2>("mips", [](const auto& J) {
+//     return J.squaredNorm() / J.determinant();
+//   });
+//   builder.add(make_energy(space, rest, mips, {rule}), 1.0 / area);
 //
 // J is M by D: M unknowns per node, D the dimension of the element, in the frame of the rest shape
 // (RestShapes). Derivatives come from Dual2, the projected Hessian from an eigendecomposition of

@@ -43,7 +43,7 @@ SparsePattern reduced_pattern(const std::vector<const Stencils*>& terms,
         }
     p.append_column(below);
   }
-  // One block per node of the first term that has several unknowns per node.
+  // A node is as many unknowns as in the term that has most of them.
   int block = 1;
   for (const Stencils* s : terms) block = std::max(block, s->block);
   Index previous = -1, blocks = 0;

@@ -1,8 +1,8 @@
 // Groups a term's elements into chunks of one rule each and colours the chunks: chunks of one
-// colour share no node, so they can be assembled at the same time. Elements that share an unknown
-// with many others (the translation of a seam, an aligned line) come together in few chunks, which
-// would otherwise need a colour each. The plan depends on the term's stencils, rules and the
-// elimination alone, never on the number of threads.
+// colour share no unknown, so they can be assembled at the same time. Elements that share an
+// unknown with many others (the translation of a seam, an aligned line) come together in few
+// chunks, which would otherwise need a colour each. The plan depends on the term's stencils, rules
+// and the elimination alone, never on the number of threads.
 #pragma once
 
 #include <vector>

@@ -3,7 +3,7 @@
 //
 //   const CutMap cut(file, path);
 //   cut.surface();                       // closed along cuts: one vertex per vertex of the input
-//   if (cut.differs(h)) cut.fit(h);      // the two sides of an edge, up to a quarter turn
+//   if (cut.differs(12)) cut.fit(12);    // the two sides of an edge, up to a quarter turn
 //   const BezierMap map = cut.map_cut_along(cut.cuts());
 //
 // Files hold points and who shares them; an edge whose two sides have other uv is a cut whatever

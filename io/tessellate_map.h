@@ -1,7 +1,7 @@
 // A map of any degree as a textured mesh with straight edges, valid as it stands: for writers of
 // formats without curves.
 //
-//   PolygonMesh mesh = tessellate_map(map, &input, {.refine = 1});
+//   PolygonMesh mesh = tessellate_map(file, &polygons, {.refine = 1});
 //
 // Cells whose corners span a positive triangle in the plane stay one triangle; others are cut, and
 // their neighbours along the edges concerned, until every triangle is positive and the triangles

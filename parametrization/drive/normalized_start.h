@@ -1,8 +1,8 @@
 // The start of an optimization in coordinates that suit it: the surface scaled by a power of two to
 // size about 1, exactly undone at the end, so that scaling the input changes nothing but rounding.
 //
-//   NormalizedStart start(BezierMap::linear(mesh, uv), options);
-//   ... minimize from start.map() under start.specification() ...
+//   NormalizedStart start(map, options);
+//   BezierMap optimized = start.map();   // minimized under start.specification()
 //   BezierMap result = start.in_model_units(optimized);
 #pragma once
 

@@ -5,7 +5,7 @@
 //   ParametrizationOptions options;
 //   options.degree = 3;
 //   ParametrizationResult result = parametrize(mesh, options);
-//   Vector2 uv = result.map->evaluate(face, {0.2, 0.3, 0.5});
+//   Vector2 uv = result.map->evaluate(12, {0.2, 0.3, 0.5});
 //
 // Tutte start (or the caller's), Newton on the energy with det J > 0 held by the line search, the
 // degree raised step by step. [MC20], method.md.

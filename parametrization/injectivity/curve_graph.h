@@ -1,9 +1,11 @@
 // A polynomial graph between two pieces of curves, for curve_contact.cpp: curves that run along
 // each other at a small distance, which no straight line separates unless they are cut to bits.
 //
-//   const Graph<double> graph = graph_between(a, b);
-//   const Heights<double> of_a = heights(a, graph), of_b = heights(b, graph);
-//   before(of_b.all, of_a.all);      // proves that b lies below a, and that they do not meet
+//   const auto below = [](const auto& b, const auto& a) {      // that piece b is below a
+//     using namespace curve_piece;
+//     const auto graph = graph_between(a, b);
+//     return before(heights(b, graph).all, heights(a, graph).all);   // proof
+//   };
 //
 // (x, height) with x along the pieces and height = y - g(x) are coordinates of the whole plane, so
 // any g whatever gives proofs; a good g has height +c on one curve and -c on the other. Pieces of

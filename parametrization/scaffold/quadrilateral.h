@@ -1,7 +1,8 @@
 // Four corners around an edge: what decides about a flip before anything curved is looked at.
 //
+//   const Vector2 a(0, 0), d(1, -1), b(2, 0), c(1, 1);
 //   const Quadrilateral q{a, d, b, c};     // counterclockwise; the edge runs from a to b
-//   if (q.is_strictly_convex(kSine) && q.wants_delaunay_flip(kSine)) ...
+//   if (q.is_strictly_convex(1e-10) && q.wants_delaunay_flip(1e-10)) ...
 //
 // Tolerances are sines of angles: what does not exceed them counts as 0, whatever the scale.
 #pragma once

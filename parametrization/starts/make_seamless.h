@@ -2,7 +2,7 @@
 // `majorant seamless`.
 //
 //   RunRecord record;
-//   const Start start = make_seamless(mesh, {}, record);
+//   const Start start = make_seamless(*mesh, {}, record);
 //   ParametrizationResult result = parametrize(start.map, options, record);
 //
 // Cones, those of a cross field unless they are given -> cut graph through them -> a map with these

@@ -1,8 +1,7 @@
 // Starts read from texture coordinates: plain ones, and seamless maps, whose seams they tell; also
 // seamless maps put together from any corner coordinates that nearly fit.
 //
-//   // mesh: closed or bounded, of any genus
-//   Start start = seamless_from_texture(mesh);
+//   Start start = seamless_from_texture(*mesh);   // closed or bounded, of any genus
 //   ParametrizationResult result = parametrize(start.map, options, record);
 //
 // Rotations between the sides of a seam are snapped to multiples of 90 degrees, translations are
