@@ -18,7 +18,7 @@ bool at_one_place(const Pin& a, const Pin& b) {
 
 // Pieces that seams connect need one pair of points between them: a seam carries lengths over.
 bool two_points_hold(const ParametrizationOptions& options, const BezierTriangleSpace& space) {
-  const std::vector<Index> piece = pieces_of(space);
+  const std::vector<Index> piece = vertex_components(space);
   const auto piece_of = [&](const Pin& p) { return piece[static_cast<std::size_t>(p.vertex)]; };
   std::vector<Pin> points = options.pins;
   points.insert(points.end(), options.handles.begin(), options.handles.end());

@@ -11,14 +11,6 @@
 namespace majorant {
 namespace {
 
-// The vertices that faces connect, of all connected components.
-UnionFind vertex_components(const BezierTriangleSpace& space) {
-  UnionFind components(space.vertex_count());
-  for (Index f = 0; f < space.element_count(); ++f)
-    for (const int k : {1, 2}) components.join(space.faces()(f, 0), space.faces()(f, k));
-  return components;
-}
-
 const Seams& seams_of(const MapSpecification& spec) {
   static const Seams none;
   return spec.seams ? *spec.seams : none;
@@ -26,22 +18,24 @@ const Seams& seams_of(const MapSpecification& spec) {
 
 }  // namespace
 
-std::vector<Index> pieces_of(const BezierTriangleSpace& space) {
-  const Pieces pieces(space);
-  std::vector<Index> out(static_cast<std::size_t>(space.vertex_count()));
-  for (Index v = 0; v < space.vertex_count(); ++v) out[static_cast<std::size_t>(v)] = pieces.of(v);
-  return out;
+std::vector<Index> vertex_components(const BezierTriangleSpace& space) {
+  UnionFind components(space.vertex_count());
+  for (Index f = 0; f < space.element_count(); ++f)
+    for (const int k : {1, 2}) components.join(space.faces()(f, 0), space.faces()(f, k));
+  std::vector<Index> component(at(space.vertex_count()));
+  for (Index v = 0; v < space.vertex_count(); ++v) component[at(v)] = components.find(v);
+  return component;
 }
 
 std::vector<Index> gauge_vertices(const MapSpecification& spec, const BezierTriangleSpace& space) {
-  UnionFind components = vertex_components(space);
+  const std::vector<Index> component = vertex_components(space);
   std::vector<char> is_held(at(space.vertex_count()), 0);
   std::vector<char> on_seam = is_held;
   for (const auto* points : {&spec.pins, &spec.handles})
-    for (const FixedPoint& p : *points) is_held[at(components.find(p.node))] = 1;
+    for (const FixedPoint& p : *points) is_held[at(component[at(p.node)])] = 1;
   if (spec.boundary == BoundaryCondition::Fixed)
     for (const Index node : boundary_nodes(space, seams_of(spec)))
-      if (node < space.vertex_count()) is_held[at(components.find(node))] = 1;
+      if (node < space.vertex_count()) is_held[at(component[at(node)])] = 1;
   for (const SeamEdge& edge : seams_of(spec).edges())
     for (const Index h : {edge.side, edge.opposite})
       for (const Index v : {from_vertex(space.faces(), h), to_vertex(space.faces(), h)})
@@ -50,7 +44,7 @@ std::vector<Index> gauge_vertices(const MapSpecification& spec, const BezierTria
   std::vector<Index> gauge;
   for (const char allowed : {0, 1})
     for (Index v = 0; v < space.vertex_count(); ++v) {
-      char& held = is_held[at(components.find(v))];
+      char& held = is_held[at(component[at(v)])];
       if (held || on_seam[at(v)] > allowed) continue;
       held = 1;
       gauge.push_back(v);

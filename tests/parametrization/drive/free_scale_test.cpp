@@ -96,7 +96,7 @@ TEST(FreeScale, TwoPointsOfOnePieceAreNeeded) {
   Cells faces(2, 3);
   faces << 0, 1, 2, 3, 4, 5;
   const BezierTriangleSpace pieces(faces, 6, 1);
-  EXPECT_EQ(pieces_of(pieces), (std::vector<Index>{0, 0, 0, 3, 3, 3}));
+  EXPECT_EQ(vertex_components(pieces), (std::vector<Index>{0, 0, 0, 3, 3, 3}));
   ParametrizationOptions options = options_for({"asap"});
   options.pins = {{1, {}}, {4, {}}};
   EXPECT_TRUE(collapses(options, pieces, {}));
