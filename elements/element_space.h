@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "majorant/elements/contraction_entries.h"
-#include "majorant/elements/positivity.h"
+#include "majorant/elements/positivity_proof.h"
 #include "majorant/elements/quadrature.h"
 #include "majorant/framework/types.h"
 

@@ -18,24 +18,10 @@
 
 #include "majorant/energies/dual2.h"
 #include "majorant/energies/point_model.h"
+#include "majorant/energies/traits.h"
 #include "majorant/framework/curvature.h"
 
 namespace majorant {
-
-enum class Domain { PositiveDeterminant, Everywhere };
-// Convex: k(A, B) = h(A+B, A-B) is convex in (A, B), that is h in (Sigma, sigma), and increasing in
-// B.
-enum class Convexity { Convex, Unknown };
-// Separable: h = p(Sigma) + p(sigma) with p'(t) (t - 1) >= 0, what SLIM's weights need.
-enum class Reweighting { Separable, Refused };
-
-// What a density declares about itself; it cannot be found out from code. Without Convex the
-// majorizers are refused, without Separable reweighting is.
-struct Traits {
-  Domain domain = Domain::PositiveDeterminant;
-  Convexity convexity = Convexity::Unknown;
-  Reweighting reweighting = Reweighting::Refused;
-};
 
 // A below which quotients by A stop growing: its inverse cube is finite.
 inline constexpr double kSmallestA = 1e-75;

@@ -22,7 +22,7 @@ class ChunkPlan {
 
   Index chunk_count() const { return static_cast<Index>(rules_.size()); }
   Chunk chunk(Index c) const {
-    const auto k = static_cast<std::size_t>(c);
+    const auto k = at(c);
     return {rules_[k], std::span<const Index>(elements_.data() + starts_[k],
                                               elements_.data() + starts_[k + 1])};
   }

@@ -19,13 +19,9 @@
 #pragma once
 
 #include "majorant/io/map_pieces.h"
+#include "majorant/io/tessellate_map.h"
 
 namespace majorant {
-
-enum class Overlap {
-  Allowed,
-  Excluded  // the straight boundary must not meet itself; of a map that is injective
-};
 
 // Excluded: boundary edges that meet others, or images of components that lie in another one, are
 // cut too. By the theorem of global_injectivity.h the result is injective.

@@ -79,7 +79,7 @@ class MapPieces {
     int edge;
   };
 
-  const Cell& of(Index cell) const { return cells_[static_cast<std::size_t>(cell)]; }
+  const Cell& of(Index cell) const { return cells_[at(cell)]; }
   void number_edges();
   void fill_lattice(int refine);
   std::vector<int> control_points_along(Index cell, int edge, bool is_reversed) const;

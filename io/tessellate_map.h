@@ -10,11 +10,15 @@
 // share them, also along cuts. In the plane there are no T-junctions but where the map is cut.
 #pragma once
 
-#include "majorant/io/cut_pieces.h"
 #include "majorant/io/map_file.h"
 #include "majorant/mesh/polygon_mesh.h"
 
 namespace majorant {
+
+enum class Overlap {
+  Allowed,
+  Excluded  // the straight boundary must not meet itself; of a map that is injective
+};
 
 struct TessellationOptions {
   int refine = 1;                      // every cell becomes at least refine x refine triangles

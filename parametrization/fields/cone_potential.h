@@ -10,7 +10,7 @@
 // turning along loops that are not contractible is left out. [CDS10], [MC20].
 #pragma once
 
-#include <memory>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -44,7 +44,7 @@ class ConePotential {
   const SurfaceMesh& mesh_;
   const FieldGeometry& geometry_;
   std::vector<Index> row_;  // per vertex, -1 where u is 0
-  std::unique_ptr<SymmetricSystem> system_;
+  std::optional<SparseSpd> system_;
   Vec charge_, potential_;  // #V
   std::unordered_map<Index, Vec> responses_;
 };

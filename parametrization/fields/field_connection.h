@@ -8,7 +8,7 @@
 // field as smooth as possible without changing it (a trivial connection, [CDS10]).
 #pragma once
 
-#include <memory>
+#include <optional>
 #include <vector>
 
 #include "majorant/parametrization/fields/cross_field.h"
@@ -51,7 +51,7 @@ class Relaxation {
   const FieldGeometry& geometry_;
   bool is_free_;
   std::vector<Index> row_;  // per face, -1 where it must not turn
-  std::unique_ptr<SymmetricSystem> system_;
+  std::optional<SparseSpd> system_;
 };
 
 CrossField cross_field(const SurfaceMesh& mesh, const FieldGeometry& geometry,

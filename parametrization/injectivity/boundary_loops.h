@@ -11,7 +11,7 @@
 
 #include <vector>
 
-#include "majorant/parametrization/injectivity/curve_contact.h"
+#include "majorant/parametrization/injectivity/planar_curve.h"
 #include "majorant/parametrization/maps/bezier_map.h"
 
 namespace majorant {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "majorant/parametrization/injectivity/boundary_loops.h"
+#include "majorant/parametrization/injectivity/curve_contact.h"
 
 namespace majorant {
 

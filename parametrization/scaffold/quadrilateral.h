@@ -19,7 +19,6 @@ struct Quadrilateral {
 
   Vector2 a, d, b, c;
 
-  static double cross(const Vector2& x, const Vector2& y) { return x[0] * y[1] - x[1] * y[0]; }
   // All angles of the counterclockwise triangle p, q, r have sines above the tolerance.
   static bool is_positive(const Vector2& p, const Vector2& q, const Vector2& r, double sine) {
     const auto turns = [sine](const Vector2& in, const Vector2& out) {

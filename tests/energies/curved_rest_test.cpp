@@ -77,7 +77,7 @@ auto anisotropic_density() {
         const auto d = J(1, 1) * J(1, 1);
         return J(0, 0) * J(0, 0) + 2.0 * (J(0, 1) * J(1, 0)) + d * d;
       },
-      Domain::Everywhere);
+      {Domain::Everywhere});
 }
 double symmetric_dirichlet_of(const Eigen::Matrix2d& j) {
   return j.squaredNorm() + j.inverse().squaredNorm();

@@ -22,8 +22,6 @@ namespace majorant {
 
 inline constexpr double kPi = 3.14159265358979323846;
 
-inline std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
 // The message of the Error of that kind that `action` throws; fails the test if there is none.
 inline std::string error_message(ErrorKind kind, const std::function<void()>& action) {
   try {
