@@ -1,8 +1,8 @@
 // What holds the scale of a map whose energy does not: energies such as ASAP are smallest for a map
 // shrunk to a point (FreeScale::Collapses), and a free boundary lets them.
 //
-//   const bool bad = collapses(options, map.space(), map.seams());   // map: the start
-//   require_scale(options, map);                                     // throws if so
+//   const bool bad = collapses(options, map.space(), map.seams());
+//   require_scale(options, map);   // throws if so
 //
 // parametrize() and deform() ask by themselves; collapses() is for callers who want to refuse in
 // their own words, or earlier.

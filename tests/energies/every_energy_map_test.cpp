@@ -14,7 +14,8 @@ ParametrizationOptions options_for(const NamedEnergy& energy, int degree) {
   ParametrizationOptions options;
   options.degree = degree;
   options.energy = {{energy.make, 1.0}};
-  if (energy.make.traits().free_scale == FreeScale::Collapses) options.boundary = BoundaryCondition::Fixed;
+  if (energy.make.traits().free_scale == FreeScale::Collapses)
+    options.boundary = BoundaryCondition::Fixed;
   return options;
 }
 

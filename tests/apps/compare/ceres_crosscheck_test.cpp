@@ -56,7 +56,8 @@ struct Case {
     options.energy = {{energy.make}};
     options.boundary = s.boundary;
     // Scale and place of a conformal map are arbitrary: hold the far corners.
-    if (energy.make.traits().free_scale != FreeScale::Determined && s.boundary == BoundaryCondition::Free)
+    if (energy.make.traits().free_scale != FreeScale::Determined &&
+        s.boundary == BoundaryCondition::Free)
       options.pins = {{1, {}}, {s.mesh->vertex_count() - 1, {}}};
     const NormalizedStart start(BezierMap::linear(s.mesh, initial_map(*s.mesh, options)), options);
     const BezierMap linear = start.map();
