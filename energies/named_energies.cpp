@@ -12,7 +12,6 @@ namespace majorant {
 DensityKernels builtin_kernels_avx2(int index);
 DensityKernels builtin_kernels_avx512(int index);
 #endif
-DensityKernels builtin_kernels_baseline(int index);
 
 namespace {
 
@@ -22,13 +21,15 @@ constexpr int position(const std::tuple<All...>*) {
   return static_cast<int>(std::find(std::begin(same), std::end(same), true) - std::begin(same));
 }
 
-DensityKernels best_kernels(int index) {
+// For the baseline they are compiled here: who touches a density waits for three files.
+template <class Density>
+DensityKernels best_kernels([[maybe_unused]] int index) {
 #ifdef MAJORANT_X86_KERNELS
   const auto machine = xsimd::available_architectures();
   if (machine.avx512bw) return builtin_kernels_avx512(index);
   if (machine.fma3_avx2) return builtin_kernels_avx2(index);
 #endif
-  return builtin_kernels_baseline(index);
+  return kernel::make_kernels<xsimd::default_arch, Density>();
 }
 
 template <class Density>
@@ -36,9 +37,9 @@ NamedEnergy named(const Density& density, FreeScale free_scale, std::string summ
   constexpr int index = position<Density>(static_cast<const BuiltinDensities*>(nullptr));
   static_assert(index < static_cast<int>(std::tuple_size_v<BuiltinDensities>));
   return {std::string(density.name()), std::move(summary), free_scale,
-          [density, kernels = best_kernels(index)](std::shared_ptr<const ElementSpace> space,
-                                                   const RestShapes& rest,
-                                                   const std::vector<Quadrature>& rules) {
+          [density, kernels = best_kernels<Density>(index)](
+              std::shared_ptr<const ElementSpace> space, const RestShapes& rest,
+              const std::vector<Quadrature>& rules) {
             return make_energy(std::move(space), rest, density, rules, kernels);
           }};
 }
