@@ -11,7 +11,8 @@
 #include "apps/check_seams.h"
 #include "apps/energy_option.h"
 #include "majorant/framework/error.h"
-#include "majorant/parametrization/starts/initial_map.h"
+#include "majorant/parametrization/starts/texture_seams.h"
+#include "majorant/parametrization/starts/tutte.h"
 
 namespace majorant::app {
 namespace {
@@ -145,7 +146,7 @@ MapMeasures measure_as_claimed(const BezierMap& map, const Claims& claims, const
                                Findings& findings) {
   EnergySum energy{{symmetric_dirichlet(), 1.0}};
   try {
-    energy = parse_energy(claimed_energy(claims)).sum;
+    energy = parse_energy(claimed_energy(claims));
   } catch (const Error& e) {
     findings.add_violation(fmt::format("majorant_claims: {}", e.what()));
   }

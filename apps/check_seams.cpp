@@ -8,7 +8,7 @@
 
 #include "majorant/constraints/seamless_constraint.h"
 #include "majorant/framework/error.h"
-#include "majorant/parametrization/starts/seamless_start.h"
+#include "majorant/parametrization/starts/texture_seams.h"
 
 namespace majorant::app {
 namespace {
@@ -55,19 +55,20 @@ void check_cones(const BezierMap& map, const std::vector<Cone>& claims, Findings
 void check_marks(const MapFile& file, const BezierMap& map, Findings& findings) {
   const MapFile found = to_map_file(map);
   for (Index h = 0; h < 3 * file.seam_edges.rows(); ++h) {
-    const bool is_marked = file.seam_edges(h / 3, h % 3) != 0;
-    const bool is_found = found.seam_edges.size() > 0 && found.seam_edges(h / 3, h % 3) != 0;
+    const bool is_marked = file.seam_edges(face_of(h), corner_of(h)) != 0;
+    const bool is_found =
+        found.seam_edges.size() > 0 && found.seam_edges(face_of(h), corner_of(h)) != 0;
     if (is_marked == is_found) continue;
     findings.require(
         false,
-        fmt::format("cell {}: {} is {}", h / 3, place(input_edge(map.mesh(), h)),
+        fmt::format("cell {}: {} is {}", face_of(h), place(input_edge(map.mesh(), h)),
                     is_marked ? "marked as a seam and not cut" : "cut and not marked as a seam"));
     break;
   }
   if (file.cone.size() == 0) return;
   for (Index h = 0; h < 3 * file.cells.rows(); ++h) {
-    const Index point = file.cells(h / 3, h % 3);
-    const int turns = found.cone.size() > 0 ? found.cone[found.cells(h / 3, h % 3)] : 0;
+    const Index point = file.cells(face_of(h), corner_of(h));
+    const int turns = found.cone.size() > 0 ? found.cone[found.cells(face_of(h), corner_of(h))] : 0;
     if (file.cone[point] == turns) continue;
     return findings.require(false,
                             fmt::format("vertex {}: marked as a cone of {} quarter turns, {} "

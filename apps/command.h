@@ -10,7 +10,7 @@
 
 namespace majorant::app {
 
-// Documented in README.md; fixed.
+// Documented in docs/interface.md; fixed.
 enum ExitCode {
   kSuccess = 0,
   kUsage = 1,

@@ -26,7 +26,7 @@ struct Request {
 void mark_seams(MapFile& map, const std::string& name) {
   if (map.seam_edges.size() > 0 || !is_cut(map)) return;
   try {
-    const BezierMap seamless = CutMap(map, name).seamless_map();
+    const BezierMap seamless = CutMap(map, name).map_with_seams();
     if (seamless.seams().trivial()) return;  // points that no cut needs
     const MapFile marked = to_map_file(seamless);
     map.seam_edges = marked.seam_edges;

@@ -16,7 +16,7 @@ int run_job(MapVerb request) {
   request.map.init = "planar";
   MapRun run("deform", request);
   const MapInput& in = run.read([](const PolygonMesh&, const SurfaceMesh& mesh) {
-    return SeamlessStart{planar_map(std::make_shared<const SurfaceMesh>(mesh))};
+    return Start{planar_map(std::make_shared<const SurfaceMesh>(mesh))};
   });
   return run.finish(deform(in.start->map, in.options, run.record()));
 }

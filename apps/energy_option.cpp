@@ -55,11 +55,15 @@ std::vector<std::string> summands(const std::string& text) {
   return out;
 }
 
+const char* in_words(Barrier barrier) {
+  if (barrier == Barrier::None) return "no barrier";
+  return barrier == Barrier::Weak ? "barrier" : "strong barrier";
+}
+
 }  // namespace
 
-EnergyChoice parse_energy(const std::string& expression) {
-  EnergyChoice choice{{}, FreeScale::Arbitrary};
-  bool determined = false, collapses = false;
+EnergySum parse_energy(const std::string& expression) {
+  EnergySum sum;
   for (std::string text : summands(expression)) {
     const double weight = take_weight(text, expression);
     const NamedEnergy* energy = find_energy(text);
@@ -70,19 +74,15 @@ EnergyChoice parse_energy(const std::string& expression) {
                                      "'symmetric-dirichlet + 0.1*asap'",
                                      text, fmt::join(names, ", ")));
     }
-    choice.sum.push_back({energy->make, weight});
-    determined = determined || energy->free_scale == FreeScale::Determined;
-    collapses = collapses || energy->free_scale == FreeScale::Collapses;
+    sum.push_back({energy->make, weight});
   }
-  if (collapses) choice.free_scale = FreeScale::Collapses;
-  if (determined) choice.free_scale = FreeScale::Determined;
-  return choice;
+  return sum;
 }
 
 std::string energy_help() {
   std::string text = "Energies (sums such as 'symmetric-dirichlet + 0.1*asap' too):\n";
   for (const NamedEnergy& e : named_energies())
-    text += fmt::format("  {:<20} {}\n", e.name, e.summary);
+    text += fmt::format("  {:<20} {}; {}\n", e.name, e.summary, in_words(e.make.traits().barrier));
   return text;
 }
 

@@ -1,6 +1,6 @@
 // --energy: a named energy or a weighted sum of them.
 //
-//   parse_energy("symmetric-dirichlet + 0.1*asap")
+//   options.energy = parse_energy("symmetric-dirichlet + 0.1*asap").sum;
 #pragma once
 
 #include <string>
@@ -9,14 +9,9 @@
 
 namespace majorant::app {
 
-struct EnergyChoice {
-  EnergySum sum;
-  FreeScale free_scale;  // of the sum
-};
-
 // summands [number *] name, joined by +; space does not matter. Throws Error(Usage) that lists the
 // names when one is unknown, and for weights that are no usable numbers (map_problem.h).
-EnergyChoice parse_energy(const std::string& expression);
+EnergySum parse_energy(const std::string& expression);
 
 // "name  formula; facts" lines for --help.
 std::string energy_help();

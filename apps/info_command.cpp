@@ -7,7 +7,7 @@
 #include "apps/report.h"
 #include "apps/streams.h"
 #include "majorant/io/read_mesh.h"
-#include "majorant/parametrization/starts/seamless_start.h"
+#include "majorant/parametrization/starts/texture_seams.h"
 
 namespace majorant::app {
 namespace {

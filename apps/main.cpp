@@ -1,4 +1,4 @@
-// majorant: the command. One file a verb; exit codes and file formats in README.md.
+// majorant: the command. One file a verb; exit codes and file formats in docs/interface.md.
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>

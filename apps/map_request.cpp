@@ -13,7 +13,8 @@
 #include "majorant/io/read_face_weights.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/read_vertex_lists.h"
-#include "majorant/parametrization/starts/initial_map.h"
+#include "majorant/parametrization/drive/free_scale.h"
+#include "majorant/parametrization/starts/texture_seams.h"
 
 namespace majorant::app {
 namespace {
@@ -58,10 +59,10 @@ Vec read_weights(const std::string& path, const PolygonMesh& polygons, const Sur
   return weights;
 }
 
-void require_scale(const EnergyChoice& energy, const MapRequest& request,
-                   const ParametrizationOptions& options) {
-  if (energy.free_scale != FreeScale::Collapses || options.boundary == BoundaryCondition::Fixed ||
-      options.pins.size() + options.handles.size() >= 2)
+// What parametrize() would refuse, said before a start is made and in terms of options.
+void require_scale(const MapRequest& request, const MapInput& in) {
+  if (in.start ? !collapses(in.options, in.start->map.space(), in.start->map.seams())
+               : !collapses(in.options, {in.mesh->faces(), in.mesh->vertex_count(), 1}, {}))
     return;
   throw Error(ErrorKind::Usage,
               fmt::format("--energy '{}' is smallest for a map shrunk to a point; hold its scale "
@@ -125,15 +126,14 @@ std::vector<std::string> MapRequest::inputs() const { return {input, pins, handl
 
 MapInput read_input(const MapRequest& request, const StopCheck& stop,
                     const StartMaker& make_start) {
-  const EnergyChoice energy = parse_energy(request.energy);
   MapInput in;
+  in.options.energy = parse_energy(request.energy);
   unless_stopped("reading " + request.input, [&] {
     in.polygons = read_mesh(request.input, stop);
     in.mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(in.polygons, stop));
   });
   ParametrizationOptions& options = in.options;
   options.degree = request.degree;
-  options.energy = energy.sum;
   options.curvature = find_curvature(request.curvature);
   if (request.boundary == "fixed") options.boundary = BoundaryCondition::Fixed;
   if (request.boundary_angles) options.boundary_angles = BoundaryAngles::AtMostFullTurn;
@@ -152,7 +152,7 @@ MapInput read_input(const MapRequest& request, const StopCheck& stop,
   read_constrained_points(request, in);
   if (!request.weights.empty())
     options.face_weight = read_weights(request.weights, in.polygons, *in.mesh);
-  require_scale(energy, request, options);
+  require_scale(request, in);
   return in;
 }
 

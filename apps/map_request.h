@@ -10,7 +10,7 @@
 
 #include "apps/report.h"
 #include "majorant/parametrization/drive/parametrize.h"
-#include "majorant/parametrization/starts/seamless_start.h"
+#include "majorant/parametrization/starts/start.h"
 
 namespace majorant::app {
 
@@ -38,7 +38,7 @@ struct MapInput {
   PolygonMesh polygons;
   std::shared_ptr<const SurfaceMesh> mesh;  // of the file, not cut
   ParametrizationOptions options;           // vertices are those of start's mesh, if there is one
-  std::optional<SeamlessStart> start;       // of seamless maps
+  std::optional<Start> start;               // of seamless maps
 };
 
 // Vertex of the mesh for one of its file that `path` names. Throws Error(Unsupported) when no face
@@ -49,7 +49,7 @@ Index used_vertex(const std::string& path, const SurfaceMesh& mesh, Index input_
 // empty: that of the texture coordinates if `request` is seamless, else a map of a disk. Throws
 // Error as the readers and starts do; Error(Unsupported) when a mesh should be a disk and is not,
 // Error(Usage) for energies that collapse, Error(Invalid) when stopped.
-using StartMaker = std::function<SeamlessStart(const PolygonMesh&, const SurfaceMesh&)>;
+using StartMaker = std::function<Start(const PolygonMesh&, const SurfaceMesh&)>;
 MapInput read_input(const MapRequest& request, const StopCheck& stop,
                     const StartMaker& make_start = {});
 

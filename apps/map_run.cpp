@@ -35,7 +35,7 @@ MapInput& MapRun::read(const StartMaker& make_start) {
   if (make_start)
     timed = [&](const PolygonMesh& polygons, const SurfaceMesh& mesh) {
       const double before = seconds();
-      SeamlessStart start = make_start(polygons, mesh);
+      Start start = make_start(polygons, mesh);
       start_seconds_ = seconds() - before;
       return start;
     };

@@ -1,10 +1,11 @@
 // A run of a verb that makes a map (parametrize, seamless, deform): what all of them can be told,
 // what happens before the solve and after it.
 //
-//   MapRun run("parametrize", request);         // checks what can be checked, starts clocks
+//   MapVerb request;
+//   request.add_to(verb);
+//   MapRun run("parametrize", request);    // checks what can be checked, starts clocks
 //   MapInput& in = run.read();
-//   return run.finish(parametrize(in.mesh, in.options, run.record()));  // files, reports: exit
-//   code
+//   return run.finish(parametrize(in.mesh, in.options, run.record()));  // the exit code
 #pragma once
 
 #include <CLI/App.hpp>

@@ -1,5 +1,6 @@
 // Checks of numbers on the command line, to be used instead of CLI11's, whose ranges let nan pass.
 //
+//   double soft = 1e3;
 //   verb.add_option("--soft", soft, "...")->check(positive_number());
 #pragma once
 

@@ -1,10 +1,11 @@
 // Output files by extension: .vtu .obj .svg hold a map, .json a report, .csv an iteration trace.
 //
-//   require_writable(common, {{files, {".vtu", ".obj"}}}, {input});     // before any work
+//   const std::vector<std::string> files{"a.vtu", "a.obj"};
+//   require_writable(common, {{files, {".vtu", ".obj"}}}, {path});   // before any work
 //   WrittenFiles written;
 //   for (const std::string& path : files)
-//     written.write(path, [&] { write_map(path, map, nullptr, formats); });
-//   return written.conclude(kSuccess);                                  // says what failed
+//     written.write(path, [&] { write_map(path, file, nullptr, FormatOptions()); });
+//   return written.conclude(kSuccess);                               // says what failed
 #pragma once
 
 #include <CLI/App.hpp>

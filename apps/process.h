@@ -1,7 +1,8 @@
 // The process around a run: signals, threads, memory.
 //
-//   prepare_process(argv);                                    // first thing in main
-//   RunRecord record(limit, iterations, interruption_flag(), ...);  // signals stop it from now on
+//   char** argv = nullptr;                                      // of main
+//   prepare_process(argv);                                      // first thing in main
+//   RunRecord record(60, 10000, interruption_flag(), nullptr);  // signals stop it from now on
 //
 // SIGINT, SIGTERM and SIGHUP end the process and remove its temporary files. From the first call of
 // interruption_flag() on, the first of them only sets the flag, so that a run can stop and write

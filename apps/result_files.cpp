@@ -112,7 +112,7 @@ Json result_section(const FinishedRun& run) {
   return result;
 }
 
-Json seam_start_section(const SeamlessStart& start) {
+Json seam_start_section(const Start& start) {
   const Seams& seams = start.map.seams();
   return {{"residual", start.residual},    {"moved", start.moved},
           {"inverted", start.inverted},    {"untangling_steps", start.untangling_steps},

@@ -1,10 +1,12 @@
 // What the verbs that optimize a map share at the end of a run: output options, files with their
 // claims, reports, and the line that sums up.
 //
-//   OutputRequest outputs;  outputs.add_to(verb);             // -o --refine --grid ...
-//   outputs.require_usable(map_request);                       // before any work
-//   FinishedRun run{"parametrize", common, outputs, map_request, in, result, record, options, ...};
-//   return write_result(run);
+//   MapRequest map_request;
+//   OutputRequest outputs;
+//   outputs.add_to(verb);                  // -o --refine --grid ...
+//   outputs.require_usable(map_request);   // before any work
+//
+// and, when there is a FinishedRun, write_result(run) ends the verb.
 #pragma once
 
 #include <CLI/App.hpp>

@@ -7,7 +7,7 @@
 #include "apps/number_check.h"
 #include "majorant/io/read_vertex_lists.h"
 #include "majorant/parametrization/drive/parametrize.h"
-#include "majorant/parametrization/starts/seamless_map.h"
+#include "majorant/parametrization/starts/make_seamless.h"
 
 namespace majorant::app {
 namespace {
@@ -39,9 +39,9 @@ int run_job(Request request) {
     options.method = find_method(request.start);
     options.field.curvature_weight = request.curvature_alignment;
     if (!request.cones.empty()) options.cones = read_cones_of(request.cones, polygons, mesh);
-    SeamlessMap made = make_seamless(mesh, options, run.record());
-    request.map.init = name(made.method);
-    return SeamlessStart{std::move(made.map), 0, 0, made.inverted, made.untangling_steps};
+    const Start start = make_seamless(mesh, options, run.record());
+    request.map.init = name(start.method);
+    return start;
   };
   const MapInput& in = run.read(make_start);
   return run.finish(parametrize(in.start->map, in.options, run.record()),

@@ -1,6 +1,7 @@
 // What the command says: messages and progress on stderr, data on stdout. Nothing else in apps/
 // prints.
 //
+//   const int count = 12;
 //   say("{}: valid\n", path);           // never fails: that nobody can read it changes nothing
 //   print_data("faces: {}\n", count);   // what is lost here is an error, see data_error()
 #pragma once

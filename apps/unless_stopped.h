@@ -1,7 +1,7 @@
 // What a limit or Ctrl-C ends before there is anything to write becomes an error with a line.
 //
-//   const PolygonMesh mesh = unless_stopped("reading " + path, [&] { return read_mesh(path, stop);
-//   });
+//   const auto read = [&] { return read_mesh(path, stop); };
+//   const PolygonMesh polygons = unless_stopped("reading " + path, read);
 #pragma once
 
 #include <fmt/format.h>

@@ -11,7 +11,7 @@
 #include "majorant/io/read_mesh.h"
 #include "majorant/parametrization/drive/parametrize.h"
 #include "majorant/parametrization/maps/quadrature_ladder.h"
-#include "majorant/parametrization/starts/initial_map.h"
+#include "majorant/parametrization/starts/tutte.h"
 
 namespace majorant {
 

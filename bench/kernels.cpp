@@ -12,7 +12,7 @@ namespace {
 
 const BenchProblem& creature(int degree) {
   static std::array<std::unique_ptr<BenchProblem>, 9> problems;
-  auto& p = problems.at(static_cast<std::size_t>(degree));
+  auto& p = problems.at(at(degree));
   if (!p) p = std::make_unique<BenchProblem>(MAJORANT_MESHES "creature.obj", degree);
   return *p;
 }

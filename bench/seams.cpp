@@ -84,11 +84,10 @@ void report_elimination(const SeamlessConstraint& constraint, Index full_size) {
     return r;
   });
   const Elimination z = timed(eliminate_ms, [&] { return Elimination(full_size, rows); });
-  std::vector<Index> column(static_cast<std::size_t>(z.reduced_size()), 0);
+  std::vector<Index> column(at(z.reduced_size()), 0);
   long nonzeros = 0;
   for (Index i = 0; i < full_size; ++i)
-    for (auto e = z.begin(i); e != z.end(i); ++e, ++nonzeros)
-      ++column[static_cast<std::size_t>(e->reduced)];
+    for (auto e = z.begin(i); e != z.end(i); ++e, ++nonzeros) ++column[at(e->reduced)];
   fmt::print(
       "rows {} ({:.1f} ms), elimination {:.1f} ms: rank {}, unknowns {} -> {}, Z {} nonzeros, "
       "largest column {}\n",
@@ -212,7 +211,7 @@ int main(int argc, char** argv) {
   double start_ms = 0;
   SeamlessCase surface = bumpy_plate(arguments.subdivision, arguments.charts);
   if (arguments.more_cuts > 0) surface = with_random_cuts(surface, arguments.more_cuts, 1);
-  const SeamlessStart start = timed(start_ms, [&] { return surface.start(); });
+  const Start start = timed(start_ms, [&] { return surface.start(); });
   const Seams& seams = start.map.seams();
   fmt::print(
       "{} faces, {} cones, {} seam edges, {} chains, {} thread(s); start read in {:.1f} ms\n",

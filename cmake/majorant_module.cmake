@@ -37,7 +37,7 @@ function(majorant_module folder)
   install(TARGETS majorant_${name} EXPORT majorantTargets
           ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
   install(DIRECTORY ${source_dir}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/majorant/${folder}
-          FILES_MATCHING PATTERN "*.h")
+          FILES_MATCHING PATTERN "*.h" PATTERN internal EXCLUDE)
 endfunction()
 
 # The exported package: find_package(majorant) gives majorant::majorant (everything) and one target

@@ -16,7 +16,7 @@
 namespace majorant {
 
 struct AlignedEdge {
-  Index half_edge;  // 3 f + k: from corner k of face f to corner k + 1 (mod 3)
+  Index half_edge;  // 3 face + corner, as in half_edge.h
   int coordinate;   // 0: u is constant along it, 1: v
 };
 
@@ -30,8 +30,5 @@ class AxisAlignment final : public Constraint {
   std::shared_ptr<const BezierTriangleSpace> space_;
   std::vector<AlignedEdge> edges_;
 };
-
-// Nodes of the space along a half-edge, from its start to its end: degree + 1 of them.
-std::vector<Index> edge_nodes(const BezierTriangleSpace& space, Index half_edge);
 
 }  // namespace majorant

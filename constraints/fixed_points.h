@@ -1,7 +1,7 @@
 // Hard point constraints: control points held at given positions by elimination.
 //
 //   builder.add(FixedPoints({{12, {0.1, 0.2}}}));            // a pin
-//   builder.add(FixedPoints::at(space.boundary_nodes(), x)); // a boundary held where x has it
+//   builder.add(FixedPoints::at({12, 13, 14}, x));           // points held where x has them
 #pragma once
 
 #include <vector>

@@ -1,7 +1,8 @@
 // Hard constraints on single unknowns, whatever they are: coordinates of nodes of any dimension.
 //
-//   builder.add(FixedUnknowns({{3 * node + 2, 0.5}}));                        // z of a 3D node
-//   builder.add(std::make_shared<QuadraticPenalty>(FixedUnknowns(v)), 1e3);   // the same, soft
+//   const std::vector<FixedUnknown> held{{3 * 12 + 2, 0.5}};                     // z of node 12
+//   builder.add(FixedUnknowns(held));
+//   builder.add(std::make_shared<QuadraticPenalty>(FixedUnknowns(held)), 1e3);   // the same, soft
 //
 // For points of the plane fixed_points.h is shorter.
 #pragma once

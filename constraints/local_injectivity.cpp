@@ -14,7 +14,7 @@
 namespace majorant {
 namespace {
 
-constexpr double kAngleTolerance = 1e-6;
+constexpr double kAngleSumSlack = 1e-6;    // radians by which sums may miss what they should be
 constexpr Index kParallelElements = 2048;  // fewer are not worth waking threads for
 constexpr Index kPolledElements = 64;      // are tested between two polls
 constexpr double kTwoPi = 2 * std::numbers::pi;
@@ -45,8 +45,7 @@ Vec LocalInjectivity::lower_bounds(VecIn x) const {
       bounds[e] =
           (proven ? proof.lower_bound : std::min(proof.lower_bound, 0.0)) / std::abs(rest_det_[e]);
       if (proven)
-        depth_counts_[static_cast<std::size_t>(std::min(proof.depth, kMaxDepth))].fetch_add(
-            1, std::memory_order_relaxed);
+        depth_counts_[at(std::min(proof.depth, kMaxDepth))].fetch_add(1, std::memory_order_relaxed);
     });
   errors.rethrow();
   return bounds;
@@ -100,7 +99,7 @@ StepBound LocalInjectivity::max_step(VecIn x, VecIn d, double s) const {
 std::vector<long> LocalInjectivity::depth_counts() const {
   std::vector<long> counts;
   for (int k = 0; k <= max_depth_; ++k)
-    counts.push_back(depth_counts_[static_cast<std::size_t>(k)].load(std::memory_order_relaxed));
+    counts.push_back(depth_counts_[at(k)].load(std::memory_order_relaxed));
   return counts;
 }
 
@@ -115,9 +114,8 @@ Vec vertex_angle_sums(const BezierTriangleSpace& space, VecIn x) {
     for (int k = 0; k < 3; ++k) {
       const Vector2 corner = point(e, k);
       const Vector2 a = point(e, ix.edge(k)[1]) - corner;
-      const Vector2 b =
-          point(e, ix.edge((k + 2) % 3)[static_cast<std::size_t>(space.degree()) - 1]) - corner;
-      sums[space.cells()(e, k)] += std::abs(std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)));
+      const Vector2 b = point(e, ix.edge((k + 2) % 3)[at(space.degree()) - 1]) - corner;
+      sums[space.cells()(e, k)] += std::abs(std::atan2(cross(a, b), a.dot(b)));
     }
   return sums;
 }
@@ -125,7 +123,7 @@ Vec vertex_angle_sums(const BezierTriangleSpace& space, VecIn x) {
 AngleSums::AngleSums(std::shared_ptr<const BezierTriangleSpace> space, Vertices which,
                      std::shared_ptr<const Seams> seams)
     : space_(std::move(space)), which_(which) {
-  const auto count = static_cast<std::size_t>(space_->vertex_count());
+  const auto count = at(space_->vertex_count());
   if (seams && !seams->quarter_turns().empty()) {  // cones may lie on no cut
     vertex_of_ = seams->surface_vertex();
     quarter_turns_ = seams->quarter_turns();
@@ -135,7 +133,7 @@ AngleSums::AngleSums(std::shared_ptr<const BezierTriangleSpace> space, Vertices 
   std::iota(vertex_of_.begin(), vertex_of_.end(), 0);
   quarter_turns_.assign(count, 4);
   for (const Index node : space_->boundary_nodes())
-    if (static_cast<std::size_t>(node) < count) quarter_turns_[static_cast<std::size_t>(node)] = 0;
+    if (at(node) < count) quarter_turns_[at(node)] = 0;
 }
 
 Verdict AngleSums::check(VecIn x) const {
@@ -148,14 +146,14 @@ Verdict AngleSums::check(VecIn x) const {
   };
   Vec total = Vec::Zero(static_cast<Index>(quarter_turns_.size()));
   for (Index v = 0; v < sums.size(); ++v) {
-    const Index surface = vertex_of_[static_cast<std::size_t>(v)];
+    const Index surface = vertex_of_[at(v)];
     total[surface] += sums[v];
-    if (which_ == Vertices::Boundary && quarter_turns_[static_cast<std::size_t>(surface)] == 0)
-      hold(v, kTwoPi + kAngleTolerance - sums[v]);
+    if (which_ == Vertices::Boundary && quarter_turns_[at(surface)] == 0)
+      hold(v, kTwoPi + kAngleSumSlack - sums[v]);
   }
   for (Index v = 0; v < total.size() && which_ == Vertices::Interior; ++v) {
-    const int turns = quarter_turns_[static_cast<std::size_t>(v)];
-    if (turns != 0) hold(v, kAngleTolerance - std::abs(total[v] - turns * kTwoPi / 4));
+    const int turns = quarter_turns_[at(v)];
+    if (turns != 0) hold(v, kAngleSumSlack - std::abs(total[v] - turns * kTwoPi / 4));
   }
   verdict.feasible = verdict.blocking.empty();
   return verdict;

@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <utility>
+
+#include "majorant/mesh/half_edge.h"
 
 namespace majorant {
 namespace {
@@ -27,14 +28,13 @@ struct NodePair {
 // The pairs of nodes that a chain joins, each once.
 std::vector<std::vector<NodePair>> pairs_by_chain(const BezierTriangleSpace& space,
                                                   const Seams& seams) {
-  std::vector<std::vector<NodePair>> pairs(static_cast<std::size_t>(seams.chain_count()));
+  std::vector<std::vector<NodePair>> pairs(at(seams.chain_count()));
   for (std::size_t e = 0; e < seams.edges().size(); ++e) {
     const SeamEdge& edge = seams.edges()[e];
     const std::vector<Index> a = edge_nodes(space, edge.side);
     const std::vector<Index> b = edge_nodes(space, edge.opposite);
     for (std::size_t i = 0; i < a.size(); ++i)
-      pairs[static_cast<std::size_t>(edge.chain)].push_back(
-          {a[i], b[a.size() - 1 - i], static_cast<Index>(e)});
+      pairs[at(edge.chain)].push_back({a[i], b[a.size() - 1 - i], static_cast<Index>(e)});
   }
   const auto key = [](const NodePair& p) { return std::pair(p.side, p.opposite); };
   for (auto& list : pairs) {
@@ -54,18 +54,16 @@ SeamlessConstraint::SeamlessConstraint(std::shared_ptr<const BezierTriangleSpace
     : space_(std::move(space)), seams_(std::move(seams)) {}
 
 void SeamlessConstraint::append_rows(ConstraintRows& rows) const {
-  const auto vertex = [&](Index half_edge, int end) {
-    const Index cut = space_->cells()(half_edge / 3, (half_edge + end) % 3);
-    return seams_->surface_vertex()[static_cast<std::size_t>(cut)];
-  };
+  const auto surface_vertex = [&](Index cut) { return seams_->surface_vertex()[at(cut)]; };
   for (const auto& pairs : pairs_by_chain(*space_, *seams_)) {
     const Index half_translation[2] = {rows.add_auxiliary(), rows.add_auxiliary()};
     for (const NodePair& p : pairs) {
-      const SeamEdge& edge = seams_->edges()[static_cast<std::size_t>(p.edge)];
+      const SeamEdge& edge = seams_->edges()[at(p.edge)];
       for (int c = 0; c < 2; ++c) {
         const Turned t = turned(edge.turns, c);
         rows.begin_row(fmt::format("{} of the seam at edge ({}, {})", c == 0 ? 'u' : 'v',
-                                   vertex(edge.side, 0), vertex(edge.side, 1)));
+                                   surface_vertex(from_vertex(space_->faces(), edge.side)),
+                                   surface_vertex(to_vertex(space_->faces(), edge.side))));
         rows.add(2 * p.side + c, 1);
         rows.add(2 * p.opposite + t.from, -t.factor);
         rows.add(half_translation[c], -2);
@@ -77,27 +75,14 @@ void SeamlessConstraint::append_rows(ConstraintRows& rows) const {
 
 std::vector<Index> boundary_nodes(const BezierTriangleSpace& space, const Seams& seams) {
   if (seams.empty()) return space.boundary_nodes();
-  std::vector<char> is_seam(static_cast<std::size_t>(3 * space.element_count()), 0);
+  std::vector<char> is_seam(at(3 * space.element_count()), 0);
   for (const SeamEdge& edge : seams.edges())
-    is_seam[static_cast<std::size_t>(edge.side)] =
-        is_seam[static_cast<std::size_t>(edge.opposite)] = 1;
-  // Half-edges by their undirected edge: those alone there lie on the boundary of the space.
-  using Key = std::array<Index, 3>;  // smaller vertex, larger vertex, half-edge
-  std::vector<Key> keys;
-  for (Index h = 0; h < 3 * space.element_count(); ++h) {
-    const Index a = space.faces()(h / 3, h % 3), b = space.faces()(h / 3, (h + 1) % 3);
-    keys.push_back({std::min(a, b), std::max(a, b), h});
-  }
-  std::sort(keys.begin(), keys.end());
-  const auto same = [&](std::size_t i, std::size_t j) {
-    return j < keys.size() && keys[i][0] == keys[j][0] && keys[i][1] == keys[j][1];
-  };
+    is_seam[at(edge.side)] = is_seam[at(edge.opposite)] = 1;
+  const std::vector<Index> opposite = opposite_half_edges(space.faces());
   std::vector<Index> nodes;
-  for (std::size_t k = 0; k < keys.size(); ++k) {
-    if (same(k, k + 1) || (k > 0 && same(k, k - 1)) ||
-        is_seam[static_cast<std::size_t>(keys[k][2])])
-      continue;
-    for (const Index node : edge_nodes(space, keys[k][2])) nodes.push_back(node);
+  for (Index h = 0; h < static_cast<Index>(opposite.size()); ++h) {
+    if (opposite[at(h)] >= 0 || is_seam[at(h)]) continue;
+    for (const Index node : edge_nodes(space, h)) nodes.push_back(node);
   }
   std::sort(nodes.begin(), nodes.end());
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());

@@ -1,7 +1,7 @@
 // Seams that hold exactly: the control points on the two sides of every seam edge agree up to the
 // chain's rotation and translation, c = i^k c' + t.
 //
-//   builder.add(SeamlessConstraint(space, seams));
+//   builder.add(SeamlessConstraint(space, map.shared_seams()));
 //
 // Equivalent to [MC20] Eq. 15, c_i - c_{i+1} = R^k (c'_i - c'_{i+1}), which says the same without
 // t. The translation is kept as an auxiliary unknown: eliminating it would tie every control point
@@ -9,8 +9,8 @@
 // satisfies (1 - i^K) c = (a sum of translations), is an integer combination of half-translations:
 // 1 - i^K divides 2. Elimination then keeps the entries of Z in {0, +-1, +-2} on cuts that the map
 // needs and in small integers (4 at most in tests) on any, unless pins or alignment interfere.
-// Redundant rows (around closed chains, at the ends of slits, where chains
-// meet) are recognized there. Positions follow to a few units in the last place of the map's size.
+// Redundant rows (around closed chains, at the ends of slits, where chains meet) are recognized
+// there. Positions follow to a few units in the last place of the map's size.
 #pragma once
 
 #include <memory>

@@ -29,15 +29,15 @@ class TriangleIndices {
 
   int degree() const { return degree_; }
   int count() const { return static_cast<int>(multi_.size()); }
-  const MultiIndex& multi(int local) const { return multi_[static_cast<std::size_t>(local)]; }
+  const MultiIndex& multi(int local) const { return multi_[at(local)]; }
   int local(int i, int j, int k) const {  // i + j + k = degree
     static_cast<void>(k);
-    return lookup_[static_cast<std::size_t>(i * (degree_ + 1) + j)];
+    return lookup_[at(i * (degree_ + 1) + j)];
   }
   // Local numbers along edge 0 (corner 0 -> 1), 1 (1 -> 2) or 2 (2 -> 0), ends included.
-  const std::vector<int>& edge(int e) const { return edges_[static_cast<std::size_t>(e)]; }
+  const std::vector<int>& edge(int e) const { return edges_[at(e)]; }
   // n! / (i! j! k!).
-  double multinomial(int local) const { return multinomial_[static_cast<std::size_t>(local)]; }
+  double multinomial(int local) const { return multinomial_[at(local)]; }
 
  private:
   explicit TriangleIndices(int n);

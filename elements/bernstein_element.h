@@ -7,9 +7,18 @@
 
 #include <string_view>
 
-#include "majorant/elements/subdivision.h"
+#include "majorant/elements/bernstein_basis.h"
 
 namespace majorant {
+
+// A cut of a cell: of the edge between homogeneous coordinates a and b, at its midpoint. `first` is
+// the child with vertex a, `second` the one with b: which coordinate of the parent, or kMidpoint,
+// is each coordinate of the child.
+struct EdgeBisection {
+  static constexpr int kMidpoint = -1;
+  int a, b;
+  std::vector<int> first, second;
+};
 
 struct BernsteinElement {
   std::string_view name;  // of its space, for messages
@@ -21,7 +30,7 @@ struct BernsteinElement {
   std::vector<Exponents> (*lattice)(const Degrees& degrees);
   // Derivative by reference coordinate d: by homogeneous coordinate [0] minus by coordinate [1].
   std::vector<std::array<int, 2>> derivatives;
-  std::vector<Subdivision::Step> bisections;
+  std::vector<EdgeBisection> bisections;  // one after the other, cyclically
 
   int dim() const { return static_cast<int>(derivatives.size()); }
   int corner_count() const;

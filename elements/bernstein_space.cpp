@@ -8,7 +8,10 @@
 #include <stdexcept>
 #include <utility>
 
+#include "majorant/elements/det_coefficients.h"
 #include "majorant/elements/element_check.h"
+#include "majorant/elements/node_lattice.h"
+#include "majorant/elements/positivity.h"
 #include "majorant/elements/small_buffer.h"
 
 namespace majorant {
@@ -22,50 +25,78 @@ const BernsteinElement& checked(const BernsteinElement& element) {
   return element;
 }
 
-std::size_t local_size(const ElementSpace& space) {
-  return static_cast<std::size_t>(space.reference_dim() * space.nodes_per_element());
+std::size_t local_size(const BernsteinSpace& space) {
+  return at(space.reference_dim() * space.nodes_per_element());
+}
+
+// store(i, k): number i of element e (D per local node) is unknown k.
+template <class Store>
+void gather(const BernsteinSpace& space, Index e, const Store& store) {
+  const int dim = space.reference_dim(), nodes = space.nodes_per_element();
+  const Index* node = &space.cells()(e, 0);
+  for (int k = 0; k < nodes; ++k)
+    for (int c = 0; c < dim; ++c) store(dim * k + c, dim * node[k] + c);
+}
+
+template <int K>
+double largest_step_in(const BernsteinSpace& space, const DetCoefficients& coefficients,
+                       const Subdivision& subdivision, Index e, VecIn x, VecIn d, double s,
+                       int max_depth) {
+  SmallBuffer<StepPolynomial<1>, 128> c(local_size(space));
+  SmallBuffer<StepPolynomial<K>, 128> det(at(coefficients.count()));
+  gather(space, e, [&, at = c.data()](int i, Index k) { at[i] = {{x[k], d[k]}}; });
+  coefficients.along_line(c.data(), det.data());
+  return largest_positive_step(subdivision, det.data(), s, max_depth);
 }
 
 }  // namespace
+
+struct BernsteinSpace::Tables {
+  explicit Tables(const BernsteinSpace& space)
+      : lattice(space.basis_),
+        det(space.element_),
+        subdivision(det.basis(), space.element_.bisections) {
+    check_determinants(space.element_, det);
+  }
+
+  NodeLattice lattice;
+  DetCoefficients det;
+  Subdivision subdivision;
+};
 
 BernsteinSpace::BernsteinSpace(const BernsteinElement& element, const Cells& cells,
                                Index vertex_count)
     : element_(checked(element)),
       vertex_count_(vertex_count),
       basis_(element.basis(element.degrees())),
-      lattice_(basis_),
-      numbering_(number_nodes(lattice_, cells, vertex_count, element.name)),
-      det_(element),
-      subdivision_(det_.basis(), element.bisections) {
-  check_determinants(element, det_);
-}
+      tables_(std::make_shared<const Tables>(*this)),
+      numbering_(number_nodes(tables_->lattice, cells, vertex_count, element.name)) {}
 
 BernsteinSpace::BernsteinSpace(const BernsteinElement& element, NodeNumbering numbering)
     : element_(checked(element)),
       vertex_count_(numbering.node_count),
       basis_(element.basis(element.degrees())),
-      lattice_(basis_),
-      numbering_(std::move(numbering)),
-      det_(element),
-      subdivision_(det_.basis(), element.bisections) {
-  check_determinants(element, det_);
-  if (numbering_.cells.cols() != lattice_.node_count())
+      tables_(std::make_shared<const Tables>(*this)),
+      numbering_(std::move(numbering)) {
+  const NodeLattice& lattice = tables_->lattice;
+  if (numbering_.cells.cols() != lattice.node_count())
     throw std::invalid_argument(fmt::format("{}: cells of {} nodes, {} are needed", element.name,
-                                            numbering_.cells.cols(), lattice_.node_count()));
+                                            numbering_.cells.cols(), lattice.node_count()));
 }
 
 RowMatrix BernsteinSpace::node_positions(const RowMatrix& vertices) const {
   if (vertices.rows() != vertex_count_)
     throw std::invalid_argument(fmt::format("{}: {} positions for {} vertices", element_.name,
                                             vertices.rows(), vertex_count_));
+  const NodeLattice& lattice = tables_->lattice;
   RowMatrix out = RowMatrix::Zero(node_count(), vertices.cols());
   out.topRows(vertex_count_) = vertices;
   for (Index e = 0; e < element_count(); ++e)
-    for (int l = lattice_.corner_count(); l < lattice_.node_count(); ++l) {
+    for (int l = lattice.corner_count(); l < lattice.node_count(); ++l) {
       out.row(cells()(e, l)).setZero();
-      for (int c = 0; c < lattice_.corner_count(); ++c)
-        out.row(cells()(e, l)) += lattice_.weight(l, c) * vertices.row(cells()(e, c));
-      out.row(cells()(e, l)) /= lattice_.total_weight();
+      for (int c = 0; c < lattice.corner_count(); ++c)
+        out.row(cells()(e, l)) += lattice.weight(l, c) * vertices.row(cells()(e, c));
+      out.row(cells()(e, l)) /= lattice.total_weight();
     }
   return out;
 }
@@ -74,43 +105,27 @@ ContractionTable BernsteinSpace::tabulate(const Quadrature& rule) const {
   return contraction_table(element_, rule);
 }
 
-template <class Store>
-void BernsteinSpace::gather(Index e, const Store& store) const {
-  const int dim = element_.dim(), nodes = nodes_per_element();
-  const Index* node = &numbering_.cells(e, 0);
-  for (int k = 0; k < nodes; ++k)
-    for (int c = 0; c < dim; ++c) store(dim * k + c, dim * node[k] + c);
-}
-
 PositivityProof BernsteinSpace::certify(Index e, VecIn x, int max_depth) const {
-  const std::size_t size = local_size(*this), count = static_cast<std::size_t>(det_.count());
+  const DetCoefficients& coefficients = tables_->det;
+  const std::size_t size = local_size(*this), count = at(coefficients.count());
   Scratch c(size), det(count), error(count);
-  gather(e, [at = c.data(), &x](int i, Index k) { at[i] = x[k]; });
+  gather(*this, e, [at = c.data(), &x](int i, Index k) { at[i] = x[k]; });
   if (!std::all_of(c.data(), c.data() + size, [](double v) { return std::isfinite(v); }))
     return {Positivity::Violated, -std::numeric_limits<double>::infinity(), 0};
   const auto prove = [&] {
     const double largest = *std::max_element(error.data(), error.data() + count);
-    return certify_positive(subdivision_, det.data(), largest, max_depth);
+    return certify_positive(tables_->subdivision, det.data(), largest, max_depth);
   };
-  det_.at_with_error(c.data(), det.data(), error.data());
+  coefficients.at_with_error(c.data(), det.data(), error.data());
   const PositivityProof proof = prove();
   if (proof.result == Positivity::Certified) return proof;
-  det_.at_with_error_quad(c.data(), det.data(), error.data());
+  coefficients.at_with_error_quad(c.data(), det.data(), error.data());
   return prove();
 }
 
-template <int K>
-double BernsteinSpace::largest_step_in(Index e, VecIn x, VecIn d, double s, int max_depth) const {
-  SmallBuffer<StepPolynomial<1>, 128> c(local_size(*this));
-  SmallBuffer<StepPolynomial<K>, 128> det(static_cast<std::size_t>(det_.count()));
-  gather(e, [&, at = c.data()](int i, Index k) { at[i] = {{x[k], d[k]}}; });
-  det_.along_line(c.data(), det.data());
-  return largest_positive_step(subdivision_, det.data(), s, max_depth);
-}
-
 double BernsteinSpace::largest_step(Index e, VecIn x, VecIn d, double s, int max_depth) const {
-  return element_.dim() == 2 ? largest_step_in<2>(e, x, d, s, max_depth)
-                             : largest_step_in<3>(e, x, d, s, max_depth);
+  const auto largest = element_.dim() == 2 ? largest_step_in<2> : largest_step_in<3>;
+  return largest(*this, tables_->det, tables_->subdivision, e, x, d, s, max_depth);
 }
 
 }  // namespace majorant

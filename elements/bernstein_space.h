@@ -3,12 +3,21 @@
 // Derived classes add a constructor that describes it, and what only they have.
 #pragma once
 
+#include <memory>
+#include <vector>
+
 #include "majorant/elements/bernstein_element.h"
-#include "majorant/elements/det_coefficients.h"
 #include "majorant/elements/element_space.h"
-#include "majorant/elements/node_numbering.h"
 
 namespace majorant {
+
+// Vertices keep their numbers, then come edges (from the smaller to the larger vertex), then faces,
+// then the interiors of cells.
+struct NodeNumbering {
+  Cells cells;  // #E by nodes per cell
+  Index node_count = 0;
+  std::vector<Index> boundary_nodes;  // on facets of one cell, sorted
+};
 
 class BernsteinSpace : public ElementSpace {
  public:
@@ -41,19 +50,13 @@ class BernsteinSpace : public ElementSpace {
   BernsteinSpace(const BernsteinElement& element, NodeNumbering numbering);
 
  private:
-  // store(i, k): number i of element e (D per local node) is unknown k.
-  template <class Store>
-  void gather(Index e, const Store& store) const;
-  template <int K>
-  double largest_step_in(Index e, VecIn x, VecIn d, double s, int max_depth) const;
+  struct Tables;  // of the element, whatever its cells
 
   BernsteinElement element_;
   Index vertex_count_;
   BernsteinBasis basis_;
-  NodeLattice lattice_;
+  std::shared_ptr<const Tables> tables_;
   NodeNumbering numbering_;
-  DetCoefficients det_;
-  Subdivision subdivision_;
 };
 
 // First-order and product tables of an element on a rule, from its exponents (method.md section 4):

@@ -26,7 +26,7 @@ std::vector<Exponents> vtk_lattice(const Degrees& degrees) {
 
 // Bisected in s and in t in turn.
 BernsteinElement quad(int degree) {
-  constexpr int m = Subdivision::kMidpoint;
+  constexpr int m = EdgeBisection::kMidpoint;
   return {.name = "BezierQuadSpace",
           .degree = degree,
           .max_degree = BezierQuadSpace::kMaxDegree,

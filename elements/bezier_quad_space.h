@@ -1,7 +1,11 @@
 // Continuous piecewise polynomial maps of tensor-product patches: Bernstein polynomials of degree n
 // in each of s, t in [0, 1] on every quadrilateral.
 //
-//   BezierQuadSpace space(cells, vertex_count, 1);        // bilinear
+//   Cells cells(1, 4);
+//   cells << 0, 1, 2, 3;
+//   RowMatrix vertices(4, 2);
+//   vertices << 0, 0, 1, 0, 0, 1, 1, 1;
+//   BezierQuadSpace space(cells, 4, 1);                   // bilinear
 //   RestShapes rest = curved_shapes(space, space.node_positions(vertices), tensor_gauss_rule(3));
 //
 // Nodes are numbered: vertices, edges, interiors. det J has degree 2n-1 in s and in t.

@@ -15,8 +15,7 @@ void append_vtk_order(int n, int shift, std::vector<Exponents>& out) {
   if (n < 1) return;
   const auto push = [&](std::array<std::array<int, 2>, 3> terms) {
     Exponents e = base;
-    for (const auto& [coordinate, exponent] : terms)
-      e[static_cast<std::size_t>(coordinate)] += exponent;
+    for (const auto& [coordinate, exponent] : terms) e[at(coordinate)] += exponent;
     out.push_back(e);
   };
   for (int c = 0; c < 4; ++c) push({{{c, n}}});
@@ -41,7 +40,7 @@ std::vector<Exponents> vtk_lattice(const Degrees& degrees) {
 
 // Kuhn bisection [Mau95]: edges (v0, v3), (v0, v2), (v0, v1) in turn.
 BernsteinElement tetrahedron(int degree) {
-  constexpr int m = Subdivision::kMidpoint;
+  constexpr int m = EdgeBisection::kMidpoint;
   return {.name = "BezierTetrahedronSpace",
           .degree = degree,
           .max_degree = BezierTetrahedronSpace::kMaxDegree,

@@ -1,6 +1,9 @@
 // Continuous piecewise polynomial maps of space: a Bezier tetrahedron of degree n on every cell.
 //
-//   BezierTetrahedronSpace space(cells, vertex_count, 2);
+//   Cells cells(1, 4);
+//   cells << 0, 1, 2, 3;
+//   RowMatrix vertices = RowMatrix::Random(4, 3);
+//   BezierTetrahedronSpace space(cells, 4, 2);
 //   RowMatrix start = space.node_positions(vertices);     // the identity, one row per node
 //
 // Nodes are numbered: vertices, edges, faces, interiors. det J has degree 3(n-1).

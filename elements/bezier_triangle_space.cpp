@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "majorant/elements/bernstein.h"
+#include "majorant/elements/node_lattice.h"
 
 namespace majorant {
 namespace {
@@ -19,7 +20,7 @@ std::vector<Exponents> vtk_lattice(const Degrees& degrees) {
 
 // Derivatives by xi0 and xi1 with xi2 = 1 - xi0 - xi1, as in [MC20].
 BernsteinElement triangle(int degree) {
-  constexpr int m = Subdivision::kMidpoint;
+  constexpr int m = EdgeBisection::kMidpoint;
   return {.name = "BezierTriangleSpace",
           .degree = degree,
           .max_degree = BezierTriangleSpace::kMaxDegree,
@@ -55,6 +56,14 @@ Vec BezierTriangleSpace::elevate(VecIn x, const BezierTriangleSpace& higher) con
   // Corner points stay the same doubles.
   for (Index v = 0; v < 2 * vertex_count(); ++v) out[v] = x[v];
   return out;
+}
+
+std::vector<Index> edge_nodes(const BezierTriangleSpace& space, Index half_edge) {
+  const TriangleIndices& ix = TriangleIndices::of_degree(space.degree());
+  std::vector<Index> nodes;
+  for (const int local : ix.edge(half_edge % 3))
+    nodes.push_back(space.cells()(half_edge / 3, local));
+  return nodes;
 }
 
 }  // namespace majorant

@@ -41,4 +41,8 @@ class BezierTriangleSpace final : public BernsteinSpace {
   Cells faces_;
 };
 
+// Nodes of the space along a half-edge, from its start to its end: degree + 1 of them. Half-edge
+// 3 f + k runs from corner k of face f to its corner k + 1 (mod 3), as in mesh/half_edge.h.
+std::vector<Index> edge_nodes(const BezierTriangleSpace& space, Index half_edge);
+
 }  // namespace majorant

@@ -21,14 +21,14 @@ std::vector<Direction> directions(const BernsteinElement& element) {
   if (element.factors.size() == 1) {  // barycentric: every recombination is a single term
     for (int c = 0; c <= dim; ++c) out.push_back({{{c, 1.0}}, Eigen::RowVectorXd::Zero(dim)});
     for (int d = 0; d < dim; ++d) {
-      const auto [plus, minus] = element.derivatives[static_cast<std::size_t>(d)];
-      out[static_cast<std::size_t>(plus)].gamma[d] += 1;
-      out[static_cast<std::size_t>(minus)].gamma[d] -= 1;
+      const auto [plus, minus] = element.derivatives[at(d)];
+      out[at(plus)].gamma[d] += 1;
+      out[at(minus)].gamma[d] -= 1;
     }
     return out;
   }
   for (int d = 0; d < dim; ++d) {
-    const auto [plus, minus] = element.derivatives[static_cast<std::size_t>(d)];
+    const auto [plus, minus] = element.derivatives[at(d)];
     out.push_back({{{plus, 1.0}, {minus, -1.0}}, Eigen::RowVectorXd::Unit(dim, d)});
   }
   return out;
@@ -62,13 +62,13 @@ RowMatrix values_at(const BernsteinBasis& basis, const Quadrature& rule) {
 using Lowered = std::vector<std::vector<std::vector<GradientEntry>>>;
 Lowered fill_gradient(const BernsteinBasis& nodes, const BernsteinBasis& first,
                       const std::vector<Direction>& dirs, ContractionTable& table) {
-  Lowered out(static_cast<std::size_t>(nodes.count()));
+  Lowered out(at(nodes.count()));
   for (int i = 0; i < nodes.count(); ++i)
     for (int a = 0; a < static_cast<int>(dirs.size()); ++a) {
-      auto& entries = out[static_cast<std::size_t>(i)].emplace_back();
-      for (const auto& [coordinate, sign] : dirs[static_cast<std::size_t>(a)].terms) {
+      auto& entries = out[at(i)].emplace_back();
+      for (const auto& [coordinate, sign] : dirs[at(a)].terms) {
         Exponents e = nodes.exponents(i);
-        const int exponent = e[static_cast<std::size_t>(coordinate)]--;
+        const int exponent = e[at(coordinate)]--;
         if (exponent == 0) continue;
         const int k = first.find(e);
         entries.push_back({i, a, k, sign * nodes.weight(i) * exponent / first.weight(k)});

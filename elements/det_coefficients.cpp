@@ -6,21 +6,14 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "majorant/elements/rounding.h"
 #include "majorant/elements/small_buffer.h"
 
 namespace majorant {
 namespace {
 
-__extension__ typedef __float128 Quad;
-
-constexpr double kUnit = std::numeric_limits<double>::epsilon() / 2;  // 2^-53
-constexpr double kQuadUnit = 0x1p-113;
+constexpr double kUnit = kUnitRoundoff<double>;
 constexpr double kExactIntegers = 0x1p53;  // doubles below are exact
-
-template <class Real>
-Real magnitude(Real a) {
-  return a < 0 ? -a : a;
-}
 
 // Numbers that det J is expanded in: subtract(a, b) of control points, minor(a0, a1, b0, b1) =
 // a0 b1 - a1 b0, product(a, cofactor), and sum += weight * x. A number with the sum of the
@@ -106,8 +99,7 @@ Degrees operator+(Degrees a, const Degrees& b) {
 }
 
 Degrees derivative_degrees(const BernsteinElement& element, int direction) {
-  return element.lowered(
-      element.factor_of(element.derivatives[static_cast<std::size_t>(direction)][0]));
+  return element.lowered(element.factor_of(element.derivatives[at(direction)][0]));
 }
 
 // Of the minors of the last two directions.
@@ -144,7 +136,7 @@ DetCoefficients::DetCoefficients(const BernsteinElement& element)
   for (int d = 0; d < dim_; ++d) {
     const std::vector<Difference> more = differences(element, d);
     differences_.insert(differences_.end(), more.begin(), more.end());
-    starts_[static_cast<std::size_t>(d) + 1] = static_cast<int>(differences_.size());
+    starts_[at(d) + 1] = static_cast<int>(differences_.size());
   }
   const auto basis_of = [&](int d) { return element.basis(derivative_degrees(element, d)); };
   const BernsteinBasis minor_basis = element.basis(minor_degrees(element));
@@ -164,10 +156,10 @@ std::vector<DetCoefficients::Difference> DetCoefficients::differences(
     const BernsteinElement& element, int direction) {
   const BernsteinBasis nodes = element.basis(element.degrees()),
                        low = element.basis(derivative_degrees(element, direction));
-  const auto [plus, minus] = element.derivatives[static_cast<std::size_t>(direction)];
+  const auto [plus, minus] = element.derivatives[at(direction)];
   const auto raised = [&](int k, int coordinate) {
     Exponents e = low.exponents(k);
-    ++e[static_cast<std::size_t>(coordinate)];
+    ++e[at(coordinate)];
     return nodes.find(e);
   };
   std::vector<Difference> out;
@@ -191,8 +183,8 @@ void DetCoefficients::differentiate(const Number* c, First* out) const {
 template <class Real, class First, class Second>
 void DetCoefficients::expand_in_plane(const First* derivatives, Second* out) const {
   std::fill(out, out + count(), Second{});
-  const auto at = [&](int k) { return derivatives + matrix_[static_cast<std::size_t>(k)]; };
-  sum_minors<Real>(minors_, at(0), at(1), at(2), at(3), out);
+  const auto entry = [&](int k) { return derivatives + matrix_[at(k)]; };
+  sum_minors<Real>(minors_, entry(0), entry(1), entry(2), entry(3), out);
 }
 
 // det J = D0 . (D1 x D2).
@@ -222,7 +214,7 @@ template <class Real>
 void DetCoefficients::with_error(const double* c, double unit, double* out, double* error) const {
   SmallBuffer<Real, 256> derivatives(derivative_size());
   differentiate(c, derivatives.data());
-  SmallBuffer<Bounded<Real>, 256> sums(static_cast<std::size_t>(count()));
+  SmallBuffer<Bounded<Real>, 256> sums(at(count()));
   int most = 0;
   for (int direction = 0; direction < dim_; ++direction)
     most = std::max(most, derivative_count(direction));
@@ -230,7 +222,7 @@ void DetCoefficients::with_error(const double* c, double unit, double* out, doub
   if (dim_ == 2) {
     expand_in_plane<Real>(derivatives.data(), sums.data());
   } else {
-    SmallBuffer<Bounded<Real>, 128> cofactor(static_cast<std::size_t>(minors_.target_count()));
+    SmallBuffer<Bounded<Real>, 128> cofactor(at(minors_.target_count()));
     expand_in_space<Real>(derivatives.data(), cofactor.data(), sums.data());
     roundings = 16.0 + 4 * most;
     // What underflowed in a cofactor was multiplied by the first derivative.
@@ -255,7 +247,7 @@ void DetCoefficients::at_with_error(const double* c, double* out, double* error)
 }
 
 void DetCoefficients::at_with_error_quad(const double* c, double* out, double* error) const {
-  with_error<Quad>(c, kQuadUnit, out, error);
+  with_error<Quad>(c, kUnitRoundoff<Quad>, out, error);
 }
 
 void DetCoefficients::along_line(const StepPolynomial<1>* c, StepPolynomial<2>* out) const {
@@ -267,7 +259,7 @@ void DetCoefficients::along_line(const StepPolynomial<1>* c, StepPolynomial<2>* 
 void DetCoefficients::along_line(const StepPolynomial<1>* c, StepPolynomial<3>* out) const {
   SmallBuffer<StepPolynomial<1>, 256> derivatives(derivative_size());
   differentiate(c, derivatives.data());
-  SmallBuffer<StepPolynomial<2>, 128> cofactor(static_cast<std::size_t>(minors_.target_count()));
+  SmallBuffer<StepPolynomial<2>, 128> cofactor(at(minors_.target_count()));
   expand_in_space<double>(derivatives.data(), cofactor.data(), out);
 }
 

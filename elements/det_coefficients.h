@@ -78,17 +78,14 @@ class DetCoefficients {
   template <class Real>
   void with_error(const double* c, double unit, double* out, double* error) const;
   int derivative_count(int direction) const {  // coefficients of one component of it
-    const auto d = static_cast<std::size_t>(direction);
+    const auto d = at(direction);
     return starts_[d + 1] - starts_[d];
   }
   // Where the derivative of a component stands in what differentiate() writes.
   int derivative_start(int direction, int component) const {
-    return dim_ * starts_[static_cast<std::size_t>(direction)] +
-           component * derivative_count(direction);
+    return dim_ * starts_[at(direction)] + component * derivative_count(direction);
   }
-  std::size_t derivative_size() const {
-    return static_cast<std::size_t>(dim_) * differences_.size();
-  }
+  std::size_t derivative_size() const { return at(dim_) * differences_.size(); }
 
   int dim_, degree_;
   BernsteinBasis basis_;

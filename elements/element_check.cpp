@@ -44,7 +44,7 @@ void check_derivatives(const BernsteinElement& element) {
 void check_child(const BernsteinElement& element, std::vector<int> slots, int lost) {
   bool sound = static_cast<int>(slots.size()) == element.coordinate_count() &&
                std::find(slots.begin(), slots.end(), lost) == slots.end();
-  std::replace(slots.begin(), slots.end(), Subdivision::kMidpoint, lost);
+  std::replace(slots.begin(), slots.end(), EdgeBisection::kMidpoint, lost);
   for (std::size_t k = 0; k < slots.size() && sound; ++k) {
     const int place = static_cast<int>(k);
     sound = slots[k] == place || same_factor(element, slots[k], place);
@@ -59,7 +59,7 @@ void check_child(const BernsteinElement& element, std::vector<int> slots, int lo
 
 void check_bisections(const BernsteinElement& element) {
   if (element.bisections.empty()) refuse(element, "no bisections");
-  for (const Subdivision::Step& step : element.bisections) {
+  for (const EdgeBisection& step : element.bisections) {
     if (!same_factor(element, step.a, step.b))
       refuse(element,
              fmt::format("a bisection between coordinates {} and {}, not two of one factor", step.a,
@@ -87,18 +87,17 @@ void check_affine(const BernsteinElement& element, const DetCoefficients& det,
   for (int k = 0; k < nodes.count(); ++k)
     for (const auto& row : values.rowwise()) {
       c.push_back(0);
-      for (Index q = 0; q < row.size(); ++q)
-        c.back() += row[q] * nodes.exponents(k)[static_cast<std::size_t>(q)];
+      for (Index q = 0; q < row.size(); ++q) c.back() += row[q] * nodes.exponents(k)[at(q)];
     }
   Eigen::MatrixXd j = zeros(element);
   for (int d = 0; d < element.dim(); ++d) {
-    const auto [plus, minus] = element.derivatives[static_cast<std::size_t>(d)];
+    const auto [plus, minus] = element.derivatives[at(d)];
     j.col(d) = element.degree * (values.col(plus) - values.col(minus));
   }
   const double expected = determinant(j);
   if (expected == 0)
     refuse(element, fmt::format("det J of the {} is 0, its derivatives are dependent", map));
-  std::vector<double> out(static_cast<std::size_t>(det.count())), error(out.size());
+  std::vector<double> out(at(det.count())), error(out.size());
   det.at_with_error(c.data(), out.data(), error.data());
   for (std::size_t k = 0; k < out.size(); ++k)
     if (!(std::abs(out[k] - expected) <= error[k]))
@@ -116,7 +115,7 @@ double value(const BernsteinBasis& basis, int k, const Coordinates& x) {
 
 // All coordinates are positive.
 double derivative(const BernsteinBasis& basis, int k, const Coordinates& x, int by) {
-  const auto q = static_cast<std::size_t>(by);
+  const auto q = at(by);
   return value(basis, k, x) * basis.exponents(k)[q] / x[q];
 }
 
@@ -133,11 +132,11 @@ void check_curved(const BernsteinElement& element, const DetCoefficients& det) {
     for (int row = 0; row < element.dim(); ++row) {
       c.push_back(static_cast<double>(random() % 16));
       for (int d = 0; d < element.dim(); ++d) {
-        const auto [plus, minus] = element.derivatives[static_cast<std::size_t>(d)];
+        const auto [plus, minus] = element.derivatives[at(d)];
         j(row, d) += c.back() * (derivative(nodes, k, x, plus) - derivative(nodes, k, x, minus));
       }
     }
-  std::vector<double> out(static_cast<std::size_t>(det.count())), error(out.size());
+  std::vector<double> out(at(det.count())), error(out.size());
   det.at_with_error(c.data(), out.data(), error.data());
   double sum = 0, size = 0;
   for (std::size_t k = 0; k < out.size(); ++k) {
@@ -167,8 +166,7 @@ void check_description(const BernsteinElement& element) {
 
 void check_determinants(const BernsteinElement& element, const DetCoefficients& det) {
   Eigen::MatrixXd identity = Eigen::MatrixXd::Zero(element.dim(), element.coordinate_count());
-  for (int d = 0; d < element.dim(); ++d)
-    identity(d, element.derivatives[static_cast<std::size_t>(d)][0]) = 1;
+  for (int d = 0; d < element.dim(); ++d) identity(d, element.derivatives[at(d)][0]) = 1;
   check_affine(element, det, identity, "identity");
   Eigen::Matrix3d
       shear;  // any regular one of small integers, in the plane its first 2 by 2 entries

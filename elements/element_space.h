@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "majorant/elements/contraction_entries.h"
-#include "majorant/elements/positivity.h"
+#include "majorant/elements/positivity_proof.h"
 #include "majorant/elements/quadrature.h"
 #include "majorant/framework/types.h"
 
@@ -17,14 +17,14 @@ namespace majorant {
 
 // The contraction's view of an element type on one quadrature rule (method.md section 4).
 //
-// Derivatives are taken in D directions gamma_a of the reference element (for Bezier triangles the
+// Derivatives are taken in directions gamma_a of the reference element (for Bezier triangles the
 // three barycentric ones, which makes every recombination a single term). With basis functions B_i:
-//   d_a B_i       = sum_k  G[i,a,k]    first_k     (`gradient` list, `first` table)
-//   d_a B_i d_b B_j = sum_m H[i,a,j,b,m] moment_m  (`hessian` list, `moment` table)
+//     d_a B_i       = sum_k  G[i,a,k]    first_k     (`gradient` list, `first` table)
+//     d_a B_i d_b B_j = sum_m H[i,a,j,b,m] moment_m  (`hessian` list, `moment` table)
 // so the sums over quadrature points are moments, and basis pairs appear only afterwards.
 struct ContractionTable {
   int nodes = 0;         // per element
-  RowMatrix directions;  // D by reference dimension: gamma_a
+  RowMatrix directions;  // a row each, by reference coordinate: gamma_a
   Vec weights;           // L
   RowMatrix first;       // L by N1
   RowMatrix moment;      // L by Nm

@@ -4,10 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "majorant/elements/rounding.h"
+
 namespace majorant {
 namespace {
 
-constexpr double kUnit = std::numeric_limits<double>::epsilon() / 2;  // 2^-53
 constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -22,7 +23,7 @@ class Bisection {
     T *first, *second;
   };
   Children split(int depth, const T* parent) {
-    const auto level = static_cast<std::size_t>(depth), n = static_cast<std::size_t>(cell_.count());
+    const auto level = at(depth), n = at(cell_.count());
     if (levels_.size() <= level) levels_.emplace_back(2 * n);
     T* memory = levels_[level].data();  // stays where it is when levels_ grows
     cell_.bisect(depth, parent, memory, memory + n);
@@ -62,7 +63,8 @@ class Certifier : Bisection<double> {
     // half of a sum underflows, half the smallest double. The sum of errors rounds as well.
     double largest = 0;
     for (int k = 0; k < cell_.count(); ++k) largest = std::max(largest, std::abs(a[k]));
-    const double rounding = 1.01 * cell_.levels(depth) * (kUnit * largest + kSmallest);
+    const double rounding =
+        1.01 * cell_.levels(depth) * (kUnitRoundoff<double> * largest + kSmallest);
     const double child_error = std::nextafter(error + rounding, kInfinity);
     const auto [first, second] = split(depth, a);
     const PositivityProof one = prove(first, child_error, depth + 1);

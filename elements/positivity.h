@@ -4,18 +4,11 @@
 // Sec. 5.2, App. E.
 #pragma once
 
+#include "majorant/elements/positivity_proof.h"
 #include "majorant/elements/step_polynomial.h"
 #include "majorant/elements/subdivision.h"
 
 namespace majorant {
-
-enum class Positivity { Certified, Violated, Undecided };
-
-struct PositivityProof {
-  Positivity result = Positivity::Undecided;
-  double lower_bound = 0;  // of the minimum on the element; certified whatever the result
-  int depth = 0;           // of bisection that was needed
-};
 
 // Whether the polynomial with these coefficients, each exact to +- error, is positive on the cell;
 // bisects down to max_depth, its own rounding included. Certified is a proof; Violated: not

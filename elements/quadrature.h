@@ -1,7 +1,7 @@
 // Quadrature rules: points of a reference cell and weights that add to 1.
 //
-//   space.tabulate(radon_rule());                                  // triangles
-//   space.tabulate(product_rule(radon_rule(), gauss_rule(3)));     // wedges: triangle x segment
+//   space->tabulate(radon_rule());                                        // triangles
+//   const Quadrature wedge = product_rule(radon_rule(), gauss_rule(3));   // triangle x segment
 //
 // A rule knows its cell, and spaces refuse the rule of another one: three columns are a point of a
 // triangle or of a cube. All rules here are symmetric under the symmetries of the cell, so results

@@ -1,7 +1,8 @@
 // What a map is measured against: the shapes of the elements at rest.
 //
-//   auto rest = flat_triangles(mesh.positions(), mesh.faces());     // a surface of flat triangles
-//   auto rest = curved_shapes(space, positions, rule);              // nodes of any element space
+//   auto flat = flat_triangles(mesh->positions(), mesh->faces());   // a surface of flat triangles
+//   const RowMatrix nodes = space->node_positions(mesh->positions());
+//   auto curved = curved_shapes(*space, nodes, rule);               // nodes of any element space
 //
 // J = (d image / d reference) M, M the inverse Jacobian of the rest shape (reference coordinates ->
 // orthonormal frame of the rest shape).

@@ -5,23 +5,23 @@
 
 namespace majorant {
 
-Subdivision::Subdivision(const BernsteinBasis& basis, const std::vector<Step>& steps)
+Subdivision::Subdivision(const BernsteinBasis& basis, const std::vector<EdgeBisection>& steps)
     : count_(basis.count()) {
   for (int k = 0; k < count_; ++k)
     if (basis.is_corner(k)) corners_.push_back(k);
-  for (const Step& s : steps) plans_.push_back(plan(basis, s));
+  for (const EdgeBisection& s : steps) plans_.push_back(plan(basis, s));
 }
 
-Subdivision::Plan Subdivision::plan(const BernsteinBasis& basis, const Step& step) {
-  const auto a = static_cast<std::size_t>(step.a), b = static_cast<std::size_t>(step.b);
+Subdivision::Plan Subdivision::plan(const BernsteinBasis& basis, const EdgeBisection& step) {
+  const auto a = at(step.a), b = at(step.b);
   // Coefficient of a child whose midpoint has exponent l and whose remaining end of the edge has
   // exponent `rest`.
   const auto child = [&](const std::vector<int>& slots, int end, Exponents parent, int l,
                          int rest) {
-    parent[static_cast<std::size_t>(end)] = rest;
+    parent[at(end)] = rest;
     Exponents e{};
     for (std::size_t s = 0; s < slots.size(); ++s)
-      e[s] = slots[s] == kMidpoint ? l : parent[static_cast<std::size_t>(slots[s])];
+      e[s] = slots[s] == EdgeBisection::kMidpoint ? l : parent[at(slots[s])];
     return basis.find(e);
   };
   Plan out;

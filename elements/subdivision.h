@@ -8,23 +8,17 @@
 
 #include <vector>
 
-#include "majorant/elements/bernstein_basis.h"
+#include "majorant/elements/bernstein_element.h"
 #include "majorant/elements/step_polynomial.h"
 
 namespace majorant {
 
 class Subdivision {
  public:
-  static constexpr int kMidpoint = -1;
   static constexpr int kMaxDegree = 31;
-  // Cuts the edge between coordinates a and b. `first` is the child with vertex a, `second` the one
-  // with b: which coordinate of the parent, or kMidpoint, is each coordinate of the child.
-  struct Step {
-    int a, b;
-    std::vector<int> first, second;
-  };
+
   // Steps are cycled by depth. Throws std::invalid_argument beyond kMaxDegree.
-  Subdivision(const BernsteinBasis& basis, const std::vector<Step>& steps);
+  Subdivision(const BernsteinBasis& basis, const std::vector<EdgeBisection>& steps);
 
   int count() const { return count_; }                          // coefficients
   const std::vector<int>& corners() const { return corners_; }  // coefficients that are values
@@ -42,10 +36,8 @@ class Subdivision {
     int levels = 0;
     std::vector<int> lines;
   };
-  const Plan& step(int depth) const {
-    return plans_[static_cast<std::size_t>(depth) % plans_.size()];
-  }
-  static Plan plan(const BernsteinBasis& basis, const Step& step);
+  const Plan& step(int depth) const { return plans_[at(depth) % plans_.size()]; }
+  static Plan plan(const BernsteinBasis& basis, const EdgeBisection& step);
   int count_;
   std::vector<int> corners_;
   std::vector<Plan> plans_;

@@ -1,6 +1,6 @@
-// The densities the library ships, as a list of types: kernels are compiled for every instruction
-// set from it (kernels/builtin_kernels.cpp). A new file in densities/ becomes a named energy by its
-// #include and type here and one line in named_energies.cpp (docs/add_an_energy.md).
+// The energies the library ships, as one list: their names for users (named_energies.h) and their
+// kernels for every instruction set (kernels/builtin_kernels.cpp) come from it. A new file in
+// densities/ becomes a named energy by its #include and its line here (docs/add_an_energy.md).
 #pragma once
 
 #include <tuple>
@@ -16,10 +16,25 @@
 
 namespace majorant {
 
-using BuiltinDensities =
-    std::tuple<decltype(symmetric_dirichlet_density()), decltype(asap_density()),
-               decltype(mips_density()), decltype(arap_density()),
-               decltype(symmetric_arap_density()), decltype(log_isometric_density()),
-               decltype(authalic_density()), decltype(amips_exponential_density())>;
+template <class D>
+struct BuiltinEnergy {
+  using Density = D;
+  D density;
+  const char* summary;  // formula; where it is smallest, and how small
+};
+
+inline auto builtin_energies() {
+  return std::tuple{
+      BuiltinEnergy{symmetric_dirichlet_density(), "|J|^2 + |J^-1|^2; isometry 4"},
+      BuiltinEnergy{asap_density(), "(Sigma - sigma)^2, conformal; similarity 0"},
+      BuiltinEnergy{mips_density(), "|J|^2 / det J, conformal; similarity 2"},
+      BuiltinEnergy{arap_density(), "|J - R|^2; isometry 0"},
+      BuiltinEnergy{symmetric_arap_density(), "|J - R|^2 + |J^-1 - R^-1|^2; isometry 0"},
+      BuiltinEnergy{log_isometric_density(), "log^2 Sigma + log^2 sigma; isometry 0"},
+      BuiltinEnergy{authalic_density(), "det J + 1 / det J, areas; equal areas 2"},
+      BuiltinEnergy{amips_exponential_density(), "exp(5 ((mips + authalic) / 4 - 1)); isometry 1"},
+  };
+}
+using BuiltinEnergies = decltype(builtin_energies());
 
 }  // namespace majorant

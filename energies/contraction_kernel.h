@@ -5,10 +5,10 @@
 // own coordinates), its gradient and its packed curvature appear; sums over points are moments
 // (method.md section 4), recombined into basis pairs once per element. Works for any element with a
 // ContractionTable and any density with
-//   rows, dims                                         J is rows by dims
-//   defines(Curvature)                                 constexpr: models worth compiling
-//   value(z), model<Curvature>(z, PointModel&)         z: rows * dims coordinates of J
-//   to_coordinates, gradient_to_jacobian, curvature_to_jacobian
+//     rows, dims                                         J is rows by dims
+//     defines(Curvature)                                 constexpr: models worth compiling
+//     value(z), model<Curvature>(z, PointModel&)         z: rows * dims coordinates of J
+//     to_coordinates, gradient_to_jacobian, curvature_to_jacobian
 // as energies/spectral.h and energies/density.h have them.
 //
 // Everything here is a template on Arch, needed or not, or always inlined: a function that several

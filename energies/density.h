@@ -1,7 +1,9 @@
 // Any density of the Jacobian from one line of code: anisotropic, of volumes, of surfaces in space.
 //
-//   auto mips = density<2, 2>("mips", [](const auto& J) { return J.squaredNorm() / J.determinant();
-//   }); builder.add(make_energy(space, rest_shapes, mips, rules), 1.0 / area);
+//   auto mips = density<2, 2>("mips", [](const auto& J) {
+//     return J.squaredNorm() / J.determinant();
+//   });
+//   builder.add(make_energy(space, rest, mips, {rule}), 1.0 / area);
 //
 // J is M by D: M unknowns per node, D the dimension of the element, in the frame of the rest shape
 // (RestShapes). Derivatives come from Dual2, the projected Hessian from an eigendecomposition of
@@ -70,8 +72,10 @@ template <int M, int D, class F>
 class GeneralDensity {
  public:
   static constexpr int rows = M, dims = D, size = M * D;
-  GeneralDensity(std::string name, F f, Domain domain)
-      : f_(std::move(f)), name_(std::move(name)), domain_(domain) {}
+  const Traits traits;  // public: kernels must not call shared functions
+
+  GeneralDensity(std::string name, F f, const Traits& t)
+      : traits(t), f_(std::move(f)), name_(std::move(name)) {}
   std::string_view name() const { return name_; }
   static constexpr bool defines(Curvature c) {
     return c == Curvature::Projected || c == Curvature::Exact;
@@ -120,21 +124,19 @@ class GeneralDensity {
     using namespace scalar_math;
     const T infinity(std::numeric_limits<double>::infinity());
     if constexpr (M == D)
-      if (domain_ == Domain::PositiveDeterminant)
+      if (traits.domain == Domain::PositiveDeterminant)
         return select((J.determinant() > T(0.0)) && (f == f), f, infinity);
     return select(f == f, f, infinity);
   }
   F f_;
   std::string name_;
-  Domain domain_;
 };
 
 // f(J): J a SmallMatrix<T, M, D>. Domain::PositiveDeterminant needs M = D <= 3 and is not looked at
-// otherwise.
+// otherwise; convexity and reweighting never are.
 template <int M, int D, class F>
-GeneralDensity<M, D, F> density(std::string name, F f,
-                                Domain domain = Domain::PositiveDeterminant) {
-  return {std::move(name), std::move(f), domain};
+GeneralDensity<M, D, F> density(std::string name, F f, const Traits& traits = {}) {
+  return {std::move(name), std::move(f), traits};
 }
 
 }  // namespace majorant

@@ -11,6 +11,7 @@
 
 #include "majorant/elements/rest_shapes.h"
 #include "majorant/energies/contraction.h"
+#include "majorant/energies/traits.h"
 #include "majorant/framework/energy_term.h"
 
 namespace majorant {
@@ -19,6 +20,8 @@ namespace majorant {
 struct DensityTraits {
   std::string name;
   std::vector<Curvature> curvatures;  // supported
+  Barrier barrier = Barrier::Weak;
+  FreeScale free_scale = FreeScale::Determined;
   // The density for these TermState::parameters; empty for a density without parameters.
   std::function<std::shared_ptr<const void>(const Vec& parameters)> with_parameters;
 };
@@ -35,6 +38,7 @@ class DensityTerm final : public EnergyTerm {
   std::string_view name() const override { return traits_.name; }
   const Stencils& stencils() const override { return stencils_; }
   bool supports(Curvature curvature) const override;
+  const DensityTraits& traits() const { return traits_; }
   // f = measure * mean density of each element.
   void values(VecIn x, const Chunk& chunk, const TermState& state, Workspace& workspace,
               std::span<double> f) const override;

@@ -7,9 +7,9 @@
 // k(x, y) of the invariants x = |alpha|^2, y = |beta|^2; det J = x - y, |J|^2 = 2 (x + y).
 //
 // A density is described at one Jacobian by its jet
-//   dE   = ga alpha.d(alpha) + gb beta.d(beta)
-//   d2E  = ga |d alpha|^2 + gb |d beta|^2
-//          + caa (alpha.d alpha)^2 + 2 cab (alpha.d alpha)(beta.d beta) + cbb (beta.d beta)^2
+//     dE   = ga alpha.d(alpha) + gb beta.d(beta)
+//     d2E  = ga |d alpha|^2 + gb |d beta|^2
+//            + caa (alpha.d alpha)^2 + 2 cab (alpha.d alpha)(beta.d beta) + cbb (beta.d beta)^2
 // that is ga = k_A / A = 2 k_x, caa = 4 k_xx and so on. Curvature models only change coefficients.
 #pragma once
 
@@ -18,24 +18,10 @@
 
 #include "majorant/energies/dual2.h"
 #include "majorant/energies/point_model.h"
+#include "majorant/energies/traits.h"
 #include "majorant/framework/curvature.h"
 
 namespace majorant {
-
-enum class Domain { PositiveDeterminant, Everywhere };
-// Convex: k(A, B) = h(A+B, A-B) is convex in (A, B), that is h in (Sigma, sigma), and increasing in
-// B.
-enum class Convexity { Convex, Unknown };
-// Separable: h = p(Sigma) + p(sigma) with p'(t) (t - 1) >= 0, what SLIM's weights need.
-enum class Reweighting { Separable, Refused };
-
-// What a density declares about itself; it cannot be found out from code. Without Convex the
-// majorizers are refused, without Separable reweighting is.
-struct Traits {
-  Domain domain = Domain::PositiveDeterminant;
-  Convexity convexity = Convexity::Unknown;
-  Reweighting reweighting = Reweighting::Refused;
-};
 
 // A below which quotients by A stop growing: its inverse cube is finite.
 inline constexpr double kSmallestA = 1e-75;
@@ -46,7 +32,7 @@ struct IsotropicJet {
 };
 
 // The curvature at one point, as coefficients of the same five squares:
-//   pa |d alpha|^2 + pb |d beta|^2 + qa (alpha.d alpha)^2 + 2 qab (..)(..) + qb (beta.d beta)^2.
+//     pa |d alpha|^2 + pb |d beta|^2 + qa (alpha.d alpha)^2 + 2 qab (..)(..) + qb (beta.d beta)^2.
 template <class T>
 struct CurvatureCoefficients {
   T pa, pb, qa, qab, qb;
@@ -140,8 +126,8 @@ void write_curvature(const CurvatureCoefficients<T>& c, const T (&z)[4], PointMo
 // SLIM's proxy [RPPSH17] Eq. 12: 2 tr(dJ^T W^2 dJ), W^2 = U diag(w(Sigma), w(sigma)) U^T with
 // w(t) = p'(t) / (2 (t - 1)), at t = 1 its limit p''(1) / 2. U turns by half the angle of
 // alpha beta (as complex numbers), so no SVD is needed:
-//   4 m (|d alpha|^2 + |d beta|^2) + 8 d Re(conj(u) d alpha d beta),  u = alpha beta / |alpha
-//   beta|,
+//     4 m (|d alpha|^2 + |d beta|^2) + 8 d Re(conj(u) d alpha d beta),
+//     u = alpha beta / |alpha beta|,
 // m and d half the sum and half the difference of the weights.
 template <class T>
 void write_reweighted(const IsotropicJet<T>& j, const T& x, const T& y, const T (&z)[4],

@@ -6,7 +6,8 @@
 //
 // Drivers that build spaces and rules themselves take an EnergyFactory instead:
 //
-//   options.energy = {{energy_factory(spectral(...)), 1.0}};
+//   auto mine = spectral("my-energy", [](auto S, auto s) { return S / s + s / S; });
+//   options.energy = {{energy_factory(mine), 1.0}};
 //
 // The kernel is compiled where these are called, for the instruction set of that file. A density
 // with a member `Density with_parameters(const Vec&) const` takes TermState::parameters, which may
@@ -25,19 +26,26 @@
 
 namespace majorant {
 
-// With kernels compiled elsewhere. Throws std::invalid_argument as DensityTerm does.
 template <class Density>
-std::shared_ptr<const DensityTerm> make_energy(std::shared_ptr<const ElementSpace> space,
-                                               const RestShapes& rest, Density density,
-                                               const std::vector<Quadrature>& rules,
-                                               const DensityKernels& kernels) {
-  DensityTraits traits{std::string(density.name()), {}, {}};
+DensityTraits density_traits(const Density& density) {
+  DensityTraits traits{
+      std::string(density.name()), {}, density.traits.barrier, density.traits.free_scale, {}};
   for (const Curvature c : kCurvatures)
     if (density.supports(c)) traits.curvatures.push_back(c);
   if constexpr (requires(Vec parameters) { density.with_parameters(parameters); })
     traits.with_parameters = [density](const Vec& parameters) {
       return std::make_shared<const Density>(density.with_parameters(parameters));
     };
+  return traits;
+}
+
+// With kernels compiled elsewhere. Throws std::invalid_argument as DensityTerm does.
+template <class Density>
+std::shared_ptr<const DensityTerm> make_energy(std::shared_ptr<const ElementSpace> space,
+                                               const RestShapes& rest, Density density,
+                                               const std::vector<Quadrature>& rules,
+                                               const DensityKernels& kernels) {
+  DensityTraits traits = density_traits(density);
   return std::make_shared<const DensityTerm>(std::move(traits), std::move(space), rest, rules,
                                              std::make_shared<const Density>(std::move(density)),
                                              kernels);
@@ -52,12 +60,18 @@ std::shared_ptr<const DensityTerm> make_energy(std::shared_ptr<const ElementSpac
 }
 
 template <class Density>
+EnergyFactory energy_factory(Density density, const DensityKernels& kernels) {
+  DensityTraits traits = density_traits(density);
+  return {std::move(traits), [density = std::move(density), kernels](
+                                 std::shared_ptr<const ElementSpace> space, const RestShapes& rest,
+                                 const std::vector<Quadrature>& rules) {
+            return make_energy(std::move(space), rest, density, rules, kernels);
+          }};
+}
+
+template <class Density>
 EnergyFactory energy_factory(Density density) {
-  return
-      [density = std::move(density)](std::shared_ptr<const ElementSpace> space,
-                                     const RestShapes& rest, const std::vector<Quadrature>& rules) {
-        return make_energy(std::move(space), rest, density, rules);
-      };
+  return energy_factory(std::move(density), kernel::make_kernels<xsimd::default_arch, Density>());
 }
 
 }  // namespace majorant

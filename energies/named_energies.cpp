@@ -1,6 +1,8 @@
 #include "majorant/energies/named_energies.h"
 
 #include <algorithm>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "majorant/energies/builtin_densities.h"
@@ -17,7 +19,7 @@ namespace {
 
 template <class Density, class... All>
 constexpr int position(const std::tuple<All...>*) {
-  const bool same[] = {std::is_same_v<Density, All>...};
+  const bool same[] = {std::is_same_v<Density, typename All::Density>...};
   return static_cast<int>(std::find(std::begin(same), std::end(same), true) - std::begin(same));
 }
 
@@ -33,33 +35,23 @@ DensityKernels best_kernels([[maybe_unused]] int index) {
 }
 
 template <class Density>
-NamedEnergy named(const Density& density, FreeScale free_scale, std::string summary) {
-  constexpr int index = position<Density>(static_cast<const BuiltinDensities*>(nullptr));
-  static_assert(index < static_cast<int>(std::tuple_size_v<BuiltinDensities>));
-  return {std::string(density.name()), std::move(summary), free_scale,
-          [density, kernels = best_kernels<Density>(index)](
-              std::shared_ptr<const ElementSpace> space, const RestShapes& rest,
-              const std::vector<Quadrature>& rules) {
-            return make_energy(std::move(space), rest, density, rules, kernels);
-          }};
+EnergyFactory builtin(Density density) {
+  constexpr int index = position<Density>(static_cast<const BuiltinEnergies*>(nullptr));
+  static_assert(index < static_cast<int>(std::tuple_size_v<BuiltinEnergies>));
+  return energy_factory(std::move(density), best_kernels<Density>(index));
+}
+
+template <class Density>
+NamedEnergy named(BuiltinEnergy<Density> energy) {
+  return {std::string(energy.density.name()), energy.summary, builtin(std::move(energy.density))};
 }
 
 }  // namespace
 
 std::span<const NamedEnergy> named_energies() {
-  using enum FreeScale;
-  static const std::vector<NamedEnergy> all{
-      named(symmetric_dirichlet_density(), Determined, "|J|^2 + |J^-1|^2; barrier; isometry 4"),
-      named(asap_density(), Collapses, "(Sigma - sigma)^2, conformal; no barrier; similarity 0"),
-      named(mips_density(), Arbitrary, "|J|^2 / det J, conformal; barrier; similarity 2"),
-      named(arap_density(), Determined, "|J - R|^2; no barrier; isometry 0"),
-      named(symmetric_arap_density(), Determined,
-            "|J - R|^2 + |J^-1 - R^-1|^2; barrier; isometry 0"),
-      named(log_isometric_density(), Determined, "log^2 Sigma + log^2 sigma; barrier; isometry 0"),
-      named(authalic_density(), Determined, "det J + 1 / det J, areas; barrier; equal areas 2"),
-      named(amips_exponential_density(), Determined,
-            "exp(5 ((mips + authalic) / 4 - 1)); barrier; isometry 1"),
-  };
+  static const auto all = std::apply(
+      [](auto... energies) { return std::vector<NamedEnergy>{named(std::move(energies))...}; },
+      builtin_energies());
   return all;
 }
 
@@ -69,6 +61,7 @@ const NamedEnergy* find_energy(std::string_view name) {
   return nullptr;
 }
 
-EnergyFactory symmetric_dirichlet() { return find_energy("symmetric-dirichlet")->make; }
+EnergyFactory symmetric_dirichlet() { return builtin(symmetric_dirichlet_density()); }
+EnergyFactory mips() { return builtin(mips_density()); }
 
 }  // namespace majorant

@@ -1,7 +1,7 @@
 // The energies users call by name.
 //
 //   const NamedEnergy* e = find_energy("arap");
-//   options.energy = {{e->make, 1.0}, {symmetric_dirichlet(), 0.1}};
+//   options.energy = {{e->make, 1.0}, {mips(), 0.1}};
 //
 // Kernels are compiled for several instruction sets and chosen at run time.
 #pragma once
@@ -14,20 +14,17 @@
 
 namespace majorant {
 
-// What a free boundary does: energies that vanish as the scale of the map does need something that
-// holds it.
-enum class FreeScale { Determined, Arbitrary, Collapses };
-
 struct NamedEnergy {
   std::string name;
-  std::string summary;  // one line, formula first
-  FreeScale free_scale;
-  EnergyFactory make;
+  std::string summary;  // one line: formula; where it is smallest, and how small
+  EnergyFactory make;   // its traits() say what else is known
 };
 
 std::span<const NamedEnergy> named_energies();
 const NamedEnergy* find_energy(std::string_view name);  // null when there is none
 
+// Those that code asks for.
 EnergyFactory symmetric_dirichlet();
+EnergyFactory mips();
 
 }  // namespace majorant

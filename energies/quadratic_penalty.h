@@ -1,9 +1,9 @@
 // Linear constraints made soft: sum over rows of (a.x - b)^2.
 //
-//   builder.add(std::make_shared<QuadraticPenalty>(FixedPoints(handles)), 1e3 / area);
+//   builder.add(std::make_shared<QuadraticPenalty>(FixedPoints({{12, {0.1, 0.2}}})), 1e3 / area);
 //
 //   builder.add(std::make_shared<QuadraticPenalty>(std::vector<LinearExpression>{
-//       {{{2 * a, 0.3}, {2 * b, 0.7}}, 1.5}}), 10);              // 0.3 u_a + 0.7 u_b -> 1.5
+//       {{{2 * 12, 0.3}, {2 * 13, 0.7}}, 1.5}}), 10);            // 0.3 u_12 + 0.7 u_13 -> 1.5
 //
 // Any Constraint can be given: what it would hold exactly is now pulled at. Row weights are
 // TermState::element_weight. Rows of n unknowns have dense n by n Hessians: for short rows. Not for

@@ -1,7 +1,7 @@
 // A small dense matrix of any scalar: what density<M, D> lambdas see as J. Eigen's own matrices
 // assume that a scalar compares to one bool and converts from double, which SIMD batches do not.
 //
-//   [](const auto& J) { return J.squaredNorm() / J.determinant(); }
+//   const auto mips = [](const auto& J) { return J.squaredNorm() / J.determinant(); };
 #pragma once
 
 #include <array>

@@ -2,7 +2,7 @@
 //
 //   auto sd = spectral("symmetric-dirichlet",
 //       [](auto S, auto s) { return S * S + s * s + 1.0 / (S * S) + 1.0 / (s * s); });
-//   builder.add(make_energy(space, rest_shapes, sd, rules), 1.0 / area);
+//   builder.add(make_energy(space, rest, sd, {rule}), 1.0 / area);
 //
 // `spectral` takes h(Sigma, sigma), sigma signed; `invariant` takes k(x, y) of x = |alpha|^2,
 // y = |beta|^2 and is cheaper and exact at similarities (no square roots): prefer it where the

@@ -1,11 +1,12 @@
 // The untangling energy: finite for inverted elements too, and for eps -> 0 a barrier that pushes
 // det J above 0. [GKKPRS21], method.md section 7.
 //
-//   F_eps(J) = (|J|^2 + lambda (D^2 + 1)) / chi(eps, D),   D = det J,
-//   chi = (D + sqrt(eps^2 + D^2)) / 2,  for D < 0 written eps^2 / (2 (sqrt(eps^2 + D^2) - D)).
+//     F_eps(J) = (|J|^2 + lambda (D^2 + 1)) / chi(eps, D),   D = det J,
+//     chi = (D + sqrt(eps^2 + D^2)) / 2,  for D < 0 written eps^2 / (2 (sqrt(eps^2 + D^2) - D)).
 //
 //   auto term = make_energy(space, rest, UntanglingDensity(1.0), {rule});
-//   state.parameters = Vec::Constant(1, eps);        // TermState: eps shrinks between steps
+//   TermState state;
+//   state.parameters = Vec::Constant(1, 0.5);        // eps shrinks between steps
 //
 // D^2 + 1 presumes determinants near 1: scale the rest shapes to the areas that are wanted. Not for
 // measuring distortion: it trades shape for area. Its Hessian is indefinite: use Projected.

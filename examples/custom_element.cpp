@@ -36,7 +36,7 @@ std::vector<Exponents> lattice(const Degrees& n) {
 
 // 2. The description: three factors of two corners, derivatives by r, s, t, halved in turn.
 BernsteinElement hexahedron(int degree) {
-  constexpr int m = Subdivision::kMidpoint;
+  constexpr int m = EdgeBisection::kMidpoint;
   return {.name = "BezierHexahedronSpace",
           .degree = degree,
           .max_degree = 3,

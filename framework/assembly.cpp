@@ -5,8 +5,6 @@
 namespace majorant {
 namespace {
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
 // Distinct reduced unknowns of an element, sorted.
 void reduced_unknowns(const Stencils& s, const Elimination& z, Index e, std::vector<Index>& out) {
   out.clear();
@@ -17,13 +15,6 @@ void reduced_unknowns(const Stencils& s, const Elimination& z, Index e, std::vec
     }
   std::sort(out.begin(), out.end());
   out.erase(std::unique(out.begin(), out.end()), out.end());
-}
-
-Index find_slot(const SparsePattern& p, Index row, Index column) {
-  if (row < column) std::swap(row, column);
-  const auto first = p.rows.begin() + p.column_starts[at(column)];
-  const auto last = p.rows.begin() + p.column_starts[at(column) + 1];
-  return static_cast<Index>(std::lower_bound(first, last, row) - p.rows.begin());
 }
 
 }  // namespace
@@ -41,23 +32,18 @@ SparsePattern reduced_pattern(const std::vector<const Stencils*>& terms,
       lists.push_back(unknowns);
     }
   SparsePattern p;
-  p.size = n;
-  p.column_starts.assign(1, 0);
-  std::vector<Index> mark(at(n), -1), column;
+  std::vector<Index> mark(at(n), -1), below;
   for (Index c = 0; c < n; ++c) {
-    column.assign(1, c);
-    mark[at(c)] = c;
+    below.clear();
     for (const Index list : elements_of[at(c)])
       for (const Index r : lists[at(list)])
         if (r > c && mark[at(r)] != c) {
           mark[at(r)] = c;
-          column.push_back(r);
+          below.push_back(r);
         }
-    std::sort(column.begin(), column.end());
-    p.rows.insert(p.rows.end(), column.begin(), column.end());
-    p.column_starts.push_back(static_cast<Index>(p.rows.size()));
+    p.append_column(below);
   }
-  // One block per node of the first term that has several unknowns per node.
+  // A node is as many unknowns as in the term that has most of them.
   int block = 1;
   for (const Stencils* s : terms) block = std::max(block, s->block);
   Index previous = -1, blocks = 0;
@@ -97,8 +83,7 @@ SlotTable::SlotTable(const Stencils& stencils, const Elimination& elimination,
     Index* direct = direct_.data() + at(e) * at(packed_size_);
     for (int i = 0, k = 0; i < local_size_; ++i)
       for (int j = 0; j <= i; ++j, ++k)
-        if (reduced[i] >= 0 && reduced[j] >= 0)
-          direct[k] = find_slot(pattern, reduced[i], reduced[j]);
+        if (reduced[i] >= 0 && reduced[j] >= 0) direct[k] = pattern.slot(reduced[i], reduced[j]);
   }
 }
 
@@ -115,8 +100,8 @@ void SlotTable::build_general(Index e, const Stencils& s, const Elimination& z,
         const int packed = std::max(i, j) * (std::max(i, j) + 1) / 2 + std::min(i, j);
         for (auto q = z.begin(full(j)); q != z.end(full(j)); ++q)
           if (p->reduced >= q->reduced)
-            contributions.push_back({packed, find_slot(pattern, p->reduced, q->reduced),
-                                     p->coefficient * q->coefficient});
+            contributions.push_back(
+                {packed, pattern.slot(p->reduced, q->reduced), p->coefficient * q->coefficient});
       }
     }
   }

@@ -15,8 +15,9 @@
 namespace majorant {
 
 // Stopping formulas, with E_k the energy after iteration k, g_k its gradient there:
-//   |E_k - E_{k-1}| <= function_tolerance |E_{k-1}|,  max_i |g_k,i| <= gradient_tolerance / scale,
-//   |y_k - y_{k-1}| <= parameter_tolerance (|y_k| + parameter_tolerance).
+//     |E_k - E_{k-1}| <= function_tolerance |E_{k-1}|,
+//     max_i |g_k,i| <= gradient_tolerance / scale,
+//     |y_k - y_{k-1}| <= parameter_tolerance (|y_k| + parameter_tolerance).
 struct CeresOptions {
   enum class Method { Lbfgs, NonlinearConjugateGradient };
   Method method = Method::Lbfgs;
@@ -32,12 +33,12 @@ struct CeresOptions {
 class CeresMinimizer final : public Minimizer {
  public:
   explicit CeresMinimizer(CeresOptions options = {}) : options_(options) {}
-  // Throws std::invalid_argument when Ceres refuses the options. Converged: one of the formulas
-  // holds, and no checker cut the last line search short. Stalled: a checker did, or the line
-  // search found nothing. Failed: Ceres gave up elsewhere. The message is that of Ceres.
-  // Records: step in multiples of Ceres' direction; step_bound, newton_decrement and shift are 0,
-  // since nothing is certified and the direction is not known; trials: evaluations, those with
-  // gradients included; seconds.line_search: everything.
+  // Throws std::invalid_argument when Ceres refuses the options. Converged: the formula of
+  // the gradient holds, or another one and no checker cut the last line search short. Stalled: a
+  // checker did, or the line search found nothing. Failed: Ceres gave up elsewhere. The message is
+  // that of Ceres. Records: step in multiples of Ceres' direction; step_bound, newton_decrement and
+  // shift are 0, since nothing is certified and the direction is not known; trials: evaluations,
+  // those with gradients included; seconds.line_search: everything.
   SolveResult minimize(const Problem& problem, Vec y0, const Observer& observer) const override;
 
  private:

@@ -60,16 +60,14 @@ struct BlockGraph {
   explicit BlockGraph(const SparsePattern& p) {
     std::vector<std::vector<Index>> columns_of;
     for (const Index b : p.block_of) blocks = std::max(blocks, b + 1);
-    columns_of.resize(static_cast<std::size_t>(blocks));
-    for (Index c = 0; c < p.size; ++c)
-      columns_of[static_cast<std::size_t>(p.block_of[static_cast<std::size_t>(c)])].push_back(c);
-    std::vector<std::vector<Index>> lower(static_cast<std::size_t>(blocks));
+    columns_of.resize(at(blocks));
+    for (Index c = 0; c < p.size; ++c) columns_of[at(p.block_of[at(c)])].push_back(c);
+    std::vector<std::vector<Index>> lower(at(blocks));
     for (Index c = 0; c < p.size; ++c) {
-      const Index b = p.block_of[static_cast<std::size_t>(c)];
-      for (Index k = p.column_starts[static_cast<std::size_t>(c)];
-           k < p.column_starts[static_cast<std::size_t>(c) + 1]; ++k) {
-        const Index r = p.block_of[static_cast<std::size_t>(p.rows[static_cast<std::size_t>(k)])];
-        if (r != b) lower[static_cast<std::size_t>(std::min(r, b))].push_back(std::max(r, b));
+      const Index b = p.block_of[at(c)];
+      for (Index k = p.column_starts[at(c)]; k < p.column_starts[at(c) + 1]; ++k) {
+        const Index r = p.block_of[at(p.rows[at(k)])];
+        if (r != b) lower[at(std::min(r, b))].push_back(std::max(r, b));
       }
     }
     starts.push_back(0);
@@ -85,7 +83,7 @@ struct BlockGraph {
 cholmod_sparse sparse_view(Index size, const std::vector<Index>& starts,
                            const std::vector<Index>& rows, const double* values) {
   cholmod_sparse m{};
-  m.nrow = m.ncol = static_cast<std::size_t>(size);
+  m.nrow = m.ncol = at(size);
   m.nzmax = rows.size();
   m.p = const_cast<Index*>(starts.data());
   m.i = const_cast<Index*>(rows.data());
@@ -101,12 +99,11 @@ cholmod_sparse sparse_view(Index size, const std::vector<Index>& starts,
 std::vector<Index> lift(const std::vector<Index>& block_permutation, const SparsePattern& p) {
   std::vector<Index> position(block_permutation.size());
   for (std::size_t k = 0; k < block_permutation.size(); ++k)
-    position[static_cast<std::size_t>(block_permutation[k])] = static_cast<Index>(k);
-  std::vector<Index> permutation(static_cast<std::size_t>(p.size));
-  for (Index i = 0; i < p.size; ++i) permutation[static_cast<std::size_t>(i)] = i;
+    position[at(block_permutation[k])] = static_cast<Index>(k);
+  std::vector<Index> permutation(at(p.size));
+  for (Index i = 0; i < p.size; ++i) permutation[at(i)] = i;
   std::stable_sort(permutation.begin(), permutation.end(), [&](Index a, Index b) {
-    return position[static_cast<std::size_t>(p.block_of[static_cast<std::size_t>(a)])] <
-           position[static_cast<std::size_t>(p.block_of[static_cast<std::size_t>(b)])];
+    return position[at(p.block_of[at(a)])] < position[at(p.block_of[at(b)])];
   });
   return permutation;
 }
@@ -144,7 +141,7 @@ void CholmodSolver::analyze(const SparsePattern& pattern) {
   if (pattern.size == 0) return;
   const BlockGraph graph(pattern);
   cholmod_sparse blocks = sparse_view(graph.blocks, graph.starts, graph.rows, nullptr);
-  std::vector<Index> order(static_cast<std::size_t>(graph.blocks));
+  std::vector<Index> order(at(graph.blocks));
   if (ordering_ != Ordering::Metis && cholmod_amd(&blocks, nullptr, 0, order.data(), &common_))
     factor_ = analyze_with("AMD", lift(order, pattern));
   if (ordering_ != Ordering::Amd && order_by_metis(blocks, order)) {

@@ -14,15 +14,13 @@ struct NodeToElements {
 
   explicit NodeToElements(const Cells& nodes) {
     const Index count = nodes.size() ? nodes.maxCoeff() + 1 : 0;
-    starts.assign(static_cast<std::size_t>(count) + 1, 0);
-    for (Index k = 0; k < nodes.size(); ++k)
-      ++starts[static_cast<std::size_t>(nodes.data()[k]) + 1];
+    starts.assign(at(count) + 1, 0);
+    for (Index k = 0; k < nodes.size(); ++k) ++starts[at(nodes.data()[k]) + 1];
     for (std::size_t k = 1; k < starts.size(); ++k) starts[k] += starts[k - 1];
     elements.resize(static_cast<std::size_t>(nodes.size()));
-    std::vector<std::size_t> at(starts.begin(), starts.end() - (starts.empty() ? 0 : 1));
+    std::vector<std::size_t> place(starts.begin(), starts.end() - (starts.empty() ? 0 : 1));
     for (Index e = 0; e < nodes.rows(); ++e)
-      for (Index k = 0; k < nodes.cols(); ++k)
-        elements[at[static_cast<std::size_t>(nodes(e, k))]++] = e;
+      for (Index k = 0; k < nodes.cols(); ++k) elements[place[at(nodes(e, k))]++] = e;
   }
 };
 
@@ -33,17 +31,17 @@ std::vector<Index> local_order(const Cells& nodes) {
   order.reserve(static_cast<std::size_t>(nodes.rows()));
   std::vector<char> seen(static_cast<std::size_t>(nodes.rows()), 0);
   for (Index seed = 0; seed < nodes.rows(); ++seed) {
-    if (seen[static_cast<std::size_t>(seed)]) continue;
-    seen[static_cast<std::size_t>(seed)] = 1;
+    if (seen[at(seed)]) continue;
+    seen[at(seed)] = 1;
     std::size_t head = order.size();
     order.push_back(seed);
     for (; head < order.size(); ++head) {
       for (Index k = 0; k < nodes.cols(); ++k) {
-        const auto n = static_cast<std::size_t>(nodes(order[head], k));
+        const auto n = at(nodes(order[head], k));
         for (std::size_t q = around.starts[n]; q < around.starts[n + 1]; ++q) {
           const Index e = around.elements[q];
-          if (seen[static_cast<std::size_t>(e)]) continue;
-          seen[static_cast<std::size_t>(e)] = 1;
+          if (seen[at(e)]) continue;
+          seen[at(e)] = 1;
           order.push_back(e);
         }
       }
@@ -67,7 +65,6 @@ void visit_unknowns(const Stencils& s, const Elimination& z, Index e, const Visi
 
 // By element: its first unknown that more than kWide elements have, or -1.
 std::vector<Index> wide_unknowns(const Stencils& s, const Elimination& z) {
-  const auto at = [](Index i) { return static_cast<std::size_t>(i); };
   std::vector<Index> count(at(z.reduced_size()), 0), last(at(z.reduced_size()), -1);
   for (Index e = 0; e < s.element_count(); ++e)
     visit_unknowns(s, z, e, [&](Index j) {
@@ -88,12 +85,11 @@ std::vector<Index> wide_unknowns(const Stencils& s, const Elimination& z) {
 // shared thing; should 64 not suffice, the remaining chunks get a colour each.
 template <class Touched>
 void ChunkPlan::colour(Index count, const Touched& touched) {
-  std::vector<std::uint64_t> used(static_cast<std::size_t>(count));
+  std::vector<std::uint64_t> used(at(count));
   for (Index c = 0; c < chunk_count(); ++c) {
     std::uint64_t taken = 0;
-    for (const Index e : chunk(c).elements)
-      touched(e, [&](Index k) { taken |= used[static_cast<std::size_t>(k)]; });
-    const auto lowest = static_cast<std::size_t>(std::countr_one(taken));
+    for (const Index e : chunk(c).elements) touched(e, [&](Index k) { taken |= used[at(k)]; });
+    const auto lowest = at(std::countr_one(taken));
     if (lowest >= 64) {
       colours_.push_back({c});
       continue;
@@ -101,7 +97,7 @@ void ChunkPlan::colour(Index count, const Touched& touched) {
     if (colours_.size() <= lowest) colours_.resize(lowest + 1);
     colours_[lowest].push_back(c);
     for (const Index e : chunk(c).elements)
-      touched(e, [&](Index k) { used[static_cast<std::size_t>(k)] |= std::uint64_t(1) << lowest; });
+      touched(e, [&](Index k) { used[at(k)] |= std::uint64_t(1) << lowest; });
   }
 }
 
@@ -123,12 +119,10 @@ ChunkPlan::ChunkPlan(const Stencils& stencils, const std::vector<RuleId>& elemen
 void ChunkPlan::make_chunks(const Stencils& stencils, const std::vector<RuleId>& element_rule,
                             const std::vector<Index>& group) {
   const auto key = [&](Index e) {
-    const auto k = static_cast<std::size_t>(e);
+    const auto k = at(e);
     return std::pair(element_rule.empty() ? 0 : element_rule[k], group.empty() ? 0 : group[k]);
   };
-  const auto rule = [&](Index e) {
-    return element_rule.empty() ? 0 : element_rule[static_cast<std::size_t>(e)];
-  };
+  const auto rule = [&](Index e) { return element_rule.empty() ? 0 : element_rule[at(e)]; };
   elements_ = local_order(stencils.nodes);
   std::stable_sort(elements_.begin(), elements_.end(),
                    [&](Index a, Index b) { return key(a) < key(b); });

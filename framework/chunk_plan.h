@@ -1,8 +1,8 @@
 // Groups a term's elements into chunks of one rule each and colours the chunks: chunks of one
-// colour share no node, so they can be assembled at the same time. Elements that share an unknown
-// with many others (the translation of a seam, an aligned line) come together in few chunks, which
-// would otherwise need a colour each. The plan depends on the term's stencils, rules and the
-// elimination alone, never on the number of threads.
+// colour share no unknown, so they can be assembled at the same time. Elements that share an
+// unknown with many others (the translation of a seam, an aligned line) come together in few
+// chunks, which would otherwise need a colour each. The plan depends on the term's stencils, rules
+// and the elimination alone, never on the number of threads.
 #pragma once
 
 #include <vector>
@@ -22,7 +22,7 @@ class ChunkPlan {
 
   Index chunk_count() const { return static_cast<Index>(rules_.size()); }
   Chunk chunk(Index c) const {
-    const auto k = static_cast<std::size_t>(c);
+    const auto k = at(c);
     return {rules_[k], std::span<const Index>(elements_.data() + starts_[k],
                                               elements_.data() + starts_[k + 1])};
   }

@@ -28,8 +28,7 @@ class ElementProbe {
     const Stencils& s = term.stencils();
     for (Index k = 0; k < s.nodes.cols(); ++k)
       for (int c = 0; c < s.block; ++c) unknowns_.push_back(s.block * s.nodes(element, k) + c);
-    chunk_.rule =
-        state.element_rule.empty() ? 0 : state.element_rule[static_cast<std::size_t>(element)];
+    chunk_.rule = state.element_rule.empty() ? 0 : state.element_rule[at(element)];
     chunk_.elements = element_;
   }
 
@@ -65,7 +64,7 @@ class ElementProbe {
   LocalSystem reserve(int n) {
     LocalSystem out;
     constexpr int stride = LocalSystem::stride;
-    out.value = memory_.reserve(static_cast<std::size_t>((1 + n + n * (n + 1) / 2) * stride));
+    out.value = memory_.reserve(at((1 + n + n * (n + 1) / 2) * stride));
     out.gradient = out.value + stride;
     return out;
   }
@@ -145,11 +144,11 @@ class ElementCheck {
   // derivative by it is the sum over its places.
   void differences(int i) {
     const double h = 1e-5 * size_;
-    const Index u = probe_.unknowns()[static_cast<std::size_t>(i)];
+    const Index u = probe_.unknowns()[at(i)];
     double gradient_sum = 0;
     Vec hessian_sum = Vec::Zero(at_.gradient.size());
     for (Index k = 0; k < at_.gradient.size(); ++k) {
-      if (probe_.unknowns()[static_cast<std::size_t>(k)] != u) continue;
+      if (probe_.unknowns()[at(k)] != u) continue;
       gradient_sum += at_.gradient[k];
       hessian_sum += at_.hessian.col(k);
     }
@@ -191,7 +190,7 @@ class ChunkCheck {
     constexpr int stride = LocalSystem::stride;
     const int n = term_.stencils().local_size();
     LocalSystem out;
-    out.value = memory_.reserve(static_cast<std::size_t>((1 + n + n * (n + 1) / 2) * stride));
+    out.value = memory_.reserve(at((1 + n + n * (n + 1) / 2) * stride));
     out.gradient = out.value + stride;
     out.hessian = out.gradient + n * stride;
     double f[Chunk::kMaxSize];

@@ -1,15 +1,14 @@
 // Compares the derivatives of an energy term with finite differences: the first thing to run on a
 // new EnergyTerm.
 //
-//   DerivativeReport report = check_derivatives(*term, x);
+//   DerivativeReport report = check_derivatives(*energy, x);
 //   if (!report.ok()) std::cerr << report.message();   // names the element and the block
 //
 // Central differences of values() check the gradient, central differences of the gradient check the
 // Hessian under Curvature::Exact; the other curvature models the term supports are checked to be
 // positive semidefinite; local() without a Hessian has to give the same gradient (a term that
 // writes through the null pointer crashes here); elements evaluated together have to give what each
-// gives alone. x must lie inside the domain, away from its
-// boundary.
+// gives alone. x must lie inside the domain, away from its boundary.
 #pragma once
 
 #include <string>

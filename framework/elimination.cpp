@@ -177,10 +177,10 @@ Elimination::Elimination(Index full_size, const ConstraintRows& rows)
   const Eliminator eliminator(full_size, rows);
   const auto& solved = eliminator.solved();
   const Index all = full_size + auxiliary_size_;
-  std::vector<Index> reduced(static_cast<std::size_t>(all), -1);
+  std::vector<Index> reduced(at(all), -1);
   for (Index i = 0; i < all; ++i) {
     if (solved.count(i)) continue;
-    reduced[static_cast<std::size_t>(i)] = static_cast<Index>(free_.size());
+    reduced[at(i)] = static_cast<Index>(free_.size());
     free_.push_back(i);
   }
   offset_ = Vec::Zero(full_size);
@@ -188,10 +188,10 @@ Elimination::Elimination(Index full_size, const ConstraintRows& rows)
   for (Index i = 0; i < full_size; ++i) {
     if (const auto it = solved.find(i); it != solved.end()) {
       for (const auto& [unknown, c] : it->second.terms)
-        entries_.push_back({reduced[static_cast<std::size_t>(unknown)], c.value()});
+        entries_.push_back({reduced[at(unknown)], c.value()});
       offset_[i] = it->second.constant;
     } else {
-      entries_.push_back({reduced[static_cast<std::size_t>(i)], 1.0});
+      entries_.push_back({reduced[at(i)], 1.0});
     }
     starts_.push_back(entries_.size());
   }
@@ -199,12 +199,12 @@ Elimination::Elimination(Index full_size, const ConstraintRows& rows)
 }
 
 void Elimination::define_auxiliaries(const ConstraintRows& rows) {
-  std::vector<char> known(static_cast<std::size_t>(auxiliary_size_), 0);
+  std::vector<char> known(at(auxiliary_size_), 0);
   for (std::size_t r = 0; r < rows.size(); ++r) {
     const ConstraintRows::Entry* open = nullptr;
     int open_count = 0;
     for (auto e = rows.begin(r); e != rows.end(r); ++e)
-      if (e->unknown < 0 && !known[static_cast<std::size_t>(-1 - e->unknown)]) {
+      if (e->unknown < 0 && !known[at(-1 - e->unknown)]) {
         open = e;
         ++open_count;
       }
@@ -215,7 +215,7 @@ void Elimination::define_auxiliaries(const ConstraintRows& rows) {
       if (e != open)
         d.terms.push_back(
             {position(e->unknown, full_size()), -static_cast<double>(e->coefficient) / scale});
-    known[static_cast<std::size_t>(d.auxiliary)] = 1;
+    known[at(d.auxiliary)] = 1;
     definitions_.push_back(std::move(d));
   }
 }

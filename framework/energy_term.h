@@ -6,7 +6,7 @@
 //
 //   class Springs final : public EnergyTerm {
 //     std::string_view name() const override { return "springs"; }
-//     const Stencils& stencils() const override { return stencils_; }     // 2 points each
+//     const Stencils& stencils() const override ...     // 2 points each
 //     bool supports(Curvature c) const override { return c == Curvature::Exact; }
 //     void values(VecIn x, const Chunk&, const TermState&, Workspace&, std::span<double> f) ...
 //     void local(VecIn x, const Chunk&, Curvature, const TermState&, Workspace&, LocalSystem&) ...

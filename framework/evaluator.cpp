@@ -111,8 +111,7 @@ double Evaluator::assemble(VecIn y, Curvature curvature, Vec& gradient, Vec* hes
                            const StopCheck& stop) {
   problem_.elimination().expand(y, x_);
   gradient.setZero(problem_.size());
-  while (scratch_.size() < static_cast<std::size_t>(threads()))
-    scratch_.push_back(std::make_unique<Scratch>());
+  while (scratch_.size() < at(threads())) scratch_.push_back(std::make_unique<Scratch>());
   double total = 0;
   std::vector<double> energies;
   for (std::size_t k = 0; k < problem_.term_count(); ++k) {
@@ -129,12 +128,12 @@ void Evaluator::assemble_term(std::size_t k, Curvature curvature, Vec& gradient,
   const TermState& state = problem_.state(k);
   const ChunkPlan& plan = problem_.plan(k);
   const SlotTable& slots = problem_.slots(k);
-  const auto n = static_cast<std::size_t>(term.stencils().local_size());
+  const auto n = at(term.stencils().local_size());
   constexpr std::size_t stride = LocalSystem::stride;
-  chunk_energies.assign(static_cast<std::size_t>(plan.chunk_count()), 0.0);
+  chunk_energies.assign(at(plan.chunk_count()), 0.0);
   const auto assemble_chunk = [&](Index c) {
     stop.poll();
-    Scratch& s = *scratch_[static_cast<std::size_t>(omp_get_thread_num())];
+    Scratch& s = *scratch_[at(omp_get_thread_num())];
     const Chunk chunk = plan.chunk(c);
     LocalSystem local;
     const std::size_t packed = hessian_values ? n * (n + 1) / 2 : 0;
@@ -152,7 +151,7 @@ void Evaluator::assemble_term(std::size_t k, Curvature curvature, Vec& gradient,
       if (hessian_values)
         slots.add_hessian(e, local, static_cast<int>(p), w, hessian_values->data());
     }
-    chunk_energies[static_cast<std::size_t>(c)] = sum;
+    chunk_energies[at(c)] = sum;
   };
   ParallelErrors errors;
   for (const std::vector<Index>& colour : plan.colours()) {

@@ -1,14 +1,14 @@
 // Evaluates a Problem: energy, gradient and curvature in the reduced unknowns.
 //
 //   Evaluator evaluator(problem);
-//   Vec g, h;
+//   Vec y = problem.reduce(x), g, h;
 //   double energy = evaluator.value(y);                                 // line searches
 //   energy = evaluator.gradient(y, g);                                  // first-order methods
 //   energy = evaluator.linearize(y, Curvature::Projected, g, h);        // Newton
 //
-// One evaluator per solver: it owns scratch memory, the values of the Hessian's pattern, counters
-// and timers. Results do not depend on the number of threads, to the last bit: chunks are fixed,
-// chunks of one colour touch disjoint unknowns, colours run in order, energies add in chunk order.
+// One evaluator per solver: it owns scratch memory, counters and timers. Results do not depend on
+// the number of threads, to the last bit: chunks are fixed, chunks of one colour touch disjoint
+// unknowns, colours run in order, energies add in chunk order.
 #pragma once
 
 #include <functional>
@@ -40,7 +40,7 @@ class Evaluator {
   Evaluator& operator=(const Evaluator&) = delete;
 
   const Problem& problem() const { return problem_; }
-  // Goes on with another state of the same structure.
+  // Goes on with another problem.
   void reset(const Problem& problem);
 
   double value(VecIn y, const StopCheck& stop = {});  // +inf outside the domain

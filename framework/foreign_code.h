@@ -11,8 +11,8 @@
 
 namespace majorant {
 
-// Debian's CHOLMOD runs its own OpenMP teams of four, which slow it down on the matrices here
-// (docs/performance.md); BLAS threads likewise.
+// Debian's CHOLMOD runs its own OpenMP teams of four, which slow it down on the matrices here; BLAS
+// threads likewise.
 class SingleThreaded {
  public:
   SingleThreaded();

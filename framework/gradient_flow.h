@@ -2,7 +2,7 @@
 // feasible line search. With the Hessian of the Dirichlet energy as M this is the Sobolev gradient
 // descent of [Neu97] that preconditioned map optimizers use.
 //
-//   GradientFlowMinimizer flow(GradientFlowOptions{.metric = dirichlet_problem});
+//   GradientFlowMinimizer flow(GradientFlowOptions{.metric = problem});   // of Dirichlet's energy
 //   SolveResult result = flow.minimize(problem, y0, observer);
 //
 // Converges linearly, with a rate that depends on how well M matches the Hessian: a yardstick and a

@@ -21,7 +21,7 @@ class History {
   void add(Vec s, Vec q) {
     const double sq = s.dot(q);
     if (capacity_ <= 0 || !(sq > cautious_ * s.norm() * q.norm())) return;
-    if (pairs_.size() == static_cast<std::size_t>(capacity_)) pairs_.pop_front();
+    if (pairs_.size() == at(capacity_)) pairs_.pop_front();
     pairs_.push_back({std::move(s), std::move(q), sq});
   }
 

@@ -6,8 +6,7 @@ namespace majorant {
 
 double mean_diagonal(const SparsePattern& pattern, const Vec& values) {
   double sum = 0;
-  for (Index c = 0; c < pattern.size; ++c)
-    sum += std::abs(values[pattern.column_starts[static_cast<std::size_t>(c)]]);
+  for (Index c = 0; c < pattern.size; ++c) sum += std::abs(values[pattern.column_starts[at(c)]]);
   return sum / pattern.size;
 }
 

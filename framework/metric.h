@@ -2,6 +2,8 @@
 // Hessian of a Problem at a point, under a curvature model.
 //
 //   Metric metric(problem, Curvature::Projected, make_cholmod_solver());
+//   Vec g, p;
+//   Evaluator(problem).gradient(y0, g);
 //   if (metric.factorize(y0)) metric.solve(-g, p);   // p = -M^-1 g
 //
 // Factorized once, used for many directions. Newton's method does not need it (newton.h).

@@ -53,15 +53,16 @@ struct SolveResult {
 };
 
 // Stopping formulas, with E_k the energy after iteration k, p the Newton direction, g the gradient:
-//   decrement:   -g.p <= decrement |E_{k-1}|                                Converged, no step
-//   taken small step:  E_{k-1} - E_k <= relative_decrease |E_{k-1}|
-//     and -g.p <= tail_factor relative_decrease |E_{k-1}|                   Converged
-//     for a second time, the exact Hessian having been given another chance in between; steps with
-//     the exact Hessian do not count, they converge quadratically to the decrement rule
-//   idle: small step, or a certified step below stall_step, in stall_iterations successive
-//     iterations: Converged if -g.p <= stall_decrement |E_{k-1}|, else Stalled, and the result is
-//     the last point reached by a step of at least anchor_step: what follows it led into a corner
-//   no step decreases the energy: Converged or Stalled by the same bound on -g.p.
+//     decrement:   -g.p <= decrement |E_{k-1}|                                Converged, no step
+//     taken small step:  E_{k-1} - E_k <= relative_decrease |E_{k-1}|
+//       and -g.p <= tail_factor relative_decrease |E_{k-1}|                   Converged
+//       for a second time, the exact Hessian having been given another chance in between; steps
+//       with the exact Hessian do not count, they converge quadratically to the decrement rule
+//     idle: small step, or a certified step below stall_step, in stall_iterations successive
+//       iterations: Converged if -g.p <= stall_decrement |E_{k-1}|, else Stalled, and the result is
+//       the last point reached where the certified step was at least anchor_step: what follows it
+//       led into a corner
+//     no step decreases the energy: Converged or Stalled by the same bound on -g.p.
 struct StoppingRules {
   double relative_decrease = 1e-6;
   double tail_factor = 10;

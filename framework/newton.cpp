@@ -62,9 +62,9 @@ void NewtonStepper::advance(Vec& y, double& energy, Step& step) {
 
 // Whether the exact Hessian was worth a try and is factorized now. Where the energy is invariant
 // under rotations about the origin, the Hessian's curvature along an infinitesimal rotation is
-// y.g / |y|^2 (differentiate the gradient along it): a shift by that much, when it is negative,
-// vanishes at the minimum and makes up for it. Close to the minimum a small one stays, or rounding
-// errors of the gradient would turn the map.
+// y.g / |y|^2 (differentiate the gradient along it): a shift by half as much again, when it is
+// negative, vanishes at the minimum and makes up for it. Close to the minimum a small one stays, or
+// rounding errors of the gradient would turn the map.
 bool NewtonStepper::try_exact(const Vec& y, IterationRecord& record) {
   if (options_.curvature == Curvature::Exact || relative_decrement_ > options_.exact_below ||
       !evaluator_.problem().supports(Curvature::Exact))

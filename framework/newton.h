@@ -35,8 +35,8 @@ class NewtonStepper final : public Stepper {
   // Throws std::invalid_argument, as reset() does, when a term does not support the curvature.
   NewtonStepper(const Problem& problem, NewtonOptions options);
 
-  // Goes on with another state of the same structure; the symbolic factorization stays. The exact
-  // Hessian waits until a step has come near this state's minimum.
+  // Goes on with another problem; the symbolic factorization stays where the structure is the same.
+  // The exact Hessian waits until a step has come near this problem's minimum.
   void reset(const Problem& problem);
 
   // The next step tries the exact Hessian, whatever happened before.

@@ -1,8 +1,9 @@
 // Exceptions out of OpenMP regions, where they would end the program:
 //
+//   const auto work = [](Index) {};
 //   ParallelErrors errors;
 //   #pragma omp parallel for
-//   for (Index e = 0; e < count; ++e)
+//   for (Index e = 0; e < 100000; ++e)
 //     errors.guard([&] { stop.poll(); work(e); });   // stopped, or out of memory
 //   errors.rethrow();
 //

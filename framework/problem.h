@@ -1,11 +1,12 @@
 // An optimization problem: minimize sum_k w_k E_k(x) subject to A x = b, inside a feasible set.
 //
-//   ProblemBuilder builder(2 * space.node_count());
+//   ProblemBuilder builder(2 * space->node_count());
 //   builder.add(energy, 1.0);                 // shared_ptr<const EnergyTerm>
-//   builder.add(pins);                        // Constraint: eliminated, holds exactly
-//   builder.add(injectivity);                 // FeasibilityChecker: held by the line search
+//   builder.add(FixedPoints({{0, {0, 0}}}));  // Constraint: eliminated, holds exactly
+//   // FeasibilityChecker: held by the line search
+//   builder.add(std::make_shared<LocalInjectivity>(space, 2 * rest.measure));
 //   Problem problem = builder.build();
-//   SolveResult r = NewtonMinimizer().minimize(problem, problem.reduce(x0), observer);
+//   SolveResult r = NewtonMinimizer().minimize(problem, problem.reduce(x), observer);
 //
 // A Problem is immutable and cheap to copy. Solvers see the reduced unknowns y of x = Z y + c.
 #pragma once

@@ -1,5 +1,13 @@
-// The fixed sparsity pattern of a reduced Hessian: lower triangle, compressed columns, row numbers
+// The fixed sparsity pattern of a symmetric matrix: lower triangle, compressed columns, row numbers
 // sorted within a column, every diagonal entry present.
+//
+//   SparsePattern pattern;                  // of  [ 2 -1  . ]
+//   pattern.append_column({1});             //     [-1  2 -1 ]
+//   pattern.append_column({2});             //     [ . -1  2 ]
+//   pattern.append_column({});
+//   pattern.order_in_blocks(1);
+//   Vec values = Vec::Zero(pattern.nonzeros());
+//   values[pattern.slot(0, 1)] = -1;        // the same as slot(1, 0)
 #pragma once
 
 #include <vector>
@@ -10,10 +18,20 @@ namespace majorant {
 
 struct SparsePattern {
   Index size = 0;
-  std::vector<Index> column_starts;  // size + 1
-  std::vector<Index> rows;           // nonzeros
-  std::vector<Index> block_of;       // size: unknowns with equal numbers are ordered together
+  std::vector<Index> column_starts = {0};  // size + 1
+  std::vector<Index> rows;                 // nonzeros
+  std::vector<Index> block_of;             // size: unknowns with equal numbers are ordered together
   Index nonzeros() const { return static_cast<Index>(rows.size()); }
+
+  // Makes the next column, which gets its diagonal entry and these: rows below the diagonal, in any
+  // order, some maybe several times.
+  void append_column(const std::vector<Index>& rows_below);
+  // Unknowns 0 .. block - 1 belong together, the next so many, and so on.
+  void order_in_blocks(Index block);
+
+  // Where the value of an entry is: parallel to `rows`. The entry must be there; either triangle.
+  Index slot(Index row, Index column) const;
+  Index diagonal_slot(Index column) const { return column_starts[at(column)]; }
 };
 
 }  // namespace majorant

@@ -1,10 +1,11 @@
 // Asks, now and then, whether to go on: a time limit, Ctrl-C, a test. What may run for long is
 // given one by value and polls it between pieces of bounded work.
 //
+//   std::atomic<bool> flag = false;
 //   StopCheck stop([&] { return flag ? Directive::Interrupt : Directive::Continue; });
-//   for (const Piece& piece : pieces) {
+//   for (int piece = 0; piece < 1000; ++piece) {
 //     stop.poll();  // throws Stopped
-//     work_on(piece);
+//     ...
 //   }
 //
 // Who catches Stopped keeps the state it had before: solvers return the last accepted point with

@@ -1,7 +1,9 @@
-// The few types every layer shares.
+// The few types and words every layer shares.
 #pragma once
 
 #include <Eigen/Core>
+#include <concepts>
+#include <cstddef>
 
 namespace majorant {
 
@@ -19,5 +21,15 @@ using Vector3 = Eigen::Vector3d;
 using Points2 = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;  // "#P by 2"
 using Points3 = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;  // "#P by 3"
 using Cells = Eigen::Matrix<Index, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+// A number of something, which is not negative, as the place in a standard container:
+// area[at(face)]. Nothing but an Index: longer integers would lose what they have more.
+template <std::same_as<Index> I>
+constexpr std::size_t at(I i) {
+  return static_cast<std::size_t>(i);
+}
+
+// Twice the signed area of the triangle 0, a, b: positive where b is to the left of a.
+inline double cross(const Vector2& a, const Vector2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 }  // namespace majorant

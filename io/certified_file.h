@@ -1,7 +1,7 @@
 // Written means certified: a data file is read back through the public reader and proven before it
 // takes its name.
 //
-//   write_vtu("bunny.vtu", map, certification("bunny.vtu", {.surface = &polygons}));
+//   write_vtu("bunny.vtu", file, certification("bunny.vtu", {.surface = &polygons}));
 #pragma once
 
 #include <string>

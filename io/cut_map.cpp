@@ -12,12 +12,11 @@
 
 #include "majorant/constraints/local_injectivity.h"
 #include "majorant/framework/error.h"
-#include "majorant/parametrization/starts/seamless_start.h"
+#include "majorant/parametrization/starts/cut_surface.h"
+#include "majorant/parametrization/starts/texture_seams.h"
 
 namespace majorant {
 namespace {
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 SurfaceMesh weld(const MapFile& file, const std::string& name) {
   const Eigen::VectorXi vertex =
@@ -111,7 +110,7 @@ CutMap::CutMap(const MapFile& file, std::string name)
 
 // Point i = 0..n along a half-edge; of its opposite in the same direction.
 Index CutMap::point(Index h, std::size_t i) const {
-  return file_.cells(h / 3, TriangleIndices::of_degree(file_.degree).edge(h % 3)[i]);
+  return file_.cells(face_of(h), TriangleIndices::of_degree(file_.degree).edge(corner_of(h))[i]);
 }
 
 Index CutMap::opposite_point(Index h, std::size_t i) const {
@@ -158,7 +157,7 @@ BezierMap CutMap::map_cut_along(const std::vector<char>& is_cut) const {
   return BezierMap(std::move(cut), std::move(space), std::move(x));
 }
 
-BezierMap CutMap::seamless_map() const {
+BezierMap CutMap::map_with_seams() const {
   const double tolerance = kSeamTolerance * mean_length();
   std::vector<char> is_seam(differs_.size(), 0);
   std::vector<int> turns(differs_.size(), 0);

@@ -3,7 +3,7 @@
 //
 //   const CutMap cut(file, path);
 //   cut.surface();                       // closed along cuts: one vertex per vertex of the input
-//   if (cut.differs(h)) cut.fit(h);      // the two sides of an edge, up to a quarter turn
+//   if (cut.differs(12)) cut.fit(12);    // the two sides of an edge, up to a quarter turn
 //   const BezierMap map = cut.map_cut_along(cut.cuts());
 //
 // Files hold points and who shares them; an edge whose two sides have other uv is a cut whatever
@@ -30,12 +30,10 @@ class CutMap {
   const SurfaceMesh& surface() const { return surface_; }
 
   // Whether the two sides of a half-edge have different uv; false at the boundary of the surface.
-  bool differs(Index half_edge) const { return differs_[static_cast<std::size_t>(half_edge)]; }
+  bool differs(Index half_edge) const { return differs_[at(half_edge)]; }
   // Whether they share no control points in the file (at degree 1: not both corners), be uv equal
   // or not: files mark cuts so.
-  bool is_unshared(Index half_edge) const {
-    return is_unshared_[static_cast<std::size_t>(half_edge)];
-  }
+  bool is_unshared(Index half_edge) const { return is_unshared_[at(half_edge)]; }
   // 3 #F flags: half-edges that differ.
   const std::vector<char>& cuts() const { return differs_; }
 
@@ -59,8 +57,8 @@ class CutMap {
   // The same with seams along all edges that differ or are unshared: turns are the ones that fit
   // best, cones have the nearest number of quarter turns to the sum of their angles. Neither
   // residual nor angles nor orientation are judged. Throws Error(Invalid) naming the edge when a
-  // mismatch exceeds kSeamTolerance (seamless_start.h) of the mean length.
-  BezierMap seamless_map() const;
+  // mismatch exceeds kSeamTolerance (texture_seams.h) of the mean length.
+  BezierMap map_with_seams() const;
 
  private:
   Index point(Index half_edge, std::size_t i) const;

@@ -11,7 +11,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/io/piece_boundary.h"
-#include "majorant/parametrization/injectivity/exact_predicates.h"
+#include "majorant/mesh/exact_predicates.h"
 
 namespace majorant {
 namespace {
@@ -34,8 +34,6 @@ constexpr int kTriedDepth = 12;
 // Edges whose lengths differ by less are equally long: an edge seen from another cell is evaluated
 // in another order.
 constexpr double kLonger = 1 + 1e-9;
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 double area(const Vector3& a, const Vector3& b, const Vector3& c) {  // of a cell of area 1
   return (b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1]);

@@ -1,6 +1,6 @@
 // Cuts the pieces of a map until they are a valid piecewise linear map, proven on their doubles.
 //
-//   MapPieces pieces(map, mesh_from_map(map, ""), 1);
+//   MapPieces pieces(file, mesh_from_map(file, ""), 1);
 //   cut_until_positive(pieces, Overlap::Allowed);
 //
 // Afterwards every piece is positive in the plane (exact_predicates.h), and around every vertex
@@ -19,13 +19,9 @@
 #pragma once
 
 #include "majorant/io/map_pieces.h"
+#include "majorant/io/tessellate_map.h"
 
 namespace majorant {
-
-enum class Overlap {
-  Allowed,
-  Excluded  // the straight boundary must not meet itself; of a map that is injective
-};
 
 // Excluded: boundary edges that meet others, or images of components that lie in another one, are
 // cut too. By the theorem of global_injectivity.h the result is injective.

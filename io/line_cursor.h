@@ -3,7 +3,7 @@
 //
 //   LineCursor cursor(path, text, Continuation::Backslash);
 //   while (cursor.next_line()) {
-//     if (cursor.next_token() == "v") x = cursor.next_number("x coordinate");
+//     if (cursor.next_token() == "v") const double x = cursor.next_number("x coordinate");
 //   }
 //
 // Blank lines and everything from a `#` that starts a token are skipped. Never reads outside the

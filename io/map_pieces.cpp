@@ -13,10 +13,6 @@
 namespace majorant {
 namespace {
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-int next(int corner) { return (corner + 1) % 3; }
-int opposite_corner(int edge) { return (edge + 2) % 3; }
-
 // The points of a triangle's regular subdivision, corners first: then rows of constant b, where
 // (a, b) stands for the barycentric coordinates (1 - (a + b) / K, a / K, b / K).
 class Lattice {
@@ -196,7 +192,7 @@ void MapPieces::fill_lattice(int refine) {
 int MapPieces::cell_edge(const Edge& edge) const {
   const Vector3 &a = of(edge.cell).points[at(edge.i)].xi, &b = of(edge.cell).points[at(edge.j)].xi;
   for (int k = 0; k < 3; ++k)
-    if (a[opposite_corner(k)] == 0 && b[opposite_corner(k)] == 0) return k;
+    if (a[previous(k)] == 0 && b[previous(k)] == 0) return k;
   return -1;
 }
 
@@ -204,7 +200,7 @@ MapPieces::Edge MapPieces::seen_from(const CellEdge& other, const Edge& edge) co
   Edge result{other.cell, -1, -1};
   const std::vector<Point>& points = of(other.cell).points;
   for (std::size_t p = 0; p < points.size(); ++p) {
-    if (points[p].xi[opposite_corner(other.edge)] != 0) continue;
+    if (points[p].xi[previous(other.edge)] != 0) continue;
     if (points[p].v == of(edge.cell).points[at(edge.i)].v) result.i = static_cast<int>(p);
     if (points[p].v == of(edge.cell).points[at(edge.j)].v) result.j = static_cast<int>(p);
   }

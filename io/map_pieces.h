@@ -1,7 +1,7 @@
 // The cells of a map cut into straight-sided pieces, for formats without curves.
 //
-//   MapPieces pieces(map, mesh_from_map(map, ""), 1);   // every cell is one piece
-//   pieces.split({cell, 0, 1});                         // its edge 01 at the middle, on both sides
+//   MapPieces pieces(file, mesh_from_map(file, ""), 1);   // every cell is one piece
+//   pieces.split({12, 0, 1});   // edge 01 of cell 12 at the middle, on both sides
 //
 // Points of pieces lie on the flat triangle in space and on the map in the plane. They are numbered
 // twice, like the corners of an OBJ: `v` in space, `vt` in the plane. An edge is split on all its
@@ -79,7 +79,7 @@ class MapPieces {
     int edge;
   };
 
-  const Cell& of(Index cell) const { return cells_[static_cast<std::size_t>(cell)]; }
+  const Cell& of(Index cell) const { return cells_[at(cell)]; }
   void number_edges();
   void fill_lattice(int refine);
   std::vector<int> control_points_along(Index cell, int edge, bool is_reversed) const;

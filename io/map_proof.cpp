@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "majorant/framework/error.h"
+#include "majorant/io/cut_map.h"
 #include "majorant/io/surface_match.h"
 #include "majorant/parametrization/injectivity/exact_positivity.h"
 
@@ -17,11 +18,9 @@ namespace {
 
 constexpr int kProofDepth = 16;  // of bisection in floating point; what is left is decided exactly
 // Angle sums are whole multiples of a quarter turn by continuity; their rounding is some 1e-14.
-constexpr double kAngleTolerance = 1e-6;
+constexpr double kWholeTurnTolerance = 1e-6;  // quarter turns
 constexpr double kFlatClose = 1e-9;  // of the surface's size: points are printed with ten digits
 constexpr Index kCellsPerPoll = 256;
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 bool allows_seams(CutRule rule) { return rule == CutRule::Seams || rule == CutRule::SeamsOrFree; }
 bool allows_any(CutRule rule) { return rule == CutRule::Free || rule == CutRule::SeamsOrFree; }
@@ -44,8 +43,8 @@ std::string describe(const GlobalInjectivity& proof, const CornerNames& input_ve
   if (proof.contacts.empty()) return proof.reason;
   const BoundaryContact& contact = proof.contacts.front();
   const auto edge = [&](Index h) {
-    return fmt::format("({}, {})", input_vertex(h / 3, h % 3),
-                       input_vertex(h / 3, (h % 3 + 1) % 3));
+    return fmt::format("({}, {})", input_vertex(face_of(h), corner_of(h)),
+                       input_vertex(face_of(h), corner_of(next(h))));
   };
   const bool certain = contact.kind == Contact::Certain;
   const std::string where =
@@ -109,7 +108,7 @@ class MapProof::Judge {
 
   double twice_area(Index cell) const {
     const Vector2 a = corner(cell, 1) - corner(cell, 0), b = corner(cell, 2) - corner(cell, 0);
-    return a.x() * b.y() - a.y() * b.x();
+    return cross(a, b);
   }
 
   // What the decimals of a text file, which are not exactly its doubles, may change of twice the
@@ -266,7 +265,7 @@ class MapProof::Judge {
         };
         const Vector2 a = direction(ix.edge(k)[1]);
         const Vector2 b = direction(ix.edge((k + 2) % 3)[at(file_.degree) - 1]);
-        sum[surface.faces()(c, k)] += std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
+        sum[surface.faces()(c, k)] += std::atan2(cross(a, b), a.dot(b));
       }
     return sum;
   }
@@ -291,7 +290,7 @@ class MapProof::Judge {
       const double quarters = 2 * sum[v] / std::numbers::pi;
       const auto nearest = static_cast<int>(std::lround(quarters));
       const bool may_be_cone = allows_seams(request_.cuts);
-      if (!(std::abs(quarters - nearest) <= kAngleTolerance) || nearest < 1 ||
+      if (!(std::abs(quarters - nearest) <= kWholeTurnTolerance) || nearest < 1 ||
           (nearest != 4 && !may_be_cone)) {
         proof_.angles = {Answer::Violated,
                          fmt::format("the angles around vertex {} sum up to {:.9g} degrees: the "
@@ -336,7 +335,7 @@ class MapProof::Judge {
   void find_seams() {
     if (!allows_seams(request_.cuts) || proof_.cuts.others > 0) return;
     try {
-      BezierMap seamless = cut_->seamless_map();
+      BezierMap seamless = cut_->map_with_seams();
       if (!seamless.seams().trivial()) proof_.map_ = std::move(seamless);
     } catch (const Error& e) {
       proof_.continuous = {Answer::Undecided, e.what()};

@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "majorant/framework/stop_check.h"
-#include "majorant/io/cut_map.h"
+#include "majorant/io/map_file.h"
 #include "majorant/parametrization/injectivity/global_injectivity.h"
 
 namespace majorant {

@@ -24,7 +24,7 @@ std::vector<Index> number_vertices(const MapFile& map) {
   std::vector<Index> vertices(points, -1);
   const bool keep_numbers = knows_input_vertices(map);
   for (const Index point : map.cells.leftCols<3>().reshaped()) {
-    vertices[static_cast<std::size_t>(point)] = keep_numbers ? map.input_vertex[point] : 0;
+    vertices[at(point)] = keep_numbers ? map.input_vertex[point] : 0;
   }
   if (!keep_numbers) {
     Index next = 0;
@@ -44,11 +44,11 @@ void place_vertices(const MapFile& map, const std::vector<Index>& vertices, Poly
                             largest, map.points.rows()));
   }
   const Vector3 somewhere = map.points.row(map.cells(0, 0)).transpose();
-  mesh.positions.assign(static_cast<std::size_t>(largest) + 1, somewhere);
+  mesh.positions.assign(at(largest) + 1, somewhere);
   std::vector<bool> is_placed(mesh.positions.size(), false);
   for (std::size_t p = 0; p < vertices.size(); ++p) {
     if (vertices[p] < 0) continue;
-    const auto v = static_cast<std::size_t>(vertices[p]);
+    const auto v = at(vertices[p]);
     const Vector3 position = map.points.row(static_cast<Eigen::Index>(p)).transpose();
     if (is_placed[v] && mesh.positions[v] != position) {
       throw Error(ErrorKind::Unreadable,
@@ -87,7 +87,7 @@ PolygonMesh mesh_from_map(const MapFile& map, const std::string& file) {
     std::vector<Index> polygon(3);
     std::vector<Index> polygon_texcoords(3);
     for (std::size_t k = 0; k < 3; ++k) {
-      const auto point = static_cast<std::size_t>(map.cells(cell, static_cast<Index>(k)));
+      const auto point = at(map.cells(cell, static_cast<Index>(k)));
       polygon[k] = vertices[point];
       polygon_texcoords[k] = texcoords[point];
     }

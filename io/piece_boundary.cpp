@@ -1,18 +1,16 @@
 #include "majorant/io/piece_boundary.h"
 
 #include <algorithm>
-#include <numeric>
 #include <set>
 
+#include "majorant/mesh/exact_predicates.h"
+#include "majorant/mesh/union_find.h"
 #include "majorant/parametrization/injectivity/box_pairs.h"
-#include "majorant/parametrization/injectivity/exact_predicates.h"
 
 namespace majorant {
 namespace {
 
 using Edge = MapPieces::Edge;
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 bool is_on_plane_boundary(const MapPieces& pieces, const Edge& edge) {
   const int k = pieces.cell_edge(edge);
@@ -37,22 +35,17 @@ bool is_above(const Vector2& p, const Vector2& q) {
 
 // The components of the image: a number for every cell.
 std::vector<Index> components(const MapPieces& pieces) {
-  std::vector<Index> parent(at(pieces.cell_count()));
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](Index c) {
-    while (parent[at(c)] != c) c = parent[at(c)] = parent[at(parent[at(c)])];
-    return c;
-  };
+  UnionFind sets(pieces.cell_count());
   std::vector<Index> first_cell;  // by plane edge
   for (Index c = 0; c < pieces.cell_count(); ++c)
     for (int k = 0; k < 3; ++k) {
       const std::size_t edge = at(pieces.plane_edge(c, k));
       if (first_cell.size() <= edge) first_cell.resize(edge + 1, -1);
       if (first_cell[edge] < 0) first_cell[edge] = c;
-      parent[at(root(c))] = root(first_cell[edge]);
+      sets.join(c, first_cell[edge]);
     }
   std::vector<Index> result;
-  for (Index c = 0; c < pieces.cell_count(); ++c) result.push_back(root(c));
+  for (Index c = 0; c < pieces.cell_count(); ++c) result.push_back(sets.find(c));
   return result;
 }
 

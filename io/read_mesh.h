@@ -2,14 +2,14 @@
 //
 //   PolygonMesh mesh = read_mesh("camel.obj");
 //
-//   .obj  v, vt and vn with their own indices, polygons, negative indices, line continuation;
-//         o g s usemtl mtllib are kept; points, lines, curves and free-form surfaces are ignored
-//   .off  OFF and its variants with normals, colours or texture coordinates, which are ignored
-//   .ply  ascii, binary of both byte orders; vertex properties x y z, and (texture_u, texture_v),
-//         (s, t) or (u, v) as texture coordinates; face property vertex_indices or vertex_index
-//   .stl  ascii and binary. STL cannot share vertices: corners with exactly equal coordinates
-//         become one vertex, numbered by first appearance
-//   .vtu  written by majorant (vtu.h): the corner points, uv as texture coordinates
+//     .obj  v, vt and vn with their own indices, polygons, negative indices, line continuation;
+//           o g s usemtl mtllib are kept; points, lines, curves and free-form surfaces are ignored
+//     .off  OFF and its variants with normals, colours or texture coordinates, which are ignored
+//     .ply  ascii, binary of both byte orders; vertex properties x y z, and (texture_u, texture_v),
+//           (s, t) or (u, v) as texture coordinates; face property vertex_indices or vertex_index
+//     .stl  ascii and binary. STL cannot share vertices: corners with exactly equal coordinates
+//           become one vertex, numbered by first appearance
+//     .vtu  written by majorant (vtu.h): the corner points, uv as texture coordinates
 //
 // Readers believe nothing but the syntax: finite numbers, indices in range, polygons of at least
 // three corners, at least one vertex and one polygon. Whether the mesh is a manifold, oriented or

@@ -1,8 +1,8 @@
 // What users say of single vertices, in JSON files: pins and handles (where they are to go), cones
 // (the angles around them).
 //
-//   {"handles": [{"vertex": 12, "target": [0.1, 0.2]}, {"vertex": 3, "target": "initial"}]}
-//   {"cones": [{"vertex": 12, "quarter_turns": 3}, {"vertex": 3, "index": -0.25}]}
+//     {"handles": [{"vertex": 12, "target": [0.1, 0.2]}, {"vertex": 3, "target": "initial"}]}
+//     {"cones": [{"vertex": 12, "quarter_turns": 3}, {"vertex": 3, "index": -0.25}]}
 //
 // Vertices count from 0; "index_base": 1 at the top says they count from 1. Other keys are
 // comments.

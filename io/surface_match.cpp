@@ -6,18 +6,17 @@
 #include <algorithm>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <set>
 #include <utility>
+
+#include "majorant/mesh/union_find.h"
 
 namespace majorant {
 namespace {
 
 // Of the surface's size: what a point computed on an edge, or printed with ten digits, may be off.
 constexpr double kClose = 1e-9;
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 using DirectedEdge = std::pair<Index, Index>;
 
@@ -29,21 +28,6 @@ template <class... Args>
 [[noreturn]] void refuse(fmt::format_string<Args...> format, Args&&... args) {
   throw Defect{fmt::format(format, std::forward<Args>(args)...)};
 }
-
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), 0);
-  }
-  std::size_t find(std::size_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::size_t i, std::size_t j) { parent_[find(i)] = find(j); }
-
- private:
-  std::vector<std::size_t> parent_;
-};
 
 struct Patch {
   std::vector<Index> faces;  // polygons of the surface
@@ -63,7 +47,7 @@ class Matcher {
     find_size();
     check_vertices();
     collect_edges();
-    DisjointSets faces(surface_.polygons.size());
+    UnionFind faces(static_cast<Index>(surface_.polygons.size()));
     for (const auto& [edge, face] : face_of_edge_) follow(edge, face, faces);
     compare_patches(faces);
     return match_;
@@ -165,7 +149,7 @@ class Matcher {
 
   // Notes on which side of the cells' edges the face lies, or joins it with its neighbour where the
   // cells do not have the edge.
-  void follow(const DirectedEdge& edge, Index face, DisjointSets& faces) {
+  void follow(const DirectedEdge& edge, Index face, UnionFind& faces) {
     const auto across = face_of_edge_.find({edge.second, edge.first});
     const Index other = across == face_of_edge_.end() ? kOutside : across->second;
     if (other != kOutside && edge.second < edge.first) return;  // once for both sides
@@ -173,7 +157,7 @@ class Matcher {
     if (vertices.empty()) {
       if (other == kOutside)
         refuse("the cells lack the boundary edge ({}, {}) of the surface", edge.first, edge.second);
-      faces.join(at(face), at(other));
+      faces.join(face, other);
       return;
     }
     for (std::size_t k = 0; k + 1 < vertices.size(); ++k) {
@@ -193,36 +177,37 @@ class Matcher {
     if (h != half_edge_.end()) face_left_[at(h->second)] = face;
   }
 
-  void compare_patches(DisjointSets& faces) {
-    DisjointSets cells(at(cells_.face_count()));
+  void compare_patches(UnionFind& faces) {
+    UnionFind cells(cells_.face_count());
     for (Index h = 0; h < cells_.half_edge_count(); ++h) {
       if (face_left_[at(h)] != kUnknown) continue;
       if (cells_.opposite(h) < 0)
         refuse("the cells end at edge ({}, {}), inside the surface",
                cells_.input_vertex(cells_.from_vertex(h)),
                cells_.input_vertex(cells_.to_vertex(h)));
-      cells.join(at(h / 3), at(cells_.opposite(h) / 3));
+      cells.join(face_of(h), face_of(cells_.opposite(h)));
     }
-    constexpr std::size_t kNone = static_cast<std::size_t>(-1);
-    std::vector<std::size_t> cells_of(surface_.polygons.size(), kNone);
-    std::vector<std::size_t> faces_of(at(cells_.face_count()), kNone);
+    constexpr Index kNone = -1;
+    std::vector<Index> cells_of(surface_.polygons.size(), kNone);
+    std::vector<Index> faces_of(at(cells_.face_count()), kNone);
     for (Index h = 0; h < cells_.half_edge_count(); ++h) {
       if (face_left_[at(h)] < 0) continue;
-      const std::size_t mine = cells.find(at(h / 3)), theirs = faces.find(at(face_left_[at(h)]));
-      if (faces_of[mine] == kNone && cells_of[theirs] == kNone) {
-        faces_of[mine] = theirs;
-        cells_of[theirs] = mine;
+      const Index mine = cells.find(face_of(h)), theirs = faces.find(face_left_[at(h)]);
+      if (faces_of[at(mine)] == kNone && cells_of[at(theirs)] == kNone) {
+        faces_of[at(mine)] = theirs;
+        cells_of[at(theirs)] = mine;
       }
-      if (faces_of[mine] != theirs || cells_of[theirs] != mine)
+      if (faces_of[at(mine)] != theirs || cells_of[at(theirs)] != mine)
         refuse("face {} is mapped by cells that are not its own", face_left_[at(h)]);
     }
-    std::map<std::size_t, Patch> patches;  // by the representative of the faces
-    for (std::size_t p = 0; p < surface_.polygons.size(); ++p) {
-      if (cells_of[faces.find(p)] == kNone) refuse("face {} is mapped by no cell", p);
-      patches[faces.find(p)].faces.push_back(static_cast<Index>(p));
+    std::map<Index, Patch> patches;  // by the smallest of the faces
+    for (Index p = 0; p < static_cast<Index>(surface_.polygons.size()); ++p) {
+      const Index of = faces.find(p);
+      if (cells_of[at(of)] == kNone) refuse("face {} is mapped by no cell", p);
+      patches[of].faces.push_back(p);
     }
     for (Index c = 0; c < cells_.face_count(); ++c) {
-      const std::size_t of = faces_of[cells.find(at(c))];
+      const Index of = faces_of[at(cells.find(c))];
       if (of == kNone) refuse("cell {} belongs to no face", cells_.input_face(c));
       patches[of].cells.push_back(c);
     }

@@ -2,8 +2,8 @@
 // the surface's own faces, on pieces of them (a tessellation) or on other triangles of its flat
 // parts.
 //
-//   const SurfaceMatch match = match_surface(cut.surface(), read_mesh("bunny.obj"));
-//   if (!match.defect.empty()) throw ...;                  // "face 7 is mapped by no cell"
+//   const SurfaceMatch match = match_surface(*mesh, read_mesh("bunny.obj"));
+//   if (!match.defect.empty()) ...                         // "face 7 is mapped by no cell"
 //
 // Edges of the surface that the mesh of the cells has too, whole or as a chain of edges on the
 // straight line, cut both into patches. Patches with the same edges around them are compared: the

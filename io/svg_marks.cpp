@@ -18,9 +18,7 @@ constexpr double kConeRadius = 5.0;
 constexpr const char* kChainColors[] = {"#7b2fbe", "#008b8b", "#c2185b", "#2e7d32", "#1565c0",
                                         "#5d4037", "#d81bff", "#00a4d6", "#556b2f", "#3f3f9f"};
 
-const char* chain_color(Index chain) {
-  return kChainColors[static_cast<std::size_t>(chain) % std::size(kChainColors)];
-}
+const char* chain_color(Index chain) { return kChainColors[at(chain) % std::size(kChainColors)]; }
 
 const char* cone_color(int quarter_turns) { return quarter_turns < 4 ? "#1a5fd0" : "#0b8a3a"; }
 

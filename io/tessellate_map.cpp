@@ -8,15 +8,14 @@
 #include <utility>
 
 #include "majorant/framework/error.h"
+#include "majorant/io/cut_pieces.h"
 #include "majorant/io/map_pieces.h"
 #include "majorant/io/read_mesh.h"
+#include "majorant/mesh/exact_predicates.h"
 #include "majorant/parametrization/injectivity/box_pairs.h"
-#include "majorant/parametrization/injectivity/exact_predicates.h"
 
 namespace majorant {
 namespace {
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 // Whether the edges of a closed polygon meet in its corners only.
 bool is_simple(const std::vector<Vector2>& corners) {

@@ -1,7 +1,7 @@
 // A map of any degree as a textured mesh with straight edges, valid as it stands: for writers of
 // formats without curves.
 //
-//   PolygonMesh mesh = tessellate_map(map, &input, {.refine = 1});
+//   PolygonMesh mesh = tessellate_map(file, &polygons, {.refine = 1});
 //
 // Cells whose corners span a positive triangle in the plane stay one triangle; others are cut, and
 // their neighbours along the edges concerned, until every triangle is positive and the triangles
@@ -10,11 +10,15 @@
 // share them, also along cuts. In the plane there are no T-junctions but where the map is cut.
 #pragma once
 
-#include "majorant/io/cut_pieces.h"
 #include "majorant/io/map_file.h"
 #include "majorant/mesh/polygon_mesh.h"
 
 namespace majorant {
+
+enum class Overlap {
+  Allowed,
+  Excluded  // the straight boundary must not meet itself; of a map that is injective
+};
 
 struct TessellationOptions {
   int refine = 1;                      // every cell becomes at least refine x refine triangles

@@ -1,16 +1,16 @@
 // The full result as a VTK XML UnstructuredGrid, lossless: read_vtu(write_vtu(map)) gives the same
 // doubles. One VTK_BEZIER_TRIANGLE (type 76) per cell for degree >= 2, VTK_TRIANGLE (5) for 1.
 //
-//   Points               #N by 3 Float64  control points of the flat surface triangles
-//   PointData uv         #N by 2 Float64  control points of the map
-//   PointData input_vertex   #N Int32     vertex of the input mesh, -1 for none
-//   PointData cone           #N Int32     quarter turns at cones (every copy), else 0 (if present)
-//   PointData seam           #N Int32     chain + 1 on seams, else 0 (with seam_edges)
-//   CellData  input_face     #F Int32     face of the input mesh
-//   CellData  distortion     #F Float64   mean density (if present)
-//   CellData  min_det        #F Float64   certified lower bound of det J (if present)
-//   CellData  seam_edges  #F by 3 Int32   edges 01, 12, 20: chain + 1, 0 for none (if present)
-//   FieldData majorant_claims  String     JSON, what the file promises (if present)
+//     Points               #N by 3 Float64  control points of the flat surface triangles
+//     PointData uv         #N by 2 Float64  control points of the map
+//     PointData input_vertex   #N Int32     vertex of the input mesh, -1 for none
+//     PointData cone           #N Int32     quarter turns at cones, every copy; 0 (if present)
+//     PointData seam           #N Int32     chain + 1 on seams, else 0 (with seam_edges)
+//     CellData  input_face     #F Int32     face of the input mesh
+//     CellData  distortion     #F Float64   mean density (if present)
+//     CellData  min_det        #F Float64   certified lower bound of det J (if present)
+//     CellData  seam_edges  #F by 3 Int32   edges 01, 12, 20: chain + 1, 0 for none (if present)
+//     FieldData majorant_claims  String     JSON, what the file promises (if present)
 //
 // VTK derives the degree of a triangle from its number of points, so no HigherOrderDegrees are
 // written. Arrays are inline base64, uncompressed, little endian, 64-bit headers: any XML parser

@@ -5,51 +5,25 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
-#include <numeric>
 #include <queue>
 #include <utility>
 
 #include "majorant/framework/error.h"
 #include "majorant/mesh/cut_shortening.h"
+#include "majorant/mesh/union_find.h"
 
 namespace majorant {
 namespace {
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
-// Components under merging (union-find with path halving).
-class Components {
- public:
-  explicit Components(Index count) : parent_(at(count)) {
-    std::iota(parent_.begin(), parent_.end(), 0);
-  }
-  Index find(Index i) {
-    while (parent_[at(i)] != i) i = parent_[at(i)] = parent_[at(parent_[at(i)])];
-    return i;
-  }
-  // False when they were one already.
-  bool merge(Index a, Index b) {
-    a = find(a), b = find(b);
-    if (a == b) return false;
-    parent_[at(std::max(a, b))] = std::min(a, b);
-    return true;
-  }
-
- private:
-  std::vector<Index> parent_;
-};
 
 class CutGraph {
  public:
   CutGraph(const SurfaceMesh& mesh, const std::vector<Index>& through)
       : mesh_(mesh),
         is_terminal_(at(mesh.vertex_count()), 0),
-        is_boundary_(at(mesh.vertex_count()), 0),
+        is_boundary_(mesh.boundary_flags()),
         leaving_(at(mesh.vertex_count())),
         length_(mesh.half_edge_count()),
         is_cut_(at(mesh.half_edge_count()), 0) {
-    for (const auto& loop : mesh.boundary_loops())
-      for (const Index v : loop) is_boundary_[at(v)] = 1;
     for (const Index v : through) {
       if (v < 0 || v >= mesh.vertex_count())
         throw Error(
@@ -58,9 +32,7 @@ class CutGraph {
       if (!is_boundary_[at(v)]) is_terminal_[at(v)] = 1;
     }
     for (Index h = 0; h < mesh.half_edge_count(); ++h) {
-      length_[h] =
-          (mesh.positions().row(mesh.to_vertex(h)) - mesh.positions().row(mesh.from_vertex(h)))
-              .norm();
+      length_[h] = mesh.edge_length(h);
       if (mesh.opposite(h) >= 0) leaving_[at(mesh.from_vertex(h))].push_back(h);
     }
   }
@@ -116,9 +88,9 @@ class CutGraph {
             -(distance_[at(mesh_.from_vertex(h))] + length_[h] + distance_[at(mesh_.to_vertex(h))]),
             h);
     std::sort(edges.begin(), edges.end());
-    Components faces(mesh_.face_count());
+    UnionFind faces(mesh_.face_count());
     for (const auto& [unused, h] : edges)
-      if (!faces.merge(h / 3, mesh_.opposite(h) / 3)) set_cut(h, 1);
+      if (!faces.join(face_of(h), face_of(mesh_.opposite(h)))) set_cut(h, 1);
   }
 
   // A closed surface whose cut has no edge, or a single one (which has the same ends on both

@@ -10,13 +10,9 @@
 namespace majorant {
 namespace {
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
 constexpr int kMaxSweeps = 20;        // over all chains; most cuts need three or four
 constexpr double kWorthwhile = 1e-9;  // relative gain; rounding shall not exchange paths for ever
 constexpr double kFar = std::numeric_limits<double>::infinity();
-
-Index next(Index h) { return h - h % 3 + (h + 1) % 3; }
 
 class Shortening {
  public:
@@ -25,19 +21,15 @@ class Shortening {
       : mesh_(mesh),
         is_terminal_(is_terminal),
         is_cut_(is_cut),
-        is_boundary_(at(mesh.vertex_count()), 0),
+        is_boundary_(mesh.boundary_flags()),
         leaving_(at(mesh.vertex_count())),
         length_(mesh.half_edge_count()),
         cuts_at_(at(mesh.vertex_count()), 0),
         distance_(at(mesh.vertex_count()), kFar),
         entered_(at(mesh.vertex_count()), -1),
         side_(at(mesh.half_edge_count()), kNoSide) {
-    for (const auto& loop : mesh.boundary_loops())
-      for (const Index v : loop) is_boundary_[at(v)] = 1;
     for (Index h = 0; h < mesh.half_edge_count(); ++h) {
-      length_[h] =
-          (mesh.positions().row(mesh.to_vertex(h)) - mesh.positions().row(mesh.from_vertex(h)))
-              .norm();
+      length_[h] = mesh.edge_length(h);
       if (mesh.opposite(h) >= 0) leaving_[at(mesh.from_vertex(h))].push_back(h);
       if (is_cut[at(h)]) ++cuts_at_[at(mesh.from_vertex(h))];
     }

@@ -1,15 +1,11 @@
 #include "majorant/mesh/large_polygon.h"
 
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Constrained_triangulation_face_base_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Triangulation_face_base_with_info_2.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "majorant/framework/error.h"
+#include "majorant/mesh/internal/constrained_delaunay.h"
 
 namespace majorant {
 namespace {
@@ -19,14 +15,7 @@ struct FaceMark {
   Region region = Region::Unknown;
 };
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
-using FaceBase =
-    CGAL::Triangulation_face_base_with_info_2<FaceMark, Kernel,
-                                              CGAL::Constrained_triangulation_face_base_2<Kernel>>;
-using Delaunay = CGAL::Constrained_Delaunay_triangulation_2<
-    Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
-    CGAL::No_constraint_intersection_tag>;
+using Delaunay = internal::ConstrainedDelaunay<int, FaceMark>;
 using VertexHandle = Delaunay::Vertex_handle;
 using FaceHandle = Delaunay::Face_handle;
 

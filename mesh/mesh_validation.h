@@ -22,7 +22,7 @@ void require_usable_coordinates(const PolygonMesh& input);  // precision
 void require_proper_faces(const PolygonMesh& input, const TriangleList& list,
                           const StopCheck& stop);  // degenerate, twice
 void require_manifold_edges(const PolygonMesh& input, const TriangleList& list);
-void require_one_piece(const PolygonMesh& input, const TriangleList& list);  // components, soup
+void require_one_component(const PolygonMesh& input, const TriangleList& list);  // also: a soup
 
 // "mesh.obj:12: face 7" (line known) or "mesh.obj: face 7"; counts from 1 as files do.
 std::string face_place(const PolygonMesh& input, Index polygon);

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "majorant/mesh/half_edge.h"
+
 namespace majorant {
 namespace {
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 int opposite_turns(int turns) { return (4 - turns) % 4; }
 
@@ -43,8 +43,8 @@ std::vector<Cone> Seams::cones() const {
 
 // Walks from every edge over the vertices where nothing but two seam edges of equal turns meet.
 void Seams::find_chains(const Cells& cut_faces) {
-  const auto from = [&](Index h) { return cut_faces(h / 3, h % 3); };
-  const auto to = [&](Index h) { return cut_faces(h / 3, (h + 1) % 3); };
+  const auto from = [&](Index h) { return from_vertex(cut_faces, h); };
+  const auto to = [&](Index h) { return to_vertex(cut_faces, h); };
   std::vector<std::vector<Index>> edges_at(quarter_turns_.size());
   for (std::size_t e = 0; e < edges_.size(); ++e)
     for (const Index v : {from(edges_[e].side), to(edges_[e].side)})

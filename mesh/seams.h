@@ -2,7 +2,7 @@
 //
 // A surface is cut open to be mapped; across a seam edge the two images of the edge agree up to a
 // rotation by a multiple of 90 degrees and a translation,
-//   c = i^k c' + t          (c = u + i v on one side, c' on the other; method.md section 8),
+//     c = i^k c' + t          (c = u + i v on one side, c' on the other; method.md section 8),
 // with one k (`turns`) and one t for every chain: a maximal run of seam edges between nodes.
 // Nodes are vertices where three or more seam edges, one, or two with different turns meet, and
 // vertices of the boundary. A vertex whose angles add up to another multiple of 90 degrees than

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <stdexcept>
+#include <utility>
 
 #include "majorant/framework/error.h"
 #include "majorant/mesh/mesh_validation.h"
@@ -20,7 +22,7 @@ std::vector<std::array<int, 3>> triangles_of(const PolygonMesh& input, std::size
   const auto& polygon = input.polygons[p];
   if (polygon.size() == 3) return {{0, 1, 2}};
   std::vector<Vector3> corners;
-  for (const Index v : polygon) corners.push_back(input.positions[static_cast<std::size_t>(v)]);
+  for (const Index v : polygon) corners.push_back(input.positions[at(v)]);
   try {
     return triangulate_polygon(corners, stop);
   } catch (const Error& e) {
@@ -36,13 +38,48 @@ TriangleList triangulate(const PolygonMesh& input, const StopCheck& stop) {
     const auto& polygon = input.polygons[p];
     for (const auto& t : triangles_of(input, p, stop)) {
       std::array<Index, 3> f{};
-      for (std::size_t k = 0; k < 3; ++k) f[k] = polygon[static_cast<std::size_t>(t[k])];
+      for (std::size_t k = 0; k < 3; ++k) f[k] = polygon[at(t[k])];
       list.triangles.push_back(f);
       list.polygon.push_back(static_cast<Index>(p));
       list.corners.push_back(t);
     }
   }
   return list;
+}
+
+// Every edge has at most two faces that run against each other, every vertex one fan of them.
+OpenMesh::TriConnectivity half_edge_structure(const Cells& faces, Index vertex_count,
+                                              const StopCheck& stop) {
+  OpenMesh::TriConnectivity kernel;
+  std::vector<OpenMesh::VertexHandle> handles;
+  for (Index v = 0; v < vertex_count; ++v) handles.push_back(kernel.new_vertex());
+  for (Index f = 0; f < faces.rows(); ++f) {
+    stop.poll_at(at(f));
+    const auto corner = [&](int k) { return handles[at(faces(f, k))]; };
+    if (!kernel.add_face(corner(0), corner(1), corner(2)).is_valid())
+      throw std::logic_error(fmt::format("SurfaceMesh: face {} does not fit the others", f));
+  }
+  return kernel;
+}
+
+// As SurfaceMesh::boundary_loops() has them.
+std::vector<std::vector<Index>> boundary_loops_of(const OpenMesh::TriConnectivity& kernel) {
+  std::vector<std::vector<Index>> loops;
+  std::vector<char> seen(kernel.n_halfedges(), 0);
+  for (const auto start : kernel.halfedges()) {
+    if (!kernel.is_boundary(start) || seen[at(start.idx())]) continue;
+    std::vector<Index> loop;
+    for (OpenMesh::HalfedgeHandle h = start; !seen[at(h.idx())];
+         h = kernel.next_halfedge_handle(h)) {
+      seen[at(h.idx())] = 1;
+      loop.push_back(kernel.from_vertex_handle(h).idx());
+    }
+    std::reverse(loop.begin(), loop.end());  // boundary half-edges run against the faces
+    std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
+    loops.push_back(std::move(loop));
+  }
+  std::sort(loops.begin(), loops.end());
+  return loops;
 }
 
 }  // namespace
@@ -55,7 +92,7 @@ SurfaceMesh SurfaceMesh::from_polygons(const PolygonMesh& input, const StopCheck
   stop.poll();
   require_manifold_edges(input, list);
   stop.poll();
-  if (components == Components::One) require_one_piece(input, list);
+  if (components == Components::One) require_one_component(input, list);
   stop.poll();
 
   SurfaceMesh mesh;
@@ -63,7 +100,7 @@ SurfaceMesh SurfaceMesh::from_polygons(const PolygonMesh& input, const StopCheck
   mesh.input_face_ = list.polygon;
   mesh.vertex_of_input_.assign(input.positions.size(), -1);
   for (const auto& t : list.triangles)
-    for (const Index v : t) mesh.vertex_of_input_[static_cast<std::size_t>(v)] = 0;
+    for (const Index v : t) mesh.vertex_of_input_[at(v)] = 0;
   for (std::size_t v = 0; v < input.positions.size(); ++v) {
     if (mesh.vertex_of_input_[v] < 0) continue;
     mesh.vertex_of_input_[v] = static_cast<Index>(mesh.input_vertex_.size());
@@ -71,7 +108,7 @@ SurfaceMesh SurfaceMesh::from_polygons(const PolygonMesh& input, const StopCheck
   }
   mesh.positions_.resize(static_cast<Index>(mesh.input_vertex_.size()), 3);
   for (Index v = 0; v < mesh.vertex_count(); ++v)
-    mesh.positions_.row(v) = input.positions[static_cast<std::size_t>(mesh.input_vertex(v))];
+    mesh.positions_.row(v) = input.positions[at(mesh.input_vertex(v))];
   const bool textured = !input.polygon_texcoords.empty() &&
                         std::none_of(input.polygon_texcoords.begin(), input.polygon_texcoords.end(),
                                      [](const auto& t) { return t.empty(); });
@@ -80,69 +117,35 @@ SurfaceMesh SurfaceMesh::from_polygons(const PolygonMesh& input, const StopCheck
   if (textured) mesh.texcoord_ids_.resize(mesh.faces_.rows(), 3);
   for (Index f = 0; f < mesh.face_count(); ++f)
     for (Index k = 0; k < 3; ++k) {
-      const auto t = static_cast<std::size_t>(f), c = static_cast<std::size_t>(k);
-      mesh.faces_(f, k) = mesh.vertex_of_input_[static_cast<std::size_t>(list.triangles[t][c])];
+      const auto t = at(f), c = at(k);
+      mesh.faces_(f, k) = mesh.vertex_of_input_[at(list.triangles[t][c])];
       if (!textured) continue;
-      const auto& corners = input.polygon_texcoords[static_cast<std::size_t>(list.polygon[t])];
-      const Index vt = corners[static_cast<std::size_t>(list.corners[t][c])];
+      const auto& corners = input.polygon_texcoords[at(list.polygon[t])];
+      const Index vt = corners[at(list.corners[t][c])];
       mesh.texcoord_ids_(f, k) = vt;
-      mesh.corner_texcoords_.row(f).segment<2>(2 * k) =
-          input.texcoords[static_cast<std::size_t>(vt)];
+      mesh.corner_texcoords_.row(f).segment<2>(2 * k) = input.texcoords[at(vt)];
     }
   mesh.build_connectivity(stop);
   return mesh;
 }
 
-// Half-edges, boundary loops and counts. The faces are edge-manifold and oriented by now; what
-// OpenMesh refuses, or finds with several fans, is a vertex where sheets merely touch.
+// The faces are edge-manifold and oriented by now. Where OpenMesh refuses a face it says so on a
+// stream of the whole process: what it would refuse is found before.
 void SurfaceMesh::build_connectivity(const StopCheck& stop) {
-  omerr().disable();
-  OpenMesh::TriConnectivity kernel;
-  std::vector<OpenMesh::VertexHandle> handles;
-  for (Index v = 0; v < vertex_count(); ++v) handles.push_back(kernel.new_vertex());
-  const auto touching = [&](Index v) {
-    return Error(ErrorKind::Unsupported,
-                 fmt::format("{}: vertex {}: sheets of the surface touch there (non-manifold); "
-                             "duplicate the vertex",
-                             file_, input_vertex(v) + 1));
-  };
-  for (Index f = 0; f < face_count(); ++f) {
-    stop.poll_at(static_cast<std::size_t>(f));
-    const auto h = [&](int k) { return handles[static_cast<std::size_t>(faces_(f, k))]; };
-    if (!kernel.add_face(h(0), h(1), h(2)).is_valid()) throw touching(faces_(f, 0));
-  }
-  for (Index v = 0; v < vertex_count(); ++v) {
-    stop.poll_at(static_cast<std::size_t>(v));
-    if (!kernel.is_manifold(handles[static_cast<std::size_t>(v)])) throw touching(v);
-  }
-
-  opposite_.assign(static_cast<std::size_t>(half_edge_count()), -1);
-  std::vector<Index> half_edge_of(kernel.n_halfedges(), -1);  // OpenMesh's number -> ours
-  for (const auto f : kernel.faces())
-    for (auto h = kernel.cfh_iter(f); h.is_valid(); ++h)
-      for (Index k = 0; k < 3; ++k)
-        if (faces_(f.idx(), k) == kernel.from_vertex_handle(*h).idx())
-          half_edge_of[static_cast<std::size_t>(h->idx())] = 3 * f.idx() + k;
-  for (std::size_t h = 0; h < half_edge_of.size(); ++h)
-    if (half_edge_of[h] >= 0)
-      opposite_[static_cast<std::size_t>(half_edge_of[h])] = half_edge_of[h ^ 1];
-
-  std::vector<char> seen(kernel.n_halfedges(), 0);
-  for (const auto start : kernel.halfedges()) {
-    if (!kernel.is_boundary(start) || seen[static_cast<std::size_t>(start.idx())]) continue;
-    std::vector<Index> loop;
-    for (OpenMesh::HalfedgeHandle h = start; !seen[static_cast<std::size_t>(h.idx())];
-         h = kernel.next_halfedge_handle(h)) {
-      seen[static_cast<std::size_t>(h.idx())] = 1;
-      loop.push_back(kernel.from_vertex_handle(h).idx());
-    }
-    std::reverse(loop.begin(), loop.end());  // boundary half-edges run against the faces
-    std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
-    boundary_loops_.push_back(std::move(loop));
-  }
-  std::sort(boundary_loops_.begin(), boundary_loops_.end());
-  topology_ = {vertex_count(), static_cast<Index>(kernel.n_edges()), face_count(),
-               count_components(), static_cast<Index>(boundary_loops_.size())};
+  opposite_ = opposite_half_edges(faces_);
+  stop.poll();
+  if (const Index v = find_touching_vertex(faces_, opposite_); v >= 0)
+    throw Error(ErrorKind::Unsupported,
+                fmt::format("{}: vertex {}: sheets of the surface touch there (non-manifold); "
+                            "duplicate the vertex",
+                            file_, input_vertex(v) + 1));
+  const OpenMesh::TriConnectivity kernel = half_edge_structure(faces_, vertex_count(), stop);
+  boundary_loops_ = boundary_loops_of(kernel);
+  const std::vector<Index> component = face_components(opposite_);
+  const Index components =
+      component.empty() ? 0 : *std::max_element(component.begin(), component.end()) + 1;
+  topology_ = {vertex_count(), static_cast<Index>(kernel.n_edges()), face_count(), components,
+               static_cast<Index>(boundary_loops_.size())};
   for (Index f = 0; f < face_count(); ++f) {
     const Vector3 a = positions_.row(faces_(f, 1)) - positions_.row(faces_(f, 0));
     const Vector3 b = positions_.row(faces_(f, 2)) - positions_.row(faces_(f, 0));
@@ -150,27 +153,11 @@ void SurfaceMesh::build_connectivity(const StopCheck& stop) {
   }
 }
 
-Index SurfaceMesh::count_components() const {
-  std::vector<char> seen(static_cast<std::size_t>(face_count()), 0);
-  std::vector<Index> stack;
-  Index components = 0;
-  for (Index start = 0; start < face_count(); ++start) {
-    if (seen[static_cast<std::size_t>(start)]) continue;
-    ++components;
-    seen[static_cast<std::size_t>(start)] = 1;
-    stack.push_back(start);
-    while (!stack.empty()) {
-      const Index f = stack.back();
-      stack.pop_back();
-      for (Index k = 0; k < 3; ++k) {
-        const Index h = opposite(3 * f + k);
-        if (h < 0 || seen[static_cast<std::size_t>(h / 3)]) continue;
-        seen[static_cast<std::size_t>(h / 3)] = 1;
-        stack.push_back(h / 3);
-      }
-    }
-  }
-  return components;
+std::vector<char> SurfaceMesh::boundary_flags() const {
+  std::vector<char> flags(at(vertex_count()), 0);
+  for (const auto& loop : boundary_loops_)
+    for (const Index v : loop) flags[at(v)] = 1;
+  return flags;
 }
 
 SurfaceMesh SurfaceMesh::cut_along(const std::vector<char>& is_cut,
@@ -183,33 +170,30 @@ SurfaceMesh SurfaceMesh::cut_along(const std::vector<char>& is_cut,
   out.faces_ = Cells::Constant(face_count(), 3, -1);
   out.vertex_of_input_ = vertex_of_input_;
   out.input_vertex_ = input_vertex_;
-  std::vector<Index> copy_of(static_cast<std::size_t>(vertex_count()));
+  std::vector<Index> copy_of(at(vertex_count()));
   std::iota(copy_of.begin(), copy_of.end(), 0);
   std::vector<char> met(copy_of.size(), 0);
+  const auto copy = [&](Index h) -> Index& { return out.faces_(face_of(h), corner_of(h)); };
   // The corner of the next face around a vertex, across the half-edge that leaves or enters it.
-  const auto crossed = [&](Index h) {
-    return is_cut[static_cast<std::size_t>(h)] ? -1 : opposite(h);
-  };
-  const auto previous = [](Index h) { return h - h % 3 + (h + 2) % 3; };
-  const auto next = [](Index h) { return h - h % 3 + (h + 1) % 3; };
+  const auto crossed = [&](Index h) { return is_cut[at(h)] ? -1 : opposite(h); };
   for (Index c = 0; c < half_edge_count(); ++c) {
-    if (out.faces_(c / 3, c % 3) >= 0) continue;
+    if (copy(c) >= 0) continue;
     const Index v = from_vertex(c);
     Index number = v;
-    if (met[static_cast<std::size_t>(v)]) {
+    if (met[at(v)]) {
       number = static_cast<Index>(copy_of.size());
       copy_of.push_back(v);
       out.input_vertex_.push_back(input_vertex(v));
     }
-    met[static_cast<std::size_t>(v)] = 1;
-    for (Index h = c; h >= 0 && out.faces_(h / 3, h % 3) < 0;) {
-      out.faces_(h / 3, h % 3) = number;
+    met[at(v)] = 1;
+    for (Index h = c; h >= 0 && copy(h) < 0;) {
+      copy(h) = number;
       h = crossed(previous(h));
     }
     for (Index h = crossed(c); h >= 0;) {
       const Index corner = next(h);
-      if (out.faces_(corner / 3, corner % 3) >= 0) break;
-      out.faces_(corner / 3, corner % 3) = number;
+      if (copy(corner) >= 0) break;
+      copy(corner) = number;
       h = crossed(corner);
     }
   }
@@ -259,8 +243,8 @@ void SurfaceMesh::require_planar() const {
 }
 
 Index SurfaceMesh::find_input_vertex(Index input) const {
-  if (input < 0 || static_cast<std::size_t>(input) >= vertex_of_input_.size()) return -1;
-  return vertex_of_input_[static_cast<std::size_t>(input)];
+  if (input < 0 || at(input) >= vertex_of_input_.size()) return -1;
+  return vertex_of_input_[at(input)];
 }
 
 }  // namespace majorant

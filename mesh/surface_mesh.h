@@ -8,7 +8,7 @@
 // Polygons are triangulated, unreferenced vertices left out; input_vertex() and input_face() lead
 // back to the file. Immutable.
 //
-// Half-edge 3 f + k runs from corner k of face f to its corner k + 1 (mod 3).
+// Half-edge 3 f + k runs from corner k of face f to its corner k + 1 (mod 3): see half_edge.h.
 #pragma once
 
 #include <array>
@@ -17,6 +17,7 @@
 
 #include "majorant/framework/stop_check.h"
 #include "majorant/framework/types.h"
+#include "majorant/mesh/half_edge.h"
 #include "majorant/mesh/polygon_mesh.h"
 
 namespace majorant {
@@ -51,20 +52,25 @@ class SurfaceMesh {
   Index vertex_count() const { return static_cast<Index>(positions_.rows()); }
   Index face_count() const { return static_cast<Index>(faces_.rows()); }
   // Index in the file of a vertex, and of the polygon that a face belongs to.
-  Index input_vertex(Index v) const { return input_vertex_[static_cast<std::size_t>(v)]; }
-  Index input_face(Index f) const { return input_face_[static_cast<std::size_t>(f)]; }
+  Index input_vertex(Index v) const { return input_vertex_[at(v)]; }
+  Index input_face(Index f) const { return input_face_[at(f)]; }
   // Vertex of this mesh for a vertex of the file, -1 when no face uses it.
   Index find_input_vertex(Index input) const;
 
   Index half_edge_count() const { return 3 * face_count(); }
-  Index from_vertex(Index half_edge) const { return faces_(half_edge / 3, half_edge % 3); }
-  Index to_vertex(Index half_edge) const { return faces_(half_edge / 3, (half_edge + 1) % 3); }
+  Index from_vertex(Index half_edge) const { return majorant::from_vertex(faces_, half_edge); }
+  Index to_vertex(Index half_edge) const { return majorant::to_vertex(faces_, half_edge); }
   // The half-edge of the neighbouring face along the same edge, -1 at the boundary.
-  Index opposite(Index half_edge) const { return opposite_[static_cast<std::size_t>(half_edge)]; }
+  Index opposite(Index half_edge) const { return opposite_[at(half_edge)]; }
+  const std::vector<Index>& opposites() const { return opposite_; }  // 3 #F
+  double edge_length(Index half_edge) const {
+    return (positions_.row(to_vertex(half_edge)) - positions_.row(from_vertex(half_edge))).norm();
+  }
 
   // Boundary loops, vertices in face orientation (surface on the left), each starting at its
   // smallest vertex, loops ordered by that vertex.
   const std::vector<std::vector<Index>>& boundary_loops() const { return boundary_loops_; }
+  std::vector<char> boundary_flags() const;  // #V: 1 on the boundary
   const Topology& topology() const { return topology_; }
   double area() const { return area_; }
 
@@ -87,7 +93,6 @@ class SurfaceMesh {
  private:
   SurfaceMesh() = default;
   void build_connectivity(const StopCheck& stop = {});
-  Index count_components() const;
 
   std::string file_;
   Points3 positions_;

@@ -16,8 +16,6 @@ constexpr std::size_t kMostClipped = 2048;
 // Of fewer corners, whole polygons are the pieces of work between two polls.
 constexpr std::size_t kSmall = 64;
 
-double cross(const Vector2& a, const Vector2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 // Corners projected along the polygon's area vector (Newell).
 std::vector<Vector2> flatten(const std::vector<Vector3>& corners) {
   Vector3 normal = Vector3::Zero();
@@ -78,8 +76,8 @@ class EarClipping {
   };
 
   int corner(std::size_t k) const { return left_[k % left_.size()]; }
-  const Vector2& point(std::size_t k) const { return flat_[static_cast<std::size_t>(corner(k))]; }
-  Ear& ear(std::size_t k) { return ears_[static_cast<std::size_t>(corner(k))]; }
+  const Vector2& point(std::size_t k) const { return flat_[at(corner(k))]; }
+  Ear& ear(std::size_t k) { return ears_[at(corner(k))]; }
 
   void judge(std::size_t k) {
     stop_.poll();
@@ -91,7 +89,7 @@ class EarClipping {
 
   // After a corner is gone; before it, two ears began whose triangles had it.
   void forget(int clipped, std::size_t best) {
-    const Vector2& gone = flat_[static_cast<std::size_t>(clipped)];
+    const Vector2& gone = flat_[at(clipped)];
     // `best` may have been the last corner, with the clipped one at the front.
     const std::size_t at = best < left_.size() ? best : left_.size() - 1;
     for (std::size_t k = at + 1; k < at + left_.size() - 1; ++k)

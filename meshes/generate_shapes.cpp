@@ -12,9 +12,8 @@
 //                  the map has to flatten the whole tube around the interior of the sheet
 //       buckle     a closed rounded square ring with waves: corners and a handle, for seamless maps
 // How: every disk is a planar triangulation whose vertices are then moved into space; the buckle is
-// the surface of small cubes, smoothed. Noise comes
-// from a linear congruential generator of fixed seed: the output is the same on every machine up to
-// the last digits of sin and cos.
+// the surface of small cubes, smoothed. Noise comes from a linear congruential generator of fixed
+// seed: the output is the same on every machine up to the last digits of sin and cos.
 #include <array>
 #include <cmath>
 #include <cstdint>

@@ -2,8 +2,8 @@
 // the same problem that shares neither derivatives, assembly nor solver with the rest. For
 // comparisons; NewtonMinimizer is faster.
 //
-//   |J|^2 + |J^-1|^2 is a sum of eight squares at every quadrature point: the residuals are
-//   sqrt(w A / area) times the entries of J and of J^-1.
+//     |J|^2 + |J^-1|^2 is a sum of eight squares at every quadrature point: the residuals are
+//     sqrt(w A / area) times the entries of J and of J^-1.
 //
 //   LeastSquaresMinimizer lm(space, rest, rule, {});
 //   SolveResult r = lm.minimize(problem, y0, observer);

@@ -8,7 +8,7 @@
 namespace majorant {
 
 // One line per iteration (0 = the start) of each method, under the header
-//   method,iteration,seconds,energy,gradient_norm,step,min_det
+//     method,iteration,seconds,energy,gradient_norm,step,min_det
 // Numbers have the fewest digits that read back to the same double (inf, -inf and nan by name);
 // names are quoted as in RFC 4180 where they need it. Lines end with \n.
 // Throws Error(Usage) if the file cannot be written.

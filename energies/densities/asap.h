@@ -10,7 +10,8 @@ namespace majorant {
 
 inline auto asap_density() {
   return invariant("asap", [](const auto&, const auto& y) { return 4.0 * y; },
-                   {Domain::Everywhere, Convexity::Convex, Reweighting::Refused});
+                   {Domain::Everywhere, Convexity::Convex, Reweighting::Refused, Barrier::None,
+                    FreeScale::Collapses});
 }
 
 }  // namespace majorant

@@ -11,7 +11,8 @@ namespace majorant {
 inline auto mips_density() {
   return invariant(
       "mips", [](const auto& x, const auto& y) { return 2.0 * ((x + y) / (x - y)); },
-      {Domain::PositiveDeterminant, Convexity::Unknown, Reweighting::Refused},
+      {Domain::PositiveDeterminant, Convexity::Unknown, Reweighting::Refused, Barrier::Weak,
+       FreeScale::Arbitrary},
       [](const auto& x, const auto& y) { return 4.0 * ((x + y) / ((x - y) * (x - y))); });
 }
 

@@ -7,12 +7,13 @@
 namespace majorant {
 
 inline auto symmetric_dirichlet_density() {
-  return invariant("symmetric-dirichlet",
-                   [](const auto& x, const auto& y) {
-                     const auto det = x - y;
-                     return 2.0 * ((x + y) * (1.0 + 1.0 / (det * det)));
-                   },
-                   {Domain::PositiveDeterminant, Convexity::Convex, Reweighting::Separable});
+  return invariant(
+      "symmetric-dirichlet",
+      [](const auto& x, const auto& y) {
+        const auto det = x - y;
+        return 2.0 * ((x + y) * (1.0 + 1.0 / (det * det)));
+      },
+      {Domain::PositiveDeterminant, Convexity::Convex, Reweighting::Separable, Barrier::Strong});
 }
 
 }  // namespace majorant

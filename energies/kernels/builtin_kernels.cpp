@@ -6,17 +6,18 @@
 namespace majorant {
 namespace {
 
-template <class... Densities>
-DensityKernels at(int index, const std::tuple<Densities...>*) {
-  const DensityKernels table[] = {kernel::make_kernels<xsimd::default_arch, Densities>()...};
+template <class... Energies>
+DensityKernels at(int index, const std::tuple<Energies...>*) {
+  const DensityKernels table[] = {
+      kernel::make_kernels<xsimd::default_arch, typename Energies::Density>()...};
   return table[index];
 }
 
 }  // namespace
 
-// Of the density with this position in BuiltinDensities.
+// Of the density with this position in BuiltinEnergies.
 DensityKernels MAJORANT_KERNEL_NAME(int index) {
-  return at(index, static_cast<const BuiltinDensities*>(nullptr));
+  return at(index, static_cast<const BuiltinEnergies*>(nullptr));
 }
 
 }  // namespace majorant

@@ -2,7 +2,7 @@
 // stays free of overlaps. [MC20] Sec. 6.
 //
 // Internal to parametrize(). Every iteration is one Newton step on
-//   E(map) + lambda E_conf(scaffold),   lambda = 1e-3 E(map) / E_conf(scaffold),
+//     E(map) + lambda E_conf(scaffold),   lambda = 1e-3 E(map) / E_conf(scaffold),
 // then the scaffold's edges are flipped and its triangles relaxed with the image fixed.
 #pragma once
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "majorant/framework/error.h"
+#include "majorant/parametrization/drive/free_scale.h"
 
 namespace majorant {
 namespace {
@@ -122,7 +123,7 @@ BezierMap planar_map(std::shared_ptr<const SurfaceMesh> mesh) {
     const Eigen::RowVector2d a = p.row(mesh->faces()(f, 0)).head<2>();
     const Eigen::RowVector2d b = p.row(mesh->faces()(f, 1)).head<2>() - a;
     const Eigen::RowVector2d c = p.row(mesh->faces()(f, 2)).head<2>() - a;
-    twice_area[f] = b.x() * c.y() - b.y() * c.x();
+    twice_area[f] = cross(b, c);
   }
   const double side = twice_area.sum() < 0 ? -1 : 1;
   for (Index f = 0; f < mesh->face_count(); ++f)
@@ -142,6 +143,7 @@ ParametrizationResult deform(const BezierMap& start, const ParametrizationOption
       if (p.vertex < 0 || p.vertex >= start.mesh().vertex_count())
         throw Error(ErrorKind::Usage,
                     fmt::format("{}: vertex {} does not exist", start.mesh().file(), p.vertex));
+  require_scale(options, start);
   return Deformation(start, options, record).solve();
 }
 

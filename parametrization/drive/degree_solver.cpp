@@ -86,9 +86,7 @@ SolveResult DegreeSolver::approach(double tolerance, RunRecord& record) {
 
 SolveResult DegreeSolver::finish(RunRecord& record) {
   const SolveResult result = exhaust(record);
-  const bool barrier = std::any_of(terms_.begin(), terms_.end(), [](const auto& term) {
-    return term->name() == "symmetric-dirichlet";
-  });
+  const bool barrier = barrier_of(setup_.map.energy) == Barrier::Strong;
   return result.status == Status::Stalled && !barrier ? follow_barrier(result, record) : result;
 }
 

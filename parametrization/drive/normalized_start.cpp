@@ -8,7 +8,8 @@
 #include "majorant/constraints/seamless_constraint.h"
 #include "majorant/framework/elimination.h"
 #include "majorant/framework/error.h"
-#include "majorant/parametrization/starts/seamless_start.h"
+#include "majorant/parametrization/drive/free_scale.h"
+#include "majorant/parametrization/starts/texture_seams.h"
 
 namespace majorant {
 namespace {
@@ -196,6 +197,7 @@ NormalizedStart::NormalizedStart(const BezierMap& given, const ParametrizationOp
   spec.pins = place_pins(start.mesh(), start.seams(), options, start.control_points());
   spec.handles =
       place_handles(start.mesh(), options.handles, spec.pins, start.control_points(), scale_);
+  require_scale(options, start);
   spec.handle_weight = options.handle_weight;
   // Where nothing holds the map, its first held vertex moves to the origin.
   if (const auto gauge = gauge_vertices(spec, start.space());

@@ -1,8 +1,8 @@
 // The start of an optimization in coordinates that suit it: the surface scaled by a power of two to
 // size about 1, exactly undone at the end, so that scaling the input changes nothing but rounding.
 //
-//   NormalizedStart start(BezierMap::linear(mesh, uv), options);
-//   ... minimize from start.map() under start.specification() ...
+//   NormalizedStart start(map, options);
+//   BezierMap optimized = start.map();   // minimized under start.specification()
 //   BezierMap result = start.in_model_units(optimized);
 #pragma once
 
@@ -19,8 +19,8 @@ class NormalizedStart {
   // Throws Error(Infeasible) when the start is not locally injective, does not meet the pins or has
   // an aligned edge off its axis by more than kSeamTolerance,
   // Error(Unsupported) when a vertex is held twice or a handle's target too far away to compute
-  // with (kLargestFactor), Error(Usage) for vertices that do not exist and face weights that do not
-  // fit.
+  // with (kLargestFactor), Error(Usage) for vertices that do not exist, face weights that do not
+  // fit, and an energy that would shrink the map to a point (free_scale.h).
   NormalizedStart(const BezierMap& start, const ParametrizationOptions& options);
 
   double scale() const { return scale_; }

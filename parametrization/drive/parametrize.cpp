@@ -12,7 +12,7 @@
 #include "majorant/parametrization/drive/normalized_start.h"
 #include "majorant/parametrization/drive/solver_rules.h"
 #include "majorant/parametrization/injectivity/global_injectivity.h"
-#include "majorant/parametrization/starts/initial_map.h"
+#include "majorant/parametrization/starts/tutte.h"
 
 namespace majorant {
 namespace {

@@ -5,7 +5,7 @@
 //   ParametrizationOptions options;
 //   options.degree = 3;
 //   ParametrizationResult result = parametrize(mesh, options);
-//   Vector2 uv = result.map->evaluate(face, {0.2, 0.3, 0.5});
+//   Vector2 uv = result.map->evaluate(12, {0.2, 0.3, 0.5});
 //
 // Tutte start (or the caller's), Newton on the energy with det J > 0 held by the line search, the
 // degree raised step by step. [MC20], method.md.
@@ -85,16 +85,17 @@ Vec initial_map(const SurfaceMesh& mesh, const ParametrizationOptions& options,
                 const StopCheck& stop = {});
 
 // Throws Error as initial_map; Error(Infeasible) when the start is not locally injective, does not
-// meet the pins or has an aligned edge off its axis by more than kSeamTolerance (seamless_start.h);
+// meet the pins or has an aligned edge off its axis by more than kSeamTolerance (texture_seams.h);
 // Error(Unsupported) when a vertex is pinned twice or pinned and a handle; Error(Usage) when the
-// energy does not support the curvature or options are out of range; Stopped before there is a
+// energy does not support the curvature or would shrink the map to a point (free_scale.h), or
+// options are out of range; Stopped before there is a
 // start. From then on a stop ends the run with the best map so far.
 ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,
                                   const ParametrizationOptions& options, RunRecord& record);
 ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,
                                   const ParametrizationOptions& options);
 // From a map of degree 1 instead, of a disk or of any cut surface whose seams then hold exactly
-// (seamless_start.h); options.initial is ignored. The start must satisfy its seams to rounding.
+// (texture_seams.h); options.initial is ignored. The start must satisfy its seams to rounding.
 ParametrizationResult parametrize(const BezierMap& start, const ParametrizationOptions& options,
                                   RunRecord& record);
 

@@ -11,8 +11,6 @@
 namespace majorant {
 namespace {
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
 // A seamless map needs every angle below 180 degrees; 120 on average leaves room to untangle.
 constexpr int kLargestMeanAngle = 120;
 const std::vector<char> kNoneFixed;
@@ -58,7 +56,7 @@ class Cleanup {
   bool movable(Index h) const {
     const Index o = mesh_.opposite(h);
     if (o < 0) return false;
-    return is_fixed_.empty() || !is_fixed_[at(h / 3)] || !is_fixed_[at(o / 3)];
+    return is_fixed_.empty() || !is_fixed_[at(face_of(h))] || !is_fixed_[at(face_of(o))];
   }
   int most_turns(Index v) const {
     return std::max(4, geometry_.valence[at(v)] * kLargestMeanAngle / 90);

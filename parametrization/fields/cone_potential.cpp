@@ -1,12 +1,6 @@
 #include "majorant/parametrization/fields/cone_potential.h"
 
 namespace majorant {
-namespace {
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
-
 ConePotential::ConePotential(const SurfaceMesh& mesh, const FieldGeometry& geometry,
                              const std::vector<int>& quarter_turns)
     : mesh_(mesh),
@@ -19,7 +13,7 @@ ConePotential::ConePotential(const SurfaceMesh& mesh, const FieldGeometry& geome
   for (Index v = 0; v < mesh.vertex_count(); ++v)
     if (!geometry.is_boundary[at(v)] && !(closed && v == 0)) row_[at(v)] = size++;
   if (size == 0) return;
-  std::vector<SymmetricSystem::Entry> entries;
+  std::vector<SparseSpd::Entry> entries;
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
     if (mesh.opposite(h) < 0) continue;
     const Index r = row_[at(mesh.to_vertex(h))], c = row_[at(mesh.from_vertex(h))];
@@ -27,7 +21,7 @@ ConePotential::ConePotential(const SurfaceMesh& mesh, const FieldGeometry& geome
     entries.push_back({r, r, 1 / geometry.weight[h]});
     if (c > r) entries.push_back({r, c, -1 / geometry.weight[h]});
   }
-  system_ = std::make_unique<SymmetricSystem>(size, 1, entries);
+  system_ = field_system(size, 1, entries);
   for (Index v = 0; v < mesh.vertex_count(); ++v)
     if (!geometry.is_boundary[at(v)])
       charge_[v] = geometry.angle_sum[v] - kQuarter * quarter_turns[at(v)];

@@ -1,16 +1,16 @@
 // The smoothest field with given cones without solving for the field: its rotations are the
 // differences of a potential on the vertices, and their energy follows from the quarter turns.
 //
-//   L u = angle sums - (pi / 2) quarter turns,  L the Laplacian with weights 1 / weight,
-//   rotation[h] = (u[end of h] - u[start of h]) / weight[h],
-//   energy = 1/2 sum over edges weight rotation^2 = 1/2 int |grad u|^2.
+//     L u = angle sums - (pi / 2) quarter turns,  L the Laplacian with weights 1 / weight,
+//     rotation[h] = (u[end of h] - u[start of h]) / weight[h],
+//     energy = 1/2 sum over edges weight rotation^2 = 1/2 int |grad u|^2.
 //
 // u is also the logarithm of the scale of a conformal map with these cones, so the energy measures
 // the distortion that the cones leave. u is 0 on the boundary, or at vertex 0 of a closed surface;
 // turning along loops that are not contractible is left out. [CDS10], [MC20].
 #pragma once
 
-#include <memory>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -44,7 +44,7 @@ class ConePotential {
   const SurfaceMesh& mesh_;
   const FieldGeometry& geometry_;
   std::vector<Index> row_;  // per vertex, -1 where u is 0
-  std::unique_ptr<SymmetricSystem> system_;
+  std::optional<SparseSpd> system_;
   Vec charge_, potential_;  // #V
   std::unordered_map<Index, Vec> responses_;
 };

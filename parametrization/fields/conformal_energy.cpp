@@ -3,12 +3,6 @@
 #include <utility>
 
 namespace majorant {
-namespace {
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
-
 ConformalEnergy::ConformalEnergy(const SurfaceMesh& mesh, Vec wanted_angles)
     : triangulation_(mesh),
       wanted_angles_(std::move(wanted_angles)),

@@ -2,9 +2,9 @@
 //
 // Edge lengths of the metric with log factors u (one per vertex): exp((u_a + u_b) / 2) times the
 // old ones. Its angles are derivatives of a convex function of u, E, with
-//   dE/du_v = wanted angle sum at v - angle sum at v,
-//   d2E/du2 = the cotangent Laplacian: sum of cot(angle opposite h) / 2 (x_a - x_b)^2 over the
-//             half-edges h = (a, b), halved  [SSP08].
+//     dE/du_v = wanted angle sum at v - angle sum at v,
+//     d2E/du2 = the cotangent Laplacian: sum of cot(angle opposite h) / 2 (x_a - x_b)^2 over the
+//               half-edges h = (a, b), halved  [SSP08].
 // Lengths that violate the triangle inequality count as a triangle with angles 0, 0 and pi
 // (opposite the longest side); E stays convex with continuous gradient [BPS15], and is
 // linear where that happens. The value of E is not needed (conformal_metric.cpp says why).

@@ -16,9 +16,6 @@ namespace {
 // First shift tried when the least-squares system cannot be factorized, of its mean diagonal.
 constexpr double kSmallestShift = 1e-14;
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-Index next(Index h) { return h - h % 3 + (h + 1) % 3; }
-
 SurfaceMesh disk_of(const SurfaceMesh& mesh, const ConformalMetric& metric,
                     const std::vector<char>& is_cut) {
   const auto refuse = [&](const std::string& what) {
@@ -53,7 +50,7 @@ struct FaceOrder {
 
   explicit FaceOrder(const SurfaceMesh& disk) {
     for (Index h = 0; h < disk.half_edge_count(); ++h)
-      if (disk.opposite(h) < 0) faces.push_back(h / 3);
+      if (disk.opposite(h) < 0) faces.push_back(face_of(h));
     sweep(disk);
     faces = {faces.back()};
     sweep(disk);
@@ -67,10 +64,10 @@ struct FaceOrder {
     for (std::size_t done = 0; done < faces.size(); ++done)
       for (Index k = 0; k < 3; ++k) {
         const Index h = disk.opposite(3 * faces[done] + k);
-        if (h < 0 || seen[at(h / 3)]) continue;
-        seen[at(h / 3)] = 1;
-        crossed[at(h / 3)] = h;
-        faces.push_back(h / 3);
+        if (h < 0 || seen[at(face_of(h))]) continue;
+        seen[at(face_of(h))] = 1;
+        crossed[at(face_of(h))] = h;
+        faces.push_back(face_of(h));
       }
   }
 };
@@ -88,7 +85,7 @@ Points2 aligned_vectors(const SurfaceMesh& disk, const FaceOrder& order,
     const Eigen::RowVector2d a = vectors.row(here), b = -vectors.row(disk.opposite(here));
     const double norms = a.norm() * b.norm();
     if (!(norms > 0)) continue;
-    const double c = a.dot(b) / norms, s = (a.x() * b.y() - a.y() * b.x()) / norms;
+    const double c = a.dot(b) / norms, s = cross(a, b) / norms;
     Eigen::Matrix2d rotation;  // of rows
     rotation << c, s, -s, c;
     vectors.middleRows(3 * f, 3) *= rotation;
@@ -149,8 +146,7 @@ double area_of(const SurfaceMesh& disk, const Points2& positions) {
     const auto side = [&](Index k) -> Vector2 {
       return (positions.row(disk.faces()(f, k)) - positions.row(disk.faces()(f, 0))).transpose();
     };
-    const Vector2 b = side(1), c = side(2);
-    area += 0.5 * std::abs(b.x() * c.y() - b.y() * c.x());
+    area += 0.5 * std::abs(cross(side(1), side(2)));
   }
   return area;
 }

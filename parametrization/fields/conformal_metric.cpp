@@ -19,7 +19,7 @@ namespace {
 
 // Below this error of the angle sums (radians) only full steps that still halve it are taken: a
 // few steps of polishing down to rounding.
-constexpr double kAngleTolerance = 1e-12;
+constexpr double kPolishedAngle = 1e-12;
 // Per minimization; at most 29 in both together were seen on the public meshes.
 constexpr int kMostSteps = 100;
 // Halvings of a step before it counts as none.
@@ -35,8 +35,6 @@ constexpr double kLostAngle = 1e-3;
 // Edge vectors of a face that add up to less than this part of the longest close up.
 constexpr double kClosingTolerance = 1e-6;
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
 void require_angle_sums(const SurfaceMesh& mesh, const std::vector<int>& quarter_turns) {
   const auto refuse = [&](const std::string& what) {
     throw Error(ErrorKind::Usage, fmt::format("{}: {}", mesh.file(), what));
@@ -44,9 +42,7 @@ void require_angle_sums(const SurfaceMesh& mesh, const std::vector<int>& quarter
   if (quarter_turns.size() != at(mesh.vertex_count()))
     refuse(fmt::format("{} quarter turns for {} vertices; give one number per vertex",
                        quarter_turns.size(), mesh.vertex_count()));
-  std::vector<char> is_boundary(quarter_turns.size(), 0);
-  for (const auto& loop : mesh.boundary_loops())
-    for (const Index v : loop) is_boundary[at(v)] = 1;
+  const std::vector<char> is_boundary = mesh.boundary_flags();
   long long missing = 0;
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
     if (is_boundary[at(v)]) continue;
@@ -158,7 +154,7 @@ class ConformalNewton {
     const Index flips = edges_ == Edges::Delaunay ? energy.make_delaunay(u) : 0;
     ConformalDerivatives there = energy.derivatives(u);
     const double slope = there.gradient.dot(p), norm = there.gradient.norm();
-    const bool descends = slope <= 0 && angle_error() > kAngleTolerance;
+    const bool descends = slope <= 0 && angle_error() > kPolishedAngle;
     if (!descends && norm > 0.5 * least_gradient_) return slope;
     u_ = u;
     here_ = std::move(there);
@@ -179,7 +175,7 @@ class ConformalNewton {
     for (int trial = 0; trial < kMostTrials; ++trial) {
       const std::optional<double> slope = refusal(p, t);
       if (!slope) return true;
-      if (angle_error() <= kAngleTolerance) return false;
+      if (angle_error() <= kPolishedAngle) return false;
       // Towards the zero of phi' by the secant, from the safe side.
       t *= std::clamp(0.9 * descent / (descent + *slope), 0.1, 0.9);
     }

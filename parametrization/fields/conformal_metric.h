@@ -1,8 +1,9 @@
 // A flat metric with cones, conformally equivalent to a surface, and its layout in the plane: a
 // start for seamless maps.
 //
-//   ConformalMetric metric = conformal_metric(mesh, quarter_turns);  // 4 but at the cones
-//   CornerPoints uv = lay_out(mesh, metric, is_cut);
+//   std::vector<int> quarter_turns(mesh->vertex_count(), 4);   // but at the cones
+//   ConformalMetric metric = conformal_metric(*mesh, quarter_turns);
+//   CornerPoints uv = lay_out(*mesh, metric, is_cut);
 //
 // Every vertex has a log factor u; the length of edge ab is multiplied by exp((u_a + u_b) / 2).
 // The factors that give the wanted angle sums minimize a convex function (conformal_energy.h),

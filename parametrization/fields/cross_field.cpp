@@ -6,7 +6,7 @@
 #include <cmath>
 #include <complex>
 #include <limits>
-#include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include "majorant/framework/error.h"
@@ -18,8 +18,6 @@ namespace majorant {
 namespace {
 
 using Complex = std::complex<double>;
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 constexpr int kSymmetry = 4;
 constexpr double kNotAligned = 10;  // no angle in (-pi, pi]
@@ -43,9 +41,9 @@ Vec fixed_angles(const SurfaceMesh& mesh, const FieldGeometry& geometry,
     const double length =
         (mesh.positions().row(mesh.to_vertex(h)) - mesh.positions().row(mesh.from_vertex(h)))
             .norm();
-    if (length <= longest[h / 3]) continue;
-    longest[h / 3] = length;
-    angle[h / 3] = std::remainder(geometry.edge_direction[h], 4 * kQuarter);
+    if (length <= longest[face_of(h)]) continue;
+    longest[face_of(h)] = length;
+    angle[face_of(h)] = std::remainder(geometry.edge_direction[h], 4 * kQuarter);
   }
   return angle;
 }
@@ -81,21 +79,21 @@ class PowerSystem {
  private:
   void assemble(const SurfaceMesh& mesh, const FieldGeometry& geometry, double mass_weight) {
     rhs_ = Vec::Zero(2 * free_);
-    std::vector<SymmetricSystem::Entry> entries;
+    std::vector<SparseSpd::Entry> entries;
     for (Index f = 0; f < mesh.face_count(); ++f)
       for (int k = 0; k < 2; ++k)
         if (const Index r = row_[at(f)]; r >= 0)
           entries.push_back({2 * r + k, 2 * r + k, mass_weight * mass_[f]});
     for (Index h = 0; h < mesh.half_edge_count(); ++h) {
-      const Index o = mesh.opposite(h), r = row_[at(h / 3)];
+      const Index o = mesh.opposite(h), r = row_[at(face_of(h))];
       if (o < 0 || r < 0) continue;
       const double w = geometry.weight[h];
       for (int k = 0; k < 2; ++k) entries.push_back({2 * r + k, 2 * r + k, w});
       // z of the neighbour o / 3 as seen from the face of h is e^{-4 i transport[h]} z.
       const Complex turn = std::polar(1.0, -kSymmetry * geometry.transport[h]);
-      const Index c = row_[at(o / 3)];
+      const Index c = row_[at(face_of(o))];
       if (c < 0) {
-        const Complex z = w * turn * std::polar(1.0, kSymmetry * fixed_[o / 3]);
+        const Complex z = w * turn * std::polar(1.0, kSymmetry * fixed_[face_of(o)]);
         rhs_.segment<2>(2 * r) += Vector2(z.real(), z.imag());
       } else if (c < r) {
         entries.push_back({2 * r, 2 * c, -w * turn.real()});
@@ -104,14 +102,14 @@ class PowerSystem {
         entries.push_back({2 * r + 1, 2 * c + 1, -w * turn.real()});
       }
     }
-    if (free_ > 0) system_ = std::make_unique<SymmetricSystem>(2 * free_, 2, entries);
+    if (free_ > 0) system_ = field_system(2 * free_, 2, entries);
   }
 
   const Vec& fixed_;
   Vec mass_, rhs_;
   std::vector<Index> row_;
   Index free_ = 0;
-  std::unique_ptr<SymmetricSystem> system_;
+  std::optional<SparseSpd> system_;
 };
 
 Complex inner(const Vec& mass, const std::vector<Complex>& a, const std::vector<Complex>& b) {
@@ -239,10 +237,10 @@ void comb(const SurfaceMesh& mesh, const std::vector<char>& is_cut, CrossField& 
     for (std::size_t next = 0; next < queue.size(); ++next)
       for (Index h = 3 * queue[next]; h < 3 * queue[next] + 3; ++h) {
         const Index o = mesh.opposite(h);
-        if (o < 0 || is_cut[at(h)] || seen[at(o / 3)]) continue;
-        seen[at(o / 3)] = 1;
-        queue.push_back(o / 3);
-        turn(o / 3, -field.turns[at(h)]);
+        if (o < 0 || is_cut[at(h)] || seen[at(face_of(o))]) continue;
+        seen[at(face_of(o))] = 1;
+        queue.push_back(face_of(o));
+        turn(face_of(o), -field.turns[at(h)]);
       }
   }
   for (Index h = 0; h < mesh.half_edge_count(); ++h)

@@ -2,9 +2,9 @@
 // around which they turn. What a seamless map is made from: its rotations across the cuts and the
 // angles at its vertices.
 //
-//   CrossField field = smoothest_cross_field(mesh);
-//   std::vector<char> is_cut = cut_graph(mesh, cone_vertices(field));
-//   comb(mesh, is_cut, field);           // turns are 0 but across the cut
+//   CrossField field = smoothest_cross_field(*mesh);
+//   std::vector<char> is_cut = cut_graph(*mesh, cone_vertices(field));
+//   comb(*mesh, is_cut, field);          // turns are 0 but across the cut
 //
 // The branches of a face are numbered 0..3 counterclockwise; `angle` is branch 0. All of this is
 // intrinsic: rotating or scaling the mesh changes nothing but rounding.
@@ -41,7 +41,7 @@ struct CrossFieldOptions {
   // sides (flagging one is enough). A face with several follows the longest.
   std::vector<char> aligned;
   // Without curvature and alignment, cones are cancelled and moved as long as that lowers
-  //   1/2 int |rotation of the branches|^2 + cone_cost * sum |quarter_turns - 4|.
+  //     1/2 int |rotation of the branches|^2 + cone_cost * sum |quarter_turns - 4|.
   // The first is also 1/2 int |grad log scale|^2 of a conformal map with these cones: the
   // distortion they leave. 0: cancels only what makes the field smoother.
   double cone_cost = 0.1;

@@ -6,8 +6,6 @@
 namespace majorant {
 namespace {
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
 // Integral of the curvature tensor around every vertex: half of each of its edges,
 // (dihedral angle) (length) t t^T, t the edge's direction.
 std::vector<Eigen::Matrix3d> vertex_tensors(const SurfaceMesh& mesh,
@@ -17,7 +15,7 @@ std::vector<Eigen::Matrix3d> vertex_tensors(const SurfaceMesh& mesh,
     const Index o = mesh.opposite(h);
     if (o < h) continue;  // the boundary has -1
     const Vector3 t = edge_vector(mesh, h);
-    const Vector3 &n = normal[at(h / 3)], &m = normal[at(o / 3)];
+    const Vector3 &n = normal[at(face_of(h))], &m = normal[at(face_of(o))];
     const double bend = std::atan2(n.cross(m).dot(t), n.dot(m));
     const double length =
         (mesh.positions().row(mesh.to_vertex(h)) - mesh.positions().row(mesh.from_vertex(h)))

@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
+#include "majorant/mesh/half_edge.h"
+
 namespace majorant {
 namespace {
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
 // The unknowns at both ends of half-edge h, -1 where there is none.
 std::array<Index, 2> ends(const Cells& faces, const std::vector<Index>& row_of, Index h) {
-  return {row_of[at(faces(h / 3, h % 3))], row_of[at(faces(h / 3, (h + 1) % 3))]};
+  return {row_of[at(from_vertex(faces, h))], row_of[at(to_vertex(faces, h))]};
 }
 
 }  // namespace
@@ -22,31 +22,15 @@ EdgeLaplacian::EdgeLaplacian(const Cells& faces, const std::vector<Index>& row_o
     const auto [a, b] = ends(faces, row_of, h);
     if (a >= 0 && b >= 0 && a != b) below[at(std::min(a, b))].push_back(std::max(a, b));
   }
-  pattern_.size = size;
-  pattern_.column_starts.push_back(0);
-  for (Index c = 0; c < size; ++c) {
-    auto& rows = below[at(c)];
-    std::sort(rows.begin(), rows.end());
-    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-    pattern_.rows.push_back(c);
-    pattern_.rows.insert(pattern_.rows.end(), rows.begin(), rows.end());
-    pattern_.column_starts.push_back(pattern_.nonzeros());
-    pattern_.block_of.push_back(c);
-  }
+  for (const auto& rows : below) pattern_.append_column(rows);
+  pattern_.order_in_blocks(1);
   for (Index h = 0; h < half_edges; ++h) {
     const auto [a, b] = ends(faces, row_of, h);
     Slots slots{-1, -1, -1};
-    if (a == b) {  // x_a - x_b = 0
-      slots_.push_back(slots);
-      continue;
-    }
-    if (a >= 0) slots.from = pattern_.column_starts[at(a)];  // the diagonal comes first
-    if (b >= 0) slots.to = pattern_.column_starts[at(b)];
-    if (a >= 0 && b >= 0) {
-      const auto& rows = below[at(std::min(a, b))];
-      const auto found = std::lower_bound(rows.begin(), rows.end(), std::max(a, b));
-      slots.between =
-          pattern_.column_starts[at(std::min(a, b))] + 1 + static_cast<Index>(found - rows.begin());
+    if (a != b) {  // else x_a - x_b = 0
+      if (a >= 0) slots.from = pattern_.diagonal_slot(a);
+      if (b >= 0) slots.to = pattern_.diagonal_slot(b);
+      if (a >= 0 && b >= 0) slots.between = pattern_.slot(a, b);
     }
     slots_.push_back(slots);
   }

@@ -1,9 +1,11 @@
 // The matrix of sum_h w_h (x_a - x_b)^2 / 2 over the half-edges h = (a, b) of triangles: weighted
 // Laplacians whose weights change while the mesh does not.
 //
-//   EdgeLaplacian laplacian(mesh.faces(), row_of);
+//   const std::vector<Index> row_of{-1, 0, 1, 2};                  // vertex 0 is held
+//   EdgeLaplacian laplacian(mesh->faces(), row_of);
+//   auto solver = make_cholmod_solver();
 //   solver->analyze(laplacian.pattern());
-//   solver->factorize(laplacian.values(weights), 0.0);
+//   solver->factorize(laplacian.values(Vec::Ones(3 * mesh->faces().rows())), 0.0);
 #pragma once
 
 #include <array>

@@ -9,8 +9,6 @@
 namespace majorant {
 namespace {
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
 // Distance to the nearest integer that rounding may cause; anything larger is an error of logic.
 constexpr double kIntegerTolerance = 1e-3;
 
@@ -32,7 +30,7 @@ FieldConnection nearest_matching(const SurfaceMesh& mesh, const FieldGeometry& g
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
     const Index o = mesh.opposite(h);
     if (o < h) continue;  // the boundary has -1
-    const double difference = angle[o / 3] - angle[h / 3] - geometry.transport[h];
+    const double difference = angle[face_of(o)] - angle[face_of(h)] - geometry.transport[h];
     field.rotation[h] = difference - kQuarter * std::round(difference / kQuarter);
     field.rotation[o] = -field.rotation[h];
   }
@@ -69,24 +67,24 @@ Relaxation::Relaxation(const SurfaceMesh& mesh, const FieldGeometry& geometry, c
     row_.push_back(eliminated ? -1 : size++);
   }
   if (size == 0) return;
-  std::vector<SymmetricSystem::Entry> entries;
+  std::vector<SparseSpd::Entry> entries;
   for (Index f = 0; f < mesh.face_count(); ++f)
     if (const Index r = row_[at(f)]; r >= 0) entries.push_back({r, r, hold[f]});
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
-    const Index o = mesh.opposite(h), r = row_[at(h / 3)];
+    const Index o = mesh.opposite(h), r = row_[at(face_of(h))];
     if (o < 0 || r < 0) continue;
-    const Index c = row_[at(o / 3)];
+    const Index c = row_[at(face_of(o))];
     entries.push_back({r, r, geometry.weight[h]});
     if (c > r) entries.push_back({r, c, -geometry.weight[h]});
   }
-  system_ = std::make_unique<SymmetricSystem>(size, 1, entries);
+  system_ = field_system(size, 1, entries);
 }
 
 void Relaxation::apply(Vec& angle, Vec& rotation) const {
   if (!system_) return;
   Vec rhs = Vec::Zero(system_->size());
   for (Index h = 0; h < mesh_.half_edge_count(); ++h)
-    if (const Index r = row_[at(h / 3)]; r >= 0) rhs[r] += geometry_.weight[h] * rotation[h];
+    if (const Index r = row_[at(face_of(h))]; r >= 0) rhs[r] += geometry_.weight[h] * rotation[h];
   const Vec x = system_->solve(rhs);
   Vec turned = Vec::Zero(mesh_.face_count());
   for (Index f = 0; f < mesh_.face_count(); ++f)
@@ -94,7 +92,8 @@ void Relaxation::apply(Vec& angle, Vec& rotation) const {
   if (is_free_) turned.array() -= turned.dot(geometry_.face_area) / geometry_.face_area.sum();
   angle += turned;
   for (Index h = 0; h < mesh_.half_edge_count(); ++h)
-    if (mesh_.opposite(h) >= 0) rotation[h] += turned[mesh_.opposite(h) / 3] - turned[h / 3];
+    if (mesh_.opposite(h) >= 0)
+      rotation[h] += turned[face_of(mesh_.opposite(h))] - turned[face_of(h)];
 }
 
 CrossField cross_field(const SurfaceMesh& mesh, const FieldGeometry& geometry,
@@ -106,9 +105,9 @@ CrossField cross_field(const SurfaceMesh& mesh, const FieldGeometry& geometry,
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
     const Index o = mesh.opposite(h);
     if (o < h) continue;
-    const double turns = nearest_integer(
-        mesh, (out.angle[o / 3] - out.angle[h / 3] - geometry.transport[h] - field.rotation[h]) /
-                  kQuarter);
+    const double turns = nearest_integer(mesh, (out.angle[face_of(o)] - out.angle[face_of(h)] -
+                                                geometry.transport[h] - field.rotation[h]) /
+                                                   kQuarter);
     const int k = (static_cast<int>(turns) % 4 + 4) % 4;
     out.turns[at(h)] = k;
     out.turns[at(o)] = (4 - k) % 4;

@@ -3,12 +3,12 @@
 // turns of the matching, has still to rotate to become the branch of the other.
 //
 // These rotations carry the topology: they determine the quarter turns of every vertex,
-//   (pi / 2) quarter_turns[v] = angle sum of v - sum of the rotations counterclockwise around v,
+//     (pi / 2) quarter_turns[v] = angle sum of v - sum of the rotations counterclockwise around v,
 // and the turning along every loop. move_quarter() changes it by integers, Relaxation makes the
 // field as smooth as possible without changing it (a trivial connection, [CDS10]).
 #pragma once
 
-#include <memory>
+#include <optional>
 #include <vector>
 
 #include "majorant/parametrization/fields/cross_field.h"
@@ -37,7 +37,7 @@ void move_quarter(const SurfaceMesh& mesh, const FieldGeometry& geometry, Index 
                   FieldConnection& field);
 
 // Makes a field as smooth as its topology allows: turns the branches by the angles a that minimize
-//   sum over edges weight rotation^2 + sum over faces hold a^2.
+//     sum over edges weight rotation^2 + sum over faces hold a^2.
 // One factorization, a solve per field.
 class Relaxation {
  public:
@@ -51,7 +51,7 @@ class Relaxation {
   const FieldGeometry& geometry_;
   bool is_free_;
   std::vector<Index> row_;  // per face, -1 where it must not turn
-  std::unique_ptr<SymmetricSystem> system_;
+  std::optional<SparseSpd> system_;
 };
 
 CrossField cross_field(const SurfaceMesh& mesh, const FieldGeometry& geometry,

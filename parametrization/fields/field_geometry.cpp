@@ -1,16 +1,11 @@
 #include "majorant/parametrization/fields/field_geometry.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
 
-#include "majorant/framework/error.h"
-
 namespace majorant {
 namespace {
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 // Beyond this ratio of lengths a face is as good as degenerate; larger weights would only spoil the
 // factorizations.
@@ -24,10 +19,8 @@ FieldGeometry::FieldGeometry(const SurfaceMesh& mesh)
       weight(Vec::Zero(mesh.half_edge_count())),
       face_area(mesh.face_count()),
       angle_sum(Vec::Zero(mesh.vertex_count())),
-      is_boundary(at(mesh.vertex_count()), 0),
+      is_boundary(mesh.boundary_flags()),
       valence(at(mesh.vertex_count()), 0) {
-  for (const auto& loop : mesh.boundary_loops())
-    for (const Index v : loop) is_boundary[at(v)] = 1;
   for (Index f = 0; f < mesh.face_count(); ++f) {
     Vector3 p[3];
     double corner[3];
@@ -52,8 +45,9 @@ FieldGeometry::FieldGeometry(const SurfaceMesh& mesh)
     // The centroid of a face has a third of its height: the distance is (2/3) (A + A') / length.
     const Vector3 edge =
         mesh.positions().row(mesh.to_vertex(h)) - mesh.positions().row(mesh.from_vertex(h));
-    weight[h] = std::clamp(1.5 * edge.squaredNorm() / (face_area[h / 3] + face_area[o / 3]),
-                           1 / kLargestWeight, kLargestWeight);
+    weight[h] =
+        std::clamp(1.5 * edge.squaredNorm() / (face_area[face_of(h)] + face_area[face_of(o)]),
+                   1 / kLargestWeight, kLargestWeight);
     weight[o] = weight[h];
   }
 }
@@ -64,32 +58,10 @@ Vector3 edge_vector(const SurfaceMesh& mesh, Index half_edge) {
   return e.normalized();
 }
 
-SymmetricSystem::SymmetricSystem(Index size, Index block, const std::vector<Entry>& entries)
-    : solver_(make_cholmod_solver()) {
-  std::vector<Eigen::Triplet<double, Index>> triplets;
-  triplets.reserve(entries.size() + at(size));
-  for (Index i = 0; i < size; ++i) triplets.emplace_back(i, i, 0.0);
-  for (const Entry& e : entries)
-    triplets.emplace_back(std::max(e.row, e.column), std::min(e.row, e.column), e.value);
-  Eigen::SparseMatrix<double, Eigen::ColMajor, Index> matrix(size, size);
-  matrix.setFromTriplets(triplets.begin(), triplets.end());
-  const auto nonzeros = matrix.nonZeros();
-  pattern_.size = size;
-  pattern_.column_starts.assign(matrix.outerIndexPtr(), matrix.outerIndexPtr() + size + 1);
-  pattern_.rows.assign(matrix.innerIndexPtr(), matrix.innerIndexPtr() + nonzeros);
-  for (Index i = 0; i < size; ++i) pattern_.block_of.push_back(i / block);
-  solver_->analyze(pattern_);
-  const Vec values = Eigen::Map<const Vec>(matrix.valuePtr(), nonzeros);
-  if (solver_->factorize(values, 0.0) != FactorStatus::Ok)
-    throw Error(ErrorKind::Infeasible,
-                "the matrix of a cross field cannot be factorized; check the mesh with "
-                "`majorant info`");
-}
-
-Vec SymmetricSystem::solve(const Vec& rhs) const {
-  Vec x;
-  solver_->solve(rhs, x);
-  return x;
+SparseSpd field_system(Index size, Index block, const std::vector<SparseSpd::Entry>& entries) {
+  return SparseSpd(size, block, entries,
+                   "the matrix of a cross field cannot be factorized; check the mesh with "
+                   "`majorant info`");
 }
 
 }  // namespace majorant

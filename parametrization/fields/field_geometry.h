@@ -6,11 +6,10 @@
 // face of its opposite; transport[opposite] = -transport. [CdGDS13] Ch. 8.
 #pragma once
 
-#include <memory>
 #include <numbers>
 #include <vector>
 
-#include "majorant/framework/linear_solver.h"
+#include "majorant/framework/sparse_spd.h"
 #include "majorant/mesh/surface_mesh.h"
 
 namespace majorant {
@@ -32,23 +31,7 @@ struct FieldGeometry {
 // Direction of half-edge h in space, unit length.
 Vector3 edge_vector(const SurfaceMesh& mesh, Index half_edge);
 
-// A symmetric positive definite system with the solver that factorized it.
-class SymmetricSystem {
- public:
-  // Adds `value` to the entries (row, column) and (column, row), to the diagonal once.
-  struct Entry {
-    Index row, column;
-    double value;
-  };
-  // block: neighbouring unknowns that are ordered together, 1 or 2 of them. Throws
-  // Error(Infeasible) when the matrix is not positive definite.
-  SymmetricSystem(Index size, Index block, const std::vector<Entry>& entries);
-  Vec solve(const Vec& rhs) const;
-  Index size() const { return pattern_.size; }
-
- private:
-  SparsePattern pattern_;
-  std::unique_ptr<LinearSolver> solver_;
-};
+// A system of a field's smoothness. Throws Error(Infeasible) when the mesh spoils it.
+SparseSpd field_system(Index size, Index block, const std::vector<SparseSpd::Entry>& entries);
 
 }  // namespace majorant

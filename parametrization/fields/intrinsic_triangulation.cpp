@@ -23,10 +23,6 @@ constexpr double kCocircular = 1e-10;
 // found they may be anything, and vectors stay finite.
 constexpr double kLargestLog = 300;
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-Index next(Index h) { return h - h % 3 + (h + 1) % 3; }
-Index previous(Index h) { return h - h % 3 + (h + 2) % 3; }
-
 // log(e^x + e^y)
 double log_sum(double x, double y) {
   return std::max(x, y) + std::log1p(std::exp(-std::abs(x - y)));
@@ -93,7 +89,7 @@ Vec IntrinsicTriangulation::log_lengths(const Vec& log_factor) const {
 
 double IntrinsicTriangulation::log_length(const Vec& log_factor, Index h) const {
   return log_lengths_[h] +
-         0.5 * (log_factor[faces_(h / 3, h % 3)] + log_factor[faces_(h / 3, (h + 1) % 3)]);
+         0.5 * (log_factor[from_vertex(faces_, h)] + log_factor[to_vertex(faces_, h)]);
 }
 
 bool IntrinsicTriangulation::has_broken_triangles(const Vec& log_factor) const {
@@ -127,7 +123,7 @@ void IntrinsicTriangulation::flip(Index half_edge) {
   const double diagonal =
       log_sum(log_lengths_[h1] + log_lengths_[o1], log_lengths_[h2] + log_lengths_[o2]) -
       log_lengths_[h0];
-  const auto vertex = [&](Index h) { return faces_(h / 3, h % 3); };
+  const auto vertex = [&](Index h) { return from_vertex(faces_, h); };
   const Index a = vertex(h0), b = vertex(o0), c = vertex(h2), d = vertex(o2);
   std::array<Index, 4> outside{};
   std::array<double, 4> lengths{};
@@ -145,7 +141,8 @@ void IntrinsicTriangulation::flip(Index half_edge) {
   }
   log_lengths_[h0] = log_lengths_[o0] = diagonal;
   const std::array<Index, 6> half_edges{h0, h1, h2, o0, o1, o2}, origins{d, c, a, c, d, b};
-  for (std::size_t k = 0; k < 6; ++k) faces_(half_edges[k] / 3, half_edges[k] % 3) = origins[k];
+  for (std::size_t k = 0; k < 6; ++k)
+    faces_(face_of(half_edges[k]), corner_of(half_edges[k])) = origins[k];
   flips_.push_back({h0, o0});
 }
 
@@ -157,10 +154,10 @@ Index IntrinsicTriangulation::make_delaunay(const Vec& log_factor) {
   while (!half_edges.empty() && flipped < kMostFlipsPerFace * face_count()) {
     const Index h = half_edges.back(), o = opposite(h);
     half_edges.pop_back();
-    if (o < 0 || o / 3 == h / 3 || is_delaunay(lengths, h)) continue;
+    if (o < 0 || face_of(o) == face_of(h) || is_delaunay(lengths, h)) continue;
     flip(h);
     ++flipped;
-    for (const Index first : {3 * (h / 3), 3 * (o / 3)})
+    for (const Index first : {3 * (face_of(h)), 3 * (face_of(o))})
       for (Index side = first; side < first + 3; ++side) {
         lengths[side] = log_length(log_factor, side);
         half_edges.push_back(side);

@@ -8,8 +8,6 @@
 namespace majorant {
 namespace {
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
 [[noreturn]] void refuse(const SurfaceMesh& mesh, const std::string& what) {
   throw Error(ErrorKind::Usage, fmt::format("{}: cones: {}", mesh.file(), what));
 }

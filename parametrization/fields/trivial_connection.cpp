@@ -19,15 +19,15 @@ FieldConnection trivial_connection(const SurfaceMesh& mesh, const FieldGeometry&
   FieldConnection field{Vec::Zero(mesh.face_count()),
                         ConePotential(mesh, geometry, quarter_turns).rotations(), quarter_turns};
   const auto branch_beyond = [&](Index h) {
-    return field.angle[h / 3] + geometry.transport[h] + field.rotation[h];
+    return field.angle[face_of(h)] + geometry.transport[h] + field.rotation[h];
   };
   for (const Index h : loops.face_tree())
-    field.angle[mesh.opposite(h) / 3] = std::remainder(branch_beyond(h), 4 * kQuarter);
+    field.angle[face_of(mesh.opposite(h))] = std::remainder(branch_beyond(h), 4 * kQuarter);
   // Where the tree does not pass, the branches that meet may differ, up to quarter turns.
   Vec gaps(static_cast<Index>(loops.loops().size()));
   for (Index k = 0; k < gaps.size(); ++k) {
-    const Index h = loops.loops()[static_cast<std::size_t>(k)];
-    gaps[k] = std::remainder(field.angle[mesh.opposite(h) / 3] - branch_beyond(h), kQuarter);
+    const Index h = loops.loops()[at(k)];
+    gaps[k] = std::remainder(field.angle[face_of(mesh.opposite(h))] - branch_beyond(h), kQuarter);
   }
   field.rotation += loops.close(gaps);
   relax_and_round_turning(mesh, geometry, field);

@@ -3,12 +3,6 @@
 #include <cstddef>
 
 namespace majorant {
-namespace {
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
-
 TurningLoops::TurningLoops(const SurfaceMesh& mesh, const FieldGeometry& geometry)
     : mesh_(mesh), used_(at(mesh.half_edge_count()), 0) {
   grow_face_tree();
@@ -24,10 +18,10 @@ void TurningLoops::grow_face_tree() {
   for (std::size_t next = 0; next < queue.size(); ++next)
     for (Index h = 3 * queue[next]; h < 3 * queue[next] + 3; ++h) {
       const Index o = mesh_.opposite(h);
-      if (o < 0 || seen[at(o / 3)]) continue;
-      seen[at(o / 3)] = used_[at(h)] = used_[at(o)] = 1;
+      if (o < 0 || seen[at(face_of(o))]) continue;
+      seen[at(face_of(o))] = used_[at(h)] = used_[at(o)] = 1;
       face_tree_.push_back(h);
-      queue.push_back(o / 3);
+      queue.push_back(face_of(o));
     }
 }
 

@@ -2,14 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numeric>
 
-#include "majorant/constraints/seamless_constraint.h"
+#include "majorant/elements/bezier_triangle_space.h"
 
 namespace majorant {
 namespace {
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 PlanarCurve curve_of(const BezierMap& map, Index half_edge) {
   PlanarCurve curve;
@@ -18,27 +17,6 @@ PlanarCurve curve_of(const BezierMap& map, Index half_edge) {
   for (const Index node : edge_nodes(map.space(), half_edge))
     curve.control_points[k++] = map.control_points().segment<2>(2 * node);
   return curve;
-}
-
-std::vector<Index> component_of_faces(const SurfaceMesh& mesh, Index& count) {
-  std::vector<Index> component(at(mesh.face_count()), -1), stack;
-  for (Index seed = 0; seed < mesh.face_count(); ++seed) {
-    if (component[at(seed)] >= 0) continue;
-    component[at(seed)] = count;
-    stack.push_back(seed);
-    while (!stack.empty()) {
-      const Index f = stack.back();
-      stack.pop_back();
-      for (Index h = 3 * f; h < 3 * f + 3; ++h) {
-        const Index g = mesh.opposite(h) < 0 ? f : mesh.opposite(h) / 3;
-        if (component[at(g)] >= 0) continue;
-        component[at(g)] = count;
-        stack.push_back(g);
-      }
-    }
-    ++count;
-  }
-  return component;
 }
 
 }  // namespace
@@ -83,7 +61,8 @@ std::vector<Index> BoundaryLoops::next() const {
 BoundaryLoops boundary_loops(const BezierMap& map) {
   const SurfaceMesh& mesh = map.mesh();
   BoundaryLoops boundary;
-  const std::vector<Index> component = component_of_faces(mesh, boundary.charts);
+  const std::vector<Index> component = face_components(mesh.opposites());
+  for (const Index c : component) boundary.charts = std::max(boundary.charts, c + 1);
   std::vector<Index> leaving(at(mesh.vertex_count()), -1);  // boundary half-edge of each vertex
   for (Index h = 0; h < mesh.half_edge_count(); ++h)
     if (mesh.opposite(h) < 0) leaving[at(mesh.from_vertex(h))] = h;
@@ -94,7 +73,7 @@ BoundaryLoops boundary_loops(const BezierMap& map) {
       half_edges.push_back(leaving[at(v)]);
       curves.push_back(curve_of(map, half_edges.back()));
     }
-    boundary.add_loop(component[at(half_edges.front() / 3)], curves, half_edges);
+    boundary.add_loop(component[at(face_of(half_edges.front()))], curves, half_edges);
   }
   return boundary;
 }

@@ -4,13 +4,14 @@
 //   const BoundaryLoops boundary = boundary_loops(map);    // of a map in memory
 //
 //   BoundaryLoops atlas{.charts = 2};                      // of anything else, say a file
-//   atlas.add_loop(0, curves_of_the_first_chart, their_half_edges);
-//   atlas.add_loop(1, curves_of_the_second_chart, their_half_edges);
+//   std::vector<PlanarCurve> curves;                       // of chart 0, and
+//   std::vector<Index> half_edges;                         // whose they are
+//   atlas.add_loop(0, curves, half_edges);
 #pragma once
 
 #include <vector>
 
-#include "majorant/parametrization/injectivity/curve_contact.h"
+#include "majorant/parametrization/injectivity/planar_curve.h"
 #include "majorant/parametrization/maps/bezier_map.h"
 
 namespace majorant {

@@ -1,8 +1,9 @@
 // Boxes that meet each other, or a given one, by a tree of bounding boxes.
 //
-//   const BoxTree tree(boxes);
-//   tree.visit_pairs([&](Index i, Index j) { pairs.push_back({i, j}); return true; });
-//   tree.visit_meeting({p, p}, [&](Index i) { around_p.push_back(i); });
+//   const Vector2 p(0.5, 0.5);
+//   const BoxTree tree({{Vector2(0, 0), Vector2(2, 1)}, {p, p}});
+//   tree.visit_pairs([&](Index i, Index j) { return i < j; });   // boxes that meet; false: enough
+//   tree.visit_meeting({p, p}, [&](Index i) { say("{}\n", i); });
 #pragma once
 
 #include <functional>

@@ -4,9 +4,9 @@
 #include <initializer_list>
 #include <utility>
 
+#include "majorant/mesh/exact_predicates.h"
 #include "majorant/parametrization/injectivity/curve_graph.h"
 #include "majorant/parametrization/injectivity/curve_piece.h"
-#include "majorant/parametrization/injectivity/exact_predicates.h"
 
 namespace majorant {
 namespace {
@@ -16,9 +16,7 @@ using curve_piece::Direction;
 using curve_piece::Graph;
 using curve_piece::Heights;
 using curve_piece::Interval;
-using curve_piece::magnitude;
 using curve_piece::Piece;
-using curve_piece::Quad;
 using curve_piece::split;
 
 // Once a place is found that cannot be decided, the rest is searched for a crossing, but not long.
@@ -294,21 +292,13 @@ bool touches(const PlanarCurve& curve, const Vector2& p) {
 CurveContact contact_of_lines(const PlanarCurve& a, const PlanarCurve& b) {
   if (!segments_meet(a.front(), a.back(), b.front(), b.back())) return {};
   const Vector2 u = a.back() - a.front(), v = b.back() - b.front(), w = b.front() - a.front();
-  const double t = (w.x() * v.y() - w.y() * v.x()) / (u.x() * v.y() - u.y() * v.x());
+  const double t = cross(w, v) / cross(u, v);
   return {Contact::Certain, a.front() + (t > 0 && t < 1 ? t : 0.5) * u};
 }
 
 SubdivisionBudget unlimited() { return SubdivisionBudget(std::numeric_limits<long>::max()); }
 
 }  // namespace
-
-bool PlanarCurve::in_range() const {
-  for (int k = 0; k <= degree; ++k) {
-    const Vector2& p = control_points[static_cast<std::size_t>(k)];
-    if (!(std::abs(p.x()) < kLargest && std::abs(p.y()) < kLargest)) return false;
-  }
-  return true;
-}
 
 bool SubdivisionBudget::spend(long subdivisions) {
   constexpr long kUnasked = 32;  // some dozen microseconds

@@ -19,27 +19,12 @@
 // where the budget ends, and out of range.
 #pragma once
 
-#include <array>
 #include <functional>
+#include <utility>
 
-#include "majorant/elements/bezier_triangle_space.h"
+#include "majorant/parametrization/injectivity/planar_curve.h"
 
 namespace majorant {
-
-struct PlanarCurve {
-  static constexpr int kMaxDegree = BezierTriangleSpace::kMaxDegree;
-  // Coordinates whose products overflow are of no use; rounding bounds cover everything else.
-  static constexpr double kLargest = 1e150;
-  int degree = 1;                                      // 1..kMaxDegree
-  std::array<Vector2, kMaxDegree + 1> control_points;  // degree + 1, in range
-
-  bool in_range() const;  // all coordinates finite and below kLargest
-
-  const Vector2& front() const { return control_points[0]; }
-  const Vector2& back() const { return control_points[static_cast<std::size_t>(degree)]; }
-};
-
-enum class Contact { None, Certain, Possible };
 
 struct CurveContact {
   Contact kind = Contact::None;

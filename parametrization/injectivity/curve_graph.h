@@ -1,9 +1,11 @@
 // A polynomial graph between two pieces of curves, for curve_contact.cpp: curves that run along
 // each other at a small distance, which no straight line separates unless they are cut to bits.
 //
-//   const Graph<double> graph = graph_between(a, b);
-//   const Heights<double> of_a = heights(a, graph), of_b = heights(b, graph);
-//   before(of_b.all, of_a.all);      // proves that b lies below a, and that they do not meet
+//   const auto below = [](const auto& b, const auto& a) {      // that piece b is below a
+//     using namespace curve_piece;
+//     const auto graph = graph_between(a, b);
+//     return before(heights(b, graph).all, heights(a, graph).all);   // proof
+//   };
 //
 // (x, height) with x along the pieces and height = y - g(x) are coordinates of the whole plane, so
 // any g whatever gives proofs; a good g has height +c on one curve and -c on the other. Pieces of
@@ -52,9 +54,7 @@ constexpr auto binomial_table() {
 }
 inline constexpr auto kBinomials = binomial_table();
 
-inline double binomial(int n, int k) {
-  return kBinomials[static_cast<std::size_t>(n)][static_cast<std::size_t>(k)];
-}
+inline double binomial(int n, int k) { return kBinomials[at(n)][at(k)]; }
 
 // Bernstein coefficients times their binomials: products are convolutions.
 template <class Real>
@@ -64,8 +64,7 @@ template <class Real, class Factor>
 void multiply(Scaled<Real>& product, int& degree, const Factor& factor, int factor_degree) {
   Scaled<Real> result{};
   for (int i = 0; i <= degree; ++i)
-    for (int j = 0; j <= factor_degree; ++j)
-      result[static_cast<std::size_t>(i + j)] += product[static_cast<std::size_t>(i)] * factor(j);
+    for (int j = 0; j <= factor_degree; ++j) result[at(i + j)] += product[at(i)] * factor(j);
   degree += factor_degree;
   product = result;
 }
@@ -80,7 +79,7 @@ struct LocalPiece {
   LocalPiece(const Piece<Real>& p, const Graph<Real>& graph) : degree(p.degree) {
     const Real length = magnitude(graph.axis.x) + magnitude(graph.axis.y);
     for (int k = 0; k <= degree; ++k) {
-      const std::size_t i = p.at(k);
+      const std::size_t i = at(k);
       const Real dx = p.x[i] - graph.origin.x, dy = p.y[i] - graph.origin.y;
       x[i] = graph.axis.x * dx + graph.axis.y * dy;
       y[i] = graph.axis.x * dy - graph.axis.y * dx;
@@ -109,11 +108,11 @@ std::array<Direction<Real>, kSamples> sample(const LocalPiece<Real>& p) {
     const double t = static_cast<double>(k) / (kSamples - 1);
     auto x = p.x, y = p.y;
     for (int level = p.degree; level > 0; --level)
-      for (std::size_t i = 0; i < static_cast<std::size_t>(level); ++i) {
+      for (std::size_t i = 0; i < at(level); ++i) {
         x[i] += Real(t) * (x[i + 1] - x[i]);
         y[i] += Real(t) * (y[i + 1] - y[i]);
       }
-    points[static_cast<std::size_t>(k)] = {x[0], y[0]};
+    points[at(k)] = {x[0], y[0]};
   }
   return points;
 }
@@ -160,10 +159,7 @@ Graph<Real> graph_between(const Piece<Real>& a, const Piece<Real>& b) {
   using namespace detail;
   Graph<Real> graph = frame_along(a, b);
   const std::array points{sample(LocalPiece<Real>(a, graph)), sample(LocalPiece<Real>(b, graph))};
-  const auto point = [&](int row) {
-    return points[static_cast<std::size_t>(row / kSamples)]
-                 [static_cast<std::size_t>(row % kSamples)];
-  };
+  const auto point = [&](int row) { return points[at(row / kSamples)][at(row % kSamples)]; };
   SampleMatrix matrix;
   for (int row = 0; row < 2 * kSamples; ++row) {
     const double x = static_cast<double>(point(row).x);
@@ -172,14 +168,13 @@ Graph<Real> graph_between(const Piece<Real>& a, const Piece<Real>& b) {
   }
   const Eigen::HouseholderQR<SampleMatrix> qr(matrix);
   // Rounds of refinement: the first gives the digits of a double, each further one as many more.
-  constexpr int kRounds = Piece<Real>::kUnit < Real(Rounding<double>::kUnit) ? 3 : 1;
+  constexpr int kRounds = Piece<Real>::kUnit < Real(kUnitRoundoff<double>) ? 3 : 1;
   for (int round = 0; round < kRounds; ++round) {
     SampleVector rest;
     for (int row = 0; row < 2 * kSamples; ++row)
       rest(row) = static_cast<double>(point(row).y - value(graph.coefficients, point(row).x));
     const auto fitted = qr.solve(rest).eval();
-    for (int k = 0; k <= kGraphDegree; ++k)
-      graph.coefficients[static_cast<std::size_t>(k)] += Real(fitted(k));
+    for (int k = 0; k <= kGraphDegree; ++k) graph.coefficients[at(k)] += Real(fitted(k));
   }
   return graph;
 }
@@ -190,7 +185,6 @@ detail::Scaled<Real> height_coefficients(const detail::LocalPiece<Real>& p,
                                          const Graph<Real>& graph) {
   using namespace detail;
   const int n = p.degree, all = n * kGraphDegree;
-  const auto at = [](int k) { return static_cast<std::size_t>(k); };
   Scaled<Real> composed{graph.coefficients[kGraphDegree]};
   int degree = 0;
   for (int j = kGraphDegree - 1; j >= 0; --j) {
@@ -221,8 +215,8 @@ Heights<Real> heights(const Piece<Real>& p, const Graph<Real>& graph) {
   const int n = p.degree;
   Real reach = 0, above = 0;
   for (int k = 0; k <= n; ++k) {
-    reach = std::max(reach, magnitude(local.x[p.at(k)]));
-    above = std::max(above, magnitude(local.y[p.at(k)]));
+    reach = std::max(reach, magnitude(local.x[at(k)]));
+    above = std::max(above, magnitude(local.y[at(k)]));
   }
   reach += local.error;
   Real sum = 0, slope = 0;  // of |g| at `reach`
@@ -245,9 +239,9 @@ Heights<Real> heights(const Piece<Real>& p, const Graph<Real>& graph) {
   const auto [low_x, high_x] = std::minmax_element(local.x.begin(), local.x.begin() + n + 1);
   result.x = widened(*low_x, *high_x, local.error);
   result.front_x = widened(local.x[0], local.x[0], local.error);
-  result.back_x = widened(local.x[p.at(n)], local.x[p.at(n)], local.error);
+  result.back_x = widened(local.x[at(n)], local.x[at(n)], local.error);
   const Scaled<Real> y = height_coefficients(local, graph);
-  const std::size_t last = p.at(n * kGraphDegree);
+  const std::size_t last = at(n * kGraphDegree);
   const auto [low, high] = std::minmax_element(y.begin(), y.begin() + last + 1);
   result.all = widened(*low, *high, error);
   result.front = widened(y[0], y[0], error);

@@ -12,30 +12,13 @@
 #include <limits>
 #include <utility>
 
+#include "majorant/elements/rounding.h"
 #include "majorant/parametrization/injectivity/curve_contact.h"
 
 namespace majorant::curve_piece {
 
-__extension__ typedef __float128 Quad;
-
-template <class Real>
-struct Rounding;
-template <>
-struct Rounding<double> {
-  static constexpr double kUnit = 0x1p-53;
-};
-template <>
-struct Rounding<Quad> {
-  static constexpr double kUnit = 0x1p-113;
-};
-
 // Of products that underflow; more than any of the sums below collects.
 constexpr double kUnderflow = 64 * std::numeric_limits<double>::denorm_min();
-
-template <class Real>
-Real magnitude(Real a) {
-  return a < 0 ? -a : a;
-}
 
 template <class Real>
 struct Direction {
@@ -49,7 +32,7 @@ struct Interval {
 
 template <class Real>
 struct Piece {
-  static constexpr Real kUnit = Rounding<Real>::kUnit;
+  static constexpr Real kUnit = kUnitRoundoff<Real>;
   int degree = 1, depth = 0;
   std::array<Real, PlanarCurve::kMaxDegree + 1> x{}, y{}, error{};
 
@@ -63,7 +46,6 @@ struct Piece {
     }
   }
 
-  static std::size_t at(int k) { return static_cast<std::size_t>(k); }
   Direction<Real> leg(int from, int to) const {
     return {x[at(to)] - x[at(from)], y[at(to)] - y[at(from)]};
   }
@@ -90,7 +72,7 @@ Interval<Real> along(const Piece<Real>& p, const Direction<Real>& axis, int firs
   const Real length = magnitude(axis.x) + magnitude(axis.y);
   Interval<Real> range{};
   for (int k = first; k <= last; ++k) {
-    const std::size_t i = p.at(k), b = p.at(std::max(base, 0));
+    const std::size_t i = at(k), b = at(std::max(base, 0));
     const Real x = axis.x * (base < 0 ? p.x[i] : p.x[i] - p.x[b]);
     const Real y = axis.y * (base < 0 ? p.y[i] : p.y[i] - p.y[b]);
     const Real input = base < 0 ? p.error[i] : p.error[i] + p.error[b];
@@ -113,27 +95,27 @@ Interval<Real> along(const Piece<Real>& p, const Direction<Real>& axis) {
 // unless asked for: in symmetric figures curves meet there, and what meets at the end of a piece is
 // never seen to cross.
 template <class Real>
-std::pair<Piece<Real>, Piece<Real>> split(const Piece<Real>& p, double at = 15.0 / 32) {
-  const Real first = 1 - at, second = at;  // weights, exact
+std::pair<Piece<Real>, Piece<Real>> split(const Piece<Real>& p, double where = 15.0 / 32) {
+  const Real first = 1 - where, second = where;  // weights, exact
   constexpr Real kUnit = Piece<Real>::kUnit;
   Piece<Real> left = p, right = p;
   left.depth = right.depth = p.depth + 1;
   for (int level = 1; level <= p.degree; ++level) {
     // `right` is the triangle's current row up to degree - level, and the result beyond.
     for (int k = 0; k <= p.degree - level; ++k) {
-      const std::size_t i = p.at(k), j = i + 1;
+      const std::size_t i = at(k), j = i + 1;
       const Real size = std::max(std::max(magnitude(right.x[i]), magnitude(right.y[i])),
                                  std::max(magnitude(right.x[j]), magnitude(right.y[j])));
       right.x[i] = first * right.x[i] + second * right.x[j];
       right.y[i] = first * right.y[i] + second * right.y[j];
       // Two roundings of every term, their sum at most `size`; then those of this bound.
-      right.error[i] =
-          (first * right.error[i] + second * right.error[j]) * (1 + 8 * Real(0x1p-53)) +
-          3 * kUnit * size + kUnderflow;
+      right.error[i] = (first * right.error[i] + second * right.error[j]) *
+                           (1 + 8 * Real(kUnitRoundoff<double>)) +
+                       3 * kUnit * size + kUnderflow;
     }
-    left.x[left.at(level)] = right.x[0];
-    left.y[left.at(level)] = right.y[0];
-    left.error[left.at(level)] = right.error[0];
+    left.x[at(level)] = right.x[0];
+    left.y[at(level)] = right.y[0];
+    left.error[at(level)] = right.error[0];
   }
   return {left, right};
 }

@@ -73,7 +73,7 @@ struct Piece {
 
   // i + j + k = degree; rows of constant k.
   std::size_t at(int j, int k) const {
-    return static_cast<std::size_t>(k * (degree + 1) - k * (k - 1) / 2 + j);
+    return majorant::at(k * (degree + 1) - k * (k - 1) / 2 + j);
   }
 };
 
@@ -83,10 +83,10 @@ struct Piece {
 Piece determinant(const TriangleIndices& ix, const std::vector<IntegerPoint>& b) {
   const int m = ix.degree() - 1;
   Piece det{2 * m, {}, {Barycentric::UnitX(), Barycentric::UnitY(), Barycentric::UnitZ()}, 0};
-  det.c.resize(static_cast<std::size_t>(control_point_count(2 * m)));
+  det.c.resize(at(control_point_count(2 * m)));
   const TriangleIndices& lower = TriangleIndices::of_degree(m);
   const auto point = [&](int i, int j, int k) -> const IntegerPoint& {
-    return b[static_cast<std::size_t>(ix.local(i, j, k))];
+    return b[at(ix.local(i, j, k))];
   };
   std::vector<IntegerPoint> along_1, along_2;
   for (int l = 0; l < lower.count(); ++l) {
@@ -99,9 +99,7 @@ Piece determinant(const TriangleIndices& ix, const std::vector<IntegerPoint>& b)
       const MultiIndex &a = lower.multi(s), &d = lower.multi(t);
       const auto weight =
           static_cast<std::int64_t>(lower.multinomial(s)) * Integer(lower.multinomial(t));
-      det.c[det.at(a[1] + d[1], a[2] + d[2])] +=
-          weight *
-          cross(along_1[static_cast<std::size_t>(s)], along_2[static_cast<std::size_t>(t)]);
+      det.c[det.at(a[1] + d[1], a[2] + d[2])] += weight * cross(along_1[at(s)], along_2[at(t)]);
     }
   for (int k = 0; k <= 2 * m; ++k)
     for (int j = 0; j + k <= 2 * m; ++j)
@@ -125,9 +123,8 @@ std::array<Piece, 2> halves(const Piece& p) {
       // By (old corner 0, middle, old 2) the coefficient has exponents (d - r, r, k); by (middle,
       // old 1, old 2) it has (r, d - r, k).
       half[0].c[half[0].at(d - r, r)] = row.front() << scale;
-      half[1].c[half[1].at(k, r)] = row[static_cast<std::size_t>(d - r)] << scale;
-      for (int j = 0; j + r < d; ++j)
-        row[static_cast<std::size_t>(j)] += row[static_cast<std::size_t>(j) + 1];
+      half[1].c[half[1].at(k, r)] = row[at(d - r)] << scale;
+      for (int j = 0; j + r < d; ++j) row[at(j)] += row[at(j) + 1];
     }
   }
   return half;

@@ -2,8 +2,9 @@
 // they are: for the few cells where LocalInjectivity, whose bounds include rounding, finds no
 // proof, and to tell what is certainly inverted from what is merely too close to call.
 //
-//   const ExactPositivity exact = exact_positivity(control_points);   // #(n+1)(n+2)/2 by 2
-//   if (exact.result == Positivity::Violated) exact.at;               // where det J <= 0
+//   const Points2 points = Points2::Random(6, 2);             // #(n+1)(n+2)/2 by 2
+//   const ExactPositivity exact = exact_positivity(points);
+//   if (exact.result == Positivity::Violated) exact.at;       // where det J <= 0
 //
 // The Bernstein coefficients of det J are scaled to integers; the triangle is bisected until all
 // coefficients of every piece are positive, or one at a corner of a piece, which is a value of

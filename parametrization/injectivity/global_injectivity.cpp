@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "majorant/parametrization/injectivity/box_pairs.h"
+#include "majorant/parametrization/injectivity/curve_contact.h"
 #include "majorant/parametrization/injectivity/loop_winding.h"
 #include "majorant/parametrization/injectivity/segment_sweep.h"
 
@@ -15,8 +16,6 @@ namespace {
 
 constexpr std::size_t kMaxContacts = 32;  // a few show what is wrong; then the search ends
 constexpr long kMostPairsLeft = 1000000;  // counting them takes milliseconds
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 // ---- Contacts ----
 
@@ -112,7 +111,8 @@ Finding find_double_cover(const BoundaryLoops& boundary,
     const BoundaryContact& contact = contacts[k];
     const auto edge =
         std::find(boundary.half_edge.begin(), boundary.half_edge.end(), contact.half_edge_a);
-    const PlanarCurve& curve = boundary.curves[at(edge - boundary.half_edge.begin())];
+    const PlanarCurve& curve =
+        boundary.curves[static_cast<std::size_t>(edge - boundary.half_edge.begin())];
     const double size = (curve.back() - curve.front()).norm();
     for (const double relative : {0x1p-3, 0x1p-8, 0x1p-16, 0x1p-32, 0x1p-42})  // sizes of the edge
       for (int d = 0; d < kDirections; ++d) {

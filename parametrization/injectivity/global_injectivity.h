@@ -4,7 +4,7 @@
 //   if (proof.result == Injectivity::Violated && !proof.contacts.empty())
 //     proof.contacts[0].where;                          // uv where two boundary edges meet
 //
-//   GlobalInjectivity atlas = check_layout(loops, {.stopped = out_of_time});   // from any source
+//   GlobalInjectivity atlas = check_layout(boundary_loops(map), {});   // of any source
 //
 // What is assumed of the map and not checked here: the surface is compact and orientable, its
 // faces the elements; the map is continuous across edges that two elements share; det J > 0 on

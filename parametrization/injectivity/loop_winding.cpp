@@ -3,19 +3,15 @@
 #include <algorithm>
 #include <limits>
 
+#include "majorant/mesh/exact_predicates.h"
 #include "majorant/parametrization/injectivity/curve_piece.h"
-#include "majorant/parametrization/injectivity/exact_predicates.h"
 
 namespace majorant {
 namespace {
 
 using curve_piece::along;
 using curve_piece::Direction;
-using curve_piece::magnitude;
 using curve_piece::Piece;
-using curve_piece::Quad;
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 // ---- Sense ----
 
@@ -88,7 +84,7 @@ std::optional<int> crossings_of_piece(const Piece<double>& piece) {
     const auto range = along(piece, axis);
     if (!(range.low > 0 || range.high < 0)) continue;
     const bool contains_ray = range.low > 0 ? axis.x > 0 : axis.x < 0;
-    return contains_ray ? (piece.y[piece.at(piece.degree)] > 0) - (piece.y[0] > 0) : 0;
+    return contains_ray ? (piece.y[at(piece.degree)] > 0) - (piece.y[0] > 0) : 0;
   }
   constexpr int kDepth = 60;
   if (piece.depth >= kDepth || !(piece.size() > 4 * piece.largest_error())) return {};

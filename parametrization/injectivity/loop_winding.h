@@ -1,7 +1,8 @@
 // How often boundary loops wind around a point, and which way they run: exact where they say so.
 //
+//   const BoundaryLoops boundary = boundary_loops(map);
 //   const LoopWinding winding(boundary);
-//   winding.around(p, [](const BoundaryLoop& loop) { return loop.chart == 2; });
+//   winding.around({0.5, 0.5}, [](const BoundaryLoop& loop) { return loop.chart == 2; });
 //
 // Winding numbers are counted: crossings of the ray to the right of the point. Curves that cross it
 // are cut until their pieces lie in half-planes without the point, every rounding error bounded;

@@ -4,12 +4,10 @@
 #include <numeric>
 #include <set>
 
-#include "majorant/parametrization/injectivity/exact_predicates.h"
+#include "majorant/mesh/exact_predicates.h"
 
 namespace majorant {
 namespace {
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 // The sweep line goes through the vertices in lexicographic order, as if it leant a little to the
 // left. Edge k runs from vertex k to vertex next[k].

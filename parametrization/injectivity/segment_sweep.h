@@ -1,11 +1,13 @@
 // Are polygons simple and disjoint? By a sweep in exact arithmetic, O(n log n) whatever their shape
 // (Shamos and Hoey, [SH76]). Not for curves: those are compared pair by pair.
 //
-//   const SweepResult swept = sweep_segments(loops, budget);
-//   if (swept.contact == Contact::None)   // no two edges have more in common than their vertex
+//   SubdivisionBudget budget(1000000);
+//   const SweepResult swept = sweep_segments(boundary_loops(map), budget);
+//   if (swept.contact == Contact::None) ...   // no two edges have more in common than their vertex
 #pragma once
 
 #include "majorant/parametrization/injectivity/boundary_loops.h"
+#include "majorant/parametrization/injectivity/curve_contact.h"
 
 namespace majorant {
 

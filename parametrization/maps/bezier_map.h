@@ -1,7 +1,7 @@
 // The result: a continuous piecewise polynomial map of a surface onto the plane.
 //
-//   Vector2 uv = map.evaluate(face, {0.2, 0.3, 0.5});
-//   auto [Sigma, sigma] = map.singular_values(face, xi);   // sigma < 0 where orientation flips
+//   Vector2 uv = map.evaluate(12, {0.2, 0.3, 0.5});
+//   auto [Sigma, sigma] = map.singular_values(12, {1, 0, 0});   // sigma < 0 where it flips
 //
 // Immutable and cheap to copy. Positions and uv are in model units. A map of a cut surface may know
 // its seams: its mesh is the cut surface then.

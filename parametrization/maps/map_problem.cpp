@@ -1,38 +1,23 @@
 #include "majorant/parametrization/maps/map_problem.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "majorant/constraints/seamless_constraint.h"
 #include "majorant/energies/quadratic_penalty.h"
 #include "majorant/framework/evaluator.h"
+#include "majorant/mesh/half_edge.h"
+#include "majorant/mesh/union_find.h"
 
 namespace majorant {
 namespace {
 
-// Pieces of a surface: vertices that faces connect.
-class Pieces {
- public:
-  explicit Pieces(const BezierTriangleSpace& space)
-      : parent_(static_cast<std::size_t>(space.vertex_count())) {
-    std::iota(parent_.begin(), parent_.end(), 0);
-    for (Index f = 0; f < space.element_count(); ++f)
-      for (const int k : {1, 2}) {
-        const Index a = of(space.faces()(f, 0)), b = of(space.faces()(f, k));
-        parent_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
-      }
-  }
-  // Named by its smallest vertex.
-  Index of(Index vertex) const {
-    while (parent_[static_cast<std::size_t>(vertex)] != vertex)
-      vertex = parent_[static_cast<std::size_t>(vertex)] =
-          parent_[static_cast<std::size_t>(parent_[static_cast<std::size_t>(vertex)])];
-    return vertex;
-  }
-
- private:
-  mutable std::vector<Index> parent_;
-};
+// The vertices that faces connect, of all connected components.
+UnionFind vertex_components(const BezierTriangleSpace& space) {
+  UnionFind components(space.vertex_count());
+  for (Index f = 0; f < space.element_count(); ++f)
+    for (const int k : {1, 2}) components.join(space.faces()(f, 0), space.faces()(f, k));
+  return components;
+}
 
 const Seams& seams_of(const MapSpecification& spec) {
   static const Seams none;
@@ -41,25 +26,32 @@ const Seams& seams_of(const MapSpecification& spec) {
 
 }  // namespace
 
-std::vector<Index> gauge_vertices(const MapSpecification& spec, const BezierTriangleSpace& space) {
+std::vector<Index> pieces_of(const BezierTriangleSpace& space) {
   const Pieces pieces(space);
-  std::vector<char> is_held(static_cast<std::size_t>(space.vertex_count()), 0);
+  std::vector<Index> out(static_cast<std::size_t>(space.vertex_count()));
+  for (Index v = 0; v < space.vertex_count(); ++v) out[static_cast<std::size_t>(v)] = pieces.of(v);
+  return out;
+}
+
+std::vector<Index> gauge_vertices(const MapSpecification& spec, const BezierTriangleSpace& space) {
+  UnionFind components = vertex_components(space);
+  std::vector<char> is_held(at(space.vertex_count()), 0);
   std::vector<char> on_seam = is_held;
   for (const auto* points : {&spec.pins, &spec.handles})
-    for (const FixedPoint& p : *points) is_held[static_cast<std::size_t>(pieces.of(p.node))] = 1;
+    for (const FixedPoint& p : *points) is_held[at(components.find(p.node))] = 1;
   if (spec.boundary == BoundaryCondition::Fixed)
     for (const Index node : boundary_nodes(space, seams_of(spec)))
-      if (node < space.vertex_count()) is_held[static_cast<std::size_t>(pieces.of(node))] = 1;
+      if (node < space.vertex_count()) is_held[at(components.find(node))] = 1;
   for (const SeamEdge& edge : seams_of(spec).edges())
     for (const Index h : {edge.side, edge.opposite})
-      for (const int end : {0, 1})
-        on_seam[static_cast<std::size_t>(space.faces()(h / 3, (h + end) % 3))] = 1;
+      for (const Index v : {from_vertex(space.faces(), h), to_vertex(space.faces(), h)})
+        on_seam[at(v)] = 1;
   // Off the seams first, where holding a point makes no fractions.
   std::vector<Index> gauge;
   for (const char allowed : {0, 1})
     for (Index v = 0; v < space.vertex_count(); ++v) {
-      char& held = is_held[static_cast<std::size_t>(pieces.of(v))];
-      if (held || on_seam[static_cast<std::size_t>(v)] > allowed) continue;
+      char& held = is_held[at(components.find(v))];
+      if (held || on_seam[at(v)] > allowed) continue;
       held = 1;
       gauge.push_back(v);
     }

@@ -52,6 +52,9 @@ DensityTerms energy_terms(const MapSpecification& spec,
                           const std::shared_ptr<const BezierTriangleSpace>& space,
                           const std::vector<Quadrature>& rules);
 
+// Per vertex, the smallest vertex of its piece of the (cut) surface: faces connect a piece.
+std::vector<Index> pieces_of(const BezierTriangleSpace& space);
+
 // Vertices that map_problem() holds because nothing else holds the translations of their piece of
 // the (cut) surface, which are the null space of the energy (method.md N3): one a piece.
 std::vector<Index> gauge_vertices(const MapSpecification& spec, const BezierTriangleSpace& space);

@@ -97,9 +97,9 @@ void measure_energy(const BezierMap& map, const RestShapes& rest, const EnergySu
   const std::vector<Quadrature> ladder = measuring_rules(map.degree());
   const Measured measured(energy, map, rest, ladder);
   const Index faces = rest.measure.size();
-  std::vector<RuleId> level(static_cast<std::size_t>(faces), 0);
+  std::vector<RuleId> level(at(faces), 0);
   Vec values = measured.values(level);
-  std::vector<char> open(static_cast<std::size_t>(faces), 1);
+  std::vector<char> open(at(faces), 1);
   for (std::size_t top = 1; top < ladder.size(); ++top) {
     m.cut_short = stop() != Directive::Continue;
     if (m.cut_short) break;
@@ -108,7 +108,7 @@ void measure_energy(const BezierMap& map, const RestShapes& rest, const EnergySu
     const Vec finer = measured.values(level);
     const double bound = kAgreement * std::abs(finer.sum()) / static_cast<double>(faces);
     for (Index f = 0; f < faces; ++f)
-      if (std::abs(finer[f] - values[f]) <= bound) open[static_cast<std::size_t>(f)] = 0;
+      if (std::abs(finer[f] - values[f]) <= bound) open[at(f)] = 0;
     values = finer;
   }
   m.face_value = values.cwiseQuotient(rest.measure);

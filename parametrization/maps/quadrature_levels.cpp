@@ -19,7 +19,7 @@ std::vector<Quadrature> QuadratureLevels::rules() const {
 bool QuadratureLevels::climb(const std::vector<Index>& faces) {
   bool climbed = false;
   for (const Index f : faces) {
-    RuleId& level = level_[static_cast<std::size_t>(f)];
+    RuleId& level = level_[at(f)];
     if (level >= ladder_.top()) continue;
     ++level;
     climbed = true;

@@ -20,10 +20,6 @@ constexpr double kSine = Quadrilateral::kRounding;
 // Contradicting wishes come to an end; Delaunay flips, of a few per face, always do.
 constexpr long kMostFlipsPerFace = 100;
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-Index next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
-Index previous(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
-
 // What flips of one degree share.
 class FlipTables {
  public:
@@ -88,7 +84,7 @@ bool are_joined(const BezierMesh& mesh, Index leaving, Index other) {
 // An edge between two triangles whose third corners are not joined yet.
 bool has_free_diagonal(const BezierMesh& mesh, Index h) {
   const Index o = mesh.opposite[at(h)];
-  if (o < 0 || o / 3 == h / 3) return false;
+  if (o < 0 || face_of(o) == face_of(h)) return false;
   const Index c = mesh.from_vertex(previous(h)), d = mesh.from_vertex(previous(o));
   return c != d && !are_joined(mesh, previous(h), d);
 }
@@ -99,9 +95,10 @@ Points2 read_grid(const BezierMesh& mesh, Index h) {
   const Index o = mesh.opposite[at(h)];
   const int count = (mesh.degree + 1) * (mesh.degree + 1);
   Points2 grid(count, 2);
-  for (const auto& [row, local] : tables.half(o % 3))
-    grid.row(count - 1 - row) = mesh.point(o / 3, local);
-  for (const auto& [row, local] : tables.half(h % 3)) grid.row(row) = mesh.point(h / 3, local);
+  for (const auto& [row, local] : tables.half(corner_of(o)))
+    grid.row(count - 1 - row) = mesh.point(face_of(o), local);
+  for (const auto& [row, local] : tables.half(corner_of(h)))
+    grid.row(row) = mesh.point(face_of(h), local);
   return grid;
 }
 
@@ -123,7 +120,7 @@ RowMatrix upper_half(const Points2& grid, const std::vector<FlipTables::Place>& 
 
 Quadrilateral corners(const BezierMesh& mesh, Index h) {
   const Index o = mesh.opposite[at(h)];
-  const auto corner = [&](Index side) { return mesh.point(side / 3, side % 3); };
+  const auto corner = [&](Index side) { return mesh.point(face_of(side), corner_of(side)); };
   return {corner(h), corner(previous(o)), corner(next(h)), corner(previous(h))};
 }
 
@@ -138,7 +135,9 @@ void flip_connectivity(BezierMesh& mesh, Index h) {
   }
   const Index a = mesh.from_vertex(h), b = mesh.from_vertex(o);
   const Index c = mesh.from_vertex(previous(h)), d = mesh.from_vertex(previous(o));
-  const auto set = [&](Index side, Index vertex) { mesh.faces(side / 3, side % 3) = vertex; };
+  const auto set = [&](Index side, Index vertex) {
+    mesh.faces(face_of(side), corner_of(side)) = vertex;
+  };
   set(h, d);
   set(next(h), c);
   set(previous(h), a);
@@ -212,7 +211,7 @@ bool flip_edge(BezierMesh& mesh, Index half_edge) {
   const FlipTables& tables = FlipTables::of_degree(n);
   Points2 grid = turned(read_grid(mesh, h), n);
   const auto corner_determinant = [&](int corner, int out, int in) {
-    return Quadrilateral::cross(grid.row(out) - grid.row(corner), grid.row(in) - grid.row(corner));
+    return cross(grid.row(out) - grid.row(corner), grid.row(in) - grid.row(corner));
   };
   // The two corners that become one triangle's: det J there has no say in it.
   const int first = n * (n + 1), last = n;
@@ -220,11 +219,11 @@ bool flip_edge(BezierMesh& mesh, Index half_edge) {
       !(corner_determinant(last, last + (n + 1), last - 1) > 0))
     return false;
   MovingBarrier::of_degree(n).minimize(grid);
-  const RowMatrix upper = upper_half(grid, tables.half(h % 3));
-  const RowMatrix lower = upper_half(grid.colwise().reverse(), tables.half(o % 3));
+  const RowMatrix upper = upper_half(grid, tables.half(corner_of(h)));
+  const RowMatrix lower = upper_half(grid.colwise().reverse(), tables.half(corner_of(o)));
   if (!tables.is_injective(upper) || !tables.is_injective(lower)) return false;
-  mesh.points.row(h / 3) = upper;
-  mesh.points.row(o / 3) = lower;
+  mesh.points.row(face_of(h)) = upper;
+  mesh.points.row(face_of(o)) = lower;
   flip_connectivity(mesh, h);
   return true;
 }

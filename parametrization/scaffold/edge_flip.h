@@ -1,7 +1,7 @@
 // Flips edges between Bezier triangles: the quadrilateral of two curved triangles gets its other
 // diagonal.
 //
-//   BezierMesh mesh = bezier_mesh(3, space.faces(), space.cells(), x);
+//   BezierMesh mesh = bezier_mesh(3, space->faces(), space->cells(), x);
 //   std::vector<char> is_fixed(mesh.opposite.size(), 0);
 //   FlipCounts counts = make_delaunay(mesh, is_fixed);  // counts.performed <= counts.intended
 //

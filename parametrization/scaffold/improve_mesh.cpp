@@ -25,10 +25,6 @@ constexpr int kProofDepth = 16;          // of bisection: the map was certified 
 constexpr long kMostFlipsPerFace = 100;  // gains of kGain end earlier
 constexpr std::size_t kRuleOfMaps = 1;   // of the measuring rules: good to 1e-5 on mild maps
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-Index next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
-Index previous(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
-
 // A pair of faces on its own, as it is and with its other diagonal: vertices a, b, c, d are 0, 1,
 // 2, 3.
 struct Trial {
@@ -101,11 +97,13 @@ class Improver {
   std::optional<Trial> trial(Index h) const {
     const std::optional<Quadrilateral> quad = unfolded(h);
     if (!quad || !quad->is_strictly_convex(kSine)) return std::nullopt;
-    const Index o = mesh_.opposite[at(h)], here = h % 3, there = 3 + o % 3;
+    const Index o = mesh_.opposite[at(h)], here = corner_of(h), there = 3 + corner_of(o);
     Trial t{h, !quad->wants_delaunay_flip(kCocircular), {}, {}};
     t.pair.degree = mesh_.degree;
     t.pair.faces.resize(2, 3);
-    const auto set = [&](Index side, Index vertex) { t.pair.faces(side / 3, side % 3) = vertex; };
+    const auto set = [&](Index side, Index vertex) {
+      t.pair.faces(face_of(side), corner_of(side)) = vertex;
+    };
     set(here, 0);
     set(next(here), 1);
     set(previous(here), 2);
@@ -116,8 +114,8 @@ class Improver {
     t.pair.opposite[at(here)] = there;
     t.pair.opposite[at(there)] = here;
     t.pair.points.resize(2, mesh_.points.cols());
-    t.pair.points.row(0) = mesh_.points.row(h / 3);
-    t.pair.points.row(1) = mesh_.points.row(o / 3);
+    t.pair.points.row(0) = mesh_.points.row(face_of(h));
+    t.pair.points.row(1) = mesh_.points.row(face_of(o));
     t.flipped = t.pair;
     if (!flip_edge(t.flipped, here)) return std::nullopt;
     return t;
@@ -129,7 +127,7 @@ class Improver {
     std::vector<Index> waiting;
     std::vector<char> is_taken(at(mesh_.face_count()), 0);
     for (const Index h : queue_) {
-      const Index f = h / 3, g = mesh_.opposite[at(h)] / 3;
+      const Index f = face_of(h), g = face_of(mesh_.opposite[at(h)]);
       if (mesh_.opposite[at(h)] < 0) {  // an earlier flip gave the number to a boundary edge
         is_queued_[at(h)] = 0;
         continue;
@@ -148,16 +146,16 @@ class Improver {
     return trials;
   }
 
-  // Pairs as one mesh of pieces, with the inner points and values of their least energy: pair p has
-  // faces 2p, 2p + 1 and vertices 4p .. 4p + 3.
-  struct Pieces {
+  // Pairs side by side in one mesh, with the inner points and values of their least energy: pair p
+  // has faces 2p, 2p + 1 and vertices 4p .. 4p + 3.
+  struct RelaxedPairs {
     std::shared_ptr<const BezierTriangleSpace> space;
     Vec x, value;
     double energy(std::size_t pair) const {
       return value[2 * static_cast<Index>(pair)] + value[2 * static_cast<Index>(pair) + 1];
     }
   };
-  Pieces relaxed(const std::vector<Trial>& trials, BezierMesh Trial::*which) const {
+  RelaxedPairs relaxed(const std::vector<Trial>& trials, BezierMesh Trial::*which) const {
     const auto count = static_cast<Index>(trials.size());
     Cells faces(2 * count, 3);
     Points3 corners(4 * count, 3);
@@ -168,7 +166,7 @@ class Improver {
       for (const Index side : {h, o, previous(h), previous(o)})
         corners.row(corner++) = positions().row(mesh_.from_vertex(side));
     }
-    Pieces out;
+    RelaxedPairs out;
     out.space = std::make_shared<const BezierTriangleSpace>(faces, 4 * count, mesh_.degree);
     out.x.resize(2 * out.space->node_count());
     for (Index f = 0; f < 2 * count; ++f)
@@ -184,7 +182,8 @@ class Improver {
   // Both diagonals at their best: otherwise what moving points gains would count for the flip.
   void try_pairs(const std::vector<Trial>& trials) {
     if (trials.empty()) return;
-    const Pieces before = relaxed(trials, &Trial::pair), after = relaxed(trials, &Trial::flipped);
+    const RelaxedPairs before = relaxed(trials, &Trial::pair);
+    const RelaxedPairs after = relaxed(trials, &Trial::flipped);
     for (std::size_t k = 0; k < trials.size(); ++k) {
       ++flips_.intended;
       const double old = before.energy(k), gain = old - after.energy(k);
@@ -194,19 +193,19 @@ class Improver {
     }
   }
 
-  void accept(Index h, const Pieces& pieces, std::size_t pair) {
+  void accept(Index h, const RelaxedPairs& pairs, std::size_t pair) {
     const Index o = mesh_.opposite[at(h)];
     if (!flip_edge(mesh_, h)) return;  // the new edge exists elsewhere
     ++flips_.performed;
-    Index piece = 2 * static_cast<Index>(pair);
-    for (const Index face : {h / 3, o / 3}) {
+    Index relaxed_face = 2 * static_cast<Index>(pair);
+    for (const Index face : {face_of(h), face_of(o)}) {
       for (Index l = 0; l < mesh_.points.cols() / 2; ++l)
         mesh_.points.row(face).segment<2>(2 * l) =
-            pieces.x.segment<2>(2 * pieces.space->cells()(piece, l));
-      ++piece;
+            pairs.x.segment<2>(2 * pairs.space->cells()(relaxed_face, l));
+      ++relaxed_face;
     }
-    input_face_[at(h / 3)] = input_face_[at(o / 3)] =
-        std::min(input_face_[at(h / 3)], input_face_[at(o / 3)]);
+    input_face_[at(face_of(h))] = input_face_[at(face_of(o))] =
+        std::min(input_face_[at(face_of(h))], input_face_[at(face_of(o))]);
     for (const Index side : flipped_sides(h, o).to) push(side);
   }
 

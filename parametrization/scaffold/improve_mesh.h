@@ -2,8 +2,7 @@
 //
 //   ParametrizationResult first = parametrize(mesh, options);
 //   ImprovedMap better = improve_mesh(*first.map, options.energy);
-//   better.map.mesh() is the same surface with other triangles; better.map is as injective as
-//   before
+//   better.map.mesh();   // the same surface with other triangles; as injective as before
 //
 // Two faces in one plane may be any two triangles of their quadrilateral: the surface stays what it
 // is, and so does everything outside the quadrilateral. Its image gets the other diagonal
@@ -24,8 +23,8 @@ struct ImprovedMap {
 
 // Flips inner edges, one by one, whose faces lie in one plane (up to 1e-12 of the edges' lengths)
 // and form a strictly convex quadrilateral, where
-//   the energy of the two new images is smaller than that of the two old ones, or
-//   it is the same up to rounding and the quadrilateral on the surface is not Delaunay;
+//     the energy of the two new images is smaller than that of the two old ones, or
+//     it is the same up to rounding and the quadrilateral on the surface is not Delaunay;
 // both compared with the inner control points of the pair where its energy is least, while those of
 // pairs that are not flipped stay.
 // Seams, cuts and boundaries stay. The energy never grows beyond rounding, every face stays

@@ -19,8 +19,6 @@ constexpr double kSmallestGap = 1e-3;   // closer barriers make F too stiff to g
 constexpr double kArmijo = 1e-4;        // part of the predicted decrease that a step must achieve
 constexpr double kShortestStep = 1e-6;  // a shorter one is no progress
 
-double cross(const Points2& x, int a, int b) { return x(a, 0) * x(b, 1) - x(a, 1) * x(b, 0); }
-
 double factorial(int k) { return k < 2 ? 1.0 : k * factorial(k - 1); }
 
 double factorial(const MultiIndex& m) {
@@ -78,7 +76,7 @@ const MovingBarrier& MovingBarrier::of_degree(int degree) {
     for (int n = 1; n <= kMaxDegree; ++n) all.push_back(MovingBarrier(n));
     return all;
   }();
-  return tables.at(static_cast<std::size_t>(degree - 1));
+  return tables.at(at(degree - 1));
 }
 
 MovingBarrier::MovingBarrier(int degree)
@@ -117,7 +115,7 @@ void MovingBarrier::add_pairs(int half) {
         --m[y];
         const double weight = minor * squared(factorial(n)) * factorial(m) /
                               (factorial(a) * factorial(b) * factorial(top));
-        pair.target[static_cast<std::size_t>(pair.targets++)] = {
+        pair.target[at(pair.targets++)] = {
             half * coefficients_per_half_ + determinant.local(m[0], m[1], m[2]), weight};
       }
       if (pair.targets > 0) pairs_.push_back(pair);
@@ -140,15 +138,15 @@ void MovingBarrier::for_targets(const Points2& grid, const Add& add) const {
   const std::array<double, 2> scale{1 / straight[0], 1 / straight[1]};
   for (const Pair& pair : pairs_)
     for (int k = 0; k < pair.targets; ++k) {
-      const Target& t = pair.target[static_cast<std::size_t>(k)];
-      add(pair, t.coefficient, t.weight * scale[static_cast<std::size_t>(pair.half)]);
+      const Target& t = pair.target[at(k)];
+      add(pair, t.coefficient, t.weight * scale[at(pair.half)]);
     }
 }
 
 void MovingBarrier::evaluate(const Points2& grid, Vec& b) const {
   b.setZero(coefficient_count());
   for_targets(grid, [&](const Pair& pair, int l, double weight) {
-    b[l] += weight * cross(grid, pair.a, pair.b);
+    b[l] += weight * cross(grid.row(pair.a), grid.row(pair.b));
   });
 }
 

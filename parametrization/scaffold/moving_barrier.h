@@ -6,12 +6,12 @@
 // are the Bernstein coefficients of det J of both halves (method.md E6), each divided by the
 // determinant of its straight-sided triangle, so that 1 is best; the objective is
 //
-//   F_mu = sum_l log^2((B_l - mu) / (1 - mu)) + (B_l - 1)^2,   mu < min B_l,
+//     F_mu = sum_l log^2((B_l - mu) / (1 - mu)) + (B_l - 1)^2,   mu < min B_l,
 //
 // [TGRL13: Toulorge, Geuzaine, Remacle, Lambrechts, Robust untangling of curvilinear meshes, JCP
 // 254, 2013]; mu is raised to 0 as the smallest B_l grows (method.md section 6).
 //
-//   Points2 grid = ...;                                        // 16 by 2 for degree 3
+//   Points2 grid(16, 2);                                       // 16 by 2 for degree 3
 //   double worst = MovingBarrier::of_degree(3).minimize(grid); // > 0: both halves are injective
 #pragma once
 

@@ -22,8 +22,6 @@ constexpr Curvature kPreferred[] = {Curvature::Projected, Curvature::Majorizer,
                                     Curvature::PaperMajorizer, Curvature::Reweighted,
                                     Curvature::Exact};
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
 }  // namespace
 
 struct PairEnergy::Pair {
@@ -84,8 +82,7 @@ void PairEnergy::add_local(VecIn x, const DensityTerm& term, double weight,
   const int size = term.stencils().local_size();
   Workspace workspace, memory;
   LocalSystem local;
-  local.value =
-      memory.reserve(static_cast<std::size_t>(stride * (1 + size + size * (size + 1) / 2)));
+  local.value = memory.reserve(at(stride * (1 + size + size * (size + 1) / 2)));
   local.gradient = local.value + stride;
   local.hessian = local.gradient + size * stride;
   const TermState state;

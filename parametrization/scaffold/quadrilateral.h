@@ -1,7 +1,8 @@
 // Four corners around an edge: what decides about a flip before anything curved is looked at.
 //
+//   const Vector2 a(0, 0), d(1, -1), b(2, 0), c(1, 1);
 //   const Quadrilateral q{a, d, b, c};     // counterclockwise; the edge runs from a to b
-//   if (q.is_strictly_convex(kSine) && q.wants_delaunay_flip(kSine)) ...
+//   if (q.is_strictly_convex(1e-10) && q.wants_delaunay_flip(1e-10)) ...
 //
 // Tolerances are sines of angles: what does not exceed them counts as 0, whatever the scale.
 #pragma once
@@ -18,7 +19,6 @@ struct Quadrilateral {
 
   Vector2 a, d, b, c;
 
-  static double cross(const Vector2& x, const Vector2& y) { return x[0] * y[1] - x[1] * y[0]; }
   // All angles of the counterclockwise triangle p, q, r have sines above the tolerance.
   static bool is_positive(const Vector2& p, const Vector2& q, const Vector2& r, double sine) {
     const auto turns = [sine](const Vector2& in, const Vector2& out) {

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "majorant/constraints/fixed_points.h"
-#include "majorant/constraints/seamless_constraint.h"
 #include "majorant/elements/quadrature.h"
 #include "majorant/energies/named_energies.h"
 #include "majorant/framework/newton.h"
@@ -19,8 +18,6 @@ namespace {
 constexpr double kClearance = 0.25;  // of the frame's smaller extent: closer images make it grow
 constexpr double kEdgeWeight = 0.5;  // of the quadrature points on the edges of a triangle
 constexpr double kMargin = 1.0;  // a new frame's distance, in larger extents of what it encloses
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 // `rule` scaled by 1 - kEdgeWeight, and `pieces` + 1 points on every edge sharing that weight.
 Quadrature with_edges(const Quadrature& rule, int pieces) {
@@ -51,27 +48,6 @@ std::vector<Quadrature> scaffold_rules(int degree) {
           with_edges(inside, 128 * degree)};
 }
 
-// Boundary of a space as loops of half-edges, the surface on the left.
-std::vector<std::vector<Index>> boundary_loops(const Cells& faces) {
-  const std::vector<Index> opposite = opposite_half_edges(faces);
-  std::map<Index, Index> leaving;  // vertex -> boundary half-edge
-  for (std::size_t h = 0; h < opposite.size(); ++h)
-    if (opposite[h] < 0)
-      leaving[faces(static_cast<Index>(h) / 3, static_cast<Index>(h) % 3)] = static_cast<Index>(h);
-  std::vector<std::vector<Index>> loops;
-  while (!leaving.empty()) {
-    std::vector<Index> loop;
-    for (auto it = leaving.begin(); it != leaving.end();) {
-      const Index h = it->second;
-      loop.push_back(h);
-      leaving.erase(it);
-      it = leaving.find(faces(h / 3, (h + 1) % 3));
-    }
-    loops.push_back(std::move(loop));
-  }
-  return loops;
-}
-
 // Between points kept by face and unknowns numbered by `cells`.
 void gather(const BezierMesh& mesh, const Cells& cells, Vec& x) {
   for (Index f = 0; f < cells.rows(); ++f)
@@ -91,8 +67,7 @@ RowMatrix straight_points(int degree, const Cells& faces, const Points2& vertice
   for (Index f = 0; f < faces.rows(); ++f)
     for (int l = 0; l < ix.count(); ++l) {
       Eigen::RowVector2d p = Eigen::RowVector2d::Zero();
-      for (int k = 0; k < 3; ++k)
-        p += ix.multi(l)[static_cast<std::size_t>(k)] * vertices.row(faces(f, k));
+      for (int k = 0; k < 3; ++k) p += ix.multi(l)[at(k)] * vertices.row(faces(f, k));
       points.row(f).segment<2>(2 * l) = p / degree;
     }
   return points;
@@ -104,10 +79,11 @@ Scaffold::Scaffold(std::shared_ptr<const BezierTriangleSpace> image, VecIn x)
     : image_(std::move(image)) {
   std::vector<Points2> polygons;
   std::vector<Index> vertex_of;  // triangulation's vertex -> ours
-  for (const auto& loop : boundary_loops(image_->faces())) {
+  const Cells& image_faces = image_->faces();
+  for (const auto& loop : boundary_half_edges(image_faces, opposite_half_edges(image_faces))) {
     Points2 polygon(static_cast<Index>(loop.size()), 2);
     for (std::size_t k = 0; k < loop.size(); ++k) {
-      const Index v = image_->faces()(loop[k] / 3, loop[k] % 3);
+      const Index v = from_vertex(image_faces, loop[k]);
       polygon.row(static_cast<Index>(k)) = x.segment<2>(2 * v);
       vertex_of.push_back(v);
     }
@@ -143,7 +119,7 @@ void Scaffold::number() {
   const std::vector<Index> image_opposite = opposite_half_edges(image_->faces());
   for (Index h = 0; h < 3 * image_->element_count(); ++h) {
     if (image_opposite[at(h)] >= 0) continue;
-    const Index a = image_->faces()(h / 3, h % 3), b = image_->faces()(h / 3, (h + 1) % 3);
+    const Index a = from_vertex(image_->faces(), h), b = to_vertex(image_->faces(), h);
     const std::vector<Index> of_image = edge_nodes(*image_, h);
     const std::vector<Index> mine = edge_nodes(*own_, side.at({b, a}));
     for (std::size_t i = 0; i < mine.size(); ++i)
@@ -179,7 +155,7 @@ RestShapes Scaffold::rest() const {
 
 std::shared_ptr<const DensityTerm> Scaffold::term_on(
     std::shared_ptr<const BezierTriangleSpace> space) const {
-  return find_energy("mips")->make(std::move(space), rest(), scaffold_rules(mesh_.degree));
+  return mips()(std::move(space), rest(), scaffold_rules(mesh_.degree));
 }
 
 std::shared_ptr<const DensityTerm> Scaffold::energy_term() const { return term_on(space_); }
@@ -232,7 +208,7 @@ Points2 Scaffold::frame_points() const {
   Points2 points(static_cast<Index>(frame_.size()), 2);
   for (Index h = 0; h < 3 * face_count(); ++h)
     if (const auto it = place.find(mesh_.from_vertex(h)); it != place.end())
-      points.row(it->second) = mesh_.point(h / 3, h % 3);
+      points.row(it->second) = mesh_.point(face_of(h), corner_of(h));
   return points;
 }
 
@@ -242,7 +218,7 @@ bool Scaffold::grow() {
   Index count = 0;
   for (Index h = 0; h < 3 * face_count(); ++h)
     if (mesh_.from_vertex(h) < image_->vertex_count())
-      image.row(count++) = mesh_.point(h / 3, h % 3);
+      image.row(count++) = mesh_.point(face_of(h), corner_of(h));
   if (!frame_is_tight(frame, image.topRows(count), kClearance)) return false;
   const ScaffoldTriangulation ring = enlarge_frame(frame, kMargin);
   Index next = mesh_.faces.maxCoeff() + 1;

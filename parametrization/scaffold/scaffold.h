@@ -3,9 +3,9 @@
 //
 //   Scaffold scaffold(space, x);              // around a piecewise linear image
 //   Vec joint = scaffold.joined(x);           // x, then the scaffold's own nodes
-//   ... a step on joint, certified on both spaces ...
-//   scaffold.take(joint);
-//   scaffold.flip();  scaffold.relax(2, depth);      // keep it in good shape
+//   scaffold.take(joint);                     // after a step on it, certified on both spaces
+//   scaffold.flip();                          // keeps it in good shape
+//   scaffold.relax(2, 5);
 //
 // Scaffold triangles are Bezier triangles of the map's degree and share its boundary control
 // points; the outer frame is straight and stays fixed. Map and scaffold together fill the convex

@@ -1,10 +1,5 @@
 #include "majorant/parametrization/scaffold/scaffold_triangulation.h"
 
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Constrained_triangulation_face_base_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Triangulation_face_base_with_info_2.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
@@ -19,6 +14,8 @@
 #include <utility>
 
 #include "majorant/framework/error.h"
+#include "majorant/mesh/exact_predicates.h"
+#include "majorant/mesh/internal/constrained_delaunay.h"
 
 namespace majorant {
 namespace {
@@ -39,15 +36,8 @@ struct FaceMark {
   Index visit = 0;  // the last search that came by
 };
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point = Kernel::Point_2;
-using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<Index, Kernel>;
-using FaceBase =
-    CGAL::Triangulation_face_base_with_info_2<FaceMark, Kernel,
-                                              CGAL::Constrained_triangulation_face_base_2<Kernel>>;
-using Delaunay = CGAL::Constrained_Delaunay_triangulation_2<
-    Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
-    CGAL::No_constraint_intersection_tag>;
+using Delaunay = internal::ConstrainedDelaunay<Index, FaceMark>;
+using Point = Delaunay::Point;
 using VertexHandle = Delaunay::Vertex_handle;
 using FaceHandle = Delaunay::Face_handle;
 
@@ -55,22 +45,16 @@ struct Edge {
   Index from, to, loop;
 };
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+Vector2 vector_of(const Point& p) { return {p.x(), p.y()}; }
 
 // Whether two edges have a point in common, other than the one where an edge ends and the next one
 // starts. Exact.
 bool edges_meet(const std::vector<Point>& points, const Edge& e, const Edge& f) {
-  const Point &a = points[at(e.from)], &b = points[at(e.to)];
-  const Point &c = points[at(f.from)], &d = points[at(f.to)];
-  if (e.to == f.from)
-    return CGAL::collinear(a, b, d) && !CGAL::collinear_are_strictly_ordered_along_line(a, b, d);
+  const auto point = [&](Index v) { return vector_of(points[at(v)]); };
+  const Vector2 a = point(e.from), b = point(e.to), c = point(f.from), d = point(f.to);
+  if (e.to == f.from) return a == b || b == d || segments_fold(a, b, d);
   if (f.to == e.from) return edges_meet(points, f, e);
-  const auto apart = [](double p, double q, double r, double s) {
-    return std::max(p, q) < std::min(r, s) || std::max(r, s) < std::min(p, q);
-  };
-  return !apart(a.x(), b.x(), c.x(), d.x()) && !apart(a.y(), b.y(), c.y(), d.y()) &&
-         CGAL::orientation(a, b, c) * CGAL::orientation(a, b, d) <= 0 &&
-         CGAL::orientation(c, d, a) * CGAL::orientation(c, d, b) <= 0;
+  return segments_meet(a, b, c, d);
 }
 
 // Throws the Error for the first boundary edges that meet.
@@ -102,7 +86,7 @@ bool edges_meet(const std::vector<Point>& points, const Edge& e, const Edge& f) 
 // sides. Points of a side have one coordinate in common, exactly.
 std::vector<Point> frame_around(const std::vector<Point>& points, double margin) {
   Eigen::AlignedBox2d box;
-  for (const Point& p : points) box.extend(Vector2(p.x(), p.y()));
+  for (const Point& p : points) box.extend(vector_of(p));
   const double gap = margin * box.sizes().maxCoeff();
   const Vector2 frame_low = box.min().array() - gap, frame_high = box.max().array() + gap;
   const bool is_resolved = (frame_low.array() - gap / 8 < frame_low.array()).all() &&
@@ -145,8 +129,7 @@ struct BadTriangle {
   }
 };
 
-Vector2 between(const Point& a, const Point& b) { return {b.x() - a.x(), b.y() - a.y()}; }
-double cross(const Vector2& a, const Vector2& b) { return a.x() * b.y() - a.y() * b.x(); }
+Vector2 between(const Point& a, const Point& b) { return vector_of(b) - vector_of(a); }
 
 BadTriangle measured(FaceHandle face) {
   std::array<VertexHandle, 3> p = {face->vertex(0), face->vertex(1), face->vertex(2)};

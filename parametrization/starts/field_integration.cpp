@@ -9,6 +9,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/framework/newton.h"
 #include "majorant/parametrization/maps/map_problem.h"
+#include "majorant/parametrization/starts/cut_surface.h"
 
 namespace majorant {
 namespace {
@@ -64,7 +65,7 @@ class FieldTerm final : public EnergyTerm {
     const double twice_area = q1.x() * q2.y();
     const std::array<Vector2, 3> corner{Vector2(0, 0), q1, q2};
     for (int k = 0; k < 3; ++k) {
-      const auto next = static_cast<std::size_t>((k + 1) % 3);
+      const auto next = at((k + 1) % 3);
       const Vector2 e = corner[(next + 1) % 3] - corner[next];  // opposite edge
       gradients_.row(f).segment<2>(2 * k) << -e.y() / twice_area, e.x() / twice_area;
     }

@@ -3,7 +3,6 @@
 
 #include "majorant/parametrization/fields/cross_field.h"
 #include "majorant/parametrization/maps/bezier_map.h"
-#include "majorant/parametrization/starts/seamless_start.h"
 
 namespace majorant {
 

@@ -2,7 +2,7 @@
 // of its specification, until every triangle is positively oriented.
 //
 //   UntangleResult r = untangle(spec, space, start, record);
-//   if (r.inverted.empty()) ... r.x is a start for parametrize() ...
+//   if (r.inverted.empty()) ...   // r.x is a start for parametrize()
 //
 // Minimizes the untangling energy (energies/untangling.h) by projected Newton while its eps
 // shrinks, after [GKKPRS21]. What it reaches is valid, not good: optimize it afterwards. It may

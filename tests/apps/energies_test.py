@@ -163,6 +163,17 @@ class Scale(EnergyTest):
                     self.refuse(USAGE, '--energy', energy, *hold,
                                 says=['--boundary fixed', 'two pins'])
 
+    def test_two_points_at_one_place_hold_nothing(self):
+        handles = self.write('handles.json', json.dumps(
+            {'handles': [{'vertex': v, 'target': [1, 2]} for v in (100, 150)]}))
+        self.refuse(USAGE, '--energy', 'asap', '--handles', handles, says=['two pins'])
+
+    def test_a_closed_surface_has_no_boundary_to_fix(self):
+        torus_file = self.write('torus.obj', obj_text(*torus(8, 6, 0)))
+        self.run_ok('seamless', '--quiet', torus_file, '-o', self.path('map.obj'), '--degree', '1')
+        self.refused(USAGE, 'parametrize', self.path('map.obj'), '-o', self.path('out.vtu'),
+                     '--seamless', '--boundary', 'fixed', '--energy', 'asap', says='shrunk')
+
     def test_what_holds_the_scale(self):
         for hold in (['--boundary', 'fixed'], ['--pins', self.pins(100, 150)],
                      ['--handles', self.pins(100, 150)]):

@@ -1,23 +1,38 @@
 #!/usr/bin/python3
-"""Every ```cpp block of README.md and docs/*.md compiles against the headers.
+"""Every ```cpp block of README.md and docs/*.md, and every example in a header, compiles.
 
-A block that contains `int main` is a program of its own. All other blocks of a page are joined, in
+**Pages.** A block that contains `int main` is a program of its own. All other blocks of a page are joined, in
 order, into one program: #include and using lines and definitions (from a line that starts with
 class, struct, template, inline or namespace to the next line that starts with }) at top level, the
 rest inside main(argc, argv). Each program is compiled with the includes of its page alone.
 
 A block of any language after a line `<!-- from: FILE -->` must consist of lines of that file, in
 their order; such excerpts are fenced as ```c++ where they are no program by themselves.
+
+**Headers.** In the comments of the rooms' and the command's headers, lines indented by three spaces
+after // are code, as in
+
+    //   Scaffold scaffold(space, x);
+    //   if (scaffold.is_empty()) ...
+
+and formulas, formats and tables are indented by five. Each run of such lines is the body of a
+function of its own, of type int, that sees every header and namespaces majorant and app. `...` at
+the end of a line stands for statements left out. What an example uses it declares, but for the few
+names of tests/docs/usual_names.h. All examples are one translation unit, for the compiler's time.
 """
 import concurrent.futures
 import os
 import pathlib
 import re
 import subprocess
+import sys
 import tempfile
 import unittest
 
 SOURCE = pathlib.Path(os.environ['MAJORANT_SOURCE_DIR'])
+sys.path.insert(0, str(SOURCE / 'scripts'))
+import include_graph  # noqa: E402
+
 BUILD = pathlib.Path(os.environ['MAJORANT_BUILD_DIR'])
 ROOMS = sorted(path.name for path in (BUILD / 'include').iterdir())
 TOP_LINE = re.compile(r'#include|using ')
@@ -75,18 +90,71 @@ def programs(page):
                              '[[maybe_unused]] char** argv) {', *numbered(body), '}', ''])
 
 
-def compile_text(text):
+COMPILER = [os.environ.get('CXX', 'c++'), '-std=c++20', '-Wall', '-Wno-unused',
+            '-DEIGEN_MAX_ALIGN_BYTES=16', '-DEIGEN_MALLOC_ALREADY_ALIGNED=0',
+            '-isystem', '/usr/include/eigen3']
+# Eigen, which every header includes, is precompiled: half of the time of a page.
+EIGEN = tempfile.TemporaryDirectory()
+
+
+def precompile_eigen():
+    path = pathlib.Path(EIGEN.name) / 'eigen.h'
+    path.write_text('#include <Eigen/Core>\n')
+    subprocess.run([*COMPILER, '-x', 'c++-header', str(path)], check=True)
+
+
+def compile_text(text, *flags):
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder) / 'page.cpp'
-        path.write_text(text)
+        path.write_text('#include "eigen.h"\n' + text)
         return subprocess.run(
-            [os.environ.get('CXX', 'c++'), '-std=c++20', '-fsyntax-only', '-Wall',
-             '-DEIGEN_MAX_ALIGN_BYTES=16', '-DEIGEN_MALLOC_ALREADY_ALIGNED=0',
-             '-Wno-unused', *('-I%s' % (BUILD / 'include' / room) for room in ROOMS),
-             '-isystem', '/usr/include/eigen3', str(path)], capture_output=True, text=True)
+            [*COMPILER, '-fsyntax-only', '-I', EIGEN.name, *flags,
+             *('-I%s' % (BUILD / 'include' / room) for room in ROOMS), str(path)],
+            capture_output=True, text=True)
+
+
+def headers():
+    """Of the rooms and of the command."""
+    return sorted(path for room in include_graph.FLOOR for path in (SOURCE / room).glob('*.h'))
+
+
+class Example:
+    """Indented lines of a comment of a header: `lines` holds (number, code) pairs."""
+
+    def __init__(self, header, lines):
+        self.header, self.lines = header.relative_to(SOURCE), lines
+        self.is_code = len(lines[0][1]) - len(lines[0][1].lstrip()) < 2
+        self.where = '%s:%d' % (self.header, lines[0][0])
+
+    def function(self, number):
+        code = ['#line %d "%s"\n%s' % (line, self.header,
+                                       re.sub(r'\.\.\.(?=\s*(//|$))', '{}', text))
+                for line, text in self.lines]
+        return '\n'.join(['int example_%d() {' % number, *code, '}', ''])
+
+
+def examples(header):
+    lines = []
+    for number, line in enumerate([*header.read_text().splitlines(), ''], 1):
+        indented = re.match(r'\s*//   (.*)', line)
+        if indented:
+            lines.append((number, indented[1]))
+        elif lines:
+            yield Example(header, lines)
+            lines = []
+
+
+def anchors(page):
+    """Of the headings, as GitHub makes them."""
+    return [re.sub(r'[^\w -]', '', heading.lower()).replace(' ', '-')
+            for heading in re.findall(r'^#+ (.*)', page.read_text(), re.M)]
 
 
 class Code(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        precompile_eigen()
+
     def test_blocks_compile(self):
         work = [(made_of, text) for page in pages() for made_of, text in programs(page)]
         self.assertGreaterEqual(len(work), 5)
@@ -100,6 +168,50 @@ class Code(unittest.TestCase):
             blamed = [b for b in made_of if b.first_line <= line] or made_of
             with self.subTest(blamed[-1].where):
                 self.fail('%s does not compile:\n%s' % (blamed[-1].where, result.stderr[:3000]))
+
+    def test_examples_of_headers_compile(self):
+        found = [example for header in headers() for example in examples(header)
+                 if example.is_code]
+        self.assertGreaterEqual(len(found), 60)
+        result = compile_text('\n'.join([
+            '#include "tests/docs/usual_names.h"',
+            *('#include "%s"' % header.relative_to(SOURCE) for header in headers()),
+            'namespace usual_names {', 'using namespace majorant::app;',
+            *(example.function(number) for number, example in enumerate(found)), '}', '']),
+            '-I%s' % SOURCE, '-Wno-return-type', '-Wno-unknown-pragmas',
+            '-fmax-errors=400')
+        errors = re.findall(r'^(\S+\.h):(\d+):\d+: (?:fatal )?error: (.*)', result.stderr, re.M)
+        for example in found:
+            wrong = ['%s:%s: %s' % (name, line, message) for name, line, message in errors
+                     if name == str(example.header)
+                     and example.lines[0][0] <= int(line) <= example.lines[-1][0]]
+            with self.subTest(example.where):
+                self.assertFalse(wrong, 'the example of %s does not compile:\n%s'
+                                 % (example.where, '\n'.join(wrong)))
+        self.assertEqual(result.returncode, 0, result.stderr[:3000])
+
+    def test_usual_names_are_usual(self):
+        text = (SOURCE / 'tests/docs/usual_names.h').read_text().split('namespace usual_names')[1]
+        names = [name.strip() for line in re.findall(r'^extern [^;]*[> ](\w+(?:, \w+)*);', text, re.M)
+                 for name in line.split(',')]
+        self.assertGreaterEqual(len(names), 15)
+        used = {name: {header for header in headers() for example in examples(header)
+                       if example.is_code and re.search(
+                           r'\b%s\b' % name, '\n'.join(line for _, line in example.lines))}
+                for name in names}
+        for name in names:
+            self.assertGreaterEqual(len(used[name]), 2, name + ': declare it in the example')
+
+    def test_examples_of_headers_are_not_glued(self):
+        """What a formatter leaves of code that it takes for prose: long lines cut, joined."""
+        for header in headers():
+            for example in examples(header):
+                for number, line in example.lines:
+                    where = '%s:%d: ' % (example.header, number)
+                    self.assertLessEqual(len('//   ' + line), 100, where + 'too long')
+                    if example.is_code:
+                        code = line.split('//')[0].rstrip()
+                        self.assertNotRegex(code, r'^\s*\}\)*;\s+\S', where + 'two statements')
 
     def test_excerpts_are_in_their_files(self):
         checked = 0
@@ -120,9 +232,12 @@ class Code(unittest.TestCase):
         for page in [*pages(), SOURCE / 'CONTRIBUTING.md', SOURCE / 'CHANGELOG.md',
                      SOURCE / 'examples/README.md']:
             prose = re.sub(r'^```.*?^```', '', page.read_text(), flags=re.S | re.M)
-            for target in re.findall(r'\]\(([^)#:]+)(?:#[^)]*)?\)', prose):
-                self.assertTrue((page.parent / target).exists(),
-                                '%s: no %s' % (page.relative_to(SOURCE), target))
+            for target, heading in re.findall(r'\]\(([^)#:]*)(?:#([^)]*))?\)', prose):
+                path = page.parent / target if target else page
+                where = '%s: no %s' % (page.relative_to(SOURCE), target)
+                self.assertTrue(path.exists(), where)
+                if heading:
+                    self.assertIn(heading, anchors(path), where)
 
 
 if __name__ == '__main__':

@@ -46,38 +46,6 @@ class Sizes(unittest.TestCase):
             self.assertGreater(count, 0, name)
 
 
-class EnergyTable(unittest.TestCase):
-    """The table of docs/add_an_energy.md against the sources of the named energies."""
-
-    def test_table(self):
-        densities = {}
-        for path in (SOURCE / 'energies/densities').glob('*.h'):
-            text = path.read_text()
-            function = re.search(r'inline auto (\w+)\(\)', text)[1]
-            densities[function] = {
-                'name': re.search(r'return \w+\(\s*"([^"]+)"', text)[1],
-                'barrier': 'Domain::PositiveDeterminant' in text,
-                'convex': 'Convexity::Convex' in text,
-                'reweighted': 'Reweighting::Separable' in text,
-                'majorant': 'Reweighting::Refused},\n      [](' in text}
-        named = dict(re.findall(r'\bnamed\((\w+)\(\), (\w+),',
-                                (SOURCE / 'energies/named_energies.cpp').read_text()))
-        self.assertEqual(set(named), set(densities), 'files of densities/ and named_energies.cpp')
-        rows = {row[0].strip('`'): row for row in
-                table_rows('docs/add_an_energy.md', 'Built-in energies')}
-        self.assertEqual(set(rows), {d['name'] for d in densities.values()})
-        for function, free_scale in named.items():
-            d = densities[function]
-            _, _, _, barrier, convex, curvatures, boundary, _ = rows[d['name']]
-            with self.subTest(d['name']):
-                self.assertEqual(barrier.startswith('yes'), d['barrier'])
-                self.assertEqual(convex.startswith('yes'), d['convex'])
-                expected = ['majorizer'] * (d['convex'] or d['majorant'])
-                expected += ['paper-majorizer'] * d['convex'] + ['reweighted'] * d['reweighted']
-                self.assertEqual(curvatures, ', '.join(expected) or '-')
-                self.assertTrue(boundary.startswith(free_scale.lower()), boundary)
-
-
 class Names(unittest.TestCase):
     def test_methods_of_compare_are_in_the_table(self):
         source = (SOURCE / 'apps/compare/methods.cpp').read_text()

@@ -94,7 +94,7 @@ TEST(ElementCheck, NodeOrders) {
 }
 
 TEST(ElementCheck, Bisections) {
-  constexpr int m = Subdivision::kMidpoint;
+  constexpr int m = EdgeBisection::kMidpoint;
   const std::string child = "not made of the others and the midpoint";
   expect_refused([](auto& e) { e.bisections.clear(); }, "no bisections");
   expect_refused([](auto& e) { e.bisections[0].a = 4; }, "not two of one factor");

@@ -29,7 +29,7 @@ inline std::vector<Exponents> hexahedron_lattice(const Degrees& n) {
 }
 
 inline BernsteinElement hexahedron(int degree) {
-  constexpr int m = Subdivision::kMidpoint;
+  constexpr int m = EdgeBisection::kMidpoint;
   return {.name = "hexahedra",
           .degree = degree,
           .max_degree = 4,
@@ -52,7 +52,7 @@ inline std::vector<Exponents> wedge_lattice(const Degrees& n) {
 
 // Two cuts of the triangle, by its newest vertex, halve it as one cut does the segment.
 inline BernsteinElement wedge(int degree) {
-  constexpr int m = Subdivision::kMidpoint;
+  constexpr int m = EdgeBisection::kMidpoint;
   return {.name = "wedges",
           .degree = degree,
           .max_degree = 4,
@@ -73,7 +73,7 @@ inline std::vector<Exponents> upright_wedge_lattice(const Degrees& n) {
 }
 
 inline BernsteinElement upright_wedge(int degree) {
-  constexpr int m = Subdivision::kMidpoint;
+  constexpr int m = EdgeBisection::kMidpoint;
   return {.name = "upright wedges",
           .degree = degree,
           .max_degree = 4,

@@ -55,11 +55,11 @@ test::ExactPolynomial polynomial(const BernsteinBasis& basis, const std::vector<
 }
 
 // Point x of a child, in the coordinates of its parent.
-std::vector<Rational> in_parent(const Subdivision::Step& step, const std::vector<int>& slots,
+std::vector<Rational> in_parent(const EdgeBisection& step, const std::vector<int>& slots,
                                 const std::vector<Rational>& x) {
   std::vector<Rational> out(x.size());
   for (std::size_t s = 0; s < x.size(); ++s)
-    if (slots[s] == Subdivision::kMidpoint) {
+    if (slots[s] == EdgeBisection::kMidpoint) {
       out[static_cast<std::size_t>(step.a)] += x[s] / 2;
       out[static_cast<std::size_t>(step.b)] += x[s] / 2;
     } else {
@@ -74,7 +74,7 @@ TEST_P(Bisect, ChildrenAreTheParentOnItsHalves) {
   for (Exact& c : parent) c.q = random.integer(-1000, 1000);
   const test::ExactPolynomial whole = polynomial(basis_, parent);
   for (std::size_t k = 0; k < element().bisections.size(); ++k) {
-    const Subdivision::Step& step = element().bisections[k];
+    const EdgeBisection& step = element().bisections[k];
     cell_.bisect(static_cast<int>(k), parent.data(), first.data(), second.data());
     const auto one = polynomial(basis_, first), two = polynomial(basis_, second);
     for (int trial = 0; trial < 6; ++trial) {

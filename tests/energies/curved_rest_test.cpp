@@ -71,13 +71,12 @@ double anisotropic(const Eigen::Matrix2d& j) {
   return j(0, 0) * j(0, 0) + 2 * j(0, 1) * j(1, 0) + j(1, 1) * j(1, 1) * j(1, 1) * j(1, 1);
 }
 auto anisotropic_density() {
-  return density<2, 2>(
-      "anisotropic",
-      [](const auto& J) {
-        const auto d = J(1, 1) * J(1, 1);
-        return J(0, 0) * J(0, 0) + 2.0 * (J(0, 1) * J(1, 0)) + d * d;
-      },
-      Domain::Everywhere);
+  return density<2, 2>("anisotropic",
+                       [](const auto& J) {
+                         const auto d = J(1, 1) * J(1, 1);
+                         return J(0, 0) * J(0, 0) + 2.0 * (J(0, 1) * J(1, 0)) + d * d;
+                       },
+                       {Domain::Everywhere});
 }
 double symmetric_dirichlet_of(const Eigen::Matrix2d& j) {
   return j.squaredNorm() + j.inverse().squaredNorm();

@@ -102,7 +102,7 @@ TEST(GeneralDensity, AnisotropicDerivatives) {
   const Jacobians j = test::generic_jacobians(false, 30);
   const test::Triangles t(j.size());
   const auto term =
-      make_energy(t.space, t.rest, density<2, 2>("a", f, Domain::Everywhere), {lattice_rule(1)});
+      make_energy(t.space, t.rest, density<2, 2>("a", f, {Domain::Everywhere}), {lattice_rule(1)});
   const auto models = test::point_models(*term, j, Curvature::Exact);
   const auto projected = test::point_models(*term, j, Curvature::Projected);
   for (std::size_t e = 0; e < j.size(); ++e) {
@@ -128,8 +128,8 @@ TEST(GeneralDensity, DomainIsTheDeterminant) {
   const test::Triangles t(j.size());
   const auto norm = [](const auto& J) { return J.squaredNorm(); };
   const auto barrier = make_energy(t.space, t.rest, density<2, 2>("n", norm), {lattice_rule(1)});
-  const auto everywhere =
-      make_energy(t.space, t.rest, density<2, 2>("n", norm, Domain::Everywhere), {lattice_rule(1)});
+  const auto everywhere = make_energy(
+      t.space, t.rest, density<2, 2>("n", norm, {Domain::Everywhere}), {lattice_rule(1)});
   const auto b = test::point_models(*barrier, j, Curvature::Projected);
   const auto f = test::point_models(*everywhere, j, Curvature::Projected);
   for (std::size_t e = 0; e < 3; ++e) {

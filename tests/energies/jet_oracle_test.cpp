@@ -173,20 +173,9 @@ void expect_same(const EnergyTerm& a, const EnergyTerm& b, const Jacobians& jaco
 
 template <std::size_t K = 0>
 void compare_densities(const Jacobians& jacobians, int* compared) {
-  if constexpr (K < std::tuple_size_v<BuiltinDensities>) {
+  if constexpr (K < std::tuple_size_v<BuiltinEnergies>) {
     constexpr int index = static_cast<int>(K);
-    using Density = std::tuple_element_t<K, BuiltinDensities>;
-    const auto make = [] {
-      const std::tuple all{symmetric_dirichlet_density(),
-                           asap_density(),
-                           mips_density(),
-                           arap_density(),
-                           symmetric_arap_density(),
-                           log_isometric_density(),
-                           authalic_density(),
-                           amips_exponential_density()};
-      return Density(std::get<K>(all));
-    };
+    const auto make = [] { return std::get<K>(builtin_energies()).density; };
     const test::Triangles t(jacobians.size());
     const std::vector<Quadrature> rule{lattice_rule(1)};
     const auto baseline = make_energy(t.space, t.rest, make(), rule);  // this file's

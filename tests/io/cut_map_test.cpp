@@ -13,7 +13,7 @@
 #include "majorant/io/write_obj.h"
 #include "majorant/io/write_svg.h"
 #include "majorant/parametrization/maps/measure.h"
-#include "majorant/parametrization/starts/seamless_start.h"
+#include "majorant/parametrization/starts/texture_seams.h"
 
 namespace majorant {
 namespace {
@@ -58,7 +58,7 @@ BezierMap cube_map(int degree) {
   return map;
 }
 
-BezierMap seamless_map_of(const MapFile& file) { return CutMap(file, "file").seamless_map(); }
+BezierMap seamless_map_of(const MapFile& file) { return CutMap(file, "file").map_with_seams(); }
 
 // A cell and an edge of it that is a seam.
 std::pair<Index, int> seam_edge(const MapFile& file) {

@@ -10,7 +10,7 @@
 #include "majorant/io/read_map.h"
 #include "majorant/io/vtu.h"
 #include "majorant/io/write_obj.h"
-#include "majorant/parametrization/starts/initial_map.h"
+#include "majorant/parametrization/starts/tutte.h"
 
 namespace majorant {
 namespace {

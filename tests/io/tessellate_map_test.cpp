@@ -19,8 +19,6 @@ namespace {
 using exact::Rational;
 using Polygons = std::vector<std::vector<Index>>;
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
 // Twice the area, in exact arithmetic.
 Rational area(const Vector2& a, const Vector2& b, const Vector2& c) {
   const auto minus = [](double x, double y) { return Rational(x) - Rational(y); };

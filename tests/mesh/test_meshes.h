@@ -16,8 +16,6 @@ namespace majorant {
 
 inline constexpr double kPi = 3.14159265358979323846;
 
-inline std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
 // Face k (0-based) comes from line 101 + k of "inline.obj".
 inline PolygonMesh polygon_mesh(std::vector<Vector3> positions,
                                 std::vector<std::vector<Index>> polygons) {

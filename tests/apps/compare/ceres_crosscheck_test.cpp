@@ -9,7 +9,7 @@
 #include "majorant/framework/newton.h"
 #include "majorant/parametrization/drive/normalized_start.h"
 #include "majorant/parametrization/maps/quadrature_ladder.h"
-#include "majorant/parametrization/starts/initial_map.h"
+#include "majorant/parametrization/starts/tutte.h"
 #include "mesh/test_meshes.h"
 #include "parametrization/maps/test_maps.h"
 
@@ -57,7 +57,8 @@ struct Case {
     options.energy = {{energy.make}};
     options.boundary = s.boundary;
     // Scale and place of a conformal map are arbitrary: hold the far corners.
-    if (energy.free_scale != FreeScale::Determined && s.boundary == BoundaryCondition::Free)
+    if (energy.make.traits().free_scale != FreeScale::Determined &&
+        s.boundary == BoundaryCondition::Free)
       options.pins = {{1, {}}, {s.mesh->vertex_count() - 1, {}}};
     const NormalizedStart start(BezierMap::linear(s.mesh, initial_map(*s.mesh, options)), options);
     const BezierMap linear = start.map();

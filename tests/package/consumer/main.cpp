@@ -5,7 +5,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/parametrization/drive/parametrize.h"
-#include "majorant/parametrization/starts/initial_map.h"
+#include "majorant/parametrization/starts/tutte.h"
 
 int main(int argc, char** argv) try {
   if (argc != 2) return 1;

@@ -4,7 +4,7 @@
 
 #include "majorant/framework/evaluator.h"
 #include "majorant/parametrization/drive/parametrize.h"
-#include "majorant/parametrization/starts/initial_map.h"
+#include "majorant/parametrization/starts/tutte.h"
 #include "mesh/obj_file.h"
 #include "mesh/test_meshes.h"
 
@@ -15,7 +15,8 @@ ParametrizationOptions options_for(const NamedEnergy& energy, int degree) {
   ParametrizationOptions options;
   options.degree = degree;
   options.energy = {{energy.make, 1.0}};
-  if (energy.free_scale == FreeScale::Collapses) options.boundary = BoundaryCondition::Fixed;
+  if (energy.make.traits().free_scale == FreeScale::Collapses)
+    options.boundary = BoundaryCondition::Fixed;
   return options;
 }
 

@@ -6,7 +6,7 @@
 #include "majorant/constraints/local_injectivity.h"
 #include "majorant/energies/make_energy.h"
 #include "majorant/io/read_mesh.h"
-#include "majorant/parametrization/starts/initial_map.h"
+#include "majorant/parametrization/starts/tutte.h"
 #include "mesh/obj_file.h"
 #include "parametrization/drive/parametrize_expectations.h"
 

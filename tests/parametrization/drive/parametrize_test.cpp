@@ -5,7 +5,7 @@
 #include "expected_error.h"
 #include "majorant/constraints/local_injectivity.h"
 #include "majorant/energies/make_energy.h"
-#include "majorant/parametrization/starts/initial_map.h"
+#include "majorant/parametrization/starts/tutte.h"
 #include "parametrization/drive/parametrize_expectations.h"
 
 namespace majorant {

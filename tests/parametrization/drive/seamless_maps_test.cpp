@@ -15,7 +15,7 @@ Vector3 bent(const Vector3& p) {
           p.z() + 0.2 * std::sin(1.3 * p.x() + 2 * p.y())};
 }
 
-ParametrizationResult solve(const SeamlessStart& start, const ParametrizationOptions& options) {
+ParametrizationResult solve(const Start& start, const ParametrizationOptions& options) {
   RunRecord record;
   ParametrizationResult result = parametrize(start.map, options, record);
   // Within a degree energies never rise.
@@ -61,7 +61,7 @@ std::vector<Index> copies_of(const Seams& seams, Index v) {
 
 TEST(SeamlessMaps, HoldSeamsAndConesAtEveryDegree) {
   for (const auto& [name, surface] : cases()) {
-    const SeamlessStart start = surface.start();
+    const Start start = surface.start();
     double last = INFINITY;
     for (const int n : {1, 2, 3}) {
       SCOPED_TRACE(testing::Message() << name << ", degree " << n);
@@ -78,8 +78,7 @@ TEST(SeamlessMaps, HoldSeamsAndConesAtEveryDegree) {
 }
 
 TEST(SeamlessMaps, DoNotDependOnThreads) {
-  const SeamlessStart start =
-      squares_case(holed_plate(1), 8, Charts::OneWithoutSlits, bent).start();
+  const Start start = squares_case(holed_plate(1), 8, Charts::OneWithoutSlits, bent).start();
   Vec first;
   for (const int count : {1, 2, 3, 4}) {
     set_threads(count);
@@ -121,7 +120,7 @@ TEST(SeamlessMaps, DoNotDependOnTheCuts) {
     options.boundary = c.boundary;
     options.tolerance = 1e-10;
     const auto value = [&](const SeamlessCase& surface) {
-      const SeamlessStart start = surface.start();
+      const Start start = surface.start();
       const ParametrizationResult r = solve(start, options);
       EXPECT_EQ(r.status, Status::Converged) << r.message;
       expect_seamless(r, 2);
@@ -145,7 +144,7 @@ TEST(SeamlessMaps, PublicMeshes) {
   for (const char* name : {"cube_4", "cubesphere_1728", "lshape_1872", "spot_3000"}) {
     SCOPED_TRACE(name);
     const auto mesh = surface(read_mesh((folder / (std::string(name) + ".obj")).string()));
-    const SeamlessStart start = seamless_from_texture(*mesh);
+    const Start start = seamless_from_texture(*mesh);
     int defect = 0;
     for (const Cone& c : start.map.seams().cones()) defect += 4 - c.quarter_turns;
     EXPECT_EQ(defect, 4 * mesh->topology().euler_characteristic());
@@ -166,7 +165,7 @@ TEST(SeamlessMaps, PublicMeshes) {
 TEST(SeamlessMaps, PinsOnEveryCopyOfCutVertices) {
   for (const auto& [name, surface] : cases()) {
     SCOPED_TRACE(name);
-    const SeamlessStart start = surface.start();
+    const Start start = surface.start();
     const BezierMap& map = start.map;
     std::set<Index> pinned;
     for (std::size_t e = 0; e < map.seams().edges().size(); e += 3)
@@ -191,7 +190,7 @@ TEST(SeamlessMaps, PinsOnEveryCopyOfCutVertices) {
 }
 
 TEST(SeamlessMaps, APinOnOneCopy) {
-  const SeamlessStart start = squares_case(unit_cube(), 3, Charts::OneWithoutSlits, bent).start();
+  const Start start = squares_case(unit_cube(), 3, Charts::OneWithoutSlits, bent).start();
   const Seams& seams = start.map.seams();
   const Index v = start.map.mesh().from_vertex(seams.edges()[0].side);
   ParametrizationOptions options = degree(2);
@@ -205,7 +204,7 @@ TEST(SeamlessMaps, APinOnOneCopy) {
 TEST(SeamlessMaps, FixedBoundaries) {
   for (const int turns : {2, 3, 5, 8})
     for (const int inner : {0, 1}) {
-      const SeamlessStart start = fan_case(turns, 4, inner).start();
+      const Start start = fan_case(turns, 4, inner).start();
       for (const int n : {1, 2, 3}) {
         SCOPED_TRACE(testing::Message() << turns << " turns, inner " << inner << ", degree " << n);
         ParametrizationOptions options = degree(n);
@@ -224,7 +223,7 @@ TEST(SeamlessMaps, FixedBoundaries) {
 }
 
 TEST(SeamlessMaps, APinElsewhereIsInfeasible) {
-  const SeamlessStart start = fan_case(5, 3).start();
+  const Start start = fan_case(5, 3).start();
   ParametrizationOptions options = degree(1);
   options.pins = {{1, Vector2(0.5, 0.5)}};
   expect_contains(error_message(ErrorKind::Infeasible, [&] { solve(start, options); }),
@@ -256,7 +255,7 @@ double off_axis(const BezierMap& map, const std::vector<Index>& edges) {
 
 TEST(SeamlessMaps, AlignedSidesStayAligned) {
   for (const Charts charts : {Charts::OnePerSquare, Charts::OneWithoutSlits}) {
-    const SeamlessStart start = squares_case(unit_cube(), 3, charts, bent).start();
+    const Start start = squares_case(unit_cube(), 3, charts, bent).start();
     const std::vector<Index> sides = sides_of_cube(start.map);
     for (const int n : {1, 2, 3}) {
       ParametrizationOptions options = degree(n);
@@ -273,7 +272,7 @@ TEST(SeamlessMaps, AlignedSidesStayAligned) {
 }
 
 TEST(SeamlessMaps, AlignedSidesWithPins) {
-  const SeamlessStart start = squares_case(unit_cube(), 3, Charts::OneWithoutSlits, bent).start();
+  const Start start = squares_case(unit_cube(), 3, Charts::OneWithoutSlits, bent).start();
   ParametrizationOptions options = degree(2);
   options.aligned = sides_of_cube(start.map);
   std::set<Index> pinned;

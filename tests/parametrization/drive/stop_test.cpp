@@ -13,7 +13,7 @@
 #include "majorant/parametrization/drive/parametrize.h"
 #include "majorant/parametrization/injectivity/global_injectivity.h"
 #include "majorant/parametrization/scaffold/improve_mesh.h"
-#include "majorant/parametrization/starts/seamless_map.h"
+#include "majorant/parametrization/starts/make_seamless.h"
 #include "mesh/test_meshes.h"
 #include "parametrization/fields/closed_surfaces.h"
 #include "parametrization/maps/test_maps.h"
@@ -112,7 +112,7 @@ TEST(Stop, SeamlessMaps) {
   const auto mesh = surface(cube(4));
   at_any_moment(
       [&](RunRecord& record) { return make_seamless(*mesh, {}, record); },
-      [&](const RunRecord&, const std::optional<SeamlessMap>& result) { EXPECT_FALSE(result); });
+      [&](const RunRecord&, const std::optional<Start>& result) { EXPECT_FALSE(result); });
 }
 
 TEST(Stop, Deformations) {

@@ -13,7 +13,6 @@ namespace {
 Vector2 corner(const CornerPoints& uv, Index c) {
   return uv.row(c / 3).segment<2>(2 * (c % 3)).transpose();
 }
-Index next(Index h) { return h - h % 3 + (h + 1) % 3; }
 Vector2 edge(const CornerPoints& uv, Index h) { return corner(uv, next(h)) - corner(uv, h); }
 
 double signed_area(const CornerPoints& uv, Index f) {

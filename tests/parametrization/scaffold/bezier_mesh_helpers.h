@@ -14,8 +14,6 @@
 
 namespace majorant {
 
-inline double cross(const Vector2& a, const Vector2& b) { return a[0] * b[1] - a[1] * b[0]; }
-
 inline double triangle_determinant(const Points2& p, Index a, Index b, Index c) {
   return cross(p.row(b) - p.row(a), p.row(c) - p.row(a));
 }

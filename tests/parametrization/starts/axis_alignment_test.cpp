@@ -85,7 +85,7 @@ TEST(AxisAlignment, ComposesWithPinsAndNamesContradictions) {
 // The other side of a seam follows, in the other coordinate where the seam turns.
 TEST(AxisAlignment, SeamsCarryItOver) {
   for (const int turns : {5, 6, 7}) {
-    const SeamlessStart start = fan_case(turns, 3, 1).start();
+    const Start start = fan_case(turns, 3, 1).start();
     const Space space = start.map.shared_space();
     const SeamlessConstraint seams(space, start.map.shared_seams());
     std::vector<AlignedEdge> sides;

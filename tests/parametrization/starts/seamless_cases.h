@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "majorant/constraints/seamless_constraint.h"
-#include "majorant/parametrization/starts/seamless_start.h"
+#include "majorant/parametrization/starts/texture_seams.h"
 #include "mesh/test_meshes.h"
 
 namespace majorant {
@@ -23,7 +23,7 @@ struct SeamlessCase {
   std::vector<char> is_cut;                 // 3 #F
   CornerPoints corners;                     // #F by 6
 
-  SeamlessStart start() const { return seamless_from_corners(*mesh, is_cut, corners); }
+  Start start() const { return seamless_from_corners(*mesh, is_cut, corners); }
 };
 
 // Triangles over shared vertices, the coordinates of their corners and the edges to cut (pairs of

@@ -30,7 +30,7 @@ Cut shuffled(const CutSurface& surface, unsigned seed) {
 }
 
 CutSurface cut(const SeamlessCase& c) {
-  const SeamlessStart s = c.start();
+  const Start s = c.start();
   return {s.map.shared_mesh(), s.map.shared_seams()};
 }
 

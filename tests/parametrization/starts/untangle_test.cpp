@@ -5,7 +5,7 @@
 
 #include "expected_error.h"
 #include "majorant/constraints/local_injectivity.h"
-#include "majorant/parametrization/starts/seamless_map.h"
+#include "majorant/parametrization/starts/make_seamless.h"
 #include "mesh/surfaces_of_any_genus.h"
 #include "mesh/test_meshes.h"
 
@@ -113,8 +113,7 @@ TEST(Untangle, EndsWithItsTime) {
 }
 
 // ------------------------------------------------------------------ seamless maps
-void expect_seamless(const SurfaceMesh& mesh, const SeamlessMap& made,
-                     const std::vector<Cone>& cones) {
+void expect_seamless(const SurfaceMesh& mesh, const Start& made, const std::vector<Cone>& cones) {
   const RestShapes rest = flat_triangles(made.map.mesh().positions(), made.map.mesh().faces());
   EXPECT_TRUE(LocalInjectivity(made.map.shared_space(), 2 * rest.measure)
                   .check(made.map.control_points())
@@ -149,7 +148,7 @@ TEST(MakeSeamless, ScaledFieldsRescueRandomCones) {
     for (const SeamlessMethod method : {SeamlessMethod::Field, SeamlessMethod::Automatic}) {
       options.method = method;
       try {
-        const SeamlessMap made = make_seamless(mesh, options, RunRecord());
+        const Start made = make_seamless(mesh, options, RunRecord());
         expect_seamless(mesh, made, cones);
         by_scaled += made.method == SeamlessMethod::ScaledField;
         ++(method == SeamlessMethod::Field ? by_field : by_any);
@@ -199,7 +198,7 @@ TEST(MakeSeamless, EverySurface) {
     SCOPED_TRACE(name);
     if (name == "coarse torus") continue;  // its field has the two cones that admit no map
     const SurfaceMesh mesh = SurfaceMesh::from_polygons(polygons);
-    const SeamlessMap made = make_seamless(mesh, {}, RunRecord());
+    const Start made = make_seamless(mesh, {}, RunRecord());
     expect_seamless(mesh, made, made.map.seams().cones());
   }
 }

@@ -2,8 +2,8 @@
 // `majorant seamless`.
 //
 //   RunRecord record;
-//   SeamlessMap seamless = make_seamless(mesh, {}, record);
-//   ParametrizationResult result = parametrize(seamless.map, options, record);
+//   const Start start = make_seamless(*mesh, {}, record);
+//   ParametrizationResult result = parametrize(start.map, options, record);
 //
 // Cones, those of a cross field unless they are given -> cut graph through them -> a map with these
 // seams: the field integrated, or a conformal metric laid out -> untangling, until every triangle
@@ -11,21 +11,13 @@
 #pragma once
 
 #include <optional>
-#include <string_view>
 #include <vector>
 
 #include "majorant/framework/run_record.h"
 #include "majorant/parametrization/fields/cross_field.h"
-#include "majorant/parametrization/maps/bezier_map.h"
+#include "majorant/parametrization/starts/start.h"
 
 namespace majorant {
-
-// Where a seamless map comes from. Field: a cross field, integrated. ScaledField: likewise, with
-// the lengths of the conformal metric that has the field's cones. Conformal: that metric, laid out;
-// for spheres and disks only, where the cones determine all transitions. Automatic: the first of
-// these that can be untangled.
-enum class SeamlessMethod { Automatic, Field, ScaledField, Conformal };
-std::string_view name(SeamlessMethod method);  // "automatic", "field", "scaled-field", "conformal"
 
 struct SeamlessOptions {
   SeamlessMethod method = SeamlessMethod::Automatic;
@@ -34,18 +26,11 @@ struct SeamlessOptions {
   std::optional<std::vector<Cone>> cones;
 };
 
-struct SeamlessMap {
-  BezierMap map;             // of the cut surface, locally injective, seams exact
-  SeamlessMethod method;     // that gave it
-  Index inverted = 0;        // triangles inverted before untangling
-  int untangling_steps = 0;  // Newton steps
-};
-
 // mesh: connected, closed or bounded, any genus. Throws Error(Invalid) naming the cones around
 // which triangles could not be untangled, Error(Usage) for Conformal on surfaces of other kinds,
 // and as cross_field.h has it for cones that cannot be; Stopped when the record's start_stop() says
 // so first.
-SeamlessMap make_seamless(const SurfaceMesh& mesh, const SeamlessOptions& options,
-                          const RunRecord& record);
+Start make_seamless(const SurfaceMesh& mesh, const SeamlessOptions& options,
+                    const RunRecord& record);
 
 }  // namespace majorant

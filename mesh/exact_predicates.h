@@ -1,7 +1,7 @@
 // Signs that rounding cannot change, of points in the plane as the doubles they are.
 //
-//   orientation({0, 0}, {1, 0}, {0, 1}) == 1
-//   segments_meet({0, 0}, {2, 2}, {0, 2}, {2, 0})
+//   orientation({0, 0}, {1, 0}, {0, 1});            // 1
+//   segments_meet({0, 0}, {2, 2}, {0, 2}, {2, 0});  // true
 //
 // Filtered: tens of nanoseconds unless the points are close to collinear. Finite numbers only.
 #pragma once

@@ -1,5 +1,5 @@
-// Seamless maps read from texture coordinates: what is found, what is refused.
-#include "majorant/parametrization/starts/seamless_start.h"
+// Texture coordinates as a plain start and as a seamless map: what is found, what is refused.
+#include "majorant/parametrization/starts/texture_seams.h"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +10,33 @@
 
 namespace majorant {
 namespace {
+
+PolygonMesh textured() {
+  PolygonMesh mesh = grid(3, bumpy);
+  for (const Vector3& p : mesh.positions) mesh.texcoords.push_back({2 * p.x(), p.y() - 1});
+  mesh.polygon_texcoords = mesh.polygons;
+  return mesh;
+}
+
+TEST(TextureMap, IsByVertex) {
+  const auto mesh = surface(textured());
+  const Vec uv = texture_map(*mesh);
+  for (Index v = 0; v < mesh->vertex_count(); ++v)
+    EXPECT_EQ(Vector2(uv.segment<2>(2 * v)),
+              Vector2(2 * mesh->positions()(v, 0), mesh->positions()(v, 1) - 1));
+}
+
+TEST(TextureMap, RefusesSeamsAndMissingCoordinates) {
+  PolygonMesh seam = textured();
+  seam.texcoords.push_back({5, 5});
+  seam.polygon_texcoords[2][1] = 16;  // a corner of vertex 2 in the file: number 3
+  expect_contains(error_message(ErrorKind::Unsupported, [&] { texture_map(*surface(seam)); }),
+                  {"inline.obj", "vertex 3", "several", "--init tutte"});
+  PolygonMesh missing = textured();
+  missing.polygon_texcoords[4].clear();
+  expect_contains(error_message(ErrorKind::Unsupported, [&] { texture_map(*surface(missing)); }),
+                  {"inline.obj", "texture coordinates", "--init tutte"});
+}
 
 std::map<int, int> cone_counts(const Seams& seams) {
   std::map<int, int> out;
@@ -41,10 +68,10 @@ std::vector<Expected> expected_cases() {
   return out;
 }
 
-TEST(SeamlessStart, ReadsChartsTransitionsAndCones) {
+TEST(TextureSeams, ReadsChartsTransitionsAndCones) {
   for (const Expected& e : expected_cases()) {
     SCOPED_TRACE(e.name);
-    const SeamlessStart start = seamless_from_texture(*e.surface.mesh);
+    const Start start = seamless_from_texture(*e.surface.mesh);
     const Seams& seams = start.map.seams();
     EXPECT_EQ(start.map.mesh().topology().components, e.pieces);
     EXPECT_EQ(cone_counts(seams), e.cones);
@@ -59,16 +86,16 @@ TEST(SeamlessStart, ReadsChartsTransitionsAndCones) {
   }
 }
 
-TEST(SeamlessStart, TurnsOfAnAnnulus) {
+TEST(TextureSeams, TurnsOfAnAnnulus) {
   for (const int turns : {4, 5, 6, 7}) {
-    const SeamlessStart start = seamless_from_texture(*fan_case(turns, 4, 1).mesh);
+    const Start start = seamless_from_texture(*fan_case(turns, 4, 1).mesh);
     for (const SeamEdge& e : start.map.seams().edges())
       EXPECT_TRUE(e.turns == turns - 4 || e.turns == (8 - turns) % 4) << e.turns;
   }
 }
 
 // No two corners share coordinates by number.
-TEST(SeamlessStart, SoupsAreCutWhereValuesDiffer) {
+TEST(TextureSeams, SoupsAreCutWhereValuesDiffer) {
   for (const Squares& s : {unit_cube(), holed_plate(2)}) {
     const SeamlessCase c = squares_case(s, 2, Charts::OneWithoutSlits);
     PolygonMesh soup = c.polygons;
@@ -79,7 +106,7 @@ TEST(SeamlessStart, SoupsAreCutWhereValuesDiffer) {
         soup.texcoords.push_back(c.corners.row(Index(f)).segment<2>(2 * Index(k)));
       }
     const auto mesh = surface(soup);
-    const SeamlessStart start = seamless_from_texture(*mesh);
+    const Start start = seamless_from_texture(*mesh);
     // Seams whose sides happen to coincide are none.
     const std::vector<char> cuts = texture_cuts(*mesh);
     for (std::size_t h = 0; h < cuts.size(); ++h) EXPECT_LE(cuts[h], c.is_cut[h]);
@@ -104,12 +131,12 @@ SeamlessCase with_mismatch(SeamlessCase c, double by, Index* moved) {
   return c;
 }
 
-TEST(SeamlessStart, MismatchesBelowTheToleranceAreProjectedOut) {
+TEST(TextureSeams, MismatchesBelowTheToleranceAreProjectedOut) {
   for (const Charts charts : {Charts::OnePerSquare, Charts::OneWithoutSlits}) {
     Index h = 0;
     const SeamlessCase c =
         with_mismatch(squares_case(unit_cube(), 4, charts), 0.6 * kSeamTolerance, &h);
-    const SeamlessStart start = seamless_from_texture(*c.mesh);
+    const Start start = seamless_from_texture(*c.mesh);
     EXPECT_GT(start.residual, 1e-5);
     EXPECT_GT(start.moved, 1e-5);
     EXPECT_LT(start.moved, 2e-3);
@@ -124,7 +151,7 @@ TEST(SeamlessStart, MismatchesBelowTheToleranceAreProjectedOut) {
   }
 }
 
-TEST(SeamlessStart, MismatchesAboveTheToleranceNameTheEdge) {
+TEST(TextureSeams, MismatchesAboveTheToleranceNameTheEdge) {
   Index h = 0;
   const SeamlessCase c =
       with_mismatch(squares_case(unit_cube(), 4, Charts::OnePerSquare), 1.8 * kSeamTolerance, &h);
@@ -140,18 +167,18 @@ TEST(SeamlessStart, MismatchesAboveTheToleranceNameTheEdge) {
 }
 
 // Whole seams off by rounding to six digits, as files have it.
-TEST(SeamlessStart, SixDigitsAreEnough) {
+TEST(TextureSeams, SixDigitsAreEnough) {
   SeamlessCase c = squares_case(holed_plate(2), 7, Charts::OneWithoutSlits);
   for (Vector2& t : c.polygons.texcoords)
     for (double& value : t) value = std::round(1e6 * (value / 3 + 0.123456789)) * 1e-6;
-  const SeamlessStart start = seamless_from_texture(*surface(c.polygons));
+  const Start start = seamless_from_texture(*surface(c.polygons));
   EXPECT_GT(start.residual, 1e-8);
   EXPECT_LT(start.moved, 1e-5);
 }
 
 // ---- What is refused ----
 
-TEST(SeamlessStart, FlippedFacesAreInfeasible) {
+TEST(TextureSeams, FlippedFacesAreInfeasible) {
   SeamlessCase mirrored = squares_case(unit_cube(), 2, Charts::One);
   for (Vector2& t : mirrored.polygons.texcoords) t.x() = -t.x();
   expect_contains(error_message(ErrorKind::Infeasible,
@@ -169,7 +196,7 @@ TEST(SeamlessStart, FlippedFacesAreInfeasible) {
                   {"face ", "not positively oriented"});
 }
 
-TEST(SeamlessStart, CornersWithoutCoordinatesAreUnsupported) {
+TEST(TextureSeams, CornersWithoutCoordinatesAreUnsupported) {
   SeamlessCase c = squares_case(unit_cube(), 2, Charts::One);
   c.polygons.polygon_texcoords[5].clear();
   expect_contains(
@@ -178,7 +205,7 @@ TEST(SeamlessStart, CornersWithoutCoordinatesAreUnsupported) {
 }
 
 // Edges too short for their directions to be seen hide a vertex whose angles nearly vanish.
-TEST(SeamlessStart, AnglesThatAreNoMultipleOf90NameTheVertex) {
+TEST(TextureSeams, AnglesThatAreNoMultipleOf90NameTheVertex) {
   SeamlessCase c = fan_case(4, 3);
   for (Index f = 0; f < 12; ++f) {
     const double t = kPi / 180 * 3;  // 12 sectors of 3 degrees
@@ -197,12 +224,12 @@ TEST(SeamlessStart, AnglesThatAreNoMultipleOf90NameTheVertex) {
 // ---- Vertices of 720 degrees ----
 
 // Inside a chart, with seams elsewhere or none at all.
-TEST(SeamlessStart, AFullTurnTooManyInsideAChart) {
+TEST(TextureSeams, AFullTurnTooManyInsideAChart) {
   SeamlessCase c = fan_case(8, 3);
   std::fill(c.is_cut.begin(), c.is_cut.end(), char(0));
   for (const bool cut : {false, true}) {
     if (cut) c = fan_case(8, 3);
-    const SeamlessStart start = c.start();
+    const Start start = c.start();
     ASSERT_EQ(cone_counts(start.map.seams()), (std::map<int, int>{{8, 1}}));
     for (const int n : {1, 2}) {
       ParametrizationOptions options;

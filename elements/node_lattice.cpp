@@ -1,4 +1,4 @@
-#include "majorant/elements/node_numbering.h"
+#include "majorant/elements/node_lattice.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -88,7 +88,7 @@ NodeLattice::NodeLattice(const BernsteinBasis& nodes) {
   int corners = 0;
   while (corners < nodes.count() && nodes.is_corner(corners)) ++corners;
   weights_.resize(nodes.count(), corners);
-  const auto size = static_cast<std::size_t>(nodes.coordinate_count());
+  const auto size = at(nodes.coordinate_count());
   for (int l = 0; l < nodes.count(); ++l)
     for (int c = 0; c < corners; ++c) {
       int weight = 1;

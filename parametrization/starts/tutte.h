@@ -1,4 +1,4 @@
-// Starts for the optimizer.
+// The start of disks: every vertex the mean of its neighbours.
 #pragma once
 
 #include "majorant/mesh/surface_mesh.h"
@@ -13,9 +13,5 @@ namespace majorant {
 // Needs a disk, possibly with holes; throws Error(Infeasible) when the linear system cannot be
 // solved; Stopped.
 Vec tutte_map(const SurfaceMesh& mesh, const StopCheck& stop = {});
-
-// The file's texture coordinates as u, v per vertex, for `--init input`. Throws Error(Unsupported)
-// when a corner has none or a vertex has several.
-Vec texture_map(const SurfaceMesh& mesh);
 
 }  // namespace majorant

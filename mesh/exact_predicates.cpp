@@ -1,4 +1,4 @@
-#include "majorant/parametrization/injectivity/exact_predicates.h"
+#include "majorant/mesh/exact_predicates.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 

@@ -1,4 +1,4 @@
-#include "majorant/parametrization/starts/seamless_start.h"
+#include "majorant/parametrization/starts/texture_seams.h"
 
 #include <fmt/format.h>
 
@@ -7,17 +7,15 @@
 #include <numbers>
 #include <utility>
 
-#include "majorant/constraints/seamless_constraint.h"
-#include "majorant/framework/elimination.h"
 #include "majorant/framework/error.h"
+#include "majorant/mesh/half_edge.h"
+#include "majorant/parametrization/starts/cut_surface.h"
 
 namespace majorant {
 namespace {
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
 // Angle sums may be off a multiple of 90 degrees by as much as a mismatch along edges allows.
-constexpr double kAngleTolerance = 1e-2;  // radians
+constexpr double kQuarterTurnTolerance = 1e-2;  // radians
 
 // A cut surface seen through the corner coordinates of its faces.
 class CornerView {
@@ -29,17 +27,14 @@ class CornerView {
     mean_length_ = sum / mesh.half_edge_count();
   }
 
-  Vector2 corner(Index h) const { return corners_.row(h / 3).segment<2>(2 * (h % 3)); }
-  Vector2 edge(Index h) const { return corner(h - h % 3 + (h + 1) % 3) - corner(h); }
+  Vector2 corner(Index h) const { return corners_.row(face_of(h)).segment<2>(2 * corner_of(h)); }
+  Vector2 edge(Index h) const { return corner(next(h)) - corner(h); }
   double mean_length() const { return mean_length_; }
 
-  double signed_area(Index face) const {
-    const Vector2 a = edge(3 * face), b = edge(3 * face + 1);
-    return 0.5 * (a.x() * b.y() - a.y() * b.x());
-  }
+  double signed_area(Index face) const { return 0.5 * cross(edge(3 * face), edge(3 * face + 1)); }
   double angle(Index h) const {
-    const Vector2 a = edge(h), b = -edge(h - h % 3 + (h + 2) % 3);
-    return std::abs(std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)));
+    const Vector2 a = edge(h), b = -edge(previous(h));
+    return std::abs(std::atan2(cross(a, b), a.dot(b)));
   }
   // k for which this edge is closest to i^k times its opposite, and how far it is from that.
   std::pair<int, double> transition(Index h) const {
@@ -100,15 +95,13 @@ Transitions snap_rotations(const SurfaceMesh& mesh, const std::vector<char>& is_
 std::vector<int> measure_quarter_turns(const SurfaceMesh& mesh, const CornerView& view) {
   std::vector<double> sum(at(mesh.vertex_count()), 0);
   for (Index h = 0; h < mesh.half_edge_count(); ++h) sum[at(mesh.from_vertex(h))] += view.angle(h);
-  std::vector<char> on_boundary(sum.size(), 0);
-  for (const auto& loop : mesh.boundary_loops())
-    for (const Index v : loop) on_boundary[at(v)] = 1;
+  const std::vector<char> on_boundary = mesh.boundary_flags();
   std::vector<int> quarter_turns(sum.size(), 0);
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
     if (on_boundary[at(v)]) continue;
     const auto turns = static_cast<int>(std::lround(2 * sum[at(v)] / std::numbers::pi));
     quarter_turns[at(v)] = turns;
-    if (turns > 0 && std::abs(sum[at(v)] - turns * std::numbers::pi / 2) <= kAngleTolerance)
+    if (turns > 0 && std::abs(sum[at(v)] - turns * std::numbers::pi / 2) <= kQuarterTurnTolerance)
       continue;
     throw Error(
         ErrorKind::Unsupported,
@@ -120,9 +113,8 @@ std::vector<int> measure_quarter_turns(const SurfaceMesh& mesh, const CornerView
   return quarter_turns;
 }
 
-SeamlessStart assemble(const SurfaceMesh& mesh, const std::vector<char>& is_cut,
-                       const CornerView& view, const Transitions& transitions,
-                       std::vector<int> quarter_turns) {
+Start assemble(const SurfaceMesh& mesh, const std::vector<char>& is_cut, const CornerView& view,
+               const Transitions& transitions, std::vector<int> quarter_turns) {
   const CutSurface surface = cut_open(mesh, is_cut, transitions.turns, std::move(quarter_turns));
   Vec uv(2 * surface.mesh->vertex_count());
   for (Index h = 0; h < mesh.half_edge_count(); ++h)
@@ -135,67 +127,66 @@ SeamlessStart assemble(const SurfaceMesh& mesh, const std::vector<char>& is_cut,
 
 }  // namespace
 
+Vec texture_map(const SurfaceMesh& mesh) {
+  if (mesh.corner_texcoords().rows() == 0)
+    throw Error(ErrorKind::Unsupported,
+                mesh.file() + ": not every face corner has texture coordinates; use --init tutte");
+  Vec x = Vec::Zero(2 * mesh.vertex_count());
+  std::vector<char> seen(at(mesh.vertex_count()), 0);
+  for (Index f = 0; f < mesh.face_count(); ++f)
+    for (int k = 0; k < 3; ++k) {
+      const Index v = mesh.faces()(f, k);
+      const Vector2 uv = mesh.corner_texcoords().row(f).segment<2>(2 * k);
+      if (seen[at(v)] && uv != x.segment<2>(2 * v))
+        throw Error(ErrorKind::Unsupported,
+                    fmt::format("{}: vertex {} has several texture coordinates (a seam); cut the "
+                                "mesh there or use --init tutte",
+                                mesh.file(), mesh.input_vertex(v) + 1));
+      seen[at(v)] = 1;
+      x.segment<2>(2 * v) = uv;
+    }
+  return x;
+}
+
 std::vector<char> texture_cuts(const SurfaceMesh& mesh) {
   if (mesh.corner_texcoords().rows() == 0)
     throw Error(ErrorKind::Unsupported,
                 mesh.file() +
                     ": not every face corner has texture coordinates; use `majorant "
                     "seamless` to make a seamless map");
-  const auto id = [&](Index h, int end) { return mesh.texcoord_ids()(h / 3, (h + end) % 3); };
-  const auto value = [&](Index h, int end) {
-    return Vector2(mesh.corner_texcoords().row(h / 3).segment<2>(2 * ((h + end) % 3)));
+  const auto id = [&](Index corner) {
+    return mesh.texcoord_ids()(face_of(corner), corner_of(corner));
+  };
+  const auto value = [&](Index corner) {
+    return Vector2(mesh.corner_texcoords().row(face_of(corner)).segment<2>(2 * corner_of(corner)));
   };
   std::vector<char> by_id(at(mesh.half_edge_count()), 0), by_value = by_id;
   bool any_shared = false;
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
     const Index o = mesh.opposite(h);
     if (o < 0) continue;
-    by_id[at(h)] = id(h, 0) != id(o, 1) || id(h, 1) != id(o, 0);
-    by_value[at(h)] = value(h, 0) != value(o, 1) || value(h, 1) != value(o, 0);
+    by_id[at(h)] = id(h) != id(next(o)) || id(next(h)) != id(o);
+    by_value[at(h)] = value(h) != value(next(o)) || value(next(h)) != value(o);
     any_shared = any_shared || !by_id[at(h)];
   }
   return any_shared ? by_id : by_value;
 }
 
-CutSurface cut_open(const SurfaceMesh& mesh, const std::vector<char>& is_cut,
-                    const std::vector<int>& turns, std::vector<int> quarter_turns) {
-  CutSurface out;
-  std::vector<Index> surface_vertex;
-  out.mesh = std::make_shared<const SurfaceMesh>(mesh.cut_along(is_cut, &surface_vertex));
-  std::vector<SeamEdge> edges;
-  for (Index h = 0; h < mesh.half_edge_count(); ++h)
-    if (is_cut[at(h)] && mesh.opposite(h) > h) edges.push_back({h, mesh.opposite(h), turns[at(h)]});
-  out.seams = std::make_shared<const Seams>(out.mesh->faces(), std::move(surface_vertex),
-                                            std::move(edges), std::move(quarter_turns));
-  return out;
-}
-
-Vec project_to_seams(const CutSurface& surface, VecIn uv, double* moved) {
-  const auto space = std::make_shared<const BezierTriangleSpace>(surface.mesh->faces(),
-                                                                 surface.mesh->vertex_count(), 1);
-  ConstraintRows rows;
-  SeamlessConstraint(space, surface.seams).append_rows(rows);
-  const Elimination elimination(2 * space->node_count(), rows);
-  Vec out;
-  elimination.expand(elimination.reduce(uv, moved), out);
-  return out;
-}
-
-SeamlessStart seamless_from_corners(const SurfaceMesh& mesh, const std::vector<char>& is_cut,
-                                    const CornerPoints& corners) {
+Start seamless_from_corners(const SurfaceMesh& mesh, const std::vector<char>& is_cut,
+                            const CornerPoints& corners) {
   const CornerView view(mesh, corners);
   require_oriented(mesh, view);
   const Transitions transitions = snap_rotations(mesh, is_cut, view);
   return assemble(mesh, is_cut, view, transitions, measure_quarter_turns(mesh, view));
 }
 
-SeamlessStart seamless_from_layout(const SurfaceMesh& mesh, const std::vector<char>& is_cut,
-                                   const CornerPoints& corners, std::vector<int> quarter_turns) {
+Start seamless_from_layout(const SurfaceMesh& mesh, const std::vector<char>& is_cut,
+                           const CornerPoints& corners, std::vector<int> quarter_turns) {
   const CornerView view(mesh, corners);
   return assemble(mesh, is_cut, view, snap_rotations(mesh, is_cut, view), std::move(quarter_turns));
 }
 
-SeamlessStart seamless_from_texture(const SurfaceMesh& mesh) {
+Start seamless_from_texture(const SurfaceMesh& mesh) {
   return seamless_from_corners(mesh, texture_cuts(mesh), mesh.corner_texcoords());
 }
 

@@ -1,4 +1,4 @@
-#include "majorant/parametrization/starts/seamless_map.h"
+#include "majorant/parametrization/starts/make_seamless.h"
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@
 #include "majorant/mesh/cut_graph.h"
 #include "majorant/parametrization/fields/conformal_metric.h"
 #include "majorant/parametrization/starts/field_integration.h"
-#include "majorant/parametrization/starts/seamless_start.h"
+#include "majorant/parametrization/starts/texture_seams.h"
 #include "majorant/parametrization/starts/untangle.h"
 
 namespace majorant {
@@ -22,8 +22,6 @@ namespace {
 constexpr std::size_t kNamedCones = 5;  // in messages
 // Scaled fields leave few inverted triangles, and those nearly of the right sizes.
 constexpr double kScaledFirstEps = 0.01;
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 // A surface cut through its cones, and the field that gave them.
 struct CutField {
@@ -89,12 +87,12 @@ class Maker {
   Maker(const SurfaceMesh& mesh, const SeamlessOptions& options, const RunRecord& record)
       : mesh_(mesh), record_(record), cut_(cut_field(mesh, options, record.start_stop())) {}
 
-  std::optional<SeamlessMap> attempt(SeamlessMethod method) {
+  std::optional<Start> attempt(SeamlessMethod method) {
     const Vec scale = method == SeamlessMethod::ScaledField ? face_scale(mesh_, metric()) : Vec();
-    SeamlessMap out{method == SeamlessMethod::Conformal
-                        ? conformal_start(mesh_, cut_, metric())
-                        : integrate_field(mesh_, cut_.is_cut, cut_.field, scale),
-                    method};
+    Start out{method == SeamlessMethod::Conformal
+                  ? conformal_start(mesh_, cut_, metric())
+                  : integrate_field(mesh_, cut_.is_cut, cut_.field, scale)};
+    out.method = method;
     MapSpecification spec;
     spec.seams = out.map.shared_seams();
     spec.rest = flat_triangles(out.map.mesh().positions(), out.map.mesh().faces());
@@ -194,8 +192,8 @@ std::string_view name(SeamlessMethod method) {
   }
 }
 
-SeamlessMap make_seamless(const SurfaceMesh& mesh, const SeamlessOptions& options,
-                          const RunRecord& record) {
+Start make_seamless(const SurfaceMesh& mesh, const SeamlessOptions& options,
+                    const RunRecord& record) {
   const bool conformal_exists = is_sphere_or_disk(mesh);
   if (options.method == SeamlessMethod::Conformal && !conformal_exists)
     throw Error(ErrorKind::Usage,

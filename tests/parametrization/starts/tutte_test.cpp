@@ -1,5 +1,5 @@
-// Tutte's start is what its definition says (method.md N7); texture coordinates become a start.
-#include "majorant/parametrization/starts/initial_map.h"
+// Tutte's start is what its definition says (method.md N7).
+#include "majorant/parametrization/starts/tutte.h"
 
 #include <set>
 
@@ -94,32 +94,6 @@ TEST(TutteMap, ScalesWithTheMesh) {
   const Vec uv = tutte_map(*surface(mesh));
   for (Vector3& p : mesh.positions) p *= 1024;
   EXPECT_LT((tutte_map(*surface(mesh)) - 1024 * uv).norm(), 1e-12 * 1024 * uv.norm());
-}
-
-PolygonMesh textured() {
-  PolygonMesh mesh = grid(3, bumpy);
-  for (const Vector3& p : mesh.positions) mesh.texcoords.push_back({2 * p.x(), p.y() - 1});
-  mesh.polygon_texcoords = mesh.polygons;
-  return mesh;
-}
-
-TEST(TextureMap, IsByVertex) {
-  const auto mesh = surface(textured());
-  const Vec uv = texture_map(*mesh);
-  for (Index v = 0; v < mesh->vertex_count(); ++v)
-    EXPECT_EQ(uv_at(uv, v), Vector2(2 * mesh->positions()(v, 0), mesh->positions()(v, 1) - 1));
-}
-
-TEST(TextureMap, RefusesSeamsAndMissingCoordinates) {
-  PolygonMesh seam = textured();
-  seam.texcoords.push_back({5, 5});
-  seam.polygon_texcoords[2][1] = 16;  // a corner of vertex 2 in the file: number 3
-  expect_contains(error_message(ErrorKind::Unsupported, [&] { texture_map(*surface(seam)); }),
-                  {"inline.obj", "vertex 3", "several", "--init tutte"});
-  PolygonMesh missing = textured();
-  missing.polygon_texcoords[4].clear();
-  expect_contains(error_message(ErrorKind::Unsupported, [&] { texture_map(*surface(missing)); }),
-                  {"inline.obj", "texture coordinates", "--init tutte"});
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "majorant/elements/bernstein_basis.h"
+#include "majorant/elements/bernstein_space.h"
 
 namespace majorant {
 
@@ -39,13 +39,6 @@ class NodeLattice {
   std::vector<int> interior_;
 };
 
-// Vertices keep their numbers, then come edges (from the smaller to the larger vertex), then faces,
-// then the interiors of cells.
-struct NodeNumbering {
-  Cells cells;  // #E by nodes per cell
-  Index node_count = 0;
-  std::vector<Index> boundary_nodes;  // on facets of one cell, sorted
-};
 // cells: #E by corners. `name` opens the messages. Throws std::invalid_argument for a wrong number
 // of columns, vertex numbers outside 0..vertex_count-1, a vertex twice in a cell and facets of more
 // than two cells.

@@ -1,0 +1,26 @@
+// What a rounded operation may be off: the arithmetic of error bounds, in double and quadruple
+// precision.
+//
+//   const Real sum = a + b;
+//   const Real error = kUnitRoundoff<Real> * magnitude(sum);
+#pragma once
+
+#include <limits>
+
+namespace majorant {
+
+__extension__ typedef __float128 Quad;
+
+// Of the result's magnitude: half the distance from 1 to the next number.
+template <class Real>
+inline constexpr double kUnitRoundoff = std::numeric_limits<Real>::epsilon() / 2;
+template <>
+inline constexpr double kUnitRoundoff<Quad> =
+    0x1p-113;  // numeric_limits does not know it in ISO C++
+
+template <class Real>
+Real magnitude(Real a) {
+  return a < 0 ? -a : a;
+}
+
+}  // namespace majorant

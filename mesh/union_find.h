@@ -1,0 +1,41 @@
+// Disjoint sets of the numbers 0 .. count - 1, which only ever grow together: components of
+// anything.
+//
+//   UnionFind components(mesh.face_count());
+//   for (Index h = 0; h < mesh.half_edge_count(); ++h)
+//     if (mesh.opposite(h) >= 0) components.join(face_of(h), face_of(mesh.opposite(h)));
+//   const bool connected = components.find(f) == components.find(g);
+#pragma once
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+#include "majorant/framework/types.h"
+
+namespace majorant {
+
+class UnionFind {
+ public:
+  explicit UnionFind(Index count) : parent_(at(count)) {
+    std::iota(parent_.begin(), parent_.end(), 0);
+  }
+
+  // The smallest member of i's set, which names it.
+  Index find(Index i) {
+    while (parent_[at(i)] != i) i = parent_[at(i)] = parent_[at(parent_[at(i)])];  // path halving
+    return i;
+  }
+
+  // Makes one set of those of i and k; whether they were two.
+  bool join(Index i, Index k) {
+    const auto [small, large] = std::minmax({find(i), find(k)});
+    parent_[at(large)] = small;
+    return small != large;
+  }
+
+ private:
+  std::vector<Index> parent_;  // never larger than the number itself
+};
+
+}  // namespace majorant

@@ -1,0 +1,34 @@
+// A Bezier curve in the plane: an edge of a map; and whether two of them meet (curve_contact.h).
+//
+//   const PlanarCurve arc{2, {Vector2(0, 0), Vector2(1, 1), Vector2(2, 0)}};
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "majorant/elements/bezier_triangle_space.h"
+
+namespace majorant {
+
+struct PlanarCurve {
+  static constexpr int kMaxDegree = BezierTriangleSpace::kMaxDegree;
+  // Coordinates whose products overflow are of no use; rounding bounds cover everything else.
+  static constexpr double kLargest = 1e150;
+  int degree = 1;                                      // 1..kMaxDegree
+  std::array<Vector2, kMaxDegree + 1> control_points;  // degree + 1, in range
+
+  bool in_range() const {  // all coordinates finite and below kLargest
+    return std::all_of(
+        control_points.begin(), control_points.begin() + degree + 1,
+        [](const Vector2& p) { return std::abs(p.x()) < kLargest && std::abs(p.y()) < kLargest; });
+  }
+
+  const Vector2& front() const { return control_points[0]; }
+  const Vector2& back() const { return control_points[at(degree)]; }
+};
+
+// None and Certain are proofs, Possible is all the rest.
+enum class Contact { None, Certain, Possible };
+
+}  // namespace majorant

@@ -1,0 +1,29 @@
+// A surface cut open whose transitions are known: what a seamless map is made on.
+//
+//   const CutSurface cut = cut_open(mesh, is_cut, field.turns, field.quarter_turns);
+//   BezierMap map = BezierMap::linear(cut.mesh, project_to_seams(cut, uv, nullptr), cut.seams);
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "majorant/mesh/seams.h"
+#include "majorant/mesh/surface_mesh.h"
+
+namespace majorant {
+
+// The cut surface with these transitions: turns (3 #F) on both sides of every cut edge, that on the
+// opposite side its negative, uv of h = i^turns[h] uv of opposite(h) + t; quarter_turns per vertex
+// of `mesh`, 0 on its boundary.
+struct CutSurface {
+  std::shared_ptr<const SurfaceMesh> mesh;
+  std::shared_ptr<const Seams> seams;
+};
+CutSurface cut_open(const SurfaceMesh& mesh, const std::vector<char>& is_cut,
+                    const std::vector<int>& turns, std::vector<int> quarter_turns);
+
+// u, v per vertex of the cut surface, closest in the free unknowns to `uv`, that satisfy the seams;
+// *moved (may be null) receives the largest change.
+Vec project_to_seams(const CutSurface& surface, VecIn uv, double* moved);
+
+}  // namespace majorant

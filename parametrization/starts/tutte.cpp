@@ -1,0 +1,127 @@
+#include "majorant/parametrization/starts/tutte.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "majorant/framework/sparse_spd.h"
+#include "majorant/mesh/half_edge.h"
+#include "majorant/parametrization/fields/edge_laplacian.h"
+
+namespace majorant {
+namespace {
+
+// The boundary loop that goes to the circle: the longest on the surface.
+const std::vector<Index>& outer_loop(const SurfaceMesh& mesh) {
+  const auto length = [&](const std::vector<Index>& loop) {
+    double sum = 0;
+    for (std::size_t k = 0; k < loop.size(); ++k)
+      sum += (mesh.positions().row(loop[(k + 1) % loop.size()]) - mesh.positions().row(loop[k]))
+                 .norm();
+    return sum;
+  };
+  return *std::max_element(mesh.boundary_loops().begin(), mesh.boundary_loops().end(),
+                           [&](const auto& p, const auto& q) { return length(p) < length(q); });
+}
+
+void place_boundary(const SurfaceMesh& mesh, Vec& x) {
+  const std::vector<Index>& loop = outer_loop(mesh);
+  const double radius = std::sqrt(mesh.area() / std::numbers::pi);
+  std::vector<double> arc{0.0};
+  for (std::size_t k = 0; k < loop.size(); ++k)
+    arc.push_back(
+        arc.back() +
+        (mesh.positions().row(loop[(k + 1) % loop.size()]) - mesh.positions().row(loop[k])).norm());
+  for (std::size_t k = 0; k < loop.size(); ++k) {
+    const double angle = 2 * std::numbers::pi * arc[k] / arc.back();
+    x[2 * loop[k]] = radius * std::cos(angle);
+    x[2 * loop[k] + 1] = radius * std::sin(angle);
+  }
+}
+
+// The faces of the surface, and a fan around a new vertex in every hole.
+Cells filled_faces(const SurfaceMesh& mesh) {
+  const std::vector<Index>& outer = outer_loop(mesh);
+  std::vector<std::array<Index, 3>> fans;
+  Index centre = mesh.vertex_count();
+  for (const auto& loop : mesh.boundary_loops()) {
+    if (&loop == &outer) continue;
+    for (std::size_t k = 0; k < loop.size(); ++k)
+      fans.push_back({loop[(k + 1) % loop.size()], loop[k], centre});
+    ++centre;
+  }
+  Cells faces(mesh.face_count() + static_cast<Index>(fans.size()), 3);
+  faces.topRows(mesh.face_count()) = mesh.faces();
+  for (std::size_t k = 0; k < fans.size(); ++k)
+    faces.row(mesh.face_count() + static_cast<Index>(k)) << fans[k][0], fans[k][1], fans[k][2];
+  return faces;
+}
+
+// Every vertex but those of the outer loop, whose places are known, is the mean of its neighbours.
+class MeanOfNeighbours {
+ public:
+  explicit MeanOfNeighbours(const SurfaceMesh& mesh) : faces_(filled_faces(mesh)) {
+    row_of_.assign(at(mesh.vertex_count()) + mesh.boundary_loops().size() - 1, 0);
+    for (const Index v : outer_loop(mesh)) row_of_[at(v)] = -1;
+    for (std::size_t v = 0; v < row_of_.size(); ++v) {
+      if (row_of_[v] < 0) continue;
+      row_of_[v] = static_cast<Index>(vertices_.size());
+      vertices_.push_back(static_cast<Index>(v));
+    }
+  }
+
+  const std::vector<Index>& vertices() const { return vertices_; }  // by row
+
+  SparseSpd matrix(const std::string& file, const StopCheck& stop) const {
+    const EdgeLaplacian laplacian(faces_, row_of_);
+    // An edge counts once, its two half-edges half each.
+    const Vec values = laplacian.values(Vec::Constant(3 * faces_.rows(), 0.5));
+    stop.poll();
+    return SparseSpd(laplacian.pattern(), values,
+                     file +
+                         ": the Laplacian of the initial map cannot be factorized; check the mesh "
+                         "with `majorant info`",
+                     stop);
+  }
+
+  // Of coordinate c: sums over the neighbours on the outer loop. x: u, v by vertex.
+  Vec right_hand_side(const Vec& x, int c) const {
+    std::vector<std::pair<Index, Index>> links;  // row, neighbour
+    for (Index h = 0; h < 3 * static_cast<Index>(faces_.rows()); ++h) {
+      const Index row = row_of_[at(from_vertex(faces_, h))], neighbour = to_vertex(faces_, h);
+      if (row >= 0 && row_of_[at(neighbour)] < 0) links.emplace_back(row, neighbour);
+    }
+    std::sort(links.begin(), links.end());  // sums do not depend on the order of faces
+    Vec rhs = Vec::Zero(static_cast<Index>(vertices_.size()));
+    for (const auto& [row, neighbour] : links) rhs[row] += x[2 * neighbour + c];
+    return rhs;
+  }
+
+ private:
+  Cells faces_;
+  std::vector<Index> row_of_;  // by vertex, -1 on the outer loop
+  std::vector<Index> vertices_;
+};
+
+}  // namespace
+
+Vec tutte_map(const SurfaceMesh& mesh, const StopCheck& stop) {
+  Vec x = Vec::Zero(2 * mesh.vertex_count());
+  place_boundary(mesh, x);
+  const MeanOfNeighbours means(mesh);
+  if (means.vertices().empty()) return x;
+  const SparseSpd matrix = means.matrix(mesh.file(), stop);
+  const Vec u = matrix.solve(means.right_hand_side(x, 0));
+  const Vec v = matrix.solve(means.right_hand_side(x, 1));
+  for (std::size_t r = 0; r < means.vertices().size(); ++r) {
+    const Index vertex = means.vertices()[r];
+    if (vertex >= mesh.vertex_count()) continue;  // in a hole
+    x[2 * vertex] = u[static_cast<Index>(r)];
+    x[2 * vertex + 1] = v[static_cast<Index>(r)];
+  }
+  return x;
+}
+
+}  // namespace majorant

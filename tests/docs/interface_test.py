@@ -1,0 +1,186 @@
+#!/usr/bin/python3
+"""docs/interface.md against the program: flags of --help, exit codes, statuses, keys of reports.
+
+A flag, a status or a key of a report that the program has and the page has not, or the other way
+round, fails with its name. Reports come from a handful of small runs: a key that only appears in
+situations that none of them meets needs a run of its own here.
+"""
+import json
+import math
+import os
+import re
+import sys
+import unittest
+
+SOURCE = os.environ['MAJORANT_SOURCE_DIR']
+sys.path.insert(0, os.path.join(SOURCE, 'tests', 'apps'))
+import command_helpers as helpers  # noqa: E402
+from command_helpers import INVALID, LIMIT, CommandTest, majorant  # noqa: E402
+
+VERBS = ['parametrize', 'seamless', 'deform', 'check', 'compare', 'convert', 'info']
+
+
+def page():
+    with open(os.path.join(SOURCE, 'docs', 'interface.md')) as f:
+        return f.read()
+
+
+def section(heading):
+    return page().split('\n## ' + heading + '\n', 1)[1].split('\n## ')[0]
+
+
+def rows(text):
+    """Cells of the lines of tables, without the header lines."""
+    found, previous = [], ''
+    for line in text.splitlines():
+        is_rule = re.fullmatch(r'[|-]+', line)
+        if line.startswith('|') and not is_rule and previous.startswith('|'):
+            cells = line.replace('\\|', '¦').strip('|').split('|')
+            found.append([cell.strip().replace('¦', '|') for cell in cells])
+        previous = line
+    return found
+
+
+class Flags(unittest.TestCase):
+    def documented(self):
+        """Long flag -> verbs; `all` in the second column is every verb."""
+        flags = {}
+        for names, verbs, *_ in rows(section('Flags')):
+            for flag in re.findall(r'--[a-z][a-z-]*', names):
+                self.assertNotIn(flag, flags, 'twice in docs/interface.md')
+                flags[flag] = set(VERBS if verbs == 'all' else verbs.split(', '))
+        return flags
+
+    def test_every_long_flag(self):
+        documented = self.documented()
+        self.assertGreaterEqual(len(documented), 35)
+        for verb in VERBS:
+            text = majorant(verb, '--help').out
+            flags = set(re.findall(r'^ +(?:-\w,)?(--[a-z][a-z-]*)', text, re.M))
+            self.assertGreaterEqual(len(flags), 7)
+            for flag in flags:
+                self.assertIn(verb, documented.get(flag, ()), 'docs/interface.md lacks ' + flag)
+            for flag, verbs in documented.items():
+                if verb in verbs:
+                    self.assertIn(flag, flags, '%s has no %s' % (verb, flag))
+
+    def test_every_verb(self):
+        text = majorant('--help').out.split('Subcommands:\n')[1].split('\n\n')[0]
+        self.assertEqual(re.findall(r'^  (\w+)', text, re.M), VERBS)
+        self.assertEqual([row[0].strip('`').split()[0] for row in rows(section('Verbs'))], VERBS)
+
+
+class Codes(unittest.TestCase):
+    def test_exit_codes(self):
+        with open(os.path.join(SOURCE, 'apps', 'command.h')) as f:
+            codes = re.search(r'enum ExitCode \{(.*?)\}', f.read(), re.S)[1]
+        self.assertEqual([row[0] for row in rows(section('Exit codes')) if row[0].isdigit()],
+                         re.findall(r'= (\d+)', codes))
+
+    def test_statuses(self):
+        """The names of framework/stepper.cpp or wherever name(Status) is, by its table."""
+        names = set()
+        for name in os.listdir(os.path.join(SOURCE, 'framework')):
+            with open(os.path.join(SOURCE, 'framework', name)) as f:
+                names |= set(re.findall(r'case Status::\w+:\s+return "(\w+)";', f.read()))
+        self.assertGreaterEqual(len(names), 7)
+        listed = [row[0].strip('`') for row in rows(section('Exit codes'))
+                  if not row[0].isdigit()]
+        self.assertEqual(set(listed), names)
+
+
+def keys(value, path=''):
+    """Paths of a JSON value: result.cones[].vertex."""
+    if isinstance(value, dict):
+        for key, inner in value.items():
+            yield from keys(inner, path + '.' + key if path else key)
+    elif isinstance(value, list) and value and isinstance(value[0], dict):
+        yield path
+        for inner in value:
+            yield from keys(inner, path + '[]')
+    elif path:
+        yield re.sub(r'^(proofs|methods\[\]\.within)\.(\w+(?:\.\d+)?)',
+                     lambda m: m[1] + ('.QUESTION' if m[1] == 'proofs' else '.FRACTION'), path)
+
+
+class Reports(CommandTest):
+    def report(self, verb, *args, code=0):
+        """The keys of the report of a run, and which of them were there."""
+        self.run_ok(verb, *args, '--report', self.path('report.json'), '--quiet', '--force',
+                    code=code)
+        with open(self.path('report.json')) as f:
+            self.found.setdefault(verb, []).append(set(keys(json.load(f))))
+
+    def run_all(self):
+        """Runs of every verb that show, together, every key that its report can have."""
+        points, faces = helpers.grid(4)
+        plane = [p[:2] for p in points]
+        disk = self.write('disk.obj', helpers.obj_text(points, faces))
+        flat = self.write('flat.obj', helpers.obj_text(*helpers.grid(4, lambda x, y: 0)))
+        pins = self.write('pins.json', '{"handles": [{"vertex": 0, "target": "initial"}]}')
+        with_uv = self.write('uv.obj', helpers.obj_text(points, faces, plane))
+        inverted = self.write('inverted.obj', helpers.obj_text(
+            points, faces, [*plane[:6], (3, 3), *plane[7:]]))
+        overlapping = self.write('ribbon.obj', ribbon_of_more_than_a_turn())
+        result, cut = self.path('result.vtu'), self.path('cut.vtu')
+        self.report('parametrize', disk, result, '--degree', 2, '--pins', pins)
+        self.report('parametrize', disk, self.path('b.vtu'), '--time-limit', 0, code=LIMIT)
+        self.report('seamless', helpers.generated('buckle'), cut, '--degree', 1)
+        self.report('parametrize', cut, self.path('b.vtu'), '--seamless', '--degree', 1)
+        self.report('parametrize', overlapping, self.path('b.vtu'), '--init', 'input',
+                    '--degree', 1, '--max-iterations', 0, code=LIMIT)
+        self.report('deform', overlapping, self.path('b.vtu'), '--degree', 1, '--handles', pins)
+        self.report('deform', flat, self.path('b.vtu'), '--degree', 2, '--handles', self.write(
+            'pull.json', '{"handles": [{"vertex": 0, "target": [-0.1, 0.1]}]}'), '--pins',
+            self.write('pin.json', '{"handles": [{"vertex": 24, "target": "initial"}]}'))
+        self.report('check', result, '--surface', disk)
+        self.report('check', cut, '--seamless')
+        self.report('check', overlapping, '--certify', code=INVALID)
+        self.report('compare', disk, '--degree', 1, '--methods', 'newton,lbfgs')
+        self.report('convert', result, self.path('c.obj'))
+        self.report('info', disk)
+        self.report('info', cut)
+        self.report('info', inverted)
+
+    def test_every_key(self):
+        """Keys of no * are in every report of their verbs, the others in one at least."""
+        self.found = {}
+        self.run_all()
+        verbs = {'all': VERBS, 'runs': ['parametrize', 'seamless', 'deform']}
+        always, sometimes, listed = {}, {}, []
+        for key, where, *_ in rows(section('Reports')):
+            name = re.match(r'`(.*?)`', key)[1]
+            listed.append(name)
+            for word in where.split(', '):
+                for verb in verbs.get(word, [word]):
+                    (sometimes if key.endswith('*') else always).setdefault(verb, set()).add(name)
+        self.assertEqual(len(listed), len(set(listed)), 'a key is twice in docs/interface.md')
+        for verb in VERBS:
+            with self.subTest(verb):
+                reports = self.found[verb]
+                seen = set.union(*reports)
+                known = always[verb] | sometimes.get(verb, set())
+                self.assertFalse(seen - known, 'keys that docs/interface.md lacks for ' + verb)
+                self.assertFalse(always[verb] - set.intersection(*reports),
+                                 'keys of docs/interface.md that a report lacks')
+                # A verb need not show what another one that makes a map shows.
+                shown = seen | (set.union(*self.found['parametrize'], *self.found['seamless'])
+                                if verb in verbs['runs'] else set())
+                self.assertFalse(known - shown, 'keys of docs/interface.md that no report has')
+
+
+def ribbon_of_more_than_a_turn():
+    """OBJ of a flat strip whose texture coordinates turn 1.2 times around the origin."""
+    count, points, uv, faces = 40, [], [], []
+    for i in range(count + 1):
+        angle = 2 * math.pi * 1.2 * i / count
+        for radius in (1, 2):
+            points.append((-i / 4, radius, 0))
+            uv.append((radius * math.cos(angle), radius * math.sin(angle)))
+    for a in range(0, 2 * count, 2):
+        faces += [(a, a + 1, a + 3), (a, a + 3, a + 2)]
+    return helpers.obj_text(points, faces, uv)
+
+
+if __name__ == '__main__':
+    helpers.main()

@@ -1,0 +1,62 @@
+#!/usr/bin/python3
+"""What is cited exists: sections and labels of docs/method.md, files that the documentation names."""
+import os
+import pathlib
+import re
+import unittest
+
+SOURCE = pathlib.Path(os.environ['MAJORANT_SOURCE_DIR'])
+PAGES = [*sorted((SOURCE / 'docs').glob('*.md')),
+         *(SOURCE / name for name in ('README.md', 'CONTRIBUTING.md', 'examples/README.md'))]
+
+
+def sources():
+    for pattern in '*/*', '*/*/*', '*/*/*/*':
+        for path in SOURCE.glob(pattern):
+            if path.suffix in ('.h', '.cpp', '.py') and path.relative_to(SOURCE).parts[0] != 'build':
+                yield path
+
+
+class Method(unittest.TestCase):
+    def test_citations(self):
+        """`method.md N4`, `method.md section 8`: labels of the tables of section 12, headings."""
+        text = (SOURCE / 'docs/method.md').read_text()
+        known = set(re.findall(r'^\| ([EN]\d+) \|', text, re.M))
+        known |= {'section ' + number for number in re.findall(r'^## (\d+)\.', text, re.M)}
+        cited = [(path, label) for path in [*sources(), *PAGES] if path != pathlib.Path(__file__)
+                 for label in re.findall(r'method\.md,?\s(?://\s|#\s)?((?:section \d+|[EN]\d+)\b)',
+                                         path.read_text())]
+        self.assertGreaterEqual(len(cited), 30)
+        for path, label in cited:
+            self.assertIn(label, known, path.relative_to(SOURCE))
+
+    def test_labels_in_the_text_are_in_its_tables(self):
+        text = (SOURCE / 'docs/method.md').read_text()
+        body, tables = text.split('\n## 12.')
+        known = set(re.findall(r'^\| ([EN]\d+) \|', tables, re.M))
+        self.assertGreaterEqual(len(known), 20)
+        for label in re.findall(r'\b([EN]\d+)\b', body):
+            self.assertIn(label, known)
+
+
+class Files(unittest.TestCase):
+    def test_named_files_exist(self):
+        names = {path.name for path in sources()}
+        checked = 0
+        for page in PAGES:
+            prose = re.sub(r'^```.*?^```', '', page.read_text(), flags=re.S | re.M)
+            for name in re.findall(r'`((?:\w+/)*\w+\.(?:h|cpp|py))`', prose):
+                if re.search(r'[A-Z]{3}', name):  # apps/VERB_command.cpp
+                    continue
+                name = name.removeprefix('majorant/')  # of includes
+                found = (SOURCE / name).exists() if '/' in name else name in names
+                self.assertTrue(found or name in FOREIGN, '%s names %s' % (page.name, name))
+                checked += 1
+        self.assertGreaterEqual(checked, 150)
+
+
+# Of the shared data, and a file that a reader is told to write.
+FOREIGN = {'tools/verify.py', 'verify.py', 'layout.py', 'energies/densities/dirichlet_area.h'}
+
+if __name__ == '__main__':
+    unittest.main()

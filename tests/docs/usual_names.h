@@ -1,0 +1,44 @@
+// Names that the examples in headers use without declaring them (tests/docs/code_test.py). Each is
+// used by two headers at least; what only one uses is declared there.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <atomic>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "apps/command.h"
+#include "majorant/io/map_file.h"
+#include "majorant/parametrization/drive/parametrize.h"
+#include "majorant/parametrization/maps/map_problem.h"
+
+namespace usual_names {
+using namespace majorant;
+
+extern std::string path, text;
+extern PolygonMesh polygons;
+extern std::shared_ptr<const SurfaceMesh> mesh;
+extern std::vector<char> is_cut;  // by half-edge
+extern MapFile file;
+extern BezierMap map;
+
+extern std::shared_ptr<const BezierTriangleSpace> space;  // on the mesh
+extern RestShapes rest;
+extern Quadrature rule;
+extern double area;  // of the surface
+extern std::shared_ptr<const DensityTerm> energy;
+
+extern ProblemBuilder builder;
+extern Problem problem;
+extern MapSpecification spec;
+extern Vec x, y0, start;  // full, reduced, full unknowns
+extern ParametrizationOptions options;
+extern RunRecord record;
+extern StopCheck stop;
+extern Observer observer;
+
+extern CLI::App verb;
+extern app::CommonOptions common;
+}  // namespace usual_names

@@ -1,0 +1,47 @@
+// Sets of a union-find are those of a search over the joined pairs, named by their smallest member.
+#include "majorant/mesh/union_find.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <utility>
+
+namespace majorant {
+namespace {
+
+TEST(UnionFind, StartsApart) {
+  UnionFind sets(3);
+  for (Index i = 0; i < 3; ++i) EXPECT_EQ(sets.find(i), i);
+}
+
+TEST(UnionFind, SaysWhetherTwoSetsBecameOne) {
+  UnionFind sets(5);
+  EXPECT_TRUE(sets.join(4, 2));
+  EXPECT_TRUE(sets.join(3, 1));
+  EXPECT_FALSE(sets.join(1, 3));
+  EXPECT_FALSE(sets.join(2, 2));
+  EXPECT_TRUE(sets.join(3, 4));
+  EXPECT_FALSE(sets.join(1, 2));
+  EXPECT_EQ(sets.find(0), 0);
+  for (Index i = 1; i < 5; ++i) EXPECT_EQ(sets.find(i), 1) << i;
+}
+
+TEST(UnionFind, AgreesWithRelabelling) {
+  std::mt19937 random(3);
+  for (const Index count : {1, 2, 10, 60, 400}) {
+    UnionFind sets(count);
+    std::vector<Index> label(at(count));
+    std::iota(label.begin(), label.end(), 0);
+    for (Index pair = 0; pair < count; ++pair) {
+      const auto i = static_cast<Index>(random() % at(count));
+      const auto k = static_cast<Index>(random() % at(count));
+      const auto [small, large] = std::minmax({label[at(i)], label[at(k)]});
+      EXPECT_EQ(sets.join(i, k), small != large);
+      std::replace(label.begin(), label.end(), Index(large), Index(small));
+    }
+    for (Index i = 0; i < count; ++i) ASSERT_EQ(sets.find(i), label[at(i)]) << count << ": " << i;
+  }
+}
+
+}  // namespace
+}  // namespace majorant
