@@ -3,6 +3,10 @@
 # One room of the house = one static library `majorant_ROOM` (alias majorant::ROOM; ROOM is the last
 # part of FOLDER) made of every FOLDER/*.cpp. Headers are included as "majorant/FOLDER/x.h", inside
 # the tree as after install; a link in the build tree makes that path, one include root per room.
+# Eigen's heap alignment is part of the binary interface: fixed, so that a consumer compiled with
+# wider vector instructions frees what we allocate.
+set(MAJORANT_ABI_DEFINITIONS EIGEN_MAX_ALIGN_BYTES=16 EIGEN_MALLOC_ALREADY_ALIGNED=0)
+
 function(majorant_module folder)
   cmake_parse_arguments(ARG "" "" "PUBLIC;PRIVATE" ${ARGN})
   get_filename_component(name ${folder} NAME)
@@ -21,13 +25,15 @@ function(majorant_module folder)
   target_compile_options(majorant_${name} PRIVATE -Wall -Wextra -Wpedantic -Wshadow)
   set_target_properties(majorant_${name} PROPERTIES EXPORT_NAME ${name} CXX_EXTENSIONS OFF
                                                     POSITION_INDEPENDENT_CODE ON)
-  # Eigen's heap alignment is part of the binary interface: fix it, so that a consumer compiled
-  # with wider vector instructions frees what we allocate.
-  target_compile_definitions(majorant_${name} PUBLIC EIGEN_MAX_ALIGN_BYTES=16
-                                                    EIGEN_MALLOC_ALREADY_ALIGNED=0)
+  target_compile_definitions(majorant_${name} PUBLIC ${MAJORANT_ABI_DEFINITIONS})
   target_include_directories(majorant_${name} PUBLIC $<BUILD_INTERFACE:${root}>
                                                      $<INSTALL_INTERFACE:include>)
   target_link_libraries(majorant_${name} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
+  if("OpenMP::OpenMP_CXX" IN_LIST ARG_PRIVATE)
+    majorant_use_precompiled(majorant_${name} threaded_library)
+  else()
+    majorant_use_precompiled(majorant_${name} library)
+  endif()
   install(TARGETS majorant_${name} EXPORT majorantTargets
           ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
   install(DIRECTORY ${source_dir}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/majorant/${folder}

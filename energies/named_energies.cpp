@@ -14,7 +14,6 @@ namespace majorant {
 DensityKernels builtin_kernels_avx2(int index);
 DensityKernels builtin_kernels_avx512(int index);
 #endif
-DensityKernels builtin_kernels_baseline(int index);
 
 namespace {
 
@@ -24,20 +23,22 @@ constexpr int position(const std::tuple<All...>*) {
   return static_cast<int>(std::find(std::begin(same), std::end(same), true) - std::begin(same));
 }
 
-DensityKernels best_kernels(int index) {
+// For the baseline they are compiled here: who touches a density waits for three files.
+template <class Density>
+DensityKernels best_kernels([[maybe_unused]] int index) {
 #ifdef MAJORANT_X86_KERNELS
   const auto machine = xsimd::available_architectures();
   if (machine.avx512bw) return builtin_kernels_avx512(index);
   if (machine.fma3_avx2) return builtin_kernels_avx2(index);
 #endif
-  return builtin_kernels_baseline(index);
+  return kernel::make_kernels<xsimd::default_arch, Density>();
 }
 
 template <class Density>
 EnergyFactory builtin(Density density) {
   constexpr int index = position<Density>(static_cast<const BuiltinEnergies*>(nullptr));
   static_assert(index < static_cast<int>(std::tuple_size_v<BuiltinEnergies>));
-  return energy_factory(std::move(density), best_kernels(index));
+  return energy_factory(std::move(density), best_kernels<Density>(index));
 }
 
 template <class Density>

@@ -1,88 +1,16 @@
-// What the tests of framework/, elements/, energies/ and constraints/ share: reproducible random
-// numbers, exact rationals, small meshes and maps whose properties are known by construction.
+// What the tests of elements/, energies/ and constraints/ share: small meshes and maps whose
+// properties are known by construction.
 #pragma once
 
-// g++ 12 believes that boost's small integers are used uninitialized.
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-#endif
-
 #include <Eigen/LU>
-#include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
-#include <numbers>
-#include <random>
-#include <vector>
 
 #include "majorant/elements/bernstein.h"
 #include "majorant/elements/bezier_triangle_space.h"
 #include "majorant/framework/types.h"
+#include "random.h"
 
 namespace majorant::test {
-
-using Rational = boost::multiprecision::cpp_rational;
-
-class Random {
- public:
-  explicit Random(unsigned seed) : engine_(seed) {}
-  double uniform(double low = -1, double high = 1) {
-    return std::uniform_real_distribution<double>(low, high)(engine_);
-  }
-  int integer(int low, int high) { return std::uniform_int_distribution<int>(low, high)(engine_); }
-  Vec vector(Index size, double low = -1, double high = 1) {
-    Vec v(size);
-    for (double& x : v) x = uniform(low, high);
-    return v;
-  }
-  // Inside the triangle, not on its boundary.
-  Barycentric barycentric() {
-    Barycentric b(uniform(0.01, 1), uniform(0.01, 1), uniform(0.01, 1));
-    return b / b.sum();
-  }
-
- private:
-  std::mt19937_64 engine_;
-};
-
-// ---- Exact polynomials: independent of the library but for the order of the coefficients. ----
-
-inline Rational factorial(int n) { return n < 2 ? Rational(1) : n * factorial(n - 1); }
-
-inline Rational multinomial(const MultiIndex& m) {
-  return factorial(m[0] + m[1] + m[2]) / (factorial(m[0]) * factorial(m[1]) * factorial(m[2]));
-}
-
-inline Rational power(const Rational& x, int e) {
-  return e == 0 ? Rational(1) : x * power(x, e - 1);
-}
-
-struct ExactPoint {
-  Rational a, b, c;  // barycentric, a + b + c = 1
-};
-
-inline ExactPoint exact_point(Random& random, int denominator = 60) {
-  const int i = random.integer(0, denominator), j = random.integer(0, denominator - i);
-  return {Rational(i, denominator), Rational(j, denominator),
-          Rational(denominator - i - j, denominator)};
-}
-
-inline Rational evaluate(int n, const std::vector<Rational>& coefficients, const ExactPoint& p) {
-  const TriangleIndices& ix = TriangleIndices::of_degree(n);
-  Rational sum = 0;
-  for (int l = 0; l < ix.count(); ++l) {
-    const MultiIndex& m = ix.multi(l);
-    sum += coefficients[static_cast<std::size_t>(l)] * multinomial(m) * power(p.a, m[0]) *
-           power(p.b, m[1]) * power(p.c, m[2]);
-  }
-  return sum;
-}
-
-// Every finite double is a rational.
-inline std::vector<Rational> exact(const double* values, int count) {
-  return std::vector<Rational>(values, values + count);
-}
-
-// ---- Meshes and maps. ----
 
 struct Mesh {
   Cells faces;

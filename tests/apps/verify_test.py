@@ -29,7 +29,7 @@ class Verify(CommandTest):
                     out, result = self.solve(generated(name), n)
                     found = self.verify(out, generated(name))
                     self.assertTrue(found['ok']['all'])
-                    self.assertTrue(found['same_face_order'] if 'same_face_order' in found else True)
+                    self.assertIs(found['same_face_order'], True)
                     # Its lattice of 820 points is good to about 1e-3 for curved maps.
                     self.assertAlmostEqual(found['energy']['E_SD'] / result['value'], 1,
                                            delta=1e-9 if n == 1 else 3e-3)

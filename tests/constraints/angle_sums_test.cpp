@@ -9,7 +9,7 @@
 namespace majorant {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 // A fan of `count` triangles around vertex 0; vertices 1.. on a circle, `turns` times around.
 struct Fan {
@@ -19,7 +19,7 @@ struct Fan {
     uv.resize(rim + 1, 2);
     uv.row(0).setZero();
     for (int k = 0; k < rim; ++k) {
-      const double t = 2 * kPi * turns * k / count;
+      const double t = 2 * pi * turns * k / count;
       uv.row(k + 1) << std::cos(t), std::sin(t);
     }
     for (int k = 0; k < count; ++k) faces.row(k) << 0, 1 + k, 1 + (k + 1) % rim;
@@ -44,20 +44,20 @@ TEST_P(Angles, InjectiveMapsSumToFullTurnsInside) {
   const Vec sums = vertex_angle_sums(*space, x);
   ASSERT_EQ(sums.size(), 25);
   for (int j = 1; j < 4; ++j)
-    for (int i = 1; i < 4; ++i) EXPECT_NEAR(sums[5 * j + i], 2 * kPi, 1e-13);
+    for (int i = 1; i < 4; ++i) EXPECT_NEAR(sums[5 * j + i], 2 * pi, 1e-13);
   EXPECT_TRUE(AngleSums(space, AngleSums::Vertices::Interior).check(x).feasible);
   EXPECT_TRUE(AngleSums(space, AngleSums::Vertices::Boundary).check(x).feasible);
   // Straight sides have half turns, corners quarter turns, before the perturbation.
   const Vec flat = vertex_angle_sums(*space, test::linear_map(*space, test::flat(mesh.positions)));
-  EXPECT_NEAR(flat[2], kPi, 1e-13);
-  EXPECT_NEAR(flat[0], kPi / 2, 1e-13);
+  EXPECT_NEAR(flat[2], pi, 1e-13);
+  EXPECT_NEAR(flat[0], pi / 2, 1e-13);
 }
 
 // All determinants are positive, yet the map covers the disk twice.
 TEST_P(Angles, DoubleCoversAreRefused) {
   const Fan fan(7, 2, true, GetParam());
   EXPECT_TRUE(LocalInjectivity(fan.space, Vec::Ones(7)).check(fan.x).feasible);
-  EXPECT_NEAR(vertex_angle_sums(*fan.space, fan.x)[0], 4 * kPi, 1e-12);
+  EXPECT_NEAR(vertex_angle_sums(*fan.space, fan.x)[0], 4 * pi, 1e-12);
   const Verdict v = AngleSums(fan.space, AngleSums::Vertices::Interior).check(fan.x);
   EXPECT_FALSE(v.feasible);
   EXPECT_EQ(v.blocking, std::vector<Index>{0});
@@ -73,7 +73,7 @@ TEST_P(Angles, BoundaryVerticesMayNotPassAFullTurn) {
   for (const double turns : {0.3, 0.99, 1.01, 1.5}) {
     const Fan fan(8, turns, false, GetParam());
     EXPECT_TRUE(LocalInjectivity(fan.space, Vec::Ones(8)).check(fan.x).feasible);
-    EXPECT_NEAR(vertex_angle_sums(*fan.space, fan.x)[0], 2 * kPi * turns, 1e-12);
+    EXPECT_NEAR(vertex_angle_sums(*fan.space, fan.x)[0], 2 * pi * turns, 1e-12);
     const Verdict v = AngleSums(fan.space, boundary).check(fan.x);
     EXPECT_EQ(v.feasible, turns < 1);
     EXPECT_EQ(v.blocking, turns > 1 ? std::vector<Index>{0} : std::vector<Index>{});
@@ -97,12 +97,12 @@ TEST(AngleSums, AreMeasuredBetweenTangents) {
   Points2 corners(3, 2);
   corners << 0, 0, 1, 0, 0, 1;
   Vec x = test::linear_map(space, corners);
-  EXPECT_NEAR(vertex_angle_sums(space, x)[0], kPi / 2, 1e-15);
+  EXPECT_NEAR(vertex_angle_sums(space, x)[0], pi / 2, 1e-15);
   x.segment<2>(2 * space.cells()(0, 3)) = Vector2(0.5, -0.5);  // edge 01 leaves at -45 degrees
   const Vec sums = vertex_angle_sums(space, x);
-  EXPECT_NEAR(sums[0], 0.75 * kPi, 1e-15);
-  EXPECT_NEAR(sums[1], 0.5 * kPi, 1e-15);  // between (-1, -1) and (-1, 1)
-  EXPECT_NEAR(sums[2], 0.25 * kPi, 1e-15);
+  EXPECT_NEAR(sums[0], 0.75 * pi, 1e-15);
+  EXPECT_NEAR(sums[1], 0.5 * pi, 1e-15);  // between (-1, -1) and (-1, 1)
+  EXPECT_NEAR(sums[2], 0.25 * pi, 1e-15);
 }
 
 TEST(AngleSums, DoNotRestrictSteps) {

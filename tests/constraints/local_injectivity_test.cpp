@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "exact_polynomials.h"
 #include "majorant/framework/evaluator.h"
 #include "support.h"
 

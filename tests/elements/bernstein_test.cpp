@@ -5,6 +5,7 @@
 
 #include <stdexcept>
 
+#include "exact_polynomials.h"
 #include "support.h"
 
 namespace majorant {

@@ -13,6 +13,7 @@
 #include <memory>
 #include <ostream>
 
+#include "exact_polynomials.h"
 #include "majorant/elements/bezier_quad_space.h"
 #include "majorant/elements/bezier_tetrahedron_space.h"
 #include "majorant/elements/bezier_triangle_space.h"
@@ -165,6 +166,15 @@ inline std::vector<ElementCase> all_elements() {
                   3);
   add<UprightWedgeSpace>(out, "upright_wedge", wedge_grid(), of_wedges,
                          product_rule(gauss_rule(3), radon_rule()), 3);
+  return out;
+}
+
+// Those for which a test means something or is affordable.
+inline std::vector<ElementCase> elements_where(
+    const std::function<bool(const ElementCase&)>& is_wanted) {
+  std::vector<ElementCase> out;
+  for (ElementCase& c : all_elements())
+    if (is_wanted(c)) out.push_back(std::move(c));
   return out;
 }
 

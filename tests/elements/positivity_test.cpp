@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 
+#include "exact_polynomials.h"
 #include "majorant/elements/bezier_triangle_space.h"
 #include "majorant/elements/det_coefficients.h"
 #include "support.h"

@@ -9,6 +9,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "exact_polynomials.h"
 #include "support.h"
 
 namespace majorant {

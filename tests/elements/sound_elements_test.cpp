@@ -13,7 +13,7 @@ using test::ElementCase;
 using test::Random;
 using Integer = boost::multiprecision::cpp_int;
 
-constexpr int kDepth = 12;
+constexpr int kBisections = 12;
 constexpr int kTrials = 24;  // of each kind, for each element
 
 Integer power(Integer x, int e) { return e == 0 ? Integer(1) : x * power(x, e - 1); }
@@ -177,7 +177,7 @@ TEST_P(Sound, WhatIsCertifiedIsPositiveExactly) {
       for (int k = 0; k < space->nodes_per_element(); ++k)
         for (int d = 0; d < dim; ++d)
           x[dim * space->cells()(e, k) + d] = c[static_cast<std::size_t>(dim * k + d)];
-      const PositivityProof proof = space->certify(e, x, kDepth);
+      const PositivityProof proof = space->certify(e, x, kBisections);
       const bool positive = exact.is_positive(c), certified = proof.result == Positivity::Certified;
       (positive ? valid : inverted) += 1;
       proven += positive && certified;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "exact_polynomials.h"
 #include "support.h"
 
 namespace majorant {

@@ -19,10 +19,7 @@ std::vector<PointModel> models(const std::string& name, const Jacobians& jacobia
   return test::point_models(*term, jacobians, c);
 }
 
-Vector2 direction(test::Random& random) {
-  const double t = random.uniform(0, 2 * std::numbers::pi);
-  return {std::cos(t), std::sin(t)};
-}
+using test::direction;
 
 // Generic ones, similarities and what is close to them, stretches beyond e (where log^2 is
 // concave), contractions.
@@ -37,10 +34,7 @@ Jacobians jacobians(bool everywhere) {
   return out;
 }
 
-std::string describe(const Eigen::Matrix2d& j) {
-  return (testing::Message() << "A = " << test::norm_alpha(j) << ", B = " << test::norm_beta(j))
-      .GetString();
-}
+using test::describe;
 
 TEST(BuiltinCurvature, SupportIsWhatTheHeadersSay) {
   for (const Promise& p : test::promises()) {

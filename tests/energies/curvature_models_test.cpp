@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "energies/density_fixture.h"
+#include "majorant/energies/densities/symmetric_dirichlet.h"
 
 namespace majorant {
 namespace {
@@ -10,7 +11,7 @@ using test::Matrix4;
 using test::PointModel;
 using Jacobians = std::vector<Eigen::Matrix2d>;
 
-constexpr double kUnit = std::numeric_limits<double>::epsilon();
+using test::kUnit;
 
 // Relative accuracy of a Hessian that a comparison can ask for.
 double accuracy(const Eigen::Matrix2d& j) {
@@ -60,10 +61,7 @@ void for_each(const Check& check) {
   }
 }
 
-std::string describe(const Eigen::Matrix2d& j) {
-  return (testing::Message() << "A = " << test::norm_alpha(j) << ", B = " << test::norm_beta(j))
-      .GetString();
-}
+using test::describe;
 
 TEST(CurvatureModels, SupportsFollowsConvexity) {
   for_each([](const Case& c) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "energies/density_fixture.h"
+#include "majorant/energies/densities/symmetric_dirichlet.h"
 
 namespace majorant {
 namespace {
@@ -10,7 +11,7 @@ namespace {
 using test::PointModel;
 using Jacobians = std::vector<Eigen::Matrix2d>;
 
-constexpr double kUnit = std::numeric_limits<double>::epsilon();
+using test::kUnit;
 
 // Forms in x = A^2 and y = B^2 lose what det = x - y cancels, up to the power at which det enters
 // (det^-4 in second derivatives).

@@ -6,15 +6,25 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <numbers>
 #include <numeric>
+#include <string>
 #include <vector>
 
-#include "majorant/energies/builtin_densities.h"
 #include "majorant/energies/make_energy.h"
 #include "majorant/energies/named_energies.h"
 #include "support.h"
 
 namespace majorant::test {
+
+// Relative rounding of one operation, twice.
+inline constexpr double kUnit = std::numeric_limits<double>::epsilon();
+
+// Of length 1.
+inline Vector2 direction(Random& random) {
+  const double t = random.uniform(0, 2 * std::numbers::pi);
+  return {std::cos(t), std::sin(t)};
+}
 
 using Matrix4 = Eigen::Matrix4d;
 using Vector4 = Eigen::Vector4d;
@@ -176,6 +186,9 @@ inline double norm_alpha(const Eigen::Matrix2d& j) {
 }
 inline double norm_beta(const Eigen::Matrix2d& j) {
   return 0.5 * std::hypot(j(0, 0) - j(1, 1), j(1, 0) + j(0, 1));
+}
+inline std::string describe(const Eigen::Matrix2d& j) {
+  return "A = " + std::to_string(norm_alpha(j)) + ", B = " + std::to_string(norm_beta(j));
 }
 // How much det J = A^2 - B^2 amplifies rounding.
 inline double cancellation(const Eigen::Matrix2d& j) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "energies/density_fixture.h"
+#include "majorant/energies/densities/symmetric_dirichlet.h"
 
 namespace majorant {
 namespace {

@@ -11,7 +11,7 @@ namespace {
 
 using test::Jet;
 
-constexpr double kUnit = std::numeric_limits<double>::epsilon();
+using test::kUnit;
 
 // (|J|^2 + lambda (D^2 + 1)) / chi, both forms of chi as printed.
 auto direct(double eps, double lambda) {

@@ -8,7 +8,8 @@
 #include <string>
 
 #include "majorant/framework/error.h"
-#include "support.h"
+#include "random.h"
+#include "rational.h"
 
 namespace majorant {
 namespace {
@@ -17,7 +18,7 @@ using test::Random;
 using test::Rational;
 using Matrix = std::vector<std::vector<Rational>>;
 
-struct System {
+struct IntegerSystem {
   Index unknowns;
   std::vector<std::vector<long>> a;
   std::vector<double> b;
@@ -35,7 +36,7 @@ struct System {
 };
 
 // Plain rational Gauss, columns first: nothing in common with the library's row-wise Gauss-Jordan.
-Index exact_rank(const System& s) {
+Index exact_rank(const IntegerSystem& s) {
   Matrix m;
   for (const auto& row : s.a) m.emplace_back(row.begin(), row.end());
   std::size_t rank = 0;
@@ -63,7 +64,7 @@ std::optional<Rational> fraction(double z) {
   return std::nullopt;
 }
 
-void expect_null_space(const System& s, const Elimination& z) {
+void expect_null_space(const IntegerSystem& s, const Elimination& z) {
   for (std::size_t r = 0; r < s.a.size(); ++r) {
     std::vector<Rational> product(static_cast<std::size_t>(z.reduced_size()));
     for (Index i = 0; i < s.unknowns; ++i)
@@ -76,7 +77,7 @@ void expect_null_space(const System& s, const Elimination& z) {
   }
 }
 
-void expect_solves(const System& s, const Vec& x, double tolerance) {
+void expect_solves(const IntegerSystem& s, const Vec& x, double tolerance) {
   for (std::size_t r = 0; r < s.a.size(); ++r) {
     double sum = -s.b[r], size = std::abs(s.b[r]) + 1;
     for (Index i = 0; i < s.unknowns; ++i) {
@@ -88,8 +89,9 @@ void expect_solves(const System& s, const Vec& x, double tolerance) {
 }
 
 // Rows drawn from fewer independent ones, right-hand sides from a known solution.
-System deficient_system(Random& random, Index unknowns, int independent, int total, int largest) {
-  System s{unknowns, {}, {}};
+IntegerSystem deficient_system(Random& random, Index unknowns, int independent, int total,
+                               int largest) {
+  IntegerSystem s{unknowns, {}, {}};
   std::vector<std::vector<long>> basis;
   for (int r = 0; r < independent; ++r) {
     std::vector<long> row(static_cast<std::size_t>(unknowns), 0);
@@ -120,8 +122,8 @@ TEST(Elimination, RankAndNullSpaceOfDeficientSystemsAreExact) {
   int deficient = 0;
   for (int trial = 0; trial < 200; ++trial) {
     const int independent = random.integer(1, 7);
-    const System s = deficient_system(random, random.integer(4, 12), independent,
-                                      independent + random.integer(0, 4), trial % 2 ? 1 : 3);
+    const IntegerSystem s = deficient_system(random, random.integer(4, 12), independent,
+                                             independent + random.integer(0, 4), trial % 2 ? 1 : 3);
     const Elimination z(s.unknowns, s.rows());
     const Index rank = exact_rank(s);
     deficient += rank < static_cast<Index>(s.a.size());
@@ -137,7 +139,7 @@ TEST(Elimination, RankAndNullSpaceOfDeficientSystemsAreExact) {
 
 TEST(Elimination, FreeUnknownsAreUnitRows) {
   Random random(11);
-  const System s = deficient_system(random, 10, 5, 8, 2);
+  const IntegerSystem s = deficient_system(random, 10, 5, 8, 2);
   const Elimination z(10, s.rows());
   for (Index j = 0; j < z.reduced_size(); ++j) {
     const Index i = z.full_index(j);
@@ -163,7 +165,7 @@ TEST(Elimination, WithoutRowsIsTheIdentity) {
 }
 
 TEST(Elimination, PinsGiveBackTheirDoubles) {
-  const System s{4, {{0, 1, 0, 0}, {0, 0, 0, -1}}, {0.1, -1.0 / 3.0}};
+  const IntegerSystem s{4, {{0, 1, 0, 0}, {0, 0, 0, -1}}, {0.1, -1.0 / 3.0}};
   const Elimination z(4, s.rows());
   EXPECT_EQ(z.reduced_size(), 2);
   Vec x, dx;
@@ -174,7 +176,7 @@ TEST(Elimination, PinsGiveBackTheirDoubles) {
 }
 
 TEST(Elimination, AllUnknownsFixed) {
-  const System s{2, {{1, 1}, {1, -1}}, {3, 1}};
+  const IntegerSystem s{2, {{1, 1}, {1, -1}}, {3, 1}};
   const Elimination z(2, s.rows());
   EXPECT_EQ(z.reduced_size(), 0);
   Vec x;
@@ -203,7 +205,7 @@ TEST(Elimination, SeamChainsStayUnimodular) {
   const auto unknown = [](int side, int i, int c) { return 2 * (side * kPoints + i) + c; };
   for (int k = 0; k < 4; ++k) {
     const int cosine[] = {1, 0, -1, 0}, sine[] = {0, 1, 0, -1};
-    System s{4 * kPoints, {}, {}};
+    IntegerSystem s{4 * kPoints, {}, {}};
     for (int i = 0; i + 1 < kPoints; ++i)
       for (int c = 0; c < 2; ++c) {
         std::vector<long> row(static_cast<std::size_t>(s.unknowns), 0);
@@ -233,13 +235,14 @@ TEST(Elimination, SeamChainsStayUnimodular) {
 }
 
 TEST(Elimination, RedundantRowsWithRoundedTargetsAreAccepted) {
-  System s{3, {{1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {0.1, 0.2, 0.3}};  // 0.1 + 0.2 != 0.3 in doubles
+  IntegerSystem s{
+      3, {{1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {0.1, 0.2, 0.3}};  // 0.1 + 0.2 != 0.3 in doubles
   ASSERT_NE(s.b[0] + s.b[1], s.b[2]);
   EXPECT_EQ(Elimination(3, s.rows()).rank(), 2);
 }
 
 TEST(Elimination, ContradictionsNameTheRow) {
-  System s{3, {{1, -1, 0}, {0, 1, -1}, {1, 0, -1}}, {1, 2, 3 + 1e-9}};
+  IntegerSystem s{3, {{1, -1, 0}, {0, 1, -1}, {1, 0, -1}}, {1, 2, 3 + 1e-9}};
   try {
     const Elimination z(3, s.rows());
     FAIL() << "accepted";
@@ -250,14 +253,14 @@ TEST(Elimination, ContradictionsNameTheRow) {
 }
 
 TEST(Elimination, AnEmptyRowWithATargetIsAContradiction) {
-  System s{2, {{0, 0}}, {1}};
+  IntegerSystem s{2, {{0, 0}}, {1}};
   EXPECT_THROW(Elimination(2, s.rows()), Error);
   s.b[0] = 0;
   EXPECT_EQ(Elimination(2, s.rows()).rank(), 0);
 }
 
 TEST(Elimination, OverflowingCoefficientsThrow) {
-  System s{12, {}, {}};
+  IntegerSystem s{12, {}, {}};
   Random random(3);
   for (int r = 0; r < 11; ++r) {
     s.a.emplace_back();
@@ -277,7 +280,7 @@ TEST(Elimination, UnknownsOutsideTheSystemAreRefused) {
 
 TEST(Elimination, ReduceAfterExpandIsTheIdentity) {
   Random random(5);
-  const System s = deficient_system(random, 12, 5, 7, 2);
+  const IntegerSystem s = deficient_system(random, 12, 5, 7, 2);
   const Elimination z(12, s.rows());
   const Vec y = random.vector(z.reduced_size());
   Vec x, moved;
@@ -298,7 +301,7 @@ TEST(Elimination, ReduceAfterExpandIsTheIdentity) {
 
 TEST(Elimination, RestrictIsTheTransposeOfExpand) {
   Random random(9);
-  const System s = deficient_system(random, 12, 6, 8, 3);
+  const IntegerSystem s = deficient_system(random, 12, 6, 8, 3);
   const Elimination z(12, s.rows());
   const Vec gx = random.vector(12), dy = random.vector(z.reduced_size());
   Vec gy, dx;

@@ -1,13 +1,33 @@
-// Newton's method: convergence, feasibility, every way to stop.
+// Newton's method: convergence, feasibility, every way to stop; the cases of all minimizers.
 #include "majorant/framework/newton.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "framework/minimizer_cases.h"
 #include "framework/scalar_terms.h"
 
 namespace majorant {
+
+template <Curvature curvature>
+struct NewtonTraits {
+  static constexpr bool kCertifiesPaths = true;
+  static std::unique_ptr<Minimizer> make(int max_iterations) {
+    NewtonOptions o;
+    o.curvature = curvature;
+    if (curvature == Curvature::Exact) o.linear_solver = make_eigen_ldlt_solver;
+    o.stopping.max_iterations = max_iterations;
+    return std::make_unique<NewtonMinimizer>(o);
+  }
+};
+
+namespace test {
+using NewtonKinds =
+    testing::Types<NewtonTraits<Curvature::Projected>, NewtonTraits<Curvature::Exact>>;
+INSTANTIATE_TYPED_TEST_SUITE_P(Newton, MinimizerCases, NewtonKinds);
+}  // namespace test
+
 namespace {
 
 using test::Box;

@@ -7,7 +7,7 @@
 
 #include "majorant/framework/elimination.h"
 #include "majorant/framework/energy_term.h"
-#include "support.h"
+#include "random.h"
 
 namespace majorant::test {
 

@@ -10,11 +10,6 @@
 namespace majorant {
 namespace {
 
-std::size_t entries(const TemporaryFolder& folder) {
-  return static_cast<std::size_t>(
-      std::distance(std::filesystem::directory_iterator(folder.path()), {}));
-}
-
 TEST(AtomicFile, WritesAndReplaces) {
   const TemporaryFolder folder;
   const std::string path = folder.file("a.txt");

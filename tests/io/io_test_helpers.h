@@ -9,12 +9,11 @@
 #include <fstream>
 #include <functional>
 #include <iterator>
-#include <optional>
 #include <random>
 #include <string>
 #include <string_view>
 
-#include "majorant/framework/error.h"
+#include "expected_error.h"
 #include "majorant/io/bezier_cell.h"
 #include "majorant/io/map_file.h"
 
@@ -45,39 +44,14 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
+inline std::size_t entries(const TemporaryFolder& folder) {
+  return static_cast<std::size_t>(
+      std::distance(std::filesystem::directory_iterator(folder.path()), {}));
+}
+
 inline std::string content_of(const std::string& path) {
   std::ifstream stream(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
-
-// The message of the Error of that kind that `action` throws; fails the test if there is none.
-inline std::string error_message(ErrorKind kind, const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), kind) << error.what();
-    const std::string message = error.what();
-    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-    return message;
-  }
-  ADD_FAILURE() << "no error was thrown";
-  return {};
-}
-
-// The folder of public test data, if it is installed on this machine.
-inline std::optional<std::filesystem::path> shared_data() {
-  const char* variable = std::getenv("MAJORANT_SHARED_DATA");
-#ifdef MAJORANT_SHARED_DATA
-  const std::string compiled = MAJORANT_SHARED_DATA;
-#else
-  const std::string compiled;
-#endif
-  const std::filesystem::path folder = variable != nullptr ? variable : compiled.c_str();
-  if (folder.empty()) return std::nullopt;
-  for (const char* below : {"", "public", "data/public"}) {
-    if (std::filesystem::is_directory(folder / below / "bad")) return folder / below;
-  }
-  return std::nullopt;
 }
 
 // A strip of `cells` Bezier triangles with random control points; neighbours share an edge.

@@ -5,6 +5,7 @@
 
 #include "io_test_helpers.h"
 #include "majorant/io/vtu.h"
+#include "majorant/mesh/surface_mesh.h"
 
 namespace majorant {
 namespace {
@@ -315,26 +316,49 @@ TEST_F(ReadMesh, VtuGivesBackTheInputMesh) {
   error_message(ErrorKind::Unreadable, [&] { mesh_from_map(map, ""); });
 }
 
-// The collection of malformed files, where it is installed; the cases above stand for it elsewhere.
-TEST_F(ReadMesh, SharedCollection) {
-  const auto data = shared_data();
-  if (!data) GTEST_SKIP() << "set MAJORANT_SHARED_DATA; the inline cases cover the same defects";
+#ifdef MAJORANT_PUBLIC_DATA
+// The public collection of malformed files; the cases above stand for it elsewhere.
+TEST_F(ReadMesh, PublicCollection) {
+  const std::filesystem::path data = MAJORANT_PUBLIC_DATA;
   for (const char* name : {"empty", "no_faces", "truncated", "binary_garbage", "html_error_page",
                            "face_not_a_number", "vertex_two_coordinates", "index_out_of_range",
                            "index_zero", "index_overflow", "nan_coordinate", "inf_coordinate"}) {
-    const std::string path = (*data / "bad" / name).string() + ".obj";
+    const std::string path = (data / "bad" / name).string() + ".obj";
     const std::string message = error_message(ErrorKind::Unreadable, [&] { read_mesh(path); });
     EXPECT_NE(message.find(path), std::string::npos) << message;
   }
   for (const char* name : {"tiny_1e-9", "negative_indices", "crlf", "all_reversed", "syntax_zoo",
                            "slivers_1e6", "huge_offset_1e12"}) {
-    const PolygonMesh mesh = read_mesh((*data / "bad" / name).string() + ".obj");
+    const PolygonMesh mesh = read_mesh((data / "bad" / name).string() + ".obj");
     EXPECT_EQ(mesh.positions.size(), 49u) << name;
     EXPECT_EQ(mesh.polygons.size(), 72u) << name;
   }
-  EXPECT_EQ(read_mesh((*data / "bad/unreferenced_vertices.obj").string()).positions.size(), 51u);
-  EXPECT_EQ(read_mesh((*data / "bad/face_repeats_vertex.obj").string()).polygons.size(), 73u);
+  EXPECT_EQ(read_mesh((data / "bad/unreferenced_vertices.obj").string()).positions.size(), 51u);
+  EXPECT_EQ(read_mesh((data / "bad/face_repeats_vertex.obj").string()).polygons.size(), 73u);
 }
+
+// Files that can be read of meshes that cannot be used (mesh/mesh_validation_test.cpp).
+TEST_F(ReadMesh, PublicMeshesThatAreNoDisks) {
+  const std::filesystem::path folder = MAJORANT_PUBLIC_DATA "/bad";
+  for (const char* name :
+       {"nonmanifold_edge", "nonmanifold_vertex", "two_components", "closed_surface", "annulus",
+        "moebius", "torus_one_hole", "flipped_faces", "triangle_soup", "duplicate_face",
+        "face_repeats_vertex", "zero_area_face", "coincident_vertices", "huge_offset_1e12"}) {
+    const std::string path = (folder / (std::string(name) + ".obj")).string();
+    const std::string message = error_message(ErrorKind::Unsupported, [&] {
+      SurfaceMesh::from_polygons(read_mesh(path)).require_disk();
+    });
+    EXPECT_NE(message.find(name), std::string::npos) << message;
+  }
+  for (const char* name :
+       {"tiny_1e-9", "slivers_1e6", "negative_indices", "quads_and_polygons", "crlf",
+        "unreferenced_vertices", "all_reversed", "single_triangle", "syntax_zoo"})
+    EXPECT_NO_THROW(
+        SurfaceMesh::from_polygons(read_mesh((folder / (std::string(name) + ".obj")).string()))
+            .require_disk())
+        << name;
+}
+#endif
 
 }  // namespace
 }  // namespace majorant

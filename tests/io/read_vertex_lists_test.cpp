@@ -64,15 +64,16 @@ TEST_F(ReadHandles, RefusesNamingThePlace) {
   error_message(ErrorKind::Unreadable, [&] { read_handles(folder_.file("absent.json"), 3); });
 }
 
-TEST_F(ReadHandles, SharedCollection) {
-  const auto data = shared_data();
-  if (!data) GTEST_SKIP() << "set MAJORANT_SHARED_DATA; the inline cases cover the same defects";
+#ifdef MAJORANT_PUBLIC_DATA
+TEST_F(ReadHandles, PublicCollection) {
+  const std::filesystem::path data = MAJORANT_PUBLIC_DATA;
   for (const char* name : {"out_of_range", "twice", "truncated"}) {
-    const std::string path = (*data / "bad/handles_").string() + name + ".json";
+    const std::string path = (data / "bad/handles_").string() + name + ".json";
     error_message(ErrorKind::Unreadable, [&] { read_handles(path, 1000); });
   }
-  EXPECT_FALSE(read_handles((*data / "deform2d/bar.json").string(), 100000).empty());
+  EXPECT_FALSE(read_handles((data / "deform2d/bar.json").string(), 100000).empty());
 }
+#endif
 
 }  // namespace
 }  // namespace majorant

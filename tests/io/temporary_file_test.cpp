@@ -13,11 +13,6 @@
 namespace majorant {
 namespace {
 
-std::size_t entries(const TemporaryFolder& folder) {
-  return static_cast<std::size_t>(
-      std::distance(std::filesystem::directory_iterator(folder.path()), {}));
-}
-
 TEST(TemporaryFile, LivesUntilItIsRenamedOrForgotten) {
   const TemporaryFolder folder;
   {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "expected_error.h"
 #include "mesh/surfaces_of_any_genus.h"
 
 namespace majorant {
@@ -134,11 +135,10 @@ TEST(CutGraph, DependsOnTheSurfaceOnly) {
   EXPECT_EQ(cut_graph(mesh, through), cut_graph(mesh, reversed));
 }
 
-TEST(CutGraph, SharedMeshes) {
-  const std::vector<std::string> files = shared_closed_meshes();
-  if (files.empty()) GTEST_SKIP() << "no shared meshes";
-  for (const std::string& file : files) {
-    const SurfaceMesh mesh = SurfaceMesh::from_polygons(read_mesh(file));
+#ifdef MAJORANT_PUBLIC_DATA
+TEST(CutGraph, PublicMeshes) {
+  for (const std::string& file : public_closed_meshes()) {
+    const SurfaceMesh mesh = SurfaceMesh::from_polygons(obj_file(file));
     for (const int count : {0, 30}) {
       SCOPED_TRACE(file + ", " + std::to_string(count));
       const std::vector<Index> through = some_vertices(mesh, count, 5);
@@ -146,6 +146,7 @@ TEST(CutGraph, SharedMeshes) {
     }
   }
 }
+#endif
 
 }  // namespace
 }  // namespace majorant

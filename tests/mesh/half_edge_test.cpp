@@ -2,6 +2,8 @@
 // walked edge by edge, components and fans found by brute force.
 #include "majorant/mesh/half_edge.h"
 
+#include <gtest/gtest.h>
+
 #include <set>
 
 #include "mesh/test_meshes.h"

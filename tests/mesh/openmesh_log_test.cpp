@@ -2,6 +2,7 @@
 // streams, which belong to the whole process, stay as the program has set them.
 #include <OpenMesh/Core/System/omstream.hh>
 
+#include "expected_error.h"
 #include "mesh/test_meshes.h"
 
 namespace majorant {

@@ -5,6 +5,8 @@
 #include <set>
 
 #include "counted_stop.h"
+#include "expected_error.h"
+#include "mesh/obj_file.h"
 #include "mesh/test_meshes.h"
 
 namespace majorant {

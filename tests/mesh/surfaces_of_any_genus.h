@@ -1,13 +1,14 @@
 // Closed surfaces and surfaces with several boundaries, made on the spot, and the closed meshes of
-// the shared folder where there is one.
+// the public collection where it is.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <map>
 #include <set>
 
-#include "mesh/test_meshes.h"
+#include "mesh/obj_file.h"
 
 namespace majorant {
 
@@ -117,15 +118,15 @@ inline std::vector<std::pair<std::string, PolygonMesh>> surfaces_of_any_genus() 
           {"fan", cone(5, true)}};
 }
 
-// The meshes of the shared folder, empty where there is none.
-inline std::vector<std::string> shared_closed_meshes() {
+#ifdef MAJORANT_PUBLIC_DATA
+// Closed meshes of the public collection.
+inline std::vector<std::string> public_closed_meshes() {
   std::vector<std::string> files;
-  const std::filesystem::path folder = std::string(MAJORANT_SHARED_DIR) + "/data/public/closed";
-  if (!std::filesystem::is_directory(folder)) return files;
-  for (const auto& entry : std::filesystem::directory_iterator(folder))
+  for (const auto& entry : std::filesystem::directory_iterator(MAJORANT_PUBLIC_DATA "/closed"))
     if (entry.path().extension() == ".obj") files.push_back(entry.path().string());
   std::sort(files.begin(), files.end());
   return files;
 }
+#endif
 
 }  // namespace majorant

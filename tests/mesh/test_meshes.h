@@ -1,45 +1,20 @@
-// What the tests of parametrization/ share: expected errors, small meshes made on the spot, the
-// generated meshes of meshes/.
+// Small meshes made on the spot.
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <cmath>
-#include <filesystem>
 #include <functional>
 #include <memory>
-#include <random>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "majorant/framework/error.h"
-#include "majorant/io/read_mesh.h"
+#include "majorant/framework/types.h"
+#include "majorant/mesh/polygon_mesh.h"
 #include "majorant/mesh/surface_mesh.h"
-#include "majorant/parametrization/maps/bezier_map.h"
 
 namespace majorant {
 
 inline constexpr double kPi = 3.14159265358979323846;
-
-// The message of the Error of that kind that `action` throws; fails the test if there is none.
-inline std::string error_message(ErrorKind kind, const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    EXPECT_EQ(static_cast<int>(error.kind()), static_cast<int>(kind)) << error.what();
-    const std::string message = error.what();
-    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-    return message;
-  }
-  ADD_FAILURE() << "no error";
-  return {};
-}
-
-inline void expect_contains(const std::string& text, const std::vector<std::string>& parts) {
-  for (const std::string& part : parts)
-    EXPECT_NE(text.find(part), std::string::npos) << "'" << part << "' is not in: " << text;
-}
 
 // Face k (0-based) comes from line 101 + k of "inline.obj".
 inline PolygonMesh polygon_mesh(std::vector<Vector3> positions,
@@ -110,38 +85,12 @@ inline std::shared_ptr<const SurfaceMesh> surface(const PolygonMesh& mesh) {
   return std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(mesh));
 }
 
-// A mesh of meshes/, all of them disks.
-inline std::shared_ptr<const SurfaceMesh> generated(const std::string& name) {
-  return surface(read_mesh(std::string(MAJORANT_SOURCE_DIR) + "/meshes/" + name + ".obj"));
-}
-
 // uv per vertex by a function of the position.
 inline Vec uv_of(const SurfaceMesh& mesh, const std::function<Vector2(const Vector3&)>& map) {
   Vec uv(2 * mesh.vertex_count());
   for (Index v = 0; v < mesh.vertex_count(); ++v)
     uv.segment<2>(2 * v) = map(mesh.positions().row(v).transpose());
   return uv;
-}
-
-inline BezierMap elevated_to(BezierMap map, int degree) {
-  while (map.degree() < degree) map = map.elevated();
-  return map;
-}
-
-// A map of that degree with its control points moved at random by up to `amount`.
-inline BezierMap shaken(const BezierMap& map, double amount, unsigned seed) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> uniform(-amount, amount);
-  Vec x = map.control_points();
-  for (double& value : x) value += uniform(random);
-  return BezierMap(map.shared_mesh(), map.shared_space(), std::move(x));
-}
-
-inline Barycentric random_point(std::mt19937& random) {
-  std::uniform_real_distribution<double> uniform(0, 1);
-  double a = uniform(random), b = uniform(random);
-  if (a + b > 1) a = 1 - a, b = 1 - b;
-  return {a, b, 1 - a - b};
 }
 
 }  // namespace majorant

@@ -11,6 +11,7 @@
 #include "majorant/parametrization/maps/quadrature_ladder.h"
 #include "majorant/parametrization/starts/tutte.h"
 #include "mesh/test_meshes.h"
+#include "parametrization/maps/test_maps.h"
 
 namespace majorant {
 namespace {

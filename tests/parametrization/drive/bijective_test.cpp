@@ -1,7 +1,9 @@
 // MapInjectivity::Global: no overlaps, at the price of the energy only where there would be some.
 #include <algorithm>
 
+#include "expected_error.h"
 #include "majorant/parametrization/injectivity/global_injectivity.h"
+#include "mesh/obj_file.h"
 #include "parametrization/drive/parametrize_expectations.h"
 
 namespace majorant {

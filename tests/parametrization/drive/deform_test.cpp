@@ -1,6 +1,7 @@
 // Planar meshes moved by handles and pins.
 #include "majorant/parametrization/drive/deform.h"
 
+#include "expected_error.h"
 #include "majorant/parametrization/injectivity/global_injectivity.h"
 #include "parametrization/drive/parametrize_expectations.h"
 

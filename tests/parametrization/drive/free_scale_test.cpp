@@ -5,6 +5,7 @@
 
 #include <limits>
 
+#include "expected_error.h"
 #include "majorant/energies/make_energy.h"
 #include "majorant/parametrization/drive/deform.h"
 #include "mesh/surfaces_of_any_genus.h"

@@ -1,8 +1,11 @@
 // What every result of parametrize() must satisfy.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include "majorant/parametrization/drive/parametrize.h"
 #include "mesh/test_meshes.h"
+#include "parametrization/maps/test_maps.h"
 
 namespace majorant {
 

@@ -2,6 +2,7 @@
 // unknowns.
 #include <map>
 
+#include "expected_error.h"
 #include "majorant/constraints/local_injectivity.h"
 #include "majorant/energies/make_energy.h"
 #include "majorant/parametrization/starts/tutte.h"

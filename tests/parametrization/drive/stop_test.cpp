@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "counted_stop.h"
+#include "majorant/io/read_mesh.h"
 #include "majorant/parametrization/drive/deform.h"
 #include "majorant/parametrization/drive/parametrize.h"
 #include "majorant/parametrization/injectivity/global_injectivity.h"
@@ -15,6 +16,7 @@
 #include "majorant/parametrization/starts/make_seamless.h"
 #include "mesh/test_meshes.h"
 #include "parametrization/fields/closed_surfaces.h"
+#include "parametrization/maps/test_maps.h"
 
 namespace majorant {
 namespace {

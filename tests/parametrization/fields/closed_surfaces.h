@@ -4,12 +4,22 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <random>
 #include <utility>
 #include <vector>
 
 #include "mesh/test_meshes.h"
 
 namespace majorant {
+
+// One number per vertex.
+inline Vec random_factors(const SurfaceMesh& mesh, double amount) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> uniform(-amount, amount);
+  Vec u(mesh.vertex_count());
+  for (double& value : u) value = uniform(random);
+  return u;
+}
 
 // The surface of [0, n]^3, 6 n^2 unit squares, each split in two.
 inline PolygonMesh cube(int n) {

@@ -4,20 +4,14 @@
 #include <Eigen/SparseCore>
 #include <limits>
 
+#include "expected_error.h"
 #include "majorant/parametrization/fields/conformal_energy.h"
 #include "majorant/parametrization/fields/edge_laplacian.h"
+#include "mesh/obj_file.h"
 #include "parametrization/fields/closed_surfaces.h"
 
 namespace majorant {
 namespace {
-
-Vec random_factors(const SurfaceMesh& mesh, double amount) {
-  std::mt19937 random(5);
-  std::uniform_real_distribution<double> uniform(-amount, amount);
-  Vec u(mesh.vertex_count());
-  for (double& value : u) value = uniform(random);
-  return u;
-}
 
 Vec flat_angles(const SurfaceMesh& mesh) { return Vec::Constant(mesh.vertex_count(), 2 * kPi); }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "expected_error.h"
 #include "majorant/mesh/cut_graph.h"
 #include "mesh/surfaces_of_any_genus.h"
 
@@ -353,18 +354,18 @@ TEST(Comb, RefusesCutsThatLeaveConesInside) {
                   {"edge", "combed"});
 }
 
-TEST(CrossField, SharedMeshes) {
-  const std::vector<std::string> files = shared_closed_meshes();
-  if (files.empty()) GTEST_SKIP() << "no shared meshes";
-  for (const std::string& file : files) {
+#ifdef MAJORANT_PUBLIC_DATA
+TEST(CrossField, PublicMeshes) {
+  for (const std::string& file : public_closed_meshes()) {
     SCOPED_TRACE(file);
-    const SurfaceMesh mesh = SurfaceMesh::from_polygons(read_mesh(file));
+    const SurfaceMesh mesh = SurfaceMesh::from_polygons(obj_file(file));
     const CrossField field = smoothest_cross_field(mesh);
     expect_proper_field(mesh, field);
     expect_combs(mesh, field);
     EXPECT_EQ(cross_field_with_cones(mesh, cones_of(field)).quarter_turns, field.quarter_turns);
   }
 }
+#endif
 
 }  // namespace
 }  // namespace majorant

@@ -1,6 +1,8 @@
 // Triangles by their sides; Ptolemy's flips and the way back from them.
 #include "majorant/parametrization/fields/intrinsic_triangulation.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 
 #include "parametrization/fields/closed_surfaces.h"
@@ -38,14 +40,6 @@ TEST(TriangleShape, BrokenAndExtremeOnesStayFinite) {
       for (const double cotangent : shape.cotangent) EXPECT_TRUE(std::isfinite(cotangent));
       EXPECT_FALSE(std::isnan(shape.log_area));
     }
-}
-
-Vec random_factors(const SurfaceMesh& mesh, double amount) {
-  std::mt19937 random(5);
-  std::uniform_real_distribution<double> uniform(-amount, amount);
-  Vec u(mesh.vertex_count());
-  for (double& value : u) value = uniform(random);
-  return u;
 }
 
 Vec sorted(Vec values) {

@@ -1,11 +1,14 @@
 // Verdicts on whole maps: ribbons that overlap, touch or just miss, annuli, several charts.
 #include "majorant/parametrization/injectivity/global_injectivity.h"
 
+#include <gtest/gtest.h>
+
 #include <chrono>
 #include <numbers>
 
 #include "mesh/surfaces_of_any_genus.h"
 #include "parametrization/injectivity/exact_curves.h"
+#include "parametrization/maps/test_maps.h"
 
 namespace majorant {
 namespace {

@@ -38,7 +38,7 @@ std::vector<PlanarCurve> edges_along(const Points& polygon, int degree,
   return edges;
 }
 
-void add(BoundaryLoops& layout, Index chart, const std::vector<PlanarCurve>& loop) {
+void add_chart(BoundaryLoops& layout, Index chart, const std::vector<PlanarCurve>& loop) {
   std::vector<Index> labels;
   for (std::size_t k = 0; k < loop.size(); ++k)
     labels.push_back(static_cast<Index>(layout.curves.size() + k));
@@ -76,12 +76,12 @@ Truth truth_of(const BoundaryLoops& layout) {
   return unknown ? Truth::Unknown : Truth::Simple;
 }
 
-struct Tally {
+struct Verdicts {
   int proven = 0, violated = 0, undecided = 0, unknown = 0;
 };
 
 // Nested as it should be if no two curves meet.
-void judge(const BoundaryLoops& layout, Tally& tally, const std::string& what) {
+void judge(const BoundaryLoops& layout, Verdicts& tally, const std::string& what) {
   ASSERT_EQ(layout.defect(), "") << what;
   const GlobalInjectivity proof = check_layout(layout);
   const Truth truth = truth_of(layout);
@@ -96,7 +96,7 @@ void judge(const BoundaryLoops& layout, Tally& tally, const std::string& what) {
                                              : tally.undecided);
 }
 
-void record(const Tally& tally) {
+void record(const Verdicts& tally) {
   testing::Test::RecordProperty("proven", tally.proven);
   testing::Test::RecordProperty("violated", tally.violated);
   testing::Test::RecordProperty("undecided", tally.undecided);
@@ -129,7 +129,7 @@ double straight(std::size_t) { return 0; }
 // A ring with a slit whose sides are `gap` apart: two edges, a vertex and an edge, two vertices.
 TEST(LayoutAttacks, RingsThatAlmostClose) {
   Random random(1);
-  Tally tally;
+  Verdicts tally;
   for (int trial = 0; trial < kCases; ++trial) {
     const int degree = 1 + trial % 3, kind = trial / 3 % 3;
     const double gap = trial % 2 == 0 ? random.gap(20, 60) : random.gap(30, 1000);
@@ -143,9 +143,9 @@ TEST(LayoutAttacks, RingsThatAlmostClose) {
       ring.emplace_back(std::cos(angle), std::sin(angle));
     const std::size_t slit = 7;
     BoundaryLoops layout;
-    add(layout, 0, edges_along(ring, degree, [&](std::size_t k) {
-          return k == 0 || k == slit ? 0.0 : k < slit ? -0.1 : 0.1;
-        }));
+    add_chart(layout, 0, edges_along(ring, degree, [&](std::size_t k) {
+                return k == 0 || k == slit ? 0.0 : k < slit ? -0.1 : 0.1;
+              }));
     random.move(layout);
     judge(layout, tally, "ring " + std::to_string(trial));
   }
@@ -158,12 +158,12 @@ TEST(LayoutAttacks, RingsThatAlmostClose) {
 // A chart with a parabola (of any degree) as its lower side over one with a straight upper side.
 TEST(LayoutAttacks, ParabolasOverStraightEdges) {
   Random random(2);
-  Tally tally;
+  Verdicts tally;
   for (int trial = 0; trial < kCases; ++trial) {
     const int degree = 2 + trial % 4;
     const double gap = random.gap(4, 59), height = random.uniform(0.1, 2);
     BoundaryLoops layout;
-    add(layout, 0, edges_along({{-3, 0}, {0, -2}, {3, 0}}, degree, straight));
+    add_chart(layout, 0, edges_along({{-3, 0}, {0, -2}, {3, 0}}, degree, straight));
     // y = height x^2 + gap over [-1, 1] has these Bernstein coefficients.
     PlanarCurve side;
     side.degree = degree;
@@ -177,7 +177,7 @@ TEST(LayoutAttacks, ParabolasOverStraightEdges) {
     std::vector<PlanarCurve> upper =
         edges_along({side.front(), side.back(), {0, height + 3}}, degree, straight);
     upper[0] = side;
-    add(layout, 1, upper);
+    add_chart(layout, 1, upper);
     random.move(layout);
     judge(layout, tally, "parabola " + std::to_string(trial));
   }
@@ -190,7 +190,7 @@ TEST(LayoutAttacks, ParabolasOverStraightEdges) {
 // Strips of constant width along random paths.
 TEST(LayoutAttacks, Ribbons) {
   Random random(3);
-  Tally tally;
+  Verdicts tally;
   for (int trial = 0; trial < kCases; ++trial) {
     const int degree = 1 + trial % 3, steps = random.integer(8, 24);
     const double width = random.uniform(0.05, 0.3);
@@ -209,7 +209,7 @@ TEST(LayoutAttacks, Ribbons) {
     outline.insert(outline.end(), left.rbegin(), left.rend());
     const double bend = random.uniform(-0.1, 0.1);
     BoundaryLoops layout;
-    add(layout, 0, edges_along(outline, degree, [&](std::size_t) { return bend; }));
+    add_chart(layout, 0, edges_along(outline, degree, [&](std::size_t) { return bend; }));
     random.move(layout);
     judge(layout, tally, "ribbon " + std::to_string(trial));
   }
@@ -222,7 +222,7 @@ TEST(LayoutAttacks, Ribbons) {
 // Rings and fans that go around once or more often; the hole moves towards the rim.
 TEST(LayoutAttacks, AnnuliAndFans) {
   Random random(4);
-  Tally tally;
+  Verdicts tally;
   for (int trial = 0; trial < kCases; ++trial) {
     const int degree = 1 + trial % 3, count = 6 + trial % 5, turns = trial % 7 == 0 ? 2 : 1;
     const auto circle = [&](double radius, const Vector2& center, double sense) {
@@ -236,10 +236,11 @@ TEST(LayoutAttacks, AnnuliAndFans) {
     // The first vertices of both circles touch at the displacement 1/2.
     const Vector2 center(trial % 2 == 0 ? random.uniform(0, 0.6) : 0.5 + random.gap(3, 54), 0);
     BoundaryLoops layout;
-    add(layout, 0, edges_along(circle(1, {0, 0}, 1), degree, [](std::size_t) { return -0.05; }));
+    add_chart(layout, 0,
+              edges_along(circle(1, {0, 0}, 1), degree, [](std::size_t) { return -0.05; }));
     if (trial % 3 != 2)
-      add(layout, 0,
-          edges_along(circle(0.5, center, -1), degree, [](std::size_t) { return 0.05; }));
+      add_chart(layout, 0,
+                edges_along(circle(0.5, center, -1), degree, [](std::size_t) { return 0.05; }));
     random.move(layout);
     judge(layout, tally, "annulus " + std::to_string(trial));
   }
@@ -252,7 +253,7 @@ TEST(LayoutAttacks, AnnuliAndFans) {
 // Wiggling curves next to each other, as sides of two charts; the distance has every size.
 TEST(LayoutAttacks, CurvesAlongEachOther) {
   Random random(5);
-  Tally tally;
+  Verdicts tally;
   for (int trial = 0; trial < kCases; ++trial) {
     const int degree = 2 + trial % 2;
     const double gap = random.gap(8, 40), slope = trial % 3 == 0 ? random.uniform(-2, 2) : 0;
@@ -275,8 +276,8 @@ TEST(LayoutAttacks, CurvesAlongEachOther) {
     std::vector<PlanarCurve> lower =
         edges_along({other.front(), other.back(), {0.5, -1}}, degree, straight);
     lower[0] = other;
-    add(layout, 0, upper);
-    add(layout, 1, lower);
+    add_chart(layout, 0, upper);
+    add_chart(layout, 1, lower);
     random.move(layout);
     judge(layout, tally, "along " + std::to_string(trial));
   }

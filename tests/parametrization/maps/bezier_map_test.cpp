@@ -1,11 +1,14 @@
 // The result type against definitions: Bernstein sums, finite differences, Eigen's SVD.
 #include "majorant/parametrization/maps/bezier_map.h"
 
+#include <gtest/gtest.h>
+
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <Eigen/SVD>
 
 #include "mesh/test_meshes.h"
+#include "parametrization/maps/test_maps.h"
 
 namespace majorant {
 namespace {

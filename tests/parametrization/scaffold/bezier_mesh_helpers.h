@@ -2,6 +2,8 @@
 // diagonals, straight or curved, and what must hold after any number of flips.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <array>
 #include <numeric>

@@ -1,6 +1,8 @@
 // Polygons to put scaffolds around, and what holds for every scaffold (scaffold_triangulation.h).
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <numeric>
 #include <set>
@@ -8,6 +10,7 @@
 #include "majorant/parametrization/maps/bezier_mesh.h"
 #include "majorant/parametrization/scaffold/scaffold_triangulation.h"
 #include "mesh/test_meshes.h"
+#include "rational.h"
 #include "support.h"
 
 namespace majorant {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "expected_error.h"
 #include "majorant/constraints/seamless_constraint.h"
 #include "majorant/framework/evaluator.h"
 #include "parametrization/scaffold/bezier_mesh_helpers.h"

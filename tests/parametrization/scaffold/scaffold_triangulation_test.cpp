@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "expected_error.h"
 #include "parametrization/scaffold/scaffold_checks.h"
 
 namespace majorant {

@@ -3,6 +3,8 @@
 
 #include <set>
 
+#include "expected_error.h"
+#include "mesh/obj_file.h"
 #include "mesh/test_meshes.h"
 
 namespace majorant {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "expected_error.h"
 #include "majorant/constraints/local_injectivity.h"
 #include "majorant/parametrization/starts/make_seamless.h"
 #include "mesh/surfaces_of_any_genus.h"

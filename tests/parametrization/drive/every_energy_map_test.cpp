@@ -5,6 +5,7 @@
 #include "majorant/framework/evaluator.h"
 #include "majorant/parametrization/drive/parametrize.h"
 #include "majorant/parametrization/starts/tutte.h"
+#include "mesh/obj_file.h"
 #include "mesh/test_meshes.h"
 
 namespace majorant {
@@ -75,7 +76,7 @@ TEST_P(EveryEnergy, DoesNotDependOnThreads) {
 }
 
 std::shared_ptr<const SurfaceMesh> scaled(const std::string& name, double factor) {
-  PolygonMesh polygons = read_mesh(std::string(MAJORANT_SOURCE_DIR) + "/meshes/" + name + ".obj");
+  PolygonMesh polygons = obj_file(std::string(MAJORANT_SOURCE_DIR) + "/meshes/" + name + ".obj");
   for (Vector3& p : polygons.positions) p *= factor;
   return surface(polygons);
 }

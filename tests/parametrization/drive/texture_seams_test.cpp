@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "expected_error.h"
 #include "majorant/constraints/local_injectivity.h"
 #include "majorant/parametrization/drive/parametrize.h"
 #include "parametrization/starts/seamless_cases.h"

@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include "energies/density_fixture.h"
+#include "expected_error.h"
 #include "majorant/framework/evaluator.h"
 #include "majorant/parametrization/drive/parametrize.h"
+#include "mesh/obj_file.h"
 #include "parametrization/drive/parametrize_expectations.h"
 
 namespace majorant {

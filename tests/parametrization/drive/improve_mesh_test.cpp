@@ -1,6 +1,8 @@
 // Flips in flat parts of a surface: the energy falls, everything else stays.
 #include "majorant/parametrization/scaffold/improve_mesh.h"
 
+#include <gtest/gtest.h>
+
 #include <Eigen/Geometry>
 #include <set>
 

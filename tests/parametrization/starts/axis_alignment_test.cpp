@@ -5,6 +5,7 @@
 
 #include <stdexcept>
 
+#include "expected_error.h"
 #include "majorant/constraints/fixed_points.h"
 #include "majorant/framework/elimination.h"
 #include "parametrization/starts/seamless_cases.h"

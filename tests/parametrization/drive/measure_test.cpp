@@ -1,13 +1,17 @@
 // measure() against isometries, an independent Gauss rule and samples; the quadrature ladder.
 #include "majorant/parametrization/maps/measure.h"
 
+#include <gtest/gtest.h>
+
 #include <Eigen/LU>
 
 #include "majorant/energies/named_energies.h"
 #include "majorant/parametrization/drive/parametrize.h"
 #include "majorant/parametrization/maps/quadrature_ladder.h"
 #include "majorant/parametrization/starts/tutte.h"
+#include "mesh/obj_file.h"
 #include "mesh/test_meshes.h"
+#include "parametrization/maps/test_maps.h"
 
 namespace majorant {
 namespace {
@@ -238,7 +242,7 @@ double integral(const Quadrature& q, int i, int j, int k) {
   return sum;
 }
 
-double factorial(int n) { return n == 0 ? 1 : n * factorial(n - 1); }
+double real_factorial(int n) { return n == 0 ? 1 : n * real_factorial(n - 1); }
 
 void expect_rule(const Quadrature& q, const char* what) {
   EXPECT_NEAR(q.weights.sum(), 1, 1e-11) << what;
@@ -257,7 +261,8 @@ void expect_exact_to_degree_5(const Quadrature& q) {
     for (int j = 0; j <= 5 - i; ++j)
       for (int k = 0; k <= 5 - i - j; ++k)
         EXPECT_NEAR(integral(q, i, j, k),
-                    2 * factorial(i) * factorial(j) * factorial(k) / factorial(i + j + k + 2),
+                    2 * real_factorial(i) * real_factorial(j) * real_factorial(k) /
+                        real_factorial(i + j + k + 2),
                     1e-11);
 }
 

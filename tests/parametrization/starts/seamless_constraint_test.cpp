@@ -8,11 +8,13 @@
 #include <set>
 
 #include "constraints/integer_rows.h"
+#include "expected_error.h"
 #include "majorant/constraints/fixed_points.h"
 #include "majorant/energies/named_energies.h"
 #include "majorant/framework/elimination.h"
 #include "majorant/framework/evaluator.h"
 #include "majorant/parametrization/maps/quadrature_ladder.h"
+#include "parametrization/maps/test_maps.h"
 #include "parametrization/starts/seamless_cases.h"
 #include "support.h"
 

@@ -1,0 +1,109 @@
+#!/usr/bin/python3
+"""What a clean build costs: user CPU seconds of every compiler and linker call, slowest first.
+
+Configures an empty folder, builds with the compiler cache off and lets each call be started by this
+same script, which writes down what the call used. CPU seconds, not wall: they depend little on what
+else runs on the machine and on --jobs. Then --touch FILE... says what a change of FILE builds anew.
+
+Sample runs:
+  bench/compile_times.py
+  bench/compile_times.py --cxx clang++
+  bench/compile_times.py --touch energies/densities/arap.h
+"""
+import argparse
+import os
+import re
+import resource
+import shutil
+import subprocess
+import sys
+from collections import defaultdict
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+LOG = 'MAJORANT_CALL_TIMES'  # the file calls are written to; set: this run starts one call
+
+
+def timed_call(log, command):
+    """Runs one compiler or linker call and appends its user seconds and its output's name."""
+    status = subprocess.call(command)
+    seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+    output = command[command.index('-o') + 1] if '-o' in command else '?'
+    kind = 'compile' if '-c' in command or '-x' in command else 'link'
+    with open(log, 'a') as file:
+        file.write(f'{seconds:.3f}\t{kind}\t{output}\n')
+    return status
+
+
+def build(folder, log, jobs):
+    """Builds everything in `folder`; the calls it took as [(seconds, kind, output)], slowest first."""
+    log.write_text('')
+    command = ['cmake', '--build', str(folder), '-j', str(jobs)]
+    subprocess.run(command, check=True, stdout=subprocess.DEVNULL,
+                   env=dict(os.environ, CCACHE_DISABLE='1', **{LOG: str(log)}))
+    calls = (line.split('\t') for line in log.read_text().splitlines())
+    return sorted(((float(s), kind, output) for s, kind, output in calls), reverse=True)
+
+
+def short(output):
+    """tests/CMakeFiles/x.dir/a/b.cpp.o is x: a/b.cpp."""
+    match = re.search(r'([^/]+)\.dir/(.*)\.(?:o|gch|pch)$', output)
+    return f'{match[1]}: {match[2]}' if match else output
+
+
+def part(output):
+    """What the call was for: tests, the library, the command or the programs beside it."""
+    if 'cmake_pch' in output:
+        return 'precompiled headers'
+    for name, key in (('tests', 'tests/'), ('examples', 'examples/'), ('bench', 'bench/'),
+                      ('kernels', 'majorant_kernels_'), ('command', 'apps/')):
+        if key in output:
+            return name
+    return 'library'
+
+
+def print_calls(calls, count):
+    parts = defaultdict(lambda: [0, 0.0])
+    for seconds, kind, output in calls:
+        key = part(output) if kind == 'compile' else 'links'
+        parts[key][0] += 1
+        parts[key][1] += seconds
+    print('| part | calls | CPU s |\n|---|---|---|')
+    for name, (number, seconds) in sorted(parts.items(), key=lambda entry: -entry[1][1]):
+        print(f'| {name} | {number} | {seconds:.1f} |')
+    print(f'| all | {len(calls)} | {sum(call[0] for call in calls):.1f} |')
+    print('\n| slowest | CPU s |\n|---|---|')
+    for seconds, _, output in calls[:count]:
+        print(f'| {short(output)} | {seconds:.1f} |')
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser.add_argument('--source', type=Path, default=ROOT)
+    parser.add_argument('--folder', type=Path, default=ROOT / 'build' / 'compile_times')
+    parser.add_argument('--cxx', default='g++')
+    parser.add_argument('--jobs', type=int, default=2)
+    parser.add_argument('--slowest', type=int, default=15)
+    parser.add_argument('--touch', nargs='*', default=[], help='then touch each file and build again')
+    args = parser.parse_args()
+    folder = args.folder.resolve()
+    shutil.rmtree(folder, ignore_errors=True)
+    launcher = Path(__file__).resolve()
+    subprocess.run(['cmake', '--preset', 'release', '-S', args.source.resolve(), '-B', folder,
+                    f'-DCMAKE_CXX_COMPILER={args.cxx}', f'-DCMAKE_CXX_COMPILER_LAUNCHER={launcher}',
+                    f'-DCMAKE_CXX_LINKER_LAUNCHER={launcher}'],
+                   check=True, stdout=subprocess.DEVNULL, cwd=args.source)
+    log = folder / 'calls.txt'
+    print_calls(build(folder, log, args.jobs), args.slowest)
+    for name in args.touch:
+        (args.source / name).touch()
+        calls = build(folder, log, args.jobs)
+        compiled = [short(output) for _, kind, output in calls if kind == 'compile']
+        print(f'\n{name}: {len(compiled)} compiled, {len(calls) - len(compiled)} linked, '
+              f'{sum(call[0] for call in calls):.1f} s\n  ' + '\n  '.join(compiled))
+
+
+if __name__ == '__main__':
+    if LOG in os.environ:
+        sys.exit(timed_call(os.environ[LOG], sys.argv[1:]))
+    main()

@@ -1,0 +1,43 @@
+// The meshes of files of plain triangles, read without io/: "v x y z" and "f a/.. b/.. c/..", other
+// lines are passed over.
+#pragma once
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+#include "mesh/test_meshes.h"
+
+namespace majorant {
+
+inline PolygonMesh obj_file(const std::string& path) {
+  PolygonMesh mesh;
+  mesh.file = path;
+  std::ifstream file(path);
+  if (!file) throw std::runtime_error("cannot open " + path);
+  std::string line;
+  for (long number = 1; std::getline(file, line); ++number) {
+    std::istringstream words(line);
+    std::string kind, word;
+    words >> kind;
+    if (kind == "v") {
+      Vector3 p;
+      words >> p.x() >> p.y() >> p.z();
+      mesh.positions.push_back(p);
+    } else if (kind == "f") {
+      mesh.polygons.emplace_back();
+      mesh.polygon_lines.push_back(number);
+      while (words >> word) mesh.polygons.back().push_back(std::atoi(word.c_str()) - 1);
+    }
+  }
+  return mesh;
+}
+
+// A mesh of meshes/, all of them disks.
+inline std::shared_ptr<const SurfaceMesh> generated(const std::string& name) {
+  return surface(obj_file(std::string(MAJORANT_SOURCE_DIR) + "/meshes/" + name + ".obj"));
+}
+
+}  // namespace majorant
