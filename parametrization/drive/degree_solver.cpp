@@ -52,7 +52,7 @@ SolveResult DegreeSolver::run_once(const StoppingRules& rules, RunRecord& record
   StoppingRules limited = rules;
   limited.max_iterations = std::min(rules.max_iterations, record.iterations_left());
   SolveResult result =
-      run(stepper_, problem_.reduce(x_), limited, record.observer(space_->degree()));
+      stepper_.minimize(problem_.reduce(x_), limited, record.observer(space_->degree()));
   x_ = problem_.expand(result.y);
   return result;
 }

@@ -36,7 +36,7 @@ class Untangler {
       if (round % kRounds == 0) eps_ = first_eps_;
       set_eps();
       const double before = stepper_.evaluator().value(y_);
-      const double after = descend(before, record);
+      const double after = descend(before, record.start_stop());
       worst = update();
       if (record.start_stop()() != Directive::Continue) break;
       shrink(worst, before, after);
@@ -71,16 +71,13 @@ class Untangler {
     stepper_.reset(problem_.with(std::move(states)));
   }
 
-  double descend(double energy, const RunRecord& record) {
-    for (int k = 0; k < kStepsPerRound; ++k) {
-      const Stepper::Step step = stepper_.step(y_, energy);
-      ++result_.iterations;
-      if (step.outcome != Stepper::Outcome::Moved ||
-          step.record.relative_decrease < kRoundTolerance ||
-          record.start_stop()() != Directive::Continue)
-        break;
-    }
-    return energy;
+  double descend(double energy, const StopCheck& stop) {
+    SolveResult round =
+        stepper_.descend_from(std::move(y_), energy, brief_rules(kStepsPerRound, kRoundTolerance),
+                              [&](const IterationRecord&, const Vec&) { return stop(); });
+    y_ = std::move(round.y);
+    result_.iterations += static_cast<int>(round.iterations.size());
+    return round.energy;
   }
 
   // The worst determinant; finds the elements that are left.

@@ -286,13 +286,13 @@ TEST(Newton, StepperGoesOnWithAnotherState) {
   const auto b = std::make_shared<const Chain>(3, parabola(1, 1));
   const Problem problem = ProblemBuilder(3).add(a, 1).add(b, 0).build();
   NewtonStepper stepper(problem, options());
-  SolveResult r = run(stepper, Vector3(3, 4, 5), {}, {});
+  SolveResult r = stepper.minimize(Vector3(3, 4, 5), {});
   EXPECT_EQ(r.status, Status::Converged);
   EXPECT_LE(r.y.norm(), 1e-6);
   TermState first, second;
   first.weight = 0;
   stepper.reset(problem.with({first, second}));
-  r = run(stepper, r.y, {}, {});
+  r = stepper.minimize(r.y, {});
   EXPECT_LE((r.y - Vec::Ones(3)).norm(), 1e-6);
 }
 
@@ -302,7 +302,7 @@ TEST(Newton, AnotherStateForgetsTheLastDecrement) {
   const auto b = std::make_shared<const Chain>(3, double_well());
   const Problem problem = ProblemBuilder(3).add(a, 1).add(b, 0).build();
   NewtonStepper stepper(problem, options(Curvature::Projected));
-  const SolveResult r = run(stepper, Vector3(1e-3, 1e-3, 1e-3), {}, {});
+  const SolveResult r = stepper.minimize(Vector3(1e-3, 1e-3, 1e-3), {});
   ASSERT_EQ(r.status, Status::Converged);
   TermState off, on;
   off.weight = 0;
