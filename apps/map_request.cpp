@@ -43,8 +43,8 @@ std::vector<Pin> on_cut_surface(const std::vector<Pin>& points, const Seams& sea
 }
 
 void read_constrained_points(const MapRequest& request, MapInput& in) {
-  for (const auto& [path, points] : {std::pair(&request.pins, &in.options.pins),
-                                     std::pair(&request.handles, &in.options.handles)}) {
+  for (const auto& [path, points] : {std::pair(&request.pins, &in.options.map.pins),
+                                     std::pair(&request.handles, &in.options.map.handles)}) {
     if (path->empty()) continue;
     *points = read_points(*path, in.polygons, *in.mesh);
     if (in.start) *points = on_cut_surface(*points, in.start->map.seams());
@@ -60,8 +60,9 @@ Vec read_weights(const std::string& path, const PolygonMesh& polygons, const Sur
 
 void require_scale(const EnergyChoice& energy, const MapRequest& request,
                    const ParametrizationOptions& options) {
-  if (energy.free_scale != FreeScale::Collapses || options.boundary == BoundaryCondition::Fixed ||
-      options.pins.size() + options.handles.size() >= 2)
+  if (energy.free_scale != FreeScale::Collapses ||
+      options.map.boundary == BoundaryCondition::Fixed ||
+      options.map.pins.size() + options.map.handles.size() >= 2)
     return;
   throw Error(ErrorKind::Usage,
               fmt::format("--energy '{}' is smallest for a map shrunk to a point; hold its scale "
@@ -132,13 +133,13 @@ MapInput read_input(const MapRequest& request, const StopCheck& stop,
     in.mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(in.polygons, stop));
   });
   ParametrizationOptions& options = in.options;
-  options.degree = request.degree;
-  options.energy = energy.sum;
-  options.curvature = find_curvature(request.curvature);
-  if (request.boundary == "fixed") options.boundary = BoundaryCondition::Fixed;
-  if (request.boundary_angles) options.boundary_angles = BoundaryAngles::AtMostFullTurn;
-  options.quadrature_points = request.quadrature;
-  options.handle_weight = request.soft;
+  options.map.degree = request.degree;
+  options.map.energy = energy.sum;
+  options.solve.curvature = find_curvature(request.curvature);
+  if (request.boundary == "fixed") options.map.boundary = BoundaryCondition::Fixed;
+  if (request.boundary_angles) options.map.boundary_angles = BoundaryAngles::AtMostFullTurn;
+  options.solve.quadrature_points = request.quadrature;
+  options.map.handle_weight = request.soft;
   if (make_start)
     in.start = unless_stopped("making the start of " + request.input,
                               [&] { return make_start(in.polygons, *in.mesh); });
@@ -148,10 +149,10 @@ MapInput read_input(const MapRequest& request, const StopCheck& stop,
     in.mesh->require_planar();
   else
     in.mesh->require_disk();
-  if (request.init == "input" && !request.seamless) options.initial = texture_map(*in.mesh);
+  if (request.init == "input" && !request.seamless) options.map.initial = texture_map(*in.mesh);
   read_constrained_points(request, in);
   if (!request.weights.empty())
-    options.face_weight = read_weights(request.weights, in.polygons, *in.mesh);
+    options.map.face_weight = read_weights(request.weights, in.polygons, *in.mesh);
   require_scale(energy, request, options);
   return in;
 }

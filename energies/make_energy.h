@@ -6,7 +6,7 @@
 //
 // Drivers that build spaces and rules themselves take an EnergyFactory instead:
 //
-//   options.energy = {{energy_factory(spectral(...)), 1.0}};
+//   options.map.energy = {{energy_factory(spectral(...)), 1.0}};
 //
 // The kernel is compiled where these are called, for the instruction set of that file. A density
 // with a member `Density with_parameters(const Vec&) const` takes TermState::parameters, which may

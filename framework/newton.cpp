@@ -26,7 +26,7 @@ NewtonStepper::NewtonStepper(const Problem& problem, NewtonOptions options)
 }
 
 void NewtonStepper::require_curvature(const Problem& problem) const {
-  for (std::size_t k = 0; k < problem.term_count(); ++k)
+  for (const TermId k : problem.terms())
     if (!problem.term(k).supports(options_.curvature))
       throw std::invalid_argument(fmt::format("Newton: term '{}' has no curvature model '{}'",
                                               problem.term(k).name(), name(options_.curvature)));

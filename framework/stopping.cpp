@@ -48,7 +48,10 @@ Advice StoppingTest::after(const StepResult& step, Since since) {
   const double scale = std::max(std::abs(step.energy_before), smallest_scale_);
   const bool near_minimum = r.newton_decrement <= rules_.stall_decrement * scale;
   if (step.outcome != StepResult::Outcome::Moved) {
-    advice.stop = no_step(step, near_minimum);
+    const bool held = step.outcome == StepResult::Outcome::Blocked ||
+                      step.outcome == StepResult::Outcome::NoDecrease;
+    if (!held || since == Since::Same || ++idle_ > rules_.stall_iterations)
+      advice.stop = no_step(step, near_minimum);
     return advice;
   }
   const bool small = r.relative_decrease <= rules_.relative_decrease;

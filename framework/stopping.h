@@ -30,7 +30,8 @@ namespace majorant {
 //   idle: small step, or a certified step below stall_step, in stall_iterations successive
 //     iterations: Converged if -g.p <= stall_decrement |E_{k-1}|, else Stalled, and the result is
 //     the last point reached by a step of at least anchor_step: what follows it led into a corner
-//   no step decreases the energy: Converged or Stalled by the same bound on -g.p.
+//   no step decreases the energy: Converged or Stalled by the same bound on -g.p; where the problem
+//     has changed since, another try is left: it counts as idle
 // The decrement rule itself is applied inside a step, which it spares (Stepper::move_along).
 struct StoppingRules {
   double relative_decrease = 1e-6;

@@ -12,9 +12,9 @@ namespace {
 
 ParametrizationOptions options_for(const NamedEnergy& energy, int degree) {
   ParametrizationOptions options;
-  options.degree = degree;
-  options.energy = {{energy.make, 1.0}};
-  if (energy.free_scale == FreeScale::Collapses) options.boundary = BoundaryCondition::Fixed;
+  options.map.degree = degree;
+  options.map.energy = {{energy.make, 1.0}};
+  if (energy.free_scale == FreeScale::Collapses) options.map.boundary = BoundaryCondition::Fixed;
   return options;
 }
 

@@ -52,12 +52,12 @@ struct Case {
 
   Case(const Surface& s, const NamedEnergy& energy, int degree) {
     ParametrizationOptions options;
-    options.degree = 1;
-    options.energy = {{energy.make}};
-    options.boundary = s.boundary;
+    options.map.degree = 1;
+    options.map.energy = {{energy.make}};
+    options.map.boundary = s.boundary;
     // Scale and place of a conformal map are arbitrary: hold the far corners.
     if (energy.free_scale != FreeScale::Determined && s.boundary == BoundaryCondition::Free)
-      options.pins = {{1, {}}, {s.mesh->vertex_count() - 1, {}}};
+      options.map.pins = {{1, {}}, {s.mesh->vertex_count() - 1, {}}};
     const NormalizedStart start(BezierMap::linear(s.mesh, initial_map(*s.mesh, options)), options);
     const BezierMap linear = start.map();
     specification = start.specification();
