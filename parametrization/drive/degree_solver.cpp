@@ -1,6 +1,7 @@
 #include "majorant/parametrization/drive/degree_solver.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -20,6 +21,12 @@ constexpr double kExcludedTolerance = 1e-3;
 constexpr int kStallRounds = 60;
 constexpr double kIsometry = 4;  // symmetric Dirichlet density
 constexpr double kBarrierTolerance = 1e-4;
+// Of the barrier to follow, relative to the energy.
+constexpr std::array kBarrierWeights{1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6};
+// A second time helps where the first did (creature, ARAP, degree 2, fixed boundary: 0.64 instead
+// of a stall), a third one has not been seen to.
+constexpr int kBarrierRounds = 3;
+constexpr double kWorthAnotherRound = 1e-4;  // of the energy
 
 void add_use(RemedyUses& uses, Remedy remedy, double gained) {
   RemedyUse& use = uses[static_cast<std::size_t>(remedy)];
@@ -225,7 +232,7 @@ SolveResult DegreeSolver::approach(double tolerance, RunRecord& record, Phase ph
 
 StoppingRules DegreeSolver::final_rules() const {
   StoppingRules rules;
-  rules.relative_decrease = setup_.solve.tolerance;
+  rules.relative_decrease = domain_.part_of_tolerance() * setup_.solve.tolerance;
   rules.max_iterations = kNoLimit;
   return rules;
 }
@@ -347,36 +354,49 @@ SolveResult DegreeSolver::back_to(const Place& best, SolveResult stalled, Status
 // around corners that a weak barrier, or none, ran into. The map's is symmetric Dirichlet, unless
 // that is in its energy; the surroundings bring their own.
 DegreeSolver::Effect DegreeSolver::follow_barrier(SolveResult& result, RunRecord& record) {
+  if (std::exchange(barrier_followed_, true)) return Effect::None;
+  Effect effect = Effect::None;
+  for (int round = 0; round < kBarrierRounds && result.status == Status::Stalled; ++round) {
+    const SolveResult stalled = result;
+    const Place best = place();
+    if (!step_aside(std::abs(stalled.energy) / kIsometry, record)) break;
+    effect = Effect::Ended;
+    result = exhaust(std::span(kRemedies).first(static_cast<std::size_t>(Remedy::FollowBarrier)),
+                     record);
+    // On the same rules, which may have become finer on the way.
+    const double before = own_energy(best.x), gained = before - own_energy(x_);
+    add_use(uses_, Remedy::FollowBarrier, std::max(gained, 0.0));
+    if (!(gained > 0)) result = back_to(best, stalled, result.status);
+    if (!(gained > kWorthAnotherRound * before)) break;
+  }
+  return effect;
+}
+
+// Along the barrier, from strong to weak; whether there is one to follow. unit: weight of the
+// symmetric Dirichlet energy that makes it as large as the energy.
+bool DegreeSolver::step_aside(double unit, RunRecord& record) {
   const bool strong = std::any_of(terms_.begin(), terms_.end(), [](const auto& term) {
     return term->name() == "symmetric-dirichlet";
   });
-  if (std::exchange(barrier_followed_, true)) return Effect::None;
-  const SolveResult stalled = result;
-  const Place best = place();
-  const double scale = strong ? 0 : std::abs(stalled.energy) / kIsometry;
   bool followed = false;
-  for (const double mu : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6}) {
+  for (const double mu : kBarrierWeights) {
     if (!domain_.strengthen(mu) && strong) break;
     if (!std::exchange(followed, true)) record.mark(Remedy::FollowBarrier);
-    if (!step_aside(mu * scale, record)) break;
+    if (!approach_with(strong ? 0 : mu * unit, record)) break;
   }
-  if (!followed) return Effect::None;
+  if (!followed) return false;
   domain_.strengthen(0);
   rebuild();
-  result =
-      exhaust(std::span(kRemedies).first(static_cast<std::size_t>(Remedy::FollowBarrier)), record);
-  // On the same rules, which may have become finer on the way.
-  const double gained = own_energy(best.x) - own_energy(x_);
-  add_use(uses_, Remedy::FollowBarrier, std::max(gained, 0.0));
-  if (!(gained > 0)) result = back_to(best, stalled, result.status);
-  return Effect::Ended;
+  return true;
 }
 
 // Minimizes with that much of the symmetric Dirichlet energy; whether to go on.
-bool DegreeSolver::step_aside(double weight, RunRecord& record) {
+bool DegreeSolver::approach_with(double weight, RunRecord& record) {
   Setup with = setup_;
   if (weight > 0) with.map.energy.push_back({symmetric_dirichlet(), weight});
   with.solve.curvature = Curvature::Projected;
+  with.solve.injectivity_depth =
+      depth_;  // what only deep certificates prove is feasible there, too
   try {
     DegreeSolver inner(with, domain_, space_, x());
     const SolveResult result = inner.approach(kBarrierTolerance, record, Phase::Barrier);

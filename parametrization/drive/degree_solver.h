@@ -89,7 +89,8 @@ class DegreeSolver {
   Effect refine(const std::vector<Index>& blocking, RunRecord& record);
   Effect exclude(SolveResult& result, RunRecord& record);
   Effect follow_barrier(SolveResult& result, RunRecord& record);
-  bool step_aside(double weight, RunRecord& record);
+  bool step_aside(double unit, RunRecord& record);
+  bool approach_with(double weight, RunRecord& record);
   bool refine_inaccurate();
   StoppingRules final_rules() const;
   SolveResult back_to(const Place& best, SolveResult stalled, Status way_out);

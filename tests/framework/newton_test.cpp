@@ -43,7 +43,7 @@ TEST(Newton, SolvesAQuadraticInOneStep) {
 
   Eigen::MatrixXd h = Eigen::MatrixXd::Zero(64, 64);
   Vec g = Vec::Zero(64);
-  term->add_dense(Vec(problem.expand(Vec::Zero(62))), problem.state(0), h, g);
+  term->add_dense(Vec(problem.expand(Vec::Zero(62))), problem.state(problem.terms().front()), h, g);
   const Eigen::MatrixXd z = test::dense_z(problem.elimination());
   const Vec expected = (z.transpose() * h * z).ldlt().solve(-z.transpose() * g);
   EXPECT_LE((r.y - expected).norm(), 1e-8 * expected.norm());
@@ -291,7 +291,7 @@ TEST(Newton, StepperGoesOnWithAnotherState) {
   EXPECT_LE(r.y.norm(), 1e-6);
   TermState first, second;
   first.weight = 0;
-  stepper.reset(problem.with({first, second}));
+  stepper.reset(problem.with({{problem.terms()[0], first}, {problem.terms()[1], second}}));
   r = stepper.minimize(r.y, {});
   EXPECT_LE((r.y - Vec::Ones(3)).norm(), 1e-6);
 }
@@ -306,7 +306,7 @@ TEST(Newton, AnotherStateForgetsTheLastDecrement) {
   ASSERT_EQ(r.status, Status::Converged);
   TermState off, on;
   off.weight = 0;
-  stepper.reset(problem.with({off, on}));
+  stepper.reset(problem.with({{problem.terms()[0], off}, {problem.terms()[1], on}}));
   Vec y = Vector3(2, 3, 4);
   double energy = stepper.evaluator().value(y);
   EXPECT_EQ(stepper.step(y, energy).record.curvature, Curvature::Projected);

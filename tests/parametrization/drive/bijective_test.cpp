@@ -112,7 +112,7 @@ TEST(Bijective, PinsAndFixedBoundaryHold) {
   const auto mesh = generated("cap");
   ParametrizationOptions o = options(2, MapInjectivity::Global);
   o.map.pins = {{100, std::nullopt}, {150, std::nullopt}};
-  const Vec start = initial_map(*mesh, o);
+  const Vec start = initial_map(*mesh, o.map);
   const ParametrizationResult pinned = parametrize(mesh, o);
   expect_valid(pinned, 2);
   const double size = start.cwiseAbs().maxCoeff();

@@ -87,7 +87,7 @@ TEST(Deform, HandlesAndPinsTogether) {
   const BezierMap rest = planar_map(surface(bar()));
   ParametrizationOptions o = degree(2);
   o.map.pins = {{vertex_at(rest.mesh(), 0, 0), Vector2(0, 0)},
-            {vertex_at(rest.mesh(), 0, 1), Vector2(0, 1)}};
+                {vertex_at(rest.mesh(), 0, 1), Vector2(0, 1)}};
   o.map.handles = {{vertex_at(rest.mesh(), 4, 1), Vector2(3, 3)}};
   const ParametrizationResult r = run(rest, o);
   expect_valid(r, 2);

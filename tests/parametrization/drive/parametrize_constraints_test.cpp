@@ -48,8 +48,9 @@ TEST(Parametrize, ATargetWithinRoundingIsAccepted) {
       options.map.pins = {{v, Vector2(start.segment<2>(2 * v) + Vector2(1e-12, -1e-12))}};
       const ParametrizationResult result = parametrize(mesh, options);
       EXPECT_EQ(result.status, Status::Converged) << result.message;
-      EXPECT_LT((result.map->control_points().segment<2>(2 * v) - *options.map.pins[0].target).norm(),
-                3e-12);
+      EXPECT_LT(
+          (result.map->control_points().segment<2>(2 * v) - *options.map.pins[0].target).norm(),
+          3e-12);
     }
 }
 

@@ -55,7 +55,7 @@ double mean_of(const BezierMap& map, const EnergySum& energy) {
 
 void expect_best_so_far(const ParametrizationOptions& options,
                         const std::shared_ptr<const SurfaceMesh>& mesh) {
-  const BezierMap start = BezierMap::linear(mesh, initial_map(*mesh, options));
+  const BezierMap start = BezierMap::linear(mesh, initial_map(*mesh, options.map));
   double last = mean_of(start, options.map.energy) * (1 + 1e-9);
   int absent = 0;
   at_any_moment([&](RunRecord& record) { return parametrize(mesh, options, record); },
@@ -128,8 +128,7 @@ TEST(Stop, Deformations) {
 
 TEST(Stop, Measuring) {
   const auto mesh = surface(grid(5, bumpy));
-  const BezierMap map =
-      elevated_to(BezierMap::linear(mesh, initial_map(*mesh, ParametrizationOptions())), 3);
+  const BezierMap map = elevated_to(BezierMap::linear(mesh, initial_map(*mesh, MapOptions())), 3);
   const EnergySum energy{{symmetric_dirichlet()}};
   const MapMeasures whole = measure(map, energy);
   EXPECT_FALSE(whole.cut_short);
