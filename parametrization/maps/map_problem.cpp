@@ -60,15 +60,16 @@ DensityTerms energy_terms(const MapSpecification& spec,
   return terms;
 }
 
-void add_map(ProblemBuilder& builder, const MapSpecification& spec,
-             const std::shared_ptr<const BezierTriangleSpace>& space, VecIn start,
-             const DensityTerms& terms) {
+EnergyIds add_map(ProblemBuilder& builder, const MapSpecification& spec,
+                  const std::shared_ptr<const BezierTriangleSpace>& space, VecIn start,
+                  const DensityTerms& terms) {
   const double area = spec.rest.measure.sum();
+  EnergyIds energies;
   for (std::size_t k = 0; k < terms.size(); ++k) {
     TermState state;
     state.weight = spec.energy[k].weight / area;
     state.element_weight = spec.face_weight;
-    builder.add(terms[k], state);
+    energies.push_back(builder.add(terms[k], state));
   }
   if (spec.boundary_angles == BoundaryAngles::AtMostFullTurn)
     builder.add(
@@ -81,34 +82,36 @@ void add_map(ProblemBuilder& builder, const MapSpecification& spec,
     builder.add(std::make_shared<const QuadraticPenalty>(FixedPoints(spec.handles)),
                 spec.handle_weight / area);
   if (!spec.pins.empty()) builder.add(FixedPoints(spec.pins));
+  return energies;
 }
 
-Problem map_problem(const MapSpecification& spec,
-                    const std::shared_ptr<const BezierTriangleSpace>& space, VecIn start,
-                    const DensityTerms& terms,
-                    std::shared_ptr<const FeasibilityChecker> injectivity) {
+MapProblem map_problem(const MapSpecification& spec,
+                       const std::shared_ptr<const BezierTriangleSpace>& space, VecIn start,
+                       const DensityTerms& terms,
+                       std::shared_ptr<const FeasibilityChecker> injectivity) {
   ProblemBuilder builder(2 * space->node_count());
-  add_map(builder, spec, space, start, terms);
+  EnergyIds energies = add_map(builder, spec, space, start, terms);
   if (injectivity) builder.add(std::move(injectivity));
   builder.add(FixedPoints::at(gauge_vertices(spec, *space), start));
-  return builder.build();
+  return {builder.build(), std::move(energies)};
 }
 
-std::vector<TermState> energy_states(const MapSpecification& spec, const Problem& problem,
-                                     const std::vector<RuleId>& rules, const Vec& element_weight) {
-  std::vector<TermState> states;
-  for (std::size_t k = 0; k < problem.term_count(); ++k) {
-    states.push_back(problem.state(k));
-    if (k >= spec.energy.size()) continue;
-    states[k].element_rule = rules;
-    states[k].element_weight = spec.face_weight;
-    if (element_weight.size() == 0) continue;
-    if (spec.face_weight.size() == 0)
-      states[k].element_weight = element_weight;
-    else
-      states[k].element_weight.array() *= element_weight.array();
+TermChanges energy_states(const MapSpecification& spec, const EnergyIds& energies,
+                          const std::vector<RuleId>& rules, const Vec& element_weight) {
+  const double area = spec.rest.measure.sum();
+  TermChanges changes;
+  for (std::size_t k = 0; k < energies.size(); ++k) {
+    TermState state;
+    state.weight = spec.energy[k].weight / area;
+    state.element_rule = rules;
+    state.element_weight = spec.face_weight;
+    if (element_weight.size() > 0 && spec.face_weight.size() == 0)
+      state.element_weight = element_weight;
+    else if (element_weight.size() > 0)
+      state.element_weight.array() *= element_weight.array();
+    changes.emplace_back(energies[k], std::move(state));
   }
-  return states;
+  return changes;
 }
 
 Vec energy_by_face(const MapSpecification& spec, const DensityTerms& terms,
