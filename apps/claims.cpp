@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "majorant/framework/error.h"
-#include "majorant/io/json_depth.h"
+#include "majorant/io/internal/json_depth.h"
 
 namespace majorant::app {
 namespace {

@@ -7,7 +7,7 @@
 #include "apps/outputs.h"
 #include "apps/report.h"
 #include "majorant/io/certified_file.h"
-#include "majorant/io/cut_map.h"
+#include "majorant/io/internal/cut_map.h"
 #include "majorant/io/read_map.h"
 #include "majorant/io/read_mesh.h"
 

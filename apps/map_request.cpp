@@ -8,12 +8,12 @@
 #include "apps/number_check.h"
 #include "apps/outputs.h"
 #include "apps/unless_stopped.h"
-#include "majorant/framework/curvature_name.h"
 #include "majorant/framework/error.h"
-#include "majorant/io/read_face_weights.h"
+#include "majorant/framework/internal/curvature_name.h"
+#include "majorant/io/internal/read_face_weights.h"
+#include "majorant/io/internal/read_vertex_lists.h"
 #include "majorant/io/read_mesh.h"
-#include "majorant/io/read_vertex_lists.h"
-#include "majorant/parametrization/drive/free_scale.h"
+#include "majorant/parametrization/drive/internal/free_scale.h"
 #include "majorant/parametrization/starts/texture_seams.h"
 
 namespace majorant::app {

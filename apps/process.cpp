@@ -16,7 +16,7 @@
 
 #include "apps/streams.h"
 #include "majorant/framework/evaluator.h"
-#include "majorant/io/temporary_file.h"
+#include "majorant/io/internal/temporary_file.h"
 
 namespace majorant::app {
 namespace {

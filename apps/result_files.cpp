@@ -8,7 +8,6 @@
 #include "apps/streams.h"
 #include "majorant/framework/evaluator.h"
 #include "majorant/io/certified_file.h"
-#include "majorant/io/scaffold_file.h"
 
 namespace majorant::app {
 namespace {

@@ -19,8 +19,8 @@
 #include "apps/map_request.h"
 #include "apps/outputs.h"
 #include "apps/report.h"
+#include "majorant/parametrization/drive/internal/unit_square.h"
 #include "majorant/parametrization/drive/parametrize.h"
-#include "majorant/parametrization/drive/unit_square.h"
 
 namespace majorant::app {
 

@@ -5,7 +5,7 @@
 #include "apps/energy_option.h"
 #include "apps/map_run.h"
 #include "apps/number_check.h"
-#include "majorant/io/read_vertex_lists.h"
+#include "majorant/io/internal/read_vertex_lists.h"
 #include "majorant/parametrization/drive/parametrize.h"
 #include "majorant/parametrization/starts/make_seamless.h"
 

@@ -5,8 +5,8 @@
 #include "apps/number_check.h"
 #include "apps/process.h"
 #include "apps/progress.h"
-#include "majorant/framework/curvature_name.h"
 #include "majorant/framework/error.h"
+#include "majorant/framework/internal/curvature_name.h"
 
 namespace majorant::app {
 

@@ -5,7 +5,7 @@
 
 #include <cerrno>
 
-#include "majorant/io/temporary_file.h"
+#include "majorant/io/internal/temporary_file.h"
 
 namespace majorant::app {
 namespace {

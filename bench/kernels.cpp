@@ -6,6 +6,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bench_problem.h"
+#include "majorant/framework/internal/problem_parts.h"
 
 namespace majorant {
 namespace {
@@ -42,7 +43,7 @@ void max_step(benchmark::State& state) {
   Evaluator evaluator(b.problem);
   Vec y = b.problem.reduce(b.x), g, h, d;
   evaluator.linearize(y, Curvature::Projected, g, h);
-  b.problem.elimination().expand_direction(-g / g.norm(), d);
+  ProblemParts::elimination(b.problem).expand_direction(-g / g.norm(), d);
   for (auto _ : state) benchmark::DoNotOptimize(b.injectivity->max_step(b.x, d, 1.0).step);
 }
 

@@ -22,8 +22,9 @@
 #include "majorant/constraints/fixed_points.h"
 #include "majorant/constraints/local_injectivity.h"
 #include "majorant/energies/named_energies.h"
+#include "majorant/framework/internal/problem_parts.h"
 #include "majorant/framework/newton.h"
-#include "majorant/parametrization/maps/quadrature_ladder.h"
+#include "majorant/parametrization/maps/internal/quadrature_ladder.h"
 #include "parametrization/starts/seamless_cases.h"
 
 using namespace majorant;
@@ -107,7 +108,7 @@ struct Costs {
 Costs newton_costs(const ProblemBuilder& builder, const Vec& x, int steps) {
   Costs c;
   const Problem problem = timed(c.build, [&] { return builder.build(); });
-  c.colours = problem.plan(problem.terms().front()).colours().size();
+  c.colours = ProblemParts::plan(problem, problem.terms().front()).colours().size();
   c.nonzeros = problem.pattern().nonzeros();
   const auto solver = make_cholmod_solver();
   timed(c.analyze, [&] {

@@ -9,7 +9,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "majorant/framework/parallel_errors.h"
+#include "majorant/framework/internal/parallel_errors.h"
 
 namespace majorant {
 namespace {

@@ -15,7 +15,6 @@
 
 #include <memory>
 
-#include "majorant/constraints/axis_alignment.h"
 #include "majorant/elements/bezier_triangle_space.h"
 #include "majorant/framework/constraint.h"
 #include "majorant/mesh/seams.h"

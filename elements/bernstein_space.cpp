@@ -8,11 +8,11 @@
 #include <stdexcept>
 #include <utility>
 
-#include "majorant/elements/det_coefficients.h"
-#include "majorant/elements/element_check.h"
-#include "majorant/elements/node_lattice.h"
-#include "majorant/elements/positivity.h"
-#include "majorant/elements/small_buffer.h"
+#include "majorant/elements/internal/det_coefficients.h"
+#include "majorant/elements/internal/element_check.h"
+#include "majorant/elements/internal/node_lattice.h"
+#include "majorant/elements/internal/positivity.h"
+#include "majorant/elements/internal/small_buffer.h"
 
 namespace majorant {
 namespace {

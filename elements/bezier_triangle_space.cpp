@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "majorant/elements/bernstein.h"
-#include "majorant/elements/node_lattice.h"
+#include "majorant/elements/internal/node_lattice.h"
 
 namespace majorant {
 namespace {

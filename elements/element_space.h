@@ -8,8 +8,7 @@
 #include <memory>
 #include <vector>
 
-#include "majorant/elements/contraction_entries.h"
-#include "majorant/elements/positivity_proof.h"
+#include "majorant/elements/detail/contraction_entries.h"
 #include "majorant/elements/quadrature.h"
 #include "majorant/framework/types.h"
 
@@ -32,6 +31,15 @@ struct ContractionTable {
   // Entries of node pair (i, j), j <= i, are [pair_starts[p], pair_starts[p+1]), p = i(i+1)/2 + j.
   std::vector<HessianEntry> hessian;
   std::vector<int> pair_starts;
+};
+
+// What a certificate says of one element.
+enum class Positivity { Certified, Violated, Undecided };
+
+struct PositivityProof {
+  Positivity result = Positivity::Undecided;
+  double lower_bound = 0;  // of the minimum on the element; certified whatever the result
+  int depth = 0;           // of bisection that was needed
 };
 
 class ElementSpace {

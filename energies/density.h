@@ -17,10 +17,10 @@
 #include <string_view>
 #include <utility>
 
-#include "majorant/energies/dual2.h"
-#include "majorant/energies/isotropic.h"
-#include "majorant/energies/point_model.h"
-#include "majorant/energies/small_matrix.h"
+#include "majorant/energies/detail/dual2.h"
+#include "majorant/energies/detail/isotropic.h"
+#include "majorant/energies/detail/point_model.h"
+#include "majorant/energies/detail/small_matrix.h"
 
 namespace majorant {
 

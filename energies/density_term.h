@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "majorant/elements/rest_shapes.h"
-#include "majorant/energies/contraction.h"
+#include "majorant/energies/detail/contraction.h"
 #include "majorant/energies/traits.h"
 #include "majorant/framework/energy_term.h"
 

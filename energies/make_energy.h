@@ -18,9 +18,9 @@
 #include <string>
 #include <vector>
 
-#include "majorant/energies/contraction_kernel.h"
 #include "majorant/energies/density.h"
 #include "majorant/energies/density_term.h"
+#include "majorant/energies/detail/contraction_kernel.h"
 #include "majorant/energies/energy_factory.h"
 #include "majorant/energies/spectral.h"
 

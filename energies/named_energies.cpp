@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "majorant/energies/builtin_densities.h"
+#include "majorant/energies/internal/builtin_densities.h"
 #include "majorant/energies/make_energy.h"
 
 namespace majorant {

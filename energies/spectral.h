@@ -15,7 +15,7 @@
 #include <string_view>
 #include <utility>
 
-#include "majorant/energies/isotropic.h"
+#include "majorant/energies/detail/isotropic.h"
 
 namespace majorant {
 

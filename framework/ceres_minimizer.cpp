@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "majorant/framework/internal/stopwatch.h"
 #include "majorant/framework/stepper.h"
 
 namespace majorant {

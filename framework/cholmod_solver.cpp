@@ -5,7 +5,7 @@
 #include <new>
 #include <vector>
 
-#include "majorant/framework/foreign_code.h"
+#include "majorant/framework/internal/foreign_code.h"
 #include "majorant/framework/linear_solver.h"
 
 namespace majorant {

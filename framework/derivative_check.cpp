@@ -8,8 +8,8 @@
 #include <cmath>
 #include <limits>
 
-#include "majorant/framework/chunk_plan.h"
-#include "majorant/framework/curvature_name.h"
+#include "majorant/framework/internal/chunk_plan.h"
+#include "majorant/framework/internal/curvature_name.h"
 
 namespace majorant {
 namespace {

@@ -5,7 +5,8 @@
 #include <chrono>
 #include <cmath>
 
-#include "majorant/framework/parallel_errors.h"
+#include "majorant/framework/internal/parallel_errors.h"
+#include "majorant/framework/internal/problem_parts.h"
 
 namespace majorant {
 namespace {
@@ -31,7 +32,7 @@ double weight(const TermState& state, Index element) {
 
 void add_energy(const Problem& problem, TermId id, VecIn x, const StopCheck& stop, double& total) {
   const TermState& state = problem.state(id);
-  const ChunkPlan& plan = problem.plan(id);
+  const ChunkPlan& plan = ProblemParts::plan(problem, id);
   const Vec f = element_values(problem.term(id), state, plan, x, stop);
   for (Index c = 0; c < plan.chunk_count(); ++c) {
     double sum = 0;
@@ -95,7 +96,7 @@ double term_energy(const Problem& problem, TermId id, VecIn x, const StopCheck& 
 double Evaluator::value(VecIn y, const StopCheck& stop) {
   const Timer timer(counters_.value_seconds);
   ++counters_.values;
-  problem_.elimination().expand(y, x_);
+  ProblemParts::elimination(problem_).expand(y, x_);
   double total = 0;
   for (const TermId id : problem_.terms()) add_energy(problem_, id, x_, stop, total);
   return total;
@@ -117,7 +118,7 @@ double Evaluator::gradient(VecIn y, Vec& gradient, const StopCheck& stop) {
 
 double Evaluator::assemble(VecIn y, Curvature curvature, Vec& gradient, Vec* hessian_values,
                            const StopCheck& stop) {
-  problem_.elimination().expand(y, x_);
+  ProblemParts::elimination(problem_).expand(y, x_);
   gradient.setZero(problem_.size());
   while (scratch_.size() < at(threads())) scratch_.push_back(std::make_unique<Scratch>());
   double total = 0;
@@ -133,8 +134,8 @@ void Evaluator::assemble_term(TermId k, Curvature curvature, Vec& gradient, Vec*
                               const StopCheck& stop, std::vector<double>& chunk_energies) {
   const EnergyTerm& term = problem_.term(k);
   const TermState& state = problem_.state(k);
-  const ChunkPlan& plan = problem_.plan(k);
-  const SlotTable& slots = problem_.slots(k);
+  const ChunkPlan& plan = ProblemParts::plan(problem_, k);
+  const SlotTable& slots = ProblemParts::slots(problem_, k);
   const auto n = at(term.stencils().local_size());
   constexpr std::size_t stride = LocalSystem::stride;
   chunk_energies.assign(at(plan.chunk_count()), 0.0);

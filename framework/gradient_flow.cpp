@@ -2,7 +2,8 @@
 
 #include <utility>
 
-#include "majorant/framework/metric.h"
+#include "majorant/framework/internal/metric.h"
+#include "majorant/framework/internal/stopwatch.h"
 #include "majorant/framework/stepper.h"
 
 namespace majorant {

@@ -4,7 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "majorant/framework/metric.h"
+#include "majorant/framework/internal/metric.h"
+#include "majorant/framework/internal/stopwatch.h"
 #include "majorant/framework/stepper.h"
 
 namespace majorant {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "majorant/framework/internal/problem_parts.h"
+
 namespace majorant {
 
 LineSearch::LineSearch(Evaluator& evaluator, const LineSearchOptions& options, const Vec& y,
@@ -18,7 +20,7 @@ LineSearch::LineSearch(Evaluator& evaluator, const LineSearchOptions& options, c
       rounding_(decrement <= kResolution * std::abs(energy) ? 0.25 * kResolution * std::abs(energy)
                                                             : 0.0),
       x_(evaluator.problem().expand(y)) {
-  evaluator.problem().elimination().expand_direction(p, d_);
+  ProblemParts::elimination(evaluator.problem()).expand_direction(p, d_);
 }
 
 LineSearch::Result LineSearch::find(double first) {

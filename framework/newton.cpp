@@ -7,7 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "majorant/framework/curvature_name.h"
+#include "majorant/framework/internal/curvature_name.h"
+#include "majorant/framework/internal/stopwatch.h"
 
 namespace majorant {
 namespace {

@@ -5,7 +5,51 @@
 #include <stdexcept>
 #include <utility>
 
+#include "majorant/framework/internal/problem_parts.h"
+
 namespace majorant {
+namespace {
+
+std::size_t number(TermId id) { return static_cast<std::size_t>(id); }
+
+}  // namespace
+
+struct Problem::Structure {
+  std::vector<std::shared_ptr<const EnergyTerm>> terms;
+  std::vector<TermId> ids;
+  std::vector<std::shared_ptr<const FeasibilityChecker>> checkers;
+  Elimination elimination;
+  SparsePattern pattern;
+  std::vector<SlotTable> slots;
+};
+
+Index Problem::full_size() const { return structure_->elimination.full_size(); }
+
+Index Problem::size() const { return structure_->elimination.reduced_size(); }
+
+std::span<const TermId> Problem::terms() const { return structure_->ids; }
+
+const EnergyTerm& Problem::term(TermId id) const { return *structure_->terms[number(id)]; }
+
+const TermState& Problem::state(TermId id) const { return states_[number(id)]; }
+
+const SparsePattern& Problem::pattern() const { return structure_->pattern; }
+
+const std::vector<std::shared_ptr<const FeasibilityChecker>>& Problem::checkers() const {
+  return structure_->checkers;
+}
+
+const Elimination& ProblemParts::elimination(const Problem& problem) {
+  return problem.structure_->elimination;
+}
+
+const ChunkPlan& ProblemParts::plan(const Problem& problem, TermId id) {
+  return *problem.plans_[number(id)];
+}
+
+const SlotTable& ProblemParts::slots(const Problem& problem, TermId id) {
+  return problem.structure_->slots[number(id)];
+}
 
 bool Problem::supports(Curvature curvature) const {
   for (const auto& term : structure_->terms)
@@ -16,12 +60,12 @@ bool Problem::supports(Curvature curvature) const {
 Problem Problem::with(TermChanges changes) const {
   Problem other = *this;
   for (auto& [id, state] : changes) {
-    if (at(id) >= states_.size())
+    if (number(id) >= states_.size())
       throw std::invalid_argument("Problem::with: no term of this problem has that id");
-    if (state.element_rule != other.states_[at(id)].element_rule)
-      other.plans_[at(id)] =
-          std::make_shared<const ChunkPlan>(term(id).stencils(), state.element_rule, elimination());
-    other.states_[at(id)] = std::move(state);
+    if (state.element_rule != other.states_[number(id)].element_rule)
+      other.plans_[number(id)] = std::make_shared<const ChunkPlan>(
+          term(id).stencils(), state.element_rule, structure_->elimination);
+    other.states_[number(id)] = std::move(state);
   }
   return other;
 }
@@ -30,6 +74,10 @@ Vec Problem::expand(VecIn y) const {
   Vec x;
   structure_->elimination.expand(y, x);
   return x;
+}
+
+Vec Problem::reduce(VecIn x, double* residual) const {
+  return structure_->elimination.reduce(x, residual);
 }
 
 ProblemBuilder::AddedTerm ProblemBuilder::add(std::shared_ptr<const EnergyTerm> term,

@@ -18,15 +18,14 @@
 #include <utility>
 #include <vector>
 
-#include "majorant/framework/assembly.h"
-#include "majorant/framework/chunk_plan.h"
 #include "majorant/framework/constraint.h"
-#include "majorant/framework/elimination.h"
 #include "majorant/framework/energy_term.h"
 #include "majorant/framework/feasibility.h"
 #include "majorant/framework/sparse_pattern.h"
 
 namespace majorant {
+
+class ChunkPlan;
 
 // One term of a problem, as ProblemBuilder::add names it; the same in all problems of one
 // structure.
@@ -37,19 +36,14 @@ using TermChanges = std::vector<std::pair<TermId, TermState>>;
 
 class Problem {
  public:
-  Index full_size() const { return structure_->elimination.full_size(); }
-  Index size() const { return structure_->elimination.reduced_size(); }
+  Index full_size() const;
+  Index size() const;  // of the reduced unknowns
 
-  std::span<const TermId> terms() const { return structure_->ids; }  // in the order of add()
-  const EnergyTerm& term(TermId id) const { return *structure_->terms[at(id)]; }
-  const TermState& state(TermId id) const { return states_[at(id)]; }
-  const ChunkPlan& plan(TermId id) const { return *plans_[at(id)]; }
-  const SlotTable& slots(TermId id) const { return structure_->slots[at(id)]; }
-  const Elimination& elimination() const { return structure_->elimination; }
-  const SparsePattern& pattern() const { return structure_->pattern; }
-  const std::vector<std::shared_ptr<const FeasibilityChecker>>& checkers() const {
-    return structure_->checkers;
-  }
+  std::span<const TermId> terms() const;  // in the order of add()
+  const EnergyTerm& term(TermId id) const;
+  const TermState& state(TermId id) const;
+  const SparsePattern& pattern() const;  // of the Hessian in the reduced unknowns
+  const std::vector<std::shared_ptr<const FeasibilityChecker>>& checkers() const;
   bool supports(Curvature curvature) const;
 
   // The same problem with other states of these terms, the rest kept: pattern, slots and (in a
@@ -61,21 +55,13 @@ class Problem {
 
   Vec expand(VecIn y) const;
   // y of x; *residual (may be null) receives the largest violation of the constraints.
-  Vec reduce(VecIn x, double* residual = nullptr) const {
-    return structure_->elimination.reduce(x, residual);
-  }
+  Vec reduce(VecIn x, double* residual = nullptr) const;
 
  private:
   friend class ProblemBuilder;
-  static std::size_t at(TermId id) { return static_cast<std::size_t>(id); }
-  struct Structure {
-    std::vector<std::shared_ptr<const EnergyTerm>> terms;
-    std::vector<TermId> ids;
-    std::vector<std::shared_ptr<const FeasibilityChecker>> checkers;
-    Elimination elimination;
-    SparsePattern pattern;
-    std::vector<SlotTable> slots;
-  };
+  friend struct ProblemParts;  // what evaluators need
+  struct Structure;
+
   std::shared_ptr<const Structure> structure_;
   std::vector<TermState> states_;
   std::vector<std::shared_ptr<const ChunkPlan>> plans_;

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "majorant/framework/internal/stopwatch.h"
+
 namespace majorant {
 
 Stepper::Step Stepper::step(Vec& y, double& energy) {

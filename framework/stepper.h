@@ -15,7 +15,6 @@
 #include "majorant/framework/evaluator.h"
 #include "majorant/framework/line_search.h"
 #include "majorant/framework/minimizer.h"
-#include "majorant/framework/stopwatch.h"
 
 namespace majorant {
 

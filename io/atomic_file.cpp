@@ -12,7 +12,7 @@
 #include <system_error>
 
 #include "majorant/framework/error.h"
-#include "majorant/io/temporary_file.h"
+#include "majorant/io/internal/temporary_file.h"
 
 namespace majorant {
 namespace {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "majorant/framework/error.h"
-#include "majorant/parametrization/injectivity/exact_positivity.h"
+#include "majorant/parametrization/injectivity/internal/exact_positivity.h"
 
 namespace majorant {
 
@@ -165,6 +165,26 @@ BezierMap to_bezier_map(const MapFile& file, const std::string& name) {
       std::make_shared<const BezierTriangleSpace>(mesh->faces(), mesh->vertex_count(), file.degree);
   Vec x = node_values(file, *space, name);
   return BezierMap(std::move(mesh), std::move(space), std::move(x));
+}
+
+MapFile to_map_file(const BezierMesh& mesh) {
+  std::map<Index, Index> number;  // vertices of the mesh -> 0, 1, ...
+  for (const Index v : mesh.faces.reshaped()) number.emplace(v, 0);
+  Index count = 0;
+  for (auto& entry : number) entry.second = count++;
+  Cells faces = mesh.faces;
+  for (Index& v : faces.reshaped()) v = number.at(v);
+  const LatticeNumbering nodes = number_lattice(faces, count, mesh.degree);
+  MapFile file;
+  file.degree = mesh.degree;
+  file.cells = nodes.cells;
+  file.points = Points3::Zero(nodes.node_count, 3);
+  file.uv.resize(nodes.node_count, 2);
+  for (Index f = 0; f < mesh.face_count(); ++f)
+    for (Index l = 0; l < file.cells.cols(); ++l)
+      file.uv.row(file.cells(f, l)) = mesh.point(f, static_cast<int>(l));
+  file.points.leftCols<2>() = file.uv;
+  return file;
 }
 
 }  // namespace majorant

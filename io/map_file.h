@@ -11,6 +11,7 @@
 #include "majorant/framework/types.h"
 #include "majorant/mesh/polygon_mesh.h"
 #include "majorant/parametrization/maps/bezier_map.h"
+#include "majorant/parametrization/maps/bezier_mesh.h"
 
 namespace majorant {
 
@@ -46,5 +47,9 @@ Vec node_values(const MapFile& file, const BezierTriangleSpace& space, const std
 // (mesh_validation.h) and Error(Invalid) where neighbouring cells disagree on a control point.
 // Vertices are numbered in the order of the file's points. `name` is for messages.
 BezierMap to_bezier_map(const MapFile& file, const std::string& name);
+
+// The mesh as the identity map of itself: points are (u, v, 0), uv the same; points that faces
+// share are shared. Vertices are numbered anew; there are no input vertices and faces.
+MapFile to_map_file(const BezierMesh& mesh);
 
 }  // namespace majorant

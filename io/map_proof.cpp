@@ -9,9 +9,9 @@
 #include <numbers>
 
 #include "majorant/framework/error.h"
-#include "majorant/io/cut_map.h"
-#include "majorant/io/surface_match.h"
-#include "majorant/parametrization/injectivity/exact_positivity.h"
+#include "majorant/io/internal/cut_map.h"
+#include "majorant/io/internal/surface_match.h"
+#include "majorant/parametrization/injectivity/internal/exact_positivity.h"
 
 namespace majorant {
 namespace {

@@ -6,9 +6,9 @@
 //   for (const auto& [question, finding] : proof.findings()) ...   // what is violated, and where
 //
 // Positivity is proven in floating point with its rounding bounds, cells that this leaves open are
-// decided exactly (parametrization/injectivity/exact_positivity.h). Continuity compares the uv of
-// both sides of an edge, equal to the last bit. Angle sums tell a map that winds twice around a
-// vertex.
+// decided exactly (parametrization/injectivity/internal/exact_positivity.h). Continuity compares
+// the uv of both sides of an edge, equal to the last bit. Angle sums tell a map that winds twice
+// around a vertex.
 #pragma once
 
 #include <functional>

@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "majorant/framework/error.h"
-#include "majorant/io/input_file.h"
-#include "majorant/io/mesh_readers.h"
+#include "majorant/io/internal/input_file.h"
+#include "majorant/io/internal/mesh_readers.h"
 #include "majorant/io/vtu.h"
 
 namespace majorant {

@@ -8,11 +8,11 @@
 #include <utility>
 
 #include "majorant/framework/error.h"
-#include "majorant/io/cut_pieces.h"
-#include "majorant/io/map_pieces.h"
+#include "majorant/io/internal/cut_pieces.h"
+#include "majorant/io/internal/map_pieces.h"
 #include "majorant/io/read_mesh.h"
-#include "majorant/mesh/exact_predicates.h"
-#include "majorant/parametrization/injectivity/box_pairs.h"
+#include "majorant/mesh/internal/exact_predicates.h"
+#include "majorant/parametrization/injectivity/internal/box_pairs.h"
 
 namespace majorant {
 namespace {

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "majorant/io/atomic_file.h"
-#include "majorant/io/base64.h"
-#include "majorant/io/bezier_cell.h"
-#include "majorant/io/map_check.h"
+#include "majorant/io/internal/base64.h"
+#include "majorant/io/internal/bezier_cell.h"
+#include "majorant/io/internal/map_check.h"
 #include "majorant/io/vtu.h"
 
 namespace majorant {

@@ -8,7 +8,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/io/atomic_file.h"
-#include "majorant/io/map_check.h"
+#include "majorant/io/internal/map_check.h"
 
 namespace majorant {
 namespace {

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "majorant/io/atomic_file.h"
-#include "majorant/io/heat_color.h"
-#include "majorant/io/map_check.h"
-#include "majorant/io/svg_layout.h"
-#include "majorant/io/svg_marks.h"
+#include "majorant/io/internal/heat_color.h"
+#include "majorant/io/internal/map_check.h"
+#include "majorant/io/internal/svg_layout.h"
+#include "majorant/io/internal/svg_marks.h"
 
 namespace majorant {
 namespace {

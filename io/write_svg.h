@@ -12,8 +12,8 @@ struct SvgOptions {
   // Grid lines at integer multiples of this in u and v (uv units of the file); 0: a 32nd of the
   // layout's larger side; none: no grid.
   std::optional<double> grid;
-  // The space around the map (scaffold_file.h), of its degree: drawn pale behind it, as far as the
-  // drawing reaches.
+  // The space around the map (to_map_file of a BezierMesh), of its degree: drawn pale behind it, as
+  // far as the drawing reaches.
   std::optional<MapFile> scaffold = std::nullopt;
 };
 

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "majorant/framework/error.h"
-#include "majorant/mesh/mesh_validation.h"
+#include "majorant/mesh/internal/mesh_validation.h"
 
 namespace majorant {
 namespace {

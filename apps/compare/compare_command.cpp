@@ -26,8 +26,8 @@
 #include "apps/streams.h"
 #include "apps/unless_stopped.h"
 #include "majorant/framework/evaluator.h"
-#include "majorant/parametrization/drive/normalized_start.h"
-#include "majorant/parametrization/maps/quadrature_ladder.h"
+#include "majorant/parametrization/drive/internal/normalized_start.h"
+#include "majorant/parametrization/maps/internal/quadrature_ladder.h"
 
 namespace majorant::app {
 namespace {

@@ -9,6 +9,7 @@
 
 #include "majorant/elements/bernstein.h"
 #include "majorant/framework/evaluator.h"
+#include "majorant/framework/internal/problem_parts.h"
 #include "majorant/framework/stepper.h"
 
 namespace majorant {
@@ -63,7 +64,7 @@ class FaceResiduals final : public ceres::CostFunction {
 
 // Which unknowns the problem fixes; only that kind of constraint fits parameter blocks.
 std::vector<char> fixed_unknowns(const Problem& problem) {
-  const Elimination& z = problem.elimination();
+  const Elimination& z = ProblemParts::elimination(problem);
   std::vector<char> fixed(at(z.full_size()), 0);
   for (Index i = 0; i < z.full_size(); ++i) {
     const auto entries = z.end(i) - z.begin(i);

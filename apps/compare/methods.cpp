@@ -7,8 +7,8 @@
 #include "apps/compare/least_squares.h"
 #include "majorant/energies/make_energy.h"
 #include "majorant/framework/ceres_minimizer.h"
-#include "majorant/framework/curvature_name.h"
 #include "majorant/framework/gradient_flow.h"
+#include "majorant/framework/internal/curvature_name.h"
 #include "majorant/framework/lbfgs.h"
 #include "majorant/framework/newton.h"
 

@@ -1,7 +1,7 @@
 // Compiled once per instruction set (cmake/kernels.cmake names the function). Nothing here may
 // instantiate inline code that other files share.
-#include "majorant/energies/builtin_densities.h"
-#include "majorant/energies/contraction_kernel.h"
+#include "majorant/energies/detail/contraction_kernel.h"
+#include "majorant/energies/internal/builtin_densities.h"
 
 namespace majorant {
 namespace {

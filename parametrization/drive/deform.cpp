@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "majorant/framework/error.h"
-#include "majorant/parametrization/drive/free_scale.h"
+#include "majorant/parametrization/drive/internal/free_scale.h"
 
 namespace majorant {
 namespace {

@@ -7,13 +7,13 @@
 #include <memory>
 #include <utility>
 
-#include "majorant/framework/curvature_name.h"
 #include "majorant/framework/error.h"
-#include "majorant/parametrization/drive/degree_solver.h"
-#include "majorant/parametrization/drive/normalized_start.h"
-#include "majorant/parametrization/drive/solver_rules.h"
+#include "majorant/framework/internal/curvature_name.h"
+#include "majorant/parametrization/drive/internal/degree_solver.h"
+#include "majorant/parametrization/drive/internal/normalized_start.h"
+#include "majorant/parametrization/drive/internal/solver_rules.h"
 #include "majorant/parametrization/injectivity/global_injectivity.h"
-#include "majorant/parametrization/scaffold/improve_mesh.h"
+#include "majorant/parametrization/scaffold/internal/improve_mesh.h"
 #include "majorant/parametrization/starts/tutte.h"
 
 namespace majorant {

@@ -21,7 +21,6 @@
 #include "majorant/parametrization/maps/bezier_map.h"
 #include "majorant/parametrization/maps/bezier_mesh.h"
 #include "majorant/parametrization/maps/measure.h"
-#include "majorant/parametrization/scaffold/edge_flip.h"
 
 namespace majorant {
 

@@ -10,9 +10,9 @@
 #include <stdexcept>
 
 #include "majorant/framework/error.h"
-#include "majorant/parametrization/fields/cone_cleanup.h"
-#include "majorant/parametrization/fields/curvature_field.h"
-#include "majorant/parametrization/fields/trivial_connection.h"
+#include "majorant/parametrization/fields/internal/cone_cleanup.h"
+#include "majorant/parametrization/fields/internal/curvature_field.h"
+#include "majorant/parametrization/fields/internal/trivial_connection.h"
 
 namespace majorant {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/parametrization/fields/cross_field.h"
-#include "majorant/parametrization/fields/trivial_connection.h"
+#include "majorant/parametrization/fields/internal/trivial_connection.h"
 
 namespace majorant {
 namespace {

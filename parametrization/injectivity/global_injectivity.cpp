@@ -6,10 +6,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "majorant/parametrization/injectivity/box_pairs.h"
-#include "majorant/parametrization/injectivity/curve_contact.h"
-#include "majorant/parametrization/injectivity/loop_winding.h"
-#include "majorant/parametrization/injectivity/segment_sweep.h"
+#include "majorant/parametrization/injectivity/internal/box_pairs.h"
+#include "majorant/parametrization/injectivity/internal/curve_contact.h"
+#include "majorant/parametrization/injectivity/internal/loop_winding.h"
+#include "majorant/parametrization/injectivity/internal/segment_sweep.h"
 
 namespace majorant {
 namespace {

@@ -30,4 +30,9 @@ struct BezierMesh {
 // Throws std::invalid_argument when an edge has more than two faces.
 BezierMesh bezier_mesh(int degree, const Cells& faces, const Cells& cells, VecIn x);
 
+// Flips of edges that a criterion asked for, each time it was tried, and those that were done.
+struct FlipCounts {
+  long intended = 0, performed = 0;
+};
+
 }  // namespace majorant

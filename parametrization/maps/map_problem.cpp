@@ -2,11 +2,12 @@
 
 #include <algorithm>
 
+#include "majorant/constraints/internal/axis_alignment.h"
 #include "majorant/constraints/seamless_constraint.h"
 #include "majorant/energies/quadratic_penalty.h"
 #include "majorant/framework/evaluator.h"
 #include "majorant/mesh/half_edge.h"
-#include "majorant/mesh/union_find.h"
+#include "majorant/mesh/internal/union_find.h"
 
 namespace majorant {
 namespace {

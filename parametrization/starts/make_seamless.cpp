@@ -10,11 +10,11 @@
 
 #include "majorant/constraints/local_injectivity.h"
 #include "majorant/framework/error.h"
-#include "majorant/mesh/cut_graph.h"
-#include "majorant/parametrization/fields/conformal_metric.h"
-#include "majorant/parametrization/starts/field_integration.h"
+#include "majorant/mesh/internal/cut_graph.h"
+#include "majorant/parametrization/fields/internal/conformal_metric.h"
+#include "majorant/parametrization/starts/internal/field_integration.h"
+#include "majorant/parametrization/starts/internal/untangle.h"
 #include "majorant/parametrization/starts/texture_seams.h"
-#include "majorant/parametrization/starts/untangle.h"
 
 namespace majorant {
 namespace {

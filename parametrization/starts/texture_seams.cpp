@@ -9,7 +9,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/mesh/half_edge.h"
-#include "majorant/parametrization/starts/cut_surface.h"
+#include "majorant/parametrization/starts/internal/cut_surface.h"
 
 namespace majorant {
 namespace {

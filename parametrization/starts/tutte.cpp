@@ -6,9 +6,9 @@
 #include <numbers>
 #include <utility>
 
-#include "majorant/framework/sparse_spd.h"
+#include "majorant/framework/internal/sparse_spd.h"
 #include "majorant/mesh/half_edge.h"
-#include "majorant/parametrization/fields/edge_laplacian.h"
+#include "majorant/parametrization/fields/internal/edge_laplacian.h"
 
 namespace majorant {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "majorant/energies/named_energies.h"
-#include "majorant/framework/curvature_name.h"
+#include "majorant/framework/internal/curvature_name.h"
 
 namespace majorant {
 namespace {

@@ -1,6 +1,6 @@
 // Bernstein coefficients of det J against exact rational arithmetic, and their error bounds, for
 // every element.
-#include "majorant/elements/det_coefficients.h"
+#include "majorant/elements/internal/det_coefficients.h"
 
 #include <gtest/gtest.h>
 
@@ -156,10 +156,11 @@ TEST_P(Det, AlongLineIsThePolynomialInTheStep) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Det, testing::ValuesIn(test::all_elements()), test::case_name);
-INSTANTIATE_TEST_SUITE_P(
-    UpToTwo, DetOfLowDegree,
-    testing::ValuesIn(test::elements_where([](const auto& c) { return c.degree <= 2; })),
-    test::case_name);
+INSTANTIATE_TEST_SUITE_P(UpToTwo, DetOfLowDegree,
+                         testing::ValuesIn(test::elements_where([](const auto& c) {
+                           return c.degree <= 2;
+                         })),
+                         test::case_name);
 
 // ---- Triangles. ----
 

@@ -223,10 +223,11 @@ INSTANTIATE_TEST_SUITE_P(All, Certificate, testing::ValuesIn(test::all_elements(
 INSTANTIATE_TEST_SUITE_P(LowDegrees, ExactCertificate,
                          testing::ValuesIn(test::elements_where(ExactCertificate::is_cheap)),
                          test::case_name);
-INSTANTIATE_TEST_SUITE_P(
-    Elements, CertificateOfTables,
-    testing::ValuesIn(test::elements_where([](const auto& c) { return c.degree == 1; })),
-    test::case_name);
+INSTANTIATE_TEST_SUITE_P(Elements, CertificateOfTables,
+                         testing::ValuesIn(test::elements_where([](const auto& c) {
+                           return c.degree == 1;
+                         })),
+                         test::case_name);
 
 }  // namespace
 }  // namespace majorant

@@ -1,5 +1,5 @@
 // Descriptions that are wrong are refused when the space is made, with what is wrong in them.
-#include "majorant/elements/element_check.h"
+#include "majorant/elements/internal/element_check.h"
 
 #include <gtest/gtest.h>
 

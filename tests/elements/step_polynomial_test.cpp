@@ -1,5 +1,5 @@
 // First roots of quadratics and cubics: before them the polynomial is positive.
-#include "majorant/elements/step_polynomial.h"
+#include "majorant/elements/internal/step_polynomial.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Bisection of Bernstein coefficients against exact rationals, for every element.
-#include "majorant/elements/subdivision.h"
+#include "majorant/elements/internal/subdivision.h"
 
 #include <gtest/gtest.h>
 

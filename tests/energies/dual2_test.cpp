@@ -1,5 +1,5 @@
 // Second-order forward differentiation against closed forms.
-#include "majorant/energies/dual2.h"
+#include "majorant/energies/detail/dual2.h"
 
 #include <gtest/gtest.h>
 

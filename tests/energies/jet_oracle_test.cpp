@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "energies/builtin_formulas.h"
-#include "majorant/energies/builtin_densities.h"
+#include "majorant/energies/internal/builtin_densities.h"
 
 namespace majorant {
 

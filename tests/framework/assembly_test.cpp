@@ -7,6 +7,7 @@
 
 #include "framework/quadratic_term.h"
 #include "majorant/framework/evaluator.h"
+#include "majorant/framework/internal/problem_parts.h"
 
 namespace majorant {
 namespace {
@@ -35,7 +36,7 @@ void expect_matches_dense(const Problem& problem, const TermList& terms, Random&
   Vec g = Vec::Zero(x.size());
   for (std::size_t k = 0; k < terms.size(); ++k)
     terms[k]->add_dense(x, problem.state(problem.terms()[k]), h, g);
-  const Eigen::MatrixXd z = test::dense_z(problem.elimination());
+  const Eigen::MatrixXd z = test::dense_z(ProblemParts::elimination(problem));
 
   Evaluator evaluator(problem);
   Vec gradient, values;
@@ -48,7 +49,7 @@ void expect_matches_dense(const Problem& problem, const TermList& terms, Random&
 
 // Lower triangle of the union of cliques, plus the diagonal; from Z and the stencils alone.
 Eigen::MatrixXi structure(const Problem& problem, const TermList& terms) {
-  const Eigen::MatrixXd z = test::dense_z(problem.elimination());
+  const Eigen::MatrixXd z = test::dense_z(ProblemParts::elimination(problem));
   Eigen::MatrixXi s = Eigen::MatrixXi::Identity(problem.size(), problem.size());
   for (const auto& term : terms)
     for (Index e = 0; e < term->stencils().element_count(); ++e)
@@ -97,7 +98,7 @@ TEST_P(Assembly, ManyChunks) {
   const auto term =
       std::make_shared<const QuadraticTerm>(test::band_stencils(300, 4, block), random);
   const Problem problem = ProblemBuilder(303 * block).add(term, 1.0).build();
-  EXPECT_GT(problem.plan(problem.terms().front()).chunk_count(), 2);
+  EXPECT_GT(ProblemParts::plan(problem, problem.terms().front()).chunk_count(), 2);
   expect_matches_dense(problem, {term}, random);
 }
 
@@ -165,7 +166,7 @@ TEST(Assembly, BlocksHoldTheUnknownsOfOneNode) {
   Rows rows;
   rows.row({{3, 1}}, 0);
   const Problem problem = ProblemBuilder(14).add(term, 1).add(rows).build();
-  const Elimination& z = problem.elimination();
+  const Elimination& z = ProblemParts::elimination(problem);
   for (Index i = 0; i < problem.size(); ++i)
     for (Index j = 0; j < problem.size(); ++j)
       EXPECT_EQ(problem.pattern().block_of[static_cast<std::size_t>(i)] ==

@@ -1,5 +1,5 @@
 // Chunks, colours, and results that do not depend on the number of threads.
-#include "majorant/framework/chunk_plan.h"
+#include "majorant/framework/internal/chunk_plan.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +8,7 @@
 
 #include "framework/quadratic_term.h"
 #include "majorant/framework/evaluator.h"
+#include "majorant/framework/internal/problem_parts.h"
 
 namespace majorant {
 namespace {
@@ -153,14 +154,14 @@ TEST_F(Threads, ChunksOfOneColourShareNoReducedUnknown) {
   Random random(4);
   const test::Mesh mesh = test::grid(40, 40);
   const Problem problem = seam_problem(random, mesh);
-  const Elimination& z = problem.elimination();
+  const Elimination& z = ProblemParts::elimination(problem);
   const Stencils& s = problem.term(problem.terms().front()).stencils();
   int shared = 0;
-  for (const auto& colour : problem.plan(problem.terms().front()).colours()) {
+  for (const auto& colour : ProblemParts::plan(problem, problem.terms().front()).colours()) {
     std::set<Index> unknowns;
     for (const Index c : colour) {
       std::set<Index> own;
-      for (const Index e : problem.plan(problem.terms().front()).chunk(c).elements)
+      for (const Index e : ProblemParts::plan(problem, problem.terms().front()).chunk(c).elements)
         for (Index k = 0; k < s.nodes.cols(); ++k)
           for (int b = 0; b < s.block; ++b)
             for (auto q = z.begin(s.block * s.nodes(e, k) + b);

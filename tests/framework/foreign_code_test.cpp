@@ -1,4 +1,4 @@
-#include "majorant/framework/foreign_code.h"
+#include "majorant/framework/internal/foreign_code.h"
 
 #include <gtest/gtest.h>
 #include <pthread.h>

@@ -2,7 +2,7 @@
 #include "majorant/framework/lbfgs.h"
 
 #include "framework/minimizer_cases.h"
-#include "majorant/framework/metric.h"
+#include "majorant/framework/internal/metric.h"
 #include "majorant/framework/newton.h"
 
 namespace majorant {

@@ -1,5 +1,5 @@
 // The factored metric: it is the shifted Hessian, and it refuses what does not fit.
-#include "majorant/framework/metric.h"
+#include "majorant/framework/internal/metric.h"
 
 #include <gtest/gtest.h>
 

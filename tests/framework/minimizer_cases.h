@@ -16,6 +16,7 @@
 #include "framework/barrier_chain.h"
 #include "framework/scalar_terms.h"
 #include "majorant/framework/evaluator.h"
+#include "majorant/framework/internal/problem_parts.h"
 #include "majorant/framework/minimizer.h"
 
 namespace majorant::test {
@@ -217,7 +218,7 @@ TYPED_TEST_P(MinimizerCases, EnergiesThatEndAreNotMinima) {
 TYPED_TEST_P(MinimizerCases, DoesNotDependOnThreads) {
   const ChainProblem chain(3000);
   const int before = threads();
-  ASSERT_GT(chain.problem.plan(chain.problem.terms().front()).chunk_count(), 16);
+  ASSERT_GT(ProblemParts::plan(chain.problem, chain.problem.terms().front()).chunk_count(), 16);
   set_threads(1);
   const SolveResult one = this->minimize(chain.problem, chain.start, {}, 15);
   ASSERT_EQ(one.iterations.size(), 15u);

@@ -7,6 +7,7 @@
 
 #include "framework/minimizer_cases.h"
 #include "framework/scalar_terms.h"
+#include "majorant/framework/internal/problem_parts.h"
 
 namespace majorant {
 
@@ -64,7 +65,7 @@ TEST(Newton, SolvesAQuadraticInOneStep) {
   Eigen::MatrixXd h = Eigen::MatrixXd::Zero(64, 64);
   Vec g = Vec::Zero(64);
   term->add_dense(Vec(problem.expand(Vec::Zero(62))), problem.state(problem.terms().front()), h, g);
-  const Eigen::MatrixXd z = test::dense_z(problem.elimination());
+  const Eigen::MatrixXd z = test::dense_z(ProblemParts::elimination(problem));
   const Vec expected = (z.transpose() * h * z).ldlt().solve(-z.transpose() * g);
   EXPECT_LE((r.y - expected).norm(), 1e-8 * expected.norm());
 }

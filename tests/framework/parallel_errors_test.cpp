@@ -1,4 +1,4 @@
-#include "majorant/framework/parallel_errors.h"
+#include "majorant/framework/internal/parallel_errors.h"
 
 #include <gtest/gtest.h>
 

@@ -12,9 +12,10 @@
 #include "framework/barrier_chain.h"
 #include "majorant/framework/ceres_minimizer.h"
 #include "majorant/framework/gradient_flow.h"
+#include "majorant/framework/internal/parallel_errors.h"
+#include "majorant/framework/internal/problem_parts.h"
 #include "majorant/framework/lbfgs.h"
 #include "majorant/framework/newton.h"
-#include "majorant/framework/parallel_errors.h"
 
 namespace majorant::test {
 namespace {
@@ -52,7 +53,8 @@ TEST(StopCheck, PollsAtMultiplesOfItsPeriod) {
 // Each chunk of elements is asked for, and none is evaluated after a stop.
 TEST(StopCheck, EvaluationsAskBeforeEveryChunk) {
   const ChainProblem chain(3000, 1);
-  const long chunks = chain.problem.plan(chain.problem.terms().front()).chunk_count();
+  const long chunks =
+      ProblemParts::plan(chain.problem, chain.problem.terms().front()).chunk_count();
   ASSERT_GE(chunks, 20);
   Evaluator evaluator(chain.problem);
   Vec g, h;
@@ -103,7 +105,8 @@ std::unique_ptr<Minimizer> made(const StopCheck& stop) {
 // Wherever it is stopped, a minimizer returns the last point that it told of, at once.
 TEST(StopCheck, MinimizersReturnTheLastAcceptedPoint) {
   const ChainProblem chain(20, 2);
-  const long chunks = chain.problem.plan(chain.problem.terms().front()).chunk_count();
+  const long chunks =
+      ProblemParts::plan(chain.problem, chain.problem.terms().front()).chunk_count();
   using Maker = std::unique_ptr<Minimizer> (*)(const StopCheck&);
   const Maker makers[] = {made<NewtonMinimizer, NewtonOptions>, made<LbfgsMinimizer, LbfgsOptions>,
                           made<GradientFlowMinimizer, GradientFlowOptions>,

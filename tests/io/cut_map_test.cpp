@@ -1,4 +1,4 @@
-#include "majorant/io/cut_map.h"
+#include "majorant/io/internal/cut_map.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -14,7 +14,7 @@
 #include <string_view>
 
 #include "expected_error.h"
-#include "majorant/io/bezier_cell.h"
+#include "majorant/io/internal/bezier_cell.h"
 #include "majorant/io/map_file.h"
 
 namespace majorant {

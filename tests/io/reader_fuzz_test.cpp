@@ -4,8 +4,8 @@
 #include <functional>
 
 #include "io_test_helpers.h"
+#include "majorant/io/internal/read_vertex_lists.h"
 #include "majorant/io/read_mesh.h"
-#include "majorant/io/read_vertex_lists.h"
 #include "majorant/io/vtu.h"
 
 namespace majorant {

@@ -1,4 +1,4 @@
-#include "majorant/io/surface_match.h"
+#include "majorant/io/internal/surface_match.h"
 
 #include <gtest/gtest.h>
 

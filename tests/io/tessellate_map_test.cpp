@@ -7,8 +7,8 @@
 #include <set>
 
 #include "io_test_helpers.h"
-#include "majorant/io/map_pieces.h"
-#include "majorant/io/piece_boundary.h"
+#include "majorant/io/internal/map_pieces.h"
+#include "majorant/io/internal/piece_boundary.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/write_obj.h"
 #include "parametrization/injectivity/exact_curves.h"

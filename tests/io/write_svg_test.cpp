@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "io_test_helpers.h"
-#include "majorant/io/heat_color.h"
-#include "majorant/io/xml_tree.h"
+#include "majorant/io/internal/heat_color.h"
+#include "majorant/io/internal/xml_tree.h"
 
 namespace majorant {
 namespace {

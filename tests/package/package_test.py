@@ -1,4 +1,5 @@
 """Installs the build, builds a program against the package, compares it with the command."""
+import concurrent.futures
 import json
 import os
 import shutil
@@ -66,19 +67,52 @@ class Package(unittest.TestCase):
                 for place in (SOURCE + '/', BUILD + '/'):
                     self.assertNotIn(place, text, name)
 
-    def test_headers_include_installed_headers(self):
-        headers = [n for n in self.installed() if n.endswith('.h')]
-        self.assertGreater(len(headers), 20)
+    def headers(self):
         root = os.path.join(self.prefix, 'include')
+        return root, sorted(os.path.relpath(n, root) for n in self.installed() if n.endswith('.h'))
+
+    def test_the_installed_headers_are_the_public_ones(self):
+        _, headers = self.headers()
+        with open(os.path.join(os.path.dirname(CONSUMER), 'public_headers.txt')) as f:
+            listed = [line.strip() for line in f if line.strip() and not line.startswith('#')]
+        self.assertEqual(headers, sorted(listed))
+        self.assertEqual([n for n in headers if '/internal/' in n], [])
+
+    def test_headers_are_short(self):
+        root, headers = self.headers()
+        long = []
+        for name in headers:
+            with open(os.path.join(root, name)) as f:
+                if sum(1 for _ in f) > 250 and '/detail/' not in name:
+                    long.append(name)
+        self.assertEqual(long, [])
+
+    def test_every_header_compiles_alone(self):
+        root, headers = self.headers()
+        flags = ['-std=c++20', '-fsyntax-only', '-Wall', '-Wextra', '-I' + root,
+                 '-isystem', '/usr/include/eigen3', '-DEIGEN_MAX_ALIGN_BYTES=16',
+                 '-DEIGEN_MALLOC_ALREADY_ALIGNED=0', '-x', 'c++']
+        def compile_alone(name):
+            return name, subprocess.run([os.environ.get('CXX', 'c++'), *flags, '-'], text=True,
+                                        input='#include "%s"\n' % name, stdout=subprocess.PIPE,
+                                        stderr=subprocess.STDOUT)
+        with concurrent.futures.ThreadPoolExecutor(2) as pool:
+            for name, done in pool.map(compile_alone, headers):
+                with self.subTest(name):
+                    self.assertEqual(done.returncode, 0, done.stdout[:2000])
+
+    def test_headers_include_installed_headers(self):
+        root, headers = self.headers()
+        self.assertGreater(len(headers), 20)
         missing = []
-        for header in headers:  # what a header includes of ours is installed, too
-            with open(header) as f:
+        for name in headers:  # what a header includes of ours is installed, too
+            with open(os.path.join(root, name)) as f:
                 for line in f:
                     if line.startswith('#include "'):
                         included = line.split('"')[1]
-                        self.assertTrue(included.startswith('majorant/'), header + ': ' + line)
+                        self.assertTrue(included.startswith('majorant/'), name + ': ' + line)
                         if not os.path.exists(os.path.join(root, included)):
-                            missing.append('%s: %s' % (header, included))
+                            missing.append('%s: %s' % (name, included))
         self.assertEqual(missing, [])
 
 

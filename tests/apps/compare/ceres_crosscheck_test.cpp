@@ -7,8 +7,8 @@
 #include "apps/compare/least_squares.h"
 #include "majorant/framework/ceres_minimizer.h"
 #include "majorant/framework/newton.h"
-#include "majorant/parametrization/drive/normalized_start.h"
-#include "majorant/parametrization/maps/quadrature_ladder.h"
+#include "majorant/parametrization/drive/internal/normalized_start.h"
+#include "majorant/parametrization/maps/internal/quadrature_ladder.h"
 #include "majorant/parametrization/starts/tutte.h"
 #include "mesh/test_meshes.h"
 #include "parametrization/maps/test_maps.h"
@@ -60,7 +60,8 @@ struct Case {
     if (energy.make.traits().free_scale != FreeScale::Determined &&
         s.boundary == BoundaryCondition::Free)
       options.map.pins = {{1, {}}, {s.mesh->vertex_count() - 1, {}}};
-    const NormalizedStart start(BezierMap::linear(s.mesh, initial_map(*s.mesh, options.map)), options.map);
+    const NormalizedStart start(BezierMap::linear(s.mesh, initial_map(*s.mesh, options.map)),
+                                options.map);
     const BezierMap linear = start.map();
     specification = start.specification();
     if (degree == 1) {  // from the initial map itself

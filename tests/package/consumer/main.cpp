@@ -2,10 +2,7 @@
 #include <cstdio>
 #include <memory>
 
-#include "majorant/framework/error.h"
-#include "majorant/io/read_mesh.h"
-#include "majorant/parametrization/drive/parametrize.h"
-#include "majorant/parametrization/starts/tutte.h"
+#include "majorant/majorant.h"
 
 int main(int argc, char** argv) try {
   if (argc != 2) return 1;

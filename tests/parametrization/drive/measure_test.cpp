@@ -7,7 +7,7 @@
 
 #include "majorant/energies/named_energies.h"
 #include "majorant/parametrization/drive/parametrize.h"
-#include "majorant/parametrization/maps/quadrature_ladder.h"
+#include "majorant/parametrization/maps/internal/quadrature_ladder.h"
 #include "majorant/parametrization/starts/tutte.h"
 #include "mesh/obj_file.h"
 #include "mesh/test_meshes.h"

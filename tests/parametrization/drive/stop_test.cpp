@@ -12,7 +12,7 @@
 #include "majorant/parametrization/drive/deform.h"
 #include "majorant/parametrization/drive/parametrize.h"
 #include "majorant/parametrization/injectivity/global_injectivity.h"
-#include "majorant/parametrization/scaffold/improve_mesh.h"
+#include "majorant/parametrization/scaffold/internal/improve_mesh.h"
 #include "majorant/parametrization/starts/make_seamless.h"
 #include "mesh/test_meshes.h"
 #include "parametrization/fields/closed_surfaces.h"

@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "expected_error.h"
-#include "majorant/mesh/cut_graph.h"
+#include "majorant/mesh/internal/cut_graph.h"
 #include "mesh/surfaces_of_any_genus.h"
 
 namespace majorant {

@@ -1,5 +1,5 @@
 // Triangles by their sides; Ptolemy's flips and the way back from them.
-#include "majorant/parametrization/fields/intrinsic_triangulation.h"
+#include "majorant/parametrization/fields/internal/intrinsic_triangulation.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "majorant/parametrization/injectivity/global_injectivity.h"
-#include "majorant/parametrization/injectivity/loop_winding.h"
+#include "majorant/parametrization/injectivity/internal/loop_winding.h"
 
 namespace majorant {
 namespace {

@@ -1,5 +1,5 @@
 // Contacts of curves against exact elimination, and the cases that break such tests.
-#include "majorant/parametrization/injectivity/curve_contact.h"
+#include "majorant/parametrization/injectivity/internal/curve_contact.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <functional>
 #include <random>
 
-#include "majorant/parametrization/injectivity/box_pairs.h"
+#include "majorant/parametrization/injectivity/internal/box_pairs.h"
 #include "parametrization/injectivity/exact_curves.h"
 
 namespace majorant {

@@ -1,5 +1,5 @@
 // Enclosures of heights over a graph, against exact arithmetic.
-#include "majorant/parametrization/injectivity/curve_graph.h"
+#include "majorant/parametrization/injectivity/internal/curve_graph.h"
 
 #include <gtest/gtest.h>
 

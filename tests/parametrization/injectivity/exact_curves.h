@@ -7,7 +7,7 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <vector>
 
-#include "majorant/parametrization/injectivity/curve_contact.h"
+#include "majorant/parametrization/injectivity/internal/curve_contact.h"
 
 namespace majorant::exact {
 

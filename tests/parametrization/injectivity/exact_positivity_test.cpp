@@ -1,4 +1,4 @@
-#include "majorant/parametrization/injectivity/exact_positivity.h"
+#include "majorant/parametrization/injectivity/internal/exact_positivity.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "majorant/parametrization/injectivity/global_injectivity.h"
-#include "majorant/parametrization/injectivity/loop_winding.h"
+#include "majorant/parametrization/injectivity/internal/loop_winding.h"
 #include "parametrization/injectivity/exact_curves.h"
 
 namespace majorant {

@@ -1,5 +1,5 @@
 // Flips of Bezier triangles: what stays, what is refused, Delaunay triangulations.
-#include "majorant/parametrization/scaffold/edge_flip.h"
+#include "majorant/parametrization/scaffold/internal/edge_flip.h"
 
 #include <Eigen/LU>
 #include <map>

@@ -1,5 +1,5 @@
 // Determinant coefficients of both halves of a quadrilateral, and derivatives of the barrier.
-#include "majorant/parametrization/scaffold/moving_barrier.h"
+#include "majorant/parametrization/scaffold/internal/moving_barrier.h"
 
 #include <Eigen/Eigenvalues>
 

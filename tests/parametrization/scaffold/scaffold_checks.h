@@ -8,7 +8,7 @@
 #include <set>
 
 #include "majorant/parametrization/maps/bezier_mesh.h"
-#include "majorant/parametrization/scaffold/scaffold_triangulation.h"
+#include "majorant/parametrization/scaffold/internal/scaffold_triangulation.h"
 #include "mesh/test_meshes.h"
 #include "rational.h"
 #include "support.h"

@@ -1,6 +1,6 @@
 // Scaffolds around polygons: they fill what the image leaves of the frame, keep the boundary as it
 // is, and have good triangles where the boundary lets them.
-#include "majorant/parametrization/scaffold/scaffold_triangulation.h"
+#include "majorant/parametrization/scaffold/internal/scaffold_triangulation.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // Edges held parallel to an axis: ranks, values shared along lines, seams and pins.
-#include "majorant/constraints/axis_alignment.h"
+#include "majorant/constraints/internal/axis_alignment.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "expected_error.h"
 #include "majorant/constraints/fixed_points.h"
-#include "majorant/framework/elimination.h"
+#include "majorant/framework/internal/elimination.h"
 #include "parametrization/starts/seamless_cases.h"
 #include "support.h"
 

@@ -1,5 +1,5 @@
 // Untangling: maps with inverted triangles become injective where the constraints allow it.
-#include "majorant/parametrization/starts/untangle.h"
+#include "majorant/parametrization/starts/internal/untangle.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,99 @@
+// Bernstein coefficients of det J of one element, and what floating point may have done to them.
+//
+// Derivatives of the map are differences of control points, times the degree n. In the plane det J
+// is bilinear in them ([MC20] Sec. 5.2 with the factor of method.md E6), in space it goes through
+// the cofactors D1 x D2 of the first derivative, so that the cost is a sum of two products rather
+// than a triple one.
+//
+// A derivative in the direction of one factor of the cell has degree n - 1 in that factor and n in
+// the others, so a factor of dimension k contributes degree D n - k: 2(n-1) on triangles, 3(n-1) on
+// tetrahedra, (2n-1, 2n-1) on squares, (3n-2, 3n-1) on wedges. Directions of different factors have
+// different numbers of coefficients.
+#pragma once
+
+#include <vector>
+
+#include "majorant/elements/bernstein_element.h"
+#include "majorant/elements/internal/step_polynomial.h"
+
+namespace majorant {
+
+// The product of two Bernstein polynomials: entry (r, s) adds scale * weight * a_r * b_s to
+// coefficient `target`. Entries are stored by r, then s.
+class ProductTable {
+ public:
+  struct Entry {
+    int target;
+    double weight;  // numerator / denominator, rounded
+  };
+  struct Fraction {
+    double numerator, denominator;  // integers
+  };
+  ProductTable() = default;
+  // Throws std::invalid_argument where a numerator or denominator does not fit a double exactly.
+  ProductTable(const BernsteinBasis& a, const BernsteinBasis& b, const BernsteinBasis& product,
+               double scale);
+  int rows() const { return rows_; }
+  int columns() const { return columns_; }
+  int target_count() const { return target_count_; }
+  const std::vector<Entry>& entries() const { return entries_; }
+  const std::vector<Fraction>& fractions() const { return fractions_; }  // one per entry
+
+ private:
+  int rows_ = 0, columns_ = 0, target_count_ = 0;
+  std::vector<Entry> entries_;
+  std::vector<Fraction> fractions_;
+};
+
+class DetCoefficients {
+ public:
+  // element: one that check_description() accepts (element_check.h). Throws std::invalid_argument
+  // for what BernsteinElement::basis() and ProductTable refuse.
+  explicit DetCoefficients(const BernsteinElement& element);
+
+  const BernsteinBasis& basis() const { return basis_; }
+  int count() const { return basis_.count(); }
+
+  // Coefficients for control points c (D numbers per node) and a rigorous bound of the absolute
+  // error of each, for finite c without overflow. out, error: count() numbers.
+  void at_with_error(const double* c, double* out, double* error) const;
+  // The same in quadruple precision, rounded to double; error bounds accordingly smaller.
+  void at_with_error_quad(const double* c, double* out, double* error) const;
+  // Coefficients as polynomials of degree D in t for control points that are linear in t.
+  void along_line(const StepPolynomial<1>* c, StepPolynomial<2>* out) const;
+  void along_line(const StepPolynomial<1>* c, StepPolynomial<3>* out) const;
+
+ private:
+  // Control value of a derivative, without the factor n: c[plus] - c[minus].
+  struct Difference {
+    int plus, minus;
+  };
+  static std::vector<Difference> differences(const BernsteinElement& element, int direction);
+  template <class Number, class First>
+  void differentiate(const Number* c, First* out) const;
+  template <class Real, class First, class Second>
+  void expand_in_plane(const First* derivatives, Second* out) const;
+  template <class Real, class First, class Second, class Third>
+  void expand_in_space(const First* derivatives, Second* cofactors, Third* out) const;
+  template <class Real>
+  void with_error(const double* c, double unit, double* out, double* error) const;
+  int derivative_count(int direction) const {  // coefficients of one component of it
+    const auto d = at(direction);
+    return starts_[d + 1] - starts_[d];
+  }
+  // Where the derivative of a component stands in what differentiate() writes.
+  int derivative_start(int direction, int component) const {
+    return dim_ * starts_[at(direction)] + component * derivative_count(direction);
+  }
+  std::size_t derivative_size() const { return at(dim_) * differences_.size(); }
+
+  int dim_, degree_;
+  BernsteinBasis basis_;
+  std::vector<Difference> differences_;  // of the directions, one after the other
+  std::array<int, 4> starts_{};          // of each direction in differences_, and the end
+  std::array<int, 4> matrix_{};          // in the plane: starts of the four derivatives, by rows
+  ProductTable minors_;                  // of the last two directions; in the plane det J itself
+  ProductTable products_;                // in space: of the first direction and a cofactor
+};
+
+}  // namespace majorant

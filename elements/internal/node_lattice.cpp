@@ -1,0 +1,160 @@
+#include "majorant/elements/internal/node_lattice.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <stdexcept>
+#include <tuple>
+
+namespace majorant {
+namespace {
+
+constexpr std::size_t kMaxCorners = 4;  // of a part
+
+// One part of one cell; equal vertices belong to equal parts.
+struct Side {
+  std::array<Index, kMaxCorners> vertices;  // ascending, -1 for none
+  Index cell;
+  std::uint16_t corners, part;
+
+  auto shared_key() const { return std::tie(corners, vertices); }
+};
+
+Side make_side(const Cells& cells, Index cell, std::size_t number, const NodeLattice::Part& part) {
+  Side side{{},
+            cell,
+            static_cast<std::uint16_t>(part.corners.size()),
+            static_cast<std::uint16_t>(number)};
+  side.vertices.fill(-1);
+  for (std::size_t k = 0; k < side.corners; ++k) {  // insertion sort
+    const Index v = cells(cell, part.corners[k]);
+    std::size_t at = k;
+    for (; at > 0 && side.vertices[at - 1] > v; --at) side.vertices[at] = side.vertices[at - 1];
+    side.vertices[at] = v;
+  }
+  return side;
+}
+
+std::vector<Side> sorted_sides(const NodeLattice& lattice, const Cells& cells) {
+  std::vector<Side> sides;
+  sides.reserve(static_cast<std::size_t>(cells.rows()) * lattice.parts().size());
+  for (Index e = 0; e < cells.rows(); ++e)
+    for (std::size_t p = 0; p < lattice.parts().size(); ++p)
+      sides.push_back(make_side(cells, e, p, lattice.parts()[p]));
+  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+    return std::tie(a.corners, a.vertices, a.cell, a.part) <
+           std::tie(b.corners, b.vertices, b.cell, b.part);
+  });
+  return sides;
+}
+
+// Nodes inside a part in the order that its vertices give: large weights on small numbers first.
+std::vector<int> ordered_nodes(const NodeLattice& lattice, const Cells& cells, const Side& side) {
+  const NodeLattice::Part& part = lattice.parts()[side.part];
+  std::vector<int> corners = part.corners, nodes = part.nodes;
+  std::sort(corners.begin(), corners.end(),
+            [&](int a, int b) { return cells(side.cell, a) < cells(side.cell, b); });
+  std::sort(nodes.begin(), nodes.end(), [&](int a, int b) {
+    for (const int c : corners)
+      if (lattice.weight(a, c) != lattice.weight(b, c))
+        return lattice.weight(a, c) > lattice.weight(b, c);
+    return false;
+  });
+  return nodes;
+}
+
+void check_cells(const NodeLattice& lattice, const Cells& cells, Index vertex_count,
+                 std::string_view name) {
+  if (cells.cols() != lattice.corner_count())
+    throw std::invalid_argument(fmt::format("{}: cells have {} columns, expected {}", name,
+                                            cells.cols(), lattice.corner_count()));
+  for (Index e = 0; e < cells.rows(); ++e)
+    for (int k = 0; k < lattice.corner_count(); ++k) {
+      const Index v = cells(e, k);
+      if (v < 0 || v >= vertex_count)
+        throw std::invalid_argument(fmt::format("{}: cell {} has vertex {}, there are {} vertices",
+                                                name, e, v, vertex_count));
+      for (int j = 0; j < k; ++j)
+        if (cells(e, j) == v)
+          throw std::invalid_argument(fmt::format("{}: cell {} has vertex {} twice", name, e, v));
+    }
+}
+
+}  // namespace
+
+NodeLattice::NodeLattice(const BernsteinBasis& nodes) {
+  int corners = 0;
+  while (corners < nodes.count() && nodes.is_corner(corners)) ++corners;
+  weights_.resize(nodes.count(), corners);
+  const auto size = at(nodes.coordinate_count());
+  for (int l = 0; l < nodes.count(); ++l)
+    for (int c = 0; c < corners; ++c) {
+      int weight = 1;
+      for (std::size_t k = 0; k < size; ++k)
+        if (nodes.exponents(c)[k] > 0) weight *= nodes.exponents(l)[k];
+      weights_(l, c) = weight;
+    }
+  for (std::size_t k = 0; k < size; ++k) {  // facets: one coordinate is zero
+    std::vector<int> facet, closure;
+    for (int l = 0; l < nodes.count(); ++l)
+      if (nodes.exponents(l)[k] == 0) (l < corners ? facet : closure).push_back(l);
+    Part& part = part_of(facet);
+    part.closure = facet;
+    part.closure.insert(part.closure.end(), closure.begin(), closure.end());
+  }
+  for (int l = corners; l < nodes.count(); ++l) {
+    std::vector<int> support;
+    for (int c = 0; c < corners; ++c)
+      if (weights_(l, c) > 0) support.push_back(c);
+    (static_cast<int>(support.size()) == corners ? interior_ : part_of(support).nodes).push_back(l);
+  }
+}
+
+NodeLattice::Part& NodeLattice::part_of(const std::vector<int>& corners) {
+  for (Part& part : parts_)
+    if (part.corners == corners) return part;
+  return parts_.emplace_back(Part{corners, {}, {}});
+}
+
+NodeNumbering number_nodes(const NodeLattice& lattice, const Cells& cells, Index vertex_count,
+                           std::string_view name) {
+  check_cells(lattice, cells, vertex_count, name);
+  NodeNumbering out;
+  out.cells.resize(cells.rows(), lattice.node_count());
+  out.cells.leftCols(cells.cols()) = cells;
+  out.node_count = vertex_count;
+  const std::vector<Side> sides = sorted_sides(lattice, cells);
+  std::vector<const Side*> outer;
+  for (auto first = sides.begin(); first != sides.end();) {
+    const auto last = std::find_if(
+        first, sides.end(), [&](const Side& s) { return s.shared_key() != first->shared_key(); });
+    const NodeLattice::Part& part = lattice.parts()[first->part];
+    const bool facet = !part.closure.empty();
+    if (facet && last - first > 2)
+      throw std::invalid_argument(
+          fmt::format("{}: facet ({}) has {} cells, at most 2 are possible", name,
+                      fmt::join(first->vertices.begin(),
+                                first->vertices.begin() + static_cast<long>(first->corners), ", "),
+                      last - first));
+    if (facet && last - first == 1) outer.push_back(&*first);
+    for (auto side = first; side != last && !part.nodes.empty(); ++side) {
+      Index node = out.node_count;
+      for (const int l : ordered_nodes(lattice, cells, *side)) out.cells(side->cell, l) = node++;
+    }
+    out.node_count += static_cast<Index>(part.nodes.size());
+    first = last;
+  }
+  for (Index e = 0; e < cells.rows(); ++e)
+    for (const int l : lattice.interior()) out.cells(e, l) = out.node_count++;
+  for (const Side* side : outer)
+    for (const int l : lattice.parts()[side->part].closure)
+      out.boundary_nodes.push_back(out.cells(side->cell, l));
+  std::vector<Index>& boundary = out.boundary_nodes;
+  std::sort(boundary.begin(), boundary.end());
+  boundary.erase(std::unique(boundary.begin(), boundary.end()), boundary.end());
+  return out;
+}
+
+}  // namespace majorant

@@ -1,0 +1,48 @@
+// The interface between energy terms and contraction kernels: plain views, no templates, so that a
+// kernel may be compiled for another instruction set than its caller.
+#pragma once
+
+#include "majorant/elements/detail/contraction_entries.h"
+#include "majorant/framework/curvature.h"
+
+namespace majorant {
+
+// A ContractionTable on one rule, quadrature weights folded in. D: reference dimension.
+struct ContractionView {
+  int nodes, points, first_count, moment_count, direction_count, gradient_count;
+  const double* directions;       // direction_count by D
+  const double* weights;          // points
+  const double* first;            // points by first_count
+  const double* weighted_first;   // first * weight
+  const double* weighted_moment;  // points by moment_count, moment * weight
+  const GradientEntry* gradient;
+  const HessianEntry* hessian;
+  const int* pair_starts;
+};
+
+// Elements of one chunk, structure of arrays with stride `stride`; entries beyond `count` up to the
+// next multiple of 8 repeat the last element. M: unknowns per node.
+struct ChunkView {
+  static constexpr int stride = 128;
+  int count;
+  const double* x;  // M rows per node
+  // Constant rest shapes: D^2 + 1 rows, inverse rest Jacobian row by row and measure. Curved ones:
+  // as many rows for every quadrature point.
+  const double* rest;
+  int rest_rows_per_point;  // 0: constant
+};
+
+// Kernels of one density. `density` is the object they were made for.
+struct DensityKernels {
+  int rows, dims;  // of the Jacobian: M by D
+  // f: measure * mean density per element.
+  void (*values)(const void* density, const ContractionView&, const ChunkView&, double* scratch,
+                 double* f);
+  // Without `hessian` (null) the curvature is not looked at.
+  void (*local)(const void* density, const ContractionView&, const ChunkView&, Curvature curvature,
+                double* scratch, double* f, double* gradient, double* hessian);
+  // Doubles of scratch that either kernel needs.
+  int (*scratch_size)(const ContractionView&);
+};
+
+}  // namespace majorant

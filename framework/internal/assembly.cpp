@@ -1,0 +1,139 @@
+#include "majorant/framework/internal/assembly.h"
+
+#include <algorithm>
+
+namespace majorant {
+namespace {
+
+// Distinct reduced unknowns of an element, sorted.
+void reduced_unknowns(const Stencils& s, const Elimination& z, Index e, std::vector<Index>& out) {
+  out.clear();
+  for (Index k = 0; k < s.nodes.cols(); ++k)
+    for (int c = 0; c < s.block; ++c) {
+      const Index i = s.block * s.nodes(e, k) + c;
+      for (auto q = z.begin(i); q != z.end(i); ++q) out.push_back(q->reduced);
+    }
+  std::sort(out.begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+}
+
+}  // namespace
+
+SparsePattern reduced_pattern(const std::vector<const Stencils*>& terms,
+                              const Elimination& elimination) {
+  const Index n = elimination.reduced_size();
+  std::vector<std::vector<Index>> elements_of(at(n));  // by unknown: positions in `lists`
+  std::vector<std::vector<Index>> lists;
+  std::vector<Index> unknowns;
+  for (const Stencils* s : terms)
+    for (Index e = 0; e < s->element_count(); ++e) {
+      reduced_unknowns(*s, elimination, e, unknowns);
+      for (const Index u : unknowns) elements_of[at(u)].push_back(static_cast<Index>(lists.size()));
+      lists.push_back(unknowns);
+    }
+  SparsePattern p;
+  std::vector<Index> mark(at(n), -1), below;
+  for (Index c = 0; c < n; ++c) {
+    below.clear();
+    for (const Index list : elements_of[at(c)])
+      for (const Index r : lists[at(list)])
+        if (r > c && mark[at(r)] != c) {
+          mark[at(r)] = c;
+          below.push_back(r);
+        }
+    p.append_column(below);
+  }
+  // A node is as many unknowns as in the term that has most of them.
+  int block = 1;
+  for (const Stencils* s : terms) block = std::max(block, s->block);
+  Index previous = -1, blocks = 0;
+  for (Index j = 0; j < n; ++j) {
+    const Index node = elimination.full_index(j) / block;
+    if (j > 0 && node != previous) ++blocks;
+    p.block_of.push_back(blocks);
+    previous = node;
+  }
+  return p;
+}
+
+SlotTable::SlotTable(const Stencils& stencils, const Elimination& elimination,
+                     const SparsePattern& pattern)
+    : local_size_(stencils.local_size()), packed_size_(local_size_ * (local_size_ + 1) / 2) {
+  const Index count = stencils.element_count();
+  direct_.assign(at(count) * at(packed_size_), -1);
+  reduced_.assign(at(count) * at(local_size_), -1);
+  general_of_.assign(at(count), -1);
+  for (Index e = 0; e < count; ++e) {
+    Index* reduced = reduced_.data() + at(e) * at(local_size_);
+    bool simple = true;
+    for (int i = 0; i < local_size_; ++i) {
+      const Index x = stencils.block * stencils.nodes(e, i / stencils.block) + i % stencils.block;
+      const auto first = elimination.begin(x), last = elimination.end(x);
+      if (first == last) continue;
+      simple = simple && last - first == 1 && first->coefficient == 1.0;
+      reduced[i] = first->reduced;
+    }
+    // An unknown that occurs twice in an element needs both off-diagonal copies: general path.
+    for (int i = 0; i < local_size_; ++i)
+      for (int j = 0; j < i; ++j) simple = simple && (reduced[i] < 0 || reduced[i] != reduced[j]);
+    if (!simple) {
+      build_general(e, stencils, elimination, pattern);
+      continue;
+    }
+    Index* direct = direct_.data() + at(e) * at(packed_size_);
+    for (int i = 0, k = 0; i < local_size_; ++i)
+      for (int j = 0; j <= i; ++j, ++k)
+        if (reduced[i] >= 0 && reduced[j] >= 0) direct[k] = pattern.slot(reduced[i], reduced[j]);
+  }
+}
+
+void SlotTable::build_general(Index e, const Stencils& s, const Elimination& z,
+                              const SparsePattern& pattern) {
+  general_of_[at(e)] = static_cast<Index>(general_.size());
+  std::vector<Contribution> contributions;
+  std::vector<std::pair<int, Target>> gradient;
+  const auto full = [&](int i) { return s.block * s.nodes(e, i / s.block) + i % s.block; };
+  for (int i = 0; i < local_size_; ++i) {
+    for (auto p = z.begin(full(i)); p != z.end(full(i)); ++p) {
+      gradient.push_back({i, {p->reduced, p->coefficient}});
+      for (int j = 0; j < local_size_; ++j) {
+        const int packed = std::max(i, j) * (std::max(i, j) + 1) / 2 + std::min(i, j);
+        for (auto q = z.begin(full(j)); q != z.end(full(j)); ++q)
+          if (p->reduced >= q->reduced)
+            contributions.push_back(
+                {packed, pattern.slot(p->reduced, q->reduced), p->coefficient * q->coefficient});
+      }
+    }
+  }
+  general_.push_back(std::move(contributions));
+  general_gradient_.push_back(std::move(gradient));
+}
+
+void SlotTable::add_hessian(Index element, const LocalSystem& local, int p, double factor,
+                            double* values) const {
+  if (const Index g = general_of_[at(element)]; g >= 0) {
+    for (const Contribution& c : general_[at(g)])
+      values[c.slot] += factor * c.coefficient * local.hessian[c.local * LocalSystem::stride + p];
+    return;
+  }
+  const Index* slot = direct_.data() + at(element) * at(packed_size_);
+  const double* h = local.hessian + p;
+  for (int k = 0; k < packed_size_; ++k, h += LocalSystem::stride)
+    if (slot[k] >= 0) values[slot[k]] += factor * *h;
+}
+
+void SlotTable::add_gradient(Index element, const LocalSystem& local, int p, double factor,
+                             double* gradient) const {
+  if (const Index g = general_of_[at(element)]; g >= 0) {
+    for (const auto& [i, target] : general_gradient_[at(g)])
+      gradient[target.reduced] +=
+          factor * target.coefficient * local.gradient[i * LocalSystem::stride + p];
+    return;
+  }
+  const Index* reduced = reduced_.data() + at(element) * at(local_size_);
+  for (int i = 0; i < local_size_; ++i)
+    if (reduced[i] >= 0)
+      gradient[reduced[i]] += factor * local.gradient[i * LocalSystem::stride + p];
+}
+
+}  // namespace majorant

@@ -1,0 +1,21 @@
+#include "majorant/framework/internal/curvature_name.h"
+
+namespace majorant {
+
+std::string_view name(Curvature curvature) {
+  switch (curvature) {
+    case Curvature::Projected:
+      return "projected";
+    case Curvature::Majorizer:
+      return "majorizer";
+    case Curvature::PaperMajorizer:
+      return "paper-majorizer";
+    case Curvature::Exact:
+      return "exact";
+    case Curvature::Reweighted:
+      return "reweighted";
+  }
+  return "unknown";
+}
+
+}  // namespace majorant

@@ -1,0 +1,55 @@
+#include "majorant/framework/internal/metric.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "majorant/framework/internal/problem_parts.h"
+#include "majorant/framework/internal/stopwatch.h"
+#include "majorant/framework/stepper.h"
+
+namespace majorant {
+namespace {
+
+// Of the mean diagonal. Newton's method gets away with 1e-14, since its next matrix is another one;
+// a metric that stays would send every step down its near null space.
+constexpr double kSmallestShift = 1e-3;
+
+bool same_z(const Elimination& a, const Elimination& b) {
+  if (a.full_size() != b.full_size() || a.reduced_size() != b.reduced_size()) return false;
+  const auto equal = [](const Elimination::Entry& p, const Elimination::Entry& q) {
+    return p.reduced == q.reduced && p.coefficient == q.coefficient;
+  };
+  for (Index i = 0; i < a.full_size(); ++i)
+    if (!std::equal(a.begin(i), a.end(i), b.begin(i), b.end(i), equal)) return false;
+  return true;
+}
+
+}  // namespace
+
+Metric::Metric(const Problem& problem, Curvature curvature, std::unique_ptr<LinearSolver> solver)
+    : evaluator_(problem), curvature_(curvature), solver_(std::move(solver)) {
+  if (!problem.supports(curvature))
+    throw std::invalid_argument("Metric: a term does not support the curvature model");
+  solver_->analyze(evaluator_.problem().pattern());
+}
+
+bool Metric::factorize(VecIn y, const StopCheck& stop) {
+  Stopwatch watch;
+  evaluator_.linearize(y, curvature_, gradient_, hessian_, stop);
+  seconds_.assemble = watch.restart();
+  const ShiftedFactorization f =
+      factorize_shifted(*solver_, evaluator_.problem().pattern(), hessian_, kSmallestShift, stop);
+  shift_ = f.shift;
+  seconds_.factorize = watch.restart();
+  return f.status == FactorStatus::Ok;
+}
+
+const Problem& metric_problem(const Problem& problem, const std::optional<Problem>& metric) {
+  if (!metric) return problem;
+  if (!same_z(ProblemParts::elimination(problem), ProblemParts::elimination(*metric)))
+    throw std::invalid_argument("the metric's problem has other unknowns or constraints");
+  return *metric;
+}
+
+}  // namespace majorant

@@ -1,0 +1,52 @@
+#include "majorant/framework/internal/sparse_spd.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "majorant/framework/error.h"
+
+namespace majorant {
+namespace {
+
+SparsePattern pattern_of(Index size, Index block, const std::vector<SparseSpd::Entry>& entries) {
+  std::vector<std::vector<Index>> below(at(size));
+  for (const SparseSpd::Entry& e : entries)
+    if (e.row != e.column)
+      below[at(std::min(e.row, e.column))].push_back(std::max(e.row, e.column));
+  SparsePattern pattern;
+  for (const auto& rows : below) pattern.append_column(rows);
+  pattern.order_in_blocks(block);
+  return pattern;
+}
+
+}  // namespace
+
+SparseSpd::SparseSpd(Index size, Index block, const std::vector<Entry>& entries,
+                     const std::string& otherwise)
+    : pattern_(std::make_unique<const SparsePattern>(pattern_of(size, block, entries))) {
+  Vec values = Vec::Zero(pattern_->nonzeros());
+  for (const Entry& e : entries) values[pattern_->slot(e.row, e.column)] += e.value;
+  factorize(values, otherwise, {});
+}
+
+SparseSpd::SparseSpd(SparsePattern pattern, const Vec& values, const std::string& otherwise,
+                     const StopCheck& stop)
+    : pattern_(std::make_unique<const SparsePattern>(std::move(pattern))) {
+  factorize(values, otherwise, stop);
+}
+
+void SparseSpd::factorize(const Vec& values, const std::string& otherwise, const StopCheck& stop) {
+  solver_ = make_cholmod_solver();
+  solver_->analyze(*pattern_);
+  stop.poll();
+  if (solver_->factorize(values, 0.0) != FactorStatus::Ok)
+    throw Error(ErrorKind::Infeasible, otherwise);
+}
+
+Vec SparseSpd::solve(const Vec& rhs) const {
+  Vec x;
+  solver_->solve(rhs, x);
+  return x;
+}
+
+}  // namespace majorant

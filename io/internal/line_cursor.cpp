@@ -1,0 +1,219 @@
+#include "majorant/io/internal/line_cursor.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <locale>
+#include <sstream>
+#include <utility>
+
+#include "majorant/framework/error.h"
+#include "majorant/io/internal/input_file.h"
+
+namespace majorant {
+namespace {
+
+bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
+
+bool has_comment(std::string_view line) {
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line[i] == '#' && (i == 0 || is_space(line[i - 1]))) return true;
+  }
+  return false;
+}
+
+// from_chars says the same for overflow and underflow; a stream in the C locale tells them apart.
+NumberStatus parse_extreme_number(std::string_view token, double& value) {
+  std::istringstream stream{std::string(token)};
+  stream.imbue(std::locale::classic());
+  stream >> value;
+  return std::abs(value) < 1.0 ? NumberStatus::Good : NumberStatus::NotFinite;
+}
+
+}  // namespace
+
+NumberStatus parse_number(std::string_view token, double& value) {
+  if (token.size() > 1 && token.front() == '+' && token[1] != '-') token.remove_prefix(1);
+  const char* end = token.data() + token.size();
+  const auto [stop, code] = std::from_chars(token.data(), end, value);
+  if (stop != end || code == std::errc::invalid_argument) return NumberStatus::NotANumber;
+  if (code == std::errc::result_out_of_range) return parse_extreme_number(token, value);
+  return std::isfinite(value) ? NumberStatus::Good : NumberStatus::NotFinite;
+}
+
+bool is_exact(std::string_view decimal, double nearest) {
+  constexpr int kMostDigits = 19, kMostPower = 22;  // of a 64-bit integer; 10^22 is a double
+  if (!decimal.empty() && (decimal.front() == '-' || decimal.front() == '+'))
+    decimal.remove_prefix(1);
+  std::uint64_t digits = 0;
+  int count = 0, power = 0;
+  bool is_fraction = false;
+  std::size_t k = 0;
+  for (; k < decimal.size() && decimal[k] != 'e' && decimal[k] != 'E'; ++k) {
+    if (decimal[k] == '.') {
+      is_fraction = true;
+      continue;
+    }
+    if (count > 0 || decimal[k] != '0') ++count;
+    if (count > kMostDigits) return false;
+    digits = 10 * digits + static_cast<std::uint64_t>(decimal[k] - '0');
+    power -= is_fraction;
+  }
+  if (digits == 0) return true;
+  if (k < decimal.size()) {
+    int exponent = 0;
+    k += 1 + (k + 1 < decimal.size() && decimal[k + 1] == '+');
+    const char* end = decimal.data() + decimal.size();
+    if (std::from_chars(decimal.data() + k, end, exponent).ptr != end) return false;
+    if (std::abs(exponent) > kMostPower) return false;
+    power += exponent;
+  }
+  for (; digits % 10 == 0; digits /= 10) ++power;
+  const auto integer = static_cast<double>(digits);
+  if (digits > (std::uint64_t{1} << 53) || std::abs(power) > kMostPower) return false;
+  double scale = 1;  // 10^|power|, exactly
+  for (int p = 0; p < std::abs(power); ++p) scale *= 10;
+  // fma rounds once: it is zero only where the products are equal.
+  return power >= 0 ? std::fma(integer, scale, -std::abs(nearest)) == 0
+                    : std::fma(std::abs(nearest), scale, -integer) == 0;
+}
+
+LineCursor::LineCursor(const std::string& file, std::string_view text, Continuation continuation,
+                       StopCheck stop)
+    : file_(file),
+      text_end_(text.data() + text.size()),
+      line_begin_(text.data()),
+      line_end_(nullptr),
+      cursor_(text.data()),
+      continuation_(continuation),
+      stop_(std::move(stop)) {}
+
+// A backslash that is followed by the end of the line, or by the end of the text.
+bool LineCursor::is_continuation(const char* at) const {
+  if (continuation_ == Continuation::None || *at != '\\') return false;
+  ++at;
+  while (at != text_end_ && is_space(*at)) ++at;
+  return at == text_end_ || *at == '\n';
+}
+
+// One past the last character of the line that begins here, continuations included, without '\n'.
+// A comment ends with its line: a backslash in it (a Windows folder) continues nothing.
+const char* LineCursor::end_of_line(const char* begin) {
+  const auto line_feed = [this](const char* from) {
+    const void* found = std::memchr(from, '\n', static_cast<std::size_t>(text_end_ - from));
+    return found != nullptr ? static_cast<const char*>(found) : text_end_;
+  };
+  const char* end = line_feed(begin);
+  if (continuation_ == Continuation::None) return end;
+  while (end != text_end_) {
+    const char* last = end;
+    while (last != begin && is_space(last[-1])) --last;
+    if (last == begin || last[-1] != '\\' || has_comment({begin, last})) break;
+    begin = end + 1;
+    end = line_feed(begin);
+    ++next_line_;
+  }
+  return end;
+}
+
+bool LineCursor::next_line() {
+  const char* begin = line_end_ == nullptr ? line_begin_ : line_end_;
+  if (line_end_ != nullptr && begin != text_end_) ++begin;
+  while (begin != text_end_) {
+    stop_.poll_at(++steps_);
+    line_ = next_line_++;
+    line_begin_ = cursor_ = begin;
+    line_end_ = end_of_line(begin);
+    if (!at_end_of_line()) return true;
+    begin = line_end_ == text_end_ ? text_end_ : line_end_ + 1;
+  }
+  line_begin_ = line_end_ = cursor_ = text_end_;
+  return false;
+}
+
+std::string_view LineCursor::whole_line() const {
+  const char* begin = line_begin_;
+  const char* end = line_end_;
+  while (begin != end && is_space(*begin)) ++begin;
+  while (begin != end && is_space(end[-1])) --end;
+  return {begin, static_cast<std::size_t>(end - begin)};
+}
+
+void LineCursor::skip_space() {
+  while (cursor_ != line_end_ && (is_space(*cursor_) || *cursor_ == '\n' ||
+                                  (*cursor_ == '\\' && is_continuation(cursor_)))) {
+    ++cursor_;
+  }
+}
+
+bool LineCursor::at_end_of_line() {
+  skip_space();
+  return cursor_ == line_end_ || *cursor_ == '#';
+}
+
+std::string_view LineCursor::next_token() {
+  if (at_end_of_line()) return {};
+  stop_.poll_at(++steps_);
+  const char* begin = cursor_;
+  while (cursor_ != line_end_ && !is_space(*cursor_) && *cursor_ != '\n' &&
+         !(*cursor_ == '\\' && is_continuation(cursor_))) {
+    ++cursor_;
+  }
+  return {begin, static_cast<std::size_t>(cursor_ - begin)};
+}
+
+double LineCursor::next_number(std::string_view what) {
+  const std::string_view token = next_token();
+  if (token.empty()) fail(fmt::format("{} is missing; the file may be truncated", what));
+  double value = 0.0;
+  switch (parse_number(token, value)) {
+    case NumberStatus::Good:
+      number_ = token;
+      value_ = value;
+      return value;
+    case NumberStatus::NotANumber:
+      fail(fmt::format("{} {} is not a number; correct the file", what, in_quotes(token)));
+    case NumberStatus::NotFinite:
+      break;
+  }
+  fail(fmt::format("{} {} is not finite; correct the file", what, in_quotes(token)));
+}
+
+double LineCursor::rounding() const {
+  if (is_exact(number_, value_)) return 0;
+  const double size = std::abs(value_);
+  return (std::nextafter(size, std::numeric_limits<double>::infinity()) - size) / 2;
+}
+
+long long LineCursor::next_integer(std::string_view what) {
+  std::string_view token = next_token();
+  if (token.empty()) fail(fmt::format("{} is missing; the file may be truncated", what));
+  long long value = 0;
+  const char* end = token.data() + token.size();
+  const char* begin = token.data() + (token.size() > 1 && token[0] == '+' && token[1] != '-');
+  const auto [stop, code] = std::from_chars(begin, end, value);
+  if (code == std::errc::result_out_of_range) {
+    fail(fmt::format("{} {} overflows 64 bits; correct the file", what, in_quotes(token)));
+  }
+  if (stop != end || code != std::errc()) {
+    fail(fmt::format("{} {} is not an integer; correct the file", what, in_quotes(token)));
+  }
+  return value;
+}
+
+void LineCursor::require_end_of_line() {
+  if (at_end_of_line()) return;
+  fail(fmt::format("{} is one entry too many on this line; correct the file",
+                   in_quotes(next_token())));
+}
+
+void LineCursor::fail(std::string_view problem) const {
+  if (line_ == 0) throw Error(ErrorKind::Unreadable, fmt::format("{}: {}", file_, problem));
+  throw Error(ErrorKind::Unreadable, fmt::format("{}:{}: {}", file_, line_, problem));
+}
+
+}  // namespace majorant

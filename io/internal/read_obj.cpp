@@ -1,0 +1,208 @@
+// Wavefront OBJ. The grammar accepted here is the polygonal subset of the "Object Files (.obj)"
+// appendix of Wavefront's Advanced Visualizer manual; other keywords of it are skipped.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <limits>
+
+#include "majorant/framework/error.h"
+#include "majorant/io/internal/input_file.h"
+#include "majorant/io/internal/line_cursor.h"
+#include "majorant/io/internal/mesh_readers.h"
+
+namespace majorant {
+namespace {
+
+constexpr std::array<std::string_view, 5> kDirectives = {"g", "o", "s", "usemtl", "mtllib"};
+
+// Keywords of the format that say nothing about polygons.
+constexpr std::array<std::string_view, 35> kIgnored = {
+    "p",    "l",      "vp",     "cstype", "deg",   "bmat",       "step",
+    "curv", "curv2",  "surf",   "parm",   "trim",  "hole",       "scrv",
+    "sp",   "end",    "con",    "mg",     "bevel", "c_interp",   "d_interp",
+    "lod",  "maplib", "usemap", "ctech",  "stech", "call",       "csh",
+    "bsp",  "bzp",    "cdc",    "cdp",    "res",   "shadow_obj", "trace_obj"};
+
+template <class List>
+bool contains(const List& list, std::string_view keyword) {
+  return std::find(list.begin(), list.end(), keyword) != list.end();
+}
+
+// One of the three index spaces v, vt, vn: how many elements there are so far, and the largest
+// positive index yet, which may point forward and is checked at the end.
+struct IndexSpace {
+  std::string_view name;
+  long long count = 0;
+  long long largest = 0;
+  long largest_line = 0;
+};
+
+class ObjReader {
+ public:
+  ObjReader(const std::string& path, std::string_view text, const StopCheck& stop)
+      : cursor_(path, text, Continuation::Backslash, stop) {
+    mesh_.file = path;
+  }
+
+  PolygonMesh read() {
+    while (cursor_.next_line()) read_line();
+    for (const IndexSpace& space : spaces_) require_in_range(space);
+    require_complete(mesh_);
+    if (!has_texcoords_) mesh_.polygon_texcoords.clear();
+    if (!has_normals_) mesh_.polygon_normals.clear();
+    return std::move(mesh_);
+  }
+
+ private:
+  void read_line() {
+    const std::string_view keyword = cursor_.next_token();
+    if (keyword == "v") {
+      mesh_.positions.push_back(read_position("coordinate"));
+      ++spaces_[0].count;
+    } else if (keyword == "f" || keyword == "fo") {
+      read_face();
+    } else if (keyword == "vt") {
+      read_texcoord();
+    } else if (keyword == "vn") {
+      mesh_.normals.push_back(read_position("normal component"));
+      ++spaces_[2].count;
+    } else if (contains(kDirectives, keyword)) {
+      keep_directive();
+    } else if (!contains(kIgnored, keyword)) {
+      cursor_.fail(
+          fmt::format("{} is no OBJ keyword; check that this is an OBJ file", in_quotes(keyword)));
+    }
+  }
+
+  // Three numbers; what follows (a weight, a colour) must be numbers too and is dropped.
+  Vector3 read_position(std::string_view what) {
+    Vector3 position;
+    for (int k = 0; k < 3; ++k) position[k] = cursor_.next_number(what);
+    while (!cursor_.at_end_of_line()) cursor_.next_number(what);
+    return position;
+  }
+
+  void read_texcoord() {
+    Vector2 texcoord(cursor_.next_number("texture coordinate"), 0.0);
+    Vector2 rounding(cursor_.rounding(), 0.0);
+    if (!cursor_.at_end_of_line()) {
+      texcoord[1] = cursor_.next_number("texture coordinate");
+      rounding[1] = cursor_.rounding();
+    }
+    while (!cursor_.at_end_of_line()) cursor_.next_number("texture coordinate");
+    mesh_.texcoords.push_back(texcoord);
+    mesh_.texcoord_rounding.push_back(rounding);
+    ++spaces_[1].count;
+  }
+
+  void keep_directive() {
+    // A continued line becomes one line: backslash, what follows it and the line end are a space.
+    std::string text;
+    for (std::string_view rest = cursor_.whole_line(); !rest.empty();) {
+      const std::size_t end = rest.find('\n');
+      const std::string_view line = rest.substr(0, end);
+      if (end == std::string_view::npos) {
+        text += line;
+        break;
+      }
+      text += line.substr(0, line.rfind('\\'));
+      text.push_back(' ');
+      rest.remove_prefix(end + 1);
+    }
+    mesh_.directives.emplace_back(static_cast<Index>(mesh_.polygons.size()), std::move(text));
+  }
+
+  void read_face() {
+    std::array<std::vector<Index>, 3> lists;
+    while (!cursor_.at_end_of_line()) read_corner(cursor_.next_token(), lists);
+    const std::size_t corners = lists[0].size();
+    if (corners < 3) {
+      cursor_.fail(
+          fmt::format("face with {} corner{}; at least 3 are needed, the file may be "
+                      "truncated",
+                      corners, corners == 1 ? "" : "s"));
+    }
+    for (std::size_t k = 1; k < 3; ++k) {
+      if (lists[k].empty() || lists[k].size() == corners) continue;
+      cursor_.fail(
+          fmt::format("some corners of the face have a {} index and some have none; give "
+                      "one to all or to none",
+                      spaces_[k].name));
+    }
+    has_texcoords_ |= !lists[1].empty();
+    has_normals_ |= !lists[2].empty();
+    mesh_.polygons.push_back(std::move(lists[0]));
+    mesh_.polygon_texcoords.push_back(std::move(lists[1]));
+    mesh_.polygon_normals.push_back(std::move(lists[2]));
+    mesh_.polygon_lines.push_back(cursor_.line());
+  }
+
+  // v, v/vt, v//vn or v/vt/vn.
+  void read_corner(std::string_view token, std::array<std::vector<Index>, 3>& lists) {
+    const char* at = token.data();
+    const char* end = at + token.size();
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!(k == 1 && at != end && *at == '/')) {  // v//vn leaves vt out
+        long long value = 0;
+        const auto [stop, code] = std::from_chars(at, end, value);
+        if (code == std::errc::result_out_of_range) {
+          cursor_.fail(
+              fmt::format("index {} overflows 64 bits; correct the face", in_quotes(token)));
+        }
+        if (code != std::errc()) refuse_corner(token);
+        at = stop;
+        lists[k].push_back(resolve(value, spaces_[k]));
+      }
+      if (at == end) return;
+      if (*at != '/' || k == 2) refuse_corner(token);
+      ++at;
+    }
+  }
+
+  [[noreturn]] void refuse_corner(std::string_view token) {
+    cursor_.fail(fmt::format("{} is no face corner (v, v/vt, v//vn or v/vt/vn); correct the face",
+                             in_quotes(token)));
+  }
+
+  // From OBJ's numbering (1, 2, ... from the start, -1, -2, ... back from here) to 0, 1, ...
+  Index resolve(long long value, IndexSpace& space) {
+    if (value == 0) {
+      cursor_.fail(fmt::format("{} index 0; OBJ counts from 1", space.name));
+    }
+    if (value < 0) value += space.count + 1;
+    if (value <= 0 || value > std::numeric_limits<Index>::max()) {
+      cursor_.fail(fmt::format("{} index out of range, {} were read up to here; correct the face",
+                               space.name, space.count));
+    }
+    if (value > space.largest) {
+      space.largest = value;
+      space.largest_line = cursor_.line();
+    }
+    return static_cast<Index>(value - 1);
+  }
+
+  void require_in_range(const IndexSpace& space) const {
+    if (space.largest <= space.count) return;
+    throw Error(
+        ErrorKind::Unreadable,
+        fmt::format("{}:{}: {} index {} out of range, the file has {}; correct the face",
+                    mesh_.file, space.largest_line, space.name, space.largest, space.count));
+  }
+
+  LineCursor cursor_;
+  PolygonMesh mesh_;
+  std::array<IndexSpace, 3> spaces_ = {IndexSpace{"v"}, IndexSpace{"vt"}, IndexSpace{"vn"}};
+  bool has_texcoords_ = false;
+  bool has_normals_ = false;
+};
+
+}  // namespace
+
+PolygonMesh read_obj(const std::string& path, std::string content, const StopCheck& stop) {
+  require_text(path, content);
+  return ObjReader(path, content, stop).read();
+}
+
+}  // namespace majorant

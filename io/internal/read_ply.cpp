@@ -1,0 +1,263 @@
+// PLY (Stanford polygon file). Every record is decoded through the layout that the header declares;
+// what is not a vertex position, a texture coordinate or a face is read and dropped.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "majorant/framework/error.h"
+#include "majorant/io/internal/byte_cursor.h"
+#include "majorant/io/internal/input_file.h"
+#include "majorant/io/internal/line_cursor.h"
+#include "majorant/io/internal/mesh_readers.h"
+#include "majorant/io/internal/ply_header.h"
+
+namespace majorant {
+namespace {
+
+// One record: the values of all properties, flat; property p holds values[begin[p] .. begin[p+1]).
+struct PlyRecord {
+  std::vector<double> values;
+  std::vector<std::size_t> begin;
+};
+
+// Numbers from a text line; a record is a line.
+class AsciiPlySource {
+ public:
+  AsciiPlySource(const std::string& path, std::string_view text, long first_line)
+      : cursor_(path, text, Continuation::None), first_line_(first_line), path_(path) {}
+
+  void begin_record() {
+    if (!cursor_.next_line()) fail("a record is missing; the file is truncated");
+  }
+  void end_record() {
+    if (!cursor_.at_end_of_line()) fail("more numbers than the header declares; correct the file");
+  }
+  double next(PlyType) {
+    double value = 0.0;
+    const std::string_view token = cursor_.next_token();
+    if (token.empty()) fail("a number is missing; the file may be truncated");
+    if (parse_number(token, value) == NumberStatus::NotANumber) {
+      fail(fmt::format("{} is not a number; correct the file", in_quotes(token)));
+    }
+    return parse_number(token, value) == NumberStatus::NotFinite
+               ? std::numeric_limits<double>::quiet_NaN()
+               : value;
+  }
+  void require_count(long long, std::size_t) {}  // a list ends with its line
+  void finish() {
+    if (cursor_.next_line()) fail("content after the last record; correct the header's counts");
+  }
+  long place(long long) const { return first_line_ + cursor_.line(); }
+  [[noreturn]] void fail(std::string_view problem) const {
+    throw Error(ErrorKind::Unreadable,
+                fmt::format("{}:{}: {}", path_, first_line_ + cursor_.line(), problem));
+  }
+
+ private:
+  LineCursor cursor_;
+  long first_line_;
+  const std::string& path_;
+};
+
+class BinaryPlySource {
+ public:
+  BinaryPlySource(const std::string& path, std::string_view bytes, ByteOrder order)
+      : cursor_(path, bytes, order), path_(path) {}
+
+  void begin_record() {}
+  void end_record() {}
+  double next(PlyType type) {
+    switch (type) {
+      case PlyType::Int8:
+        return cursor_.next<signed char>();
+      case PlyType::UInt8:
+        return cursor_.next<unsigned char>();
+      case PlyType::Int16:
+        return cursor_.next<std::int16_t>();
+      case PlyType::UInt16:
+        return cursor_.next<std::uint16_t>();
+      case PlyType::Int32:
+        return cursor_.next<std::int32_t>();
+      case PlyType::UInt32:
+        return cursor_.next<std::uint32_t>();
+      case PlyType::Float32:
+        return static_cast<double>(cursor_.next<float>());
+      case PlyType::Float64:
+        break;
+    }
+    return cursor_.next<double>();
+  }
+  // That `count` pieces of at least `size` bytes can still follow.
+  void require_count(long long count, std::size_t size) {
+    if (static_cast<std::size_t>(count) > cursor_.remaining() / size) {
+      fail(fmt::format("{} entries announced, {} bytes left; truncated", count,
+                       cursor_.remaining()));
+    }
+  }
+  void finish() {}  // padding after the last record is harmless
+  long place(long long record) const { return static_cast<long>(record) + 1; }
+  [[noreturn]] void fail(std::string_view problem) const {
+    throw Error(ErrorKind::Unreadable, fmt::format("{}: {}", path_, problem));
+  }
+
+ private:
+  ByteCursor cursor_;
+  const std::string& path_;
+};
+
+template <class Source>
+class PlyReader {
+ public:
+  PlyReader(Source source, const std::string& path, const StopCheck& stop)
+      : source_(std::move(source)), stop_(stop) {
+    mesh_.file = path;
+  }
+
+  PolygonMesh read(const PlyHeader& header) {
+    for (const PlyElement& element : header.elements) read_element(element);
+    source_.finish();
+    require_indices();
+    require_complete(mesh_);
+    if (!mesh_.texcoords.empty()) mesh_.polygon_texcoords = mesh_.polygons;
+    return std::move(mesh_);
+  }
+
+ private:
+  void read_element(const PlyElement& element) {
+    if (element.properties.empty() || element.count == 0) return;
+    source_.require_count(element.count, element.least_size());
+    const bool is_vertex = element.name == "vertex";
+    const bool is_face = element.name == "face";
+    if (is_vertex) locate_vertex(element);
+    if (is_face) corners_ = require_property(element, {"vertex_indices", "vertex_index"});
+    PlyRecord record;
+    for (record_ = 0; record_ < element.count; ++record_) {
+      stop_.poll_at(static_cast<std::size_t>(record_));
+      read_record(element, record);
+      if (is_vertex) add_vertex(record);
+      if (is_face) add_face(record);
+    }
+  }
+
+  std::size_t require_property(const PlyElement& element,
+                               std::initializer_list<std::string_view> names) {
+    const int found = element.find(names);
+    const bool is_list = element.name == "face";
+    if (found < 0 ||
+        element.properties[static_cast<std::size_t>(found)].list_size_type.has_value() != is_list) {
+      source_.fail(fmt::format("element {} has no {} {}; correct the header", element.name,
+                               is_list ? "list" : "number", *names.begin()));
+    }
+    return static_cast<std::size_t>(found);
+  }
+
+  void locate_vertex(const PlyElement& element) {
+    coordinates_ = {require_property(element, {"x"}), require_property(element, {"y"}),
+                    require_property(element, {"z"})};
+    has_texcoords_ =
+        element.find({"texture_u", "s", "u"}) >= 0 && element.find({"texture_v", "t", "v"}) >= 0;
+    if (!has_texcoords_) return;
+    texcoord_ = {require_property(element, {"texture_u", "s", "u"}),
+                 require_property(element, {"texture_v", "t", "v"})};
+  }
+
+  void read_record(const PlyElement& element, PlyRecord& record) {
+    record.values.clear();
+    record.begin.assign(1, 0);
+    source_.begin_record();
+    for (const PlyProperty& property : element.properties) {
+      long long count = 1;
+      if (property.list_size_type) {
+        const double size = source_.next(*property.list_size_type);
+        if (!(size >= 0.0 && size <= 4294967295.0) || size != std::floor(size)) {
+          source_.fail(fmt::format("record {}: bad list size; correct the file", record_ + 1));
+        }
+        count = static_cast<long long>(size);
+        source_.require_count(count, ply_type_size(property.type));
+      }
+      for (long long k = 0; k < count; ++k) {
+        stop_.poll_at(static_cast<std::size_t>(k) + 1);
+        record.values.push_back(source_.next(property.type));
+      }
+      record.begin.push_back(record.values.size());
+    }
+    source_.end_record();
+  }
+
+  double finite(const PlyRecord& record, std::size_t property) const {
+    const double value = record.values[record.begin[property]];
+    if (!std::isfinite(value)) {
+      source_.fail(
+          fmt::format("vertex {}: a coordinate is not finite; correct the file", record_ + 1));
+    }
+    return value;
+  }
+
+  void add_vertex(const PlyRecord& record) {
+    mesh_.positions.emplace_back(finite(record, coordinates_[0]), finite(record, coordinates_[1]),
+                                 finite(record, coordinates_[2]));
+    if (!has_texcoords_) return;
+    mesh_.texcoords.emplace_back(finite(record, texcoord_[0]), finite(record, texcoord_[1]));
+  }
+
+  void add_face(const PlyRecord& record) {
+    const std::size_t first = record.begin[corners_];
+    const std::size_t count = record.begin[corners_ + 1] - first;
+    if (count < 3) {
+      source_.fail(
+          fmt::format("face {} with {} corners; at least 3 are needed", record_ + 1, count));
+    }
+    std::vector<Index> polygon(count);
+    for (std::size_t k = 0; k < count; ++k) {
+      const double value = record.values[first + k];
+      if (!(value >= 0.0 && value < std::numeric_limits<Index>::max()) ||
+          value != std::floor(value)) {
+        source_.fail(
+            fmt::format("face {}: {} is no vertex index; correct the face", record_ + 1, value));
+      }
+      polygon[k] = static_cast<Index>(value);
+    }
+    mesh_.polygons.push_back(std::move(polygon));
+    mesh_.polygon_lines.push_back(source_.place(record_));
+  }
+
+  // At the end, since faces may come before the vertices.
+  void require_indices() const {
+    for (std::size_t p = 0; p < mesh_.polygons.size(); ++p) {
+      for (const Index vertex : mesh_.polygons[p]) {
+        if (static_cast<std::size_t>(vertex) < mesh_.positions.size()) continue;
+        throw Error(ErrorKind::Unreadable,
+                    fmt::format("{}: face {}: vertex index {} out of range, the file has {} "
+                                "vertices; correct the face",
+                                mesh_.file, p + 1, vertex, mesh_.positions.size()));
+      }
+    }
+  }
+
+  Source source_;
+  const StopCheck& stop_;
+  PolygonMesh mesh_;
+  long long record_ = 0;
+  std::array<std::size_t, 3> coordinates_{};
+  std::array<std::size_t, 2> texcoord_{};
+  bool has_texcoords_ = false;
+  std::size_t corners_ = 0;
+};
+
+}  // namespace
+
+PolygonMesh read_ply(const std::string& path, std::string content, const StopCheck& stop) {
+  const PlyHeader header = read_ply_header(path, content);
+  if (header.encoding == PlyEncoding::Ascii) {
+    std::string records = content.substr(header.size);
+    require_text(path, records);
+    return PlyReader(AsciiPlySource(path, records, header.lines), path, stop).read(header);
+  }
+  const ByteOrder order =
+      header.encoding == PlyEncoding::LittleEndian ? ByteOrder::Little : ByteOrder::Big;
+  const std::string_view records = std::string_view(content).substr(header.size);
+  return PlyReader(BinaryPlySource(path, records, order), path, stop).read(header);
+}
+
+}  // namespace majorant

@@ -1,0 +1,169 @@
+#include "majorant/io/internal/svg_marks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "majorant/framework/error.h"
+
+namespace majorant {
+namespace {
+
+constexpr double kMostLines = 4000;  // in each direction; nothing could be seen of more
+constexpr const char* kGridColor = "#14327a";
+constexpr double kSeamWidth = 2.5;
+constexpr double kConeRadius = 5.0;
+// Far apart in hue from their neighbours, dark enough to be seen on the cells' colours.
+constexpr const char* kChainColors[] = {"#7b2fbe", "#008b8b", "#c2185b", "#2e7d32", "#1565c0",
+                                        "#5d4037", "#d81bff", "#00a4d6", "#556b2f", "#3f3f9f"};
+
+const char* chain_color(Index chain) { return kChainColors[at(chain) % std::size(kChainColors)]; }
+
+const char* cone_color(int quarter_turns) { return quarter_turns < 4 ? "#1a5fd0" : "#0b8a3a"; }
+
+struct CellEdge {
+  Index cell;
+  int edge;
+};
+
+// Edges between points without a neighbour, by the point they start at.
+std::multimap<Index, CellEdge> boundary_edges(const MapFile& map) {
+  std::set<std::pair<Index, Index>> edges;
+  for (Index c = 0; c < map.cells.rows(); ++c)
+    for (int k = 0; k < 3; ++k) edges.emplace(map.cells(c, k), map.cells(c, (k + 1) % 3));
+  std::multimap<Index, CellEdge> boundary;
+  for (Index c = 0; c < map.cells.rows(); ++c)
+    for (int k = 0; k < 3; ++k) {
+      const Index from = map.cells(c, k), to = map.cells(c, (k + 1) % 3);
+      if (!edges.contains({to, from})) boundary.emplace(from, CellEdge{c, k});
+    }
+  return boundary;
+}
+
+void add_boundary_path(SvgLayout& layout) {
+  const MapFile& map = layout.map();
+  std::multimap<Index, CellEdge> boundary = boundary_edges(map);
+  while (!boundary.empty()) {
+    auto next = boundary.begin();
+    layout.add_point('M', layout.place(next->first));
+    while (next != boundary.end()) {
+      const CellEdge at = next->second;
+      boundary.erase(next);
+      layout.add_edge(at.cell, at.edge);
+      next = boundary.find(map.cells(at.cell, (at.edge + 1) % 3));
+    }
+    layout.add("Z");
+  }
+}
+
+// Cones of positive and of negative index; copies count once.
+std::pair<std::size_t, std::size_t> count_cones(const MapFile& map) {
+  std::set<Index> positive, negative;
+  for (Index p = 0; p < map.cone.size(); ++p) {
+    if (map.cone[p] == 0) continue;
+    const Index vertex = map.input_vertex.size() > 0 ? map.input_vertex[p] : p;
+    (map.cone[p] < 4 ? positive : negative).insert(vertex);
+  }
+  return {positive.size(), negative.size()};
+}
+
+void add_dot(SvgLayout& layout, const Vector2& center, int quarter_turns) {
+  layout.add("<circle cx=\"");
+  layout.add_number(center[0]);
+  layout.add("\" cy=\"");
+  layout.add_number(center[1]);
+  layout.add("\" r=\"{}\" fill=\"{}\"/>\n", kConeRadius, cone_color(quarter_turns));
+}
+
+}  // namespace
+
+void add_grid(SvgLayout& layout, double spacing) {
+  const Vector2 low = layout.low() / spacing, high = layout.high() / spacing;
+  if (!(spacing > 0) || !((high - low).maxCoeff() <= kMostLines))
+    throw Error(ErrorKind::Usage,
+                fmt::format("a grid of spacing {:g} on a layout of size {:g} cannot be drawn; take "
+                            "a spacing between them",
+                            spacing, 2 * layout.half_size()));
+  layout.add("<clipPath id=\"layout\"><path d=\"");
+  add_boundary_path(layout);
+  layout.add(
+      "\"/></clipPath>\n<path clip-path=\"url(#layout)\" fill=\"none\" stroke=\"{}\" "
+      "stroke-width=\"{:.3g}\" d=\"",
+      kGridColor, std::max(1.0, 2 * layout.stroke_width()));
+  for (int axis = 0; axis < 2; ++axis) {
+    const double first = std::ceil(low[axis]), count = std::floor(high[axis]) - first;
+    for (double k = 0; k <= count; ++k) {  // far from the origin, first + 1 may be first
+      Vector2 from = layout.low(), to = layout.high();
+      from[axis] = to[axis] = (first + k) * spacing;
+      layout.add_point('M', layout.place(from));
+      layout.add_point('L', layout.place(to));
+    }
+  }
+  layout.add("\"/>\n");
+}
+
+void add_seams(SvgLayout& layout) {
+  const MapFile& map = layout.map();
+  std::map<Index, std::vector<CellEdge>> chains;
+  for (Index f = 0; f < map.seam_edges.rows(); ++f)
+    for (int k = 0; k < 3; ++k)
+      if (map.seam_edges(f, k) > 0) chains[map.seam_edges(f, k) - 1].push_back({f, k});
+  if (chains.empty()) return;
+  layout.add("<g fill=\"none\" stroke-width=\"{}\" stroke-linecap=\"round\">\n", kSeamWidth);
+  for (const auto& [chain, edges] : chains) {
+    layout.add("<path stroke=\"{}\" d=\"", chain_color(chain));
+    for (const CellEdge& at : edges) {
+      layout.add_point('M', layout.place(map.cells(at.cell, at.edge)));
+      layout.add_edge(at.cell, at.edge);
+    }
+    layout.add("\"/>\n");
+  }
+  layout.add("</g>\n");
+}
+
+void add_cones(SvgLayout& layout) {
+  const MapFile& map = layout.map();
+  if (map.cone.size() == 0 || map.cone.maxCoeff() <= 0) return;
+  layout.add("<g stroke=\"#fff\" stroke-width=\"1.5\">\n");
+  for (Index p = 0; p < map.cone.size(); ++p)
+    if (map.cone[p] > 0) add_dot(layout, layout.place(p), map.cone[p]);
+  layout.add("</g>\n");
+}
+
+void add_marks_legend(SvgLayout& layout, double y, double grid_spacing) {
+  constexpr double kColumn = 200.0, kText = 14.0, kBase = 5.0;
+  const MapFile& map = layout.map();
+  double x = SvgLayout::kMargin;
+  const auto label = [&](const std::string& text) {
+    layout.add("<text x=\"{}\" y=\"", x + kText);
+    layout.add_number(y + kBase);
+    layout.add("\">{}</text>\n", text);
+    x += kColumn;
+  };
+  const auto line = [&](const char* color) {
+    layout.add("<path fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" d=\"", color, kSeamWidth);
+    layout.add_point('M', {x, y});
+    layout.add_point('L', {x + kText - 4.0, y});
+    layout.add("\"/>\n");
+  };
+  layout.add("<g font-family=\"sans-serif\" font-size=\"14\" fill=\"#333\">\n");
+  const auto [positive, negative] = count_cones(map);
+  for (const auto& [count, turns, text] :
+       {std::tuple{positive, 3, "index &gt; 0"}, std::tuple{negative, 5, "index &lt; 0"}}) {
+    if (count == 0) continue;
+    add_dot(layout, {x + kConeRadius, y}, turns);
+    label(fmt::format("{} cone{}, {}", count, count == 1 ? "" : "s", text));
+  }
+  if (map.seam_edges.size() > 0 && map.seam_edges.maxCoeff() > 0) {
+    line(chain_color(0));
+    label(fmt::format("seams ({} chains)", map.seam_edges.maxCoeff()));
+  }
+  if (grid_spacing > 0) {
+    line(kGridColor);
+    label(fmt::format("grid {:.6g}", grid_spacing));
+  }
+  layout.add("</g>\n");
+}
+
+}  // namespace majorant

@@ -1,0 +1,195 @@
+#include "majorant/io/internal/vtu_arrays.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+
+#include "majorant/framework/error.h"
+#include "majorant/io/internal/base64.h"
+#include "majorant/io/internal/input_file.h"
+#include "majorant/io/internal/line_cursor.h"
+
+namespace majorant {
+namespace {
+
+[[noreturn]] void refuse(const std::string& file, std::string_view problem) {
+  throw Error(ErrorKind::Unreadable, fmt::format("{}: {}", file, problem));
+}
+
+// Calls visit(T{}) with the C++ type of a VTK type name; false if the name is unknown.
+template <class Visitor>
+bool with_type(std::string_view name, Visitor&& visit) {
+  if (name == "Float64") return visit(double{}), true;
+  if (name == "Float32") return visit(float{}), true;
+  if (name == "Int64" || name == "vtkIdType") return visit(std::int64_t{}), true;
+  if (name == "UInt64") return visit(std::uint64_t{}), true;
+  if (name == "Int32") return visit(std::int32_t{}), true;
+  if (name == "UInt32") return visit(std::uint32_t{}), true;
+  if (name == "Int16") return visit(std::int16_t{}), true;
+  if (name == "UInt16") return visit(std::uint16_t{}), true;
+  if (name == "Int8") return visit(std::int8_t{}), true;
+  if (name == "UInt8") return visit(std::uint8_t{}), true;
+  return false;
+}
+
+std::string without_space(std::string_view text) {
+  std::string result;
+  result.reserve(text.size());
+  for (const char c : text) {
+    if (c != ' ' && c != '\n' && c != '\r' && c != '\t') result += c;
+  }
+  return result;
+}
+
+}  // namespace
+
+VtuArrays::VtuArrays(const std::string& file, std::string& content, const StopCheck& stop)
+    : file_(file), stop_(stop) {
+  const std::size_t tag = content.find("<AppendedData");
+  if (tag == std::string::npos) return;
+  const std::size_t tag_end = content.find('>', tag);
+  const std::size_t close = content.rfind("</AppendedData>");
+  if (tag_end == std::string::npos || close == std::string::npos || close < tag_end) {
+    refuse(file_, "AppendedData is not closed; the file is truncated");
+  }
+  const std::string start_tag = content.substr(tag, tag_end - tag) + "/>";
+  appended_encoding_ = parse_xml(file_, start_tag).attribute("encoding", "raw");
+  const std::size_t begin = content.find_first_not_of(" \t\r\n", tag_end + 1);
+  if (content[begin] != '_') refuse(file_, "AppendedData does not begin with '_'");
+  appended_ = content.substr(begin + 1, close - begin - 1);
+  content.erase(tag, close + std::string_view("</AppendedData>").size() - tag);
+}
+
+void VtuArrays::configure(const XmlElement& root) {
+  if (!root.attribute("compressor").empty()) {
+    refuse(file_, "compressed arrays are not supported; save the file without compression");
+  }
+  const std::string_view order = root.attribute("byte_order", "LittleEndian");
+  const std::string_view header = root.attribute("header_type", "UInt32");
+  if (order != "LittleEndian" && order != "BigEndian") refuse(file_, "unknown byte_order");
+  if (header != "UInt32" && header != "UInt64") refuse(file_, "unknown header_type");
+  order_ = order == "BigEndian" ? ByteOrder::Big : ByteOrder::Little;
+  header_size_ = header == "UInt64" ? 8 : 4;
+}
+
+void VtuArrays::fail(const XmlElement& array, std::string_view problem) const {
+  refuse(file_, fmt::format("array {}: {}", in_quotes(array.attribute("Name", "?")), problem));
+}
+
+// The number of bytes of an array, which precedes it.
+std::size_t VtuArrays::length(std::string_view header) const {
+  return header_size_ == 8 ? load_bytes<std::uint64_t>(header.data(), order_)
+                           : load_bytes<std::uint32_t>(header.data(), order_);
+}
+
+std::string VtuArrays::raw_bytes(const XmlElement& array, std::string_view data) const {
+  if (data.size() < header_size_ || length(data) > data.size() - header_size_) {
+    fail(array, "the data end too early; the file is truncated");
+  }
+  return std::string(data.substr(header_size_, length(data)));
+}
+
+// Header and data are one base64 stream, or two when the header ends with padding.
+std::string VtuArrays::encoded_bytes(const XmlElement& array, std::string_view text) const {
+  const auto decode = [&](std::size_t characters) {
+    if (characters > text.size()) fail(array, "the data end too early; the file is truncated");
+    auto decoded = decode_base64(text.substr(0, characters));
+    if (!decoded || decoded->size() < header_size_) fail(array, "the base64 data are damaged");
+    return std::move(*decoded);
+  };
+  const std::size_t header_characters = base64_length(header_size_);
+  const std::string header = decode(header_characters);
+  const std::size_t size = length(header);
+  if (size > text.size()) fail(array, "the data end too early; the file is truncated");
+  const bool separate = header.size() == header_size_;
+  const std::string all = decode(separate ? header_characters + base64_length(size)
+                                          : base64_length(header_size_ + size));
+  if (all.size() < header_size_ + size) fail(array, "the base64 data are damaged");
+  return all.substr(header_size_, size);
+}
+
+std::string VtuArrays::bytes(const XmlElement& array) const {
+  const std::string_view format = array.attribute("format");
+  if (format == "binary") return encoded_bytes(array, without_space(array.text));
+  if (format != "appended") fail(array, fmt::format("unknown format {}", in_quotes(format)));
+  const std::string_view text = array.attribute("offset");
+  std::size_t offset = 0;
+  const auto [stop, code] = std::from_chars(text.data(), text.data() + text.size(), offset);
+  if (code != std::errc() || stop != text.data() + text.size() || offset > appended_.size()) {
+    fail(array, "its offset lies outside of AppendedData; the file is truncated");
+  }
+  const std::string_view data = std::string_view(appended_).substr(offset);
+  if (appended_encoding_ == "raw") return raw_bytes(array, data);
+  if (appended_encoding_ != "base64") fail(array, "unknown encoding of AppendedData");
+  return encoded_bytes(array, data);
+}
+
+template <class T>
+std::vector<T> VtuArrays::values(const XmlElement& array) const {
+  std::vector<T> result;
+  if (array.attribute("format", "ascii") == "ascii") {
+    const std::string name = fmt::format("{}: array {}", file_, array.attribute("Name", "?"));
+    LineCursor cursor(name, array.text, Continuation::None, stop_);
+    while (cursor.next_line()) {
+      while (!cursor.at_end_of_line()) {
+        if constexpr (std::is_same_v<T, double>) {
+          const double value = cursor.next_number("value");
+          const bool is_float = array.attribute("type") == "Float32";
+          result.push_back(is_float ? double(static_cast<float>(value)) : value);
+          if (!std::isfinite(result.back())) fail(array, "a value is not finite");
+        } else {
+          result.push_back(cursor.next_integer("value"));
+        }
+      }
+    }
+    return result;
+  }
+  const bool known = with_type(array.attribute("type"), [&](auto sample) {
+    using Stored = decltype(sample);
+    if (std::is_integral_v<T> && !std::is_integral_v<Stored>) fail(array, "integers are needed");
+    const std::string data = bytes(array);
+    if (data.size() % sizeof(Stored) != 0) fail(array, "its size is no multiple of the type's");
+    result.resize(data.size() / sizeof(Stored));
+    for (std::size_t i = 0; i < result.size(); ++i) {
+      stop_.poll_at(i);
+      const auto stored = load_bytes<Stored>(data.data() + i * sizeof(Stored), order_);
+      if constexpr (std::is_same_v<T, double>) {
+        if (!std::isfinite(static_cast<double>(stored))) fail(array, "a value is not finite");
+      }
+      result[i] = static_cast<T>(stored);
+    }
+  });
+  if (!known) fail(array, fmt::format("unknown type {}", in_quotes(array.attribute("type"))));
+  return result;
+}
+
+std::vector<double> VtuArrays::doubles(const XmlElement& array) const {
+  return values<double>(array);
+}
+
+std::vector<long long> VtuArrays::integers(const XmlElement& array) const {
+  return values<long long>(array);
+}
+
+std::string VtuArrays::string(const XmlElement& array) const {
+  if (array.attribute("type") != "String") fail(array, "a String is needed");
+  std::string text;
+  if (array.attribute("format", "ascii") == "ascii") {
+    for (const long long code : values<long long>(array)) {  // signed or unsigned characters
+      if (code < -128 || code > 255) fail(array, "a character code is out of range");
+      text += static_cast<char>(static_cast<unsigned char>(code));
+    }
+  } else {
+    text = bytes(array);
+  }
+  const std::size_t end = text.find('\0');
+  if (end == std::string::npos) fail(array, "the string is not terminated; truncated");
+  text.resize(end);
+  return text;
+}
+
+}  // namespace majorant

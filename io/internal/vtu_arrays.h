@@ -1,0 +1,49 @@
+// Decodes the arrays of a VTK XML file, whatever their encoding. For read_vtu.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "majorant/framework/stop_check.h"
+#include "majorant/io/internal/byte_cursor.h"
+#include "majorant/io/internal/xml_tree.h"
+
+namespace majorant {
+
+class VtuArrays {
+ public:
+  // Takes the appended section out of `content` (it may hold bytes that are no XML); afterwards
+  // `content` is XML. Throws Error(Unreadable) if the section is broken. `file` and `stop`, which
+  // all that reads values polls, must outlive this.
+  VtuArrays(const std::string& file, std::string& content, const StopCheck& stop);
+
+  // Byte order, header type and compression, from the attributes of <VTKFile>.
+  // Throws Error(Unreadable) for compressed files and unknown types.
+  void configure(const XmlElement& root);
+
+  // All values of an array, components interleaved. integers() refuses floating-point types.
+  // Throw Error(Unreadable) naming the array.
+  std::vector<double> doubles(const XmlElement& array) const;
+  std::vector<long long> integers(const XmlElement& array) const;
+  // The first string of an array of type String.
+  std::string string(const XmlElement& array) const;
+
+ private:
+  template <class T>
+  std::vector<T> values(const XmlElement& array) const;
+  std::string bytes(const XmlElement& array) const;
+  std::string encoded_bytes(const XmlElement& array, std::string_view text) const;
+  std::string raw_bytes(const XmlElement& array, std::string_view data) const;
+  std::size_t length(std::string_view header) const;
+  [[noreturn]] void fail(const XmlElement& array, std::string_view problem) const;
+
+  const std::string& file_;
+  const StopCheck& stop_;
+  std::string appended_;
+  std::string appended_encoding_;
+  ByteOrder order_ = ByteOrder::Little;
+  std::size_t header_size_ = 4;
+};
+
+}  // namespace majorant

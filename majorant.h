@@ -1,0 +1,28 @@
+// What a program that maps surfaces needs, in one line.
+//
+//   auto mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(read_mesh(path)));
+//   ParametrizationResult result = parametrize(mesh, {});
+//   if (result.map) write_vtu("map.vtu", to_map_file(*result.map));
+//
+// Programs that put problems together themselves (other elements, constraints, solvers) include the
+// headers of framework/, elements/ and constraints/ that they use.
+#pragma once
+
+#include "majorant/energies/make_energy.h"
+#include "majorant/energies/named_energies.h"
+#include "majorant/energies/spectral.h"
+#include "majorant/framework/error.h"
+#include "majorant/framework/run_record.h"
+#include "majorant/io/certified_file.h"
+#include "majorant/io/map_proof.h"
+#include "majorant/io/read_map.h"
+#include "majorant/io/read_mesh.h"
+#include "majorant/io/vtu.h"
+#include "majorant/io/write_obj.h"
+#include "majorant/io/write_svg.h"
+#include "majorant/parametrization/drive/deform.h"
+#include "majorant/parametrization/drive/parametrize.h"
+#include "majorant/parametrization/injectivity/global_injectivity.h"
+#include "majorant/parametrization/starts/make_seamless.h"
+#include "majorant/parametrization/starts/texture_seams.h"
+#include "majorant/parametrization/starts/tutte.h"

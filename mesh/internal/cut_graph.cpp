@@ -1,0 +1,126 @@
+#include "majorant/mesh/internal/cut_graph.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
+
+#include "majorant/framework/error.h"
+#include "majorant/mesh/internal/cut_shortening.h"
+#include "majorant/mesh/internal/union_find.h"
+
+namespace majorant {
+namespace {
+
+class CutGraph {
+ public:
+  CutGraph(const SurfaceMesh& mesh, const std::vector<Index>& through)
+      : mesh_(mesh),
+        is_terminal_(at(mesh.vertex_count()), 0),
+        is_boundary_(mesh.boundary_flags()),
+        leaving_(at(mesh.vertex_count())),
+        length_(mesh.half_edge_count()),
+        is_cut_(at(mesh.half_edge_count()), 0) {
+    for (const Index v : through) {
+      if (v < 0 || v >= mesh.vertex_count())
+        throw Error(
+            ErrorKind::Usage,
+            fmt::format("{}: cut: there is no vertex {} (counting from 0)", mesh.file(), v));
+      if (!is_boundary_[at(v)]) is_terminal_[at(v)] = 1;
+    }
+    for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+      length_[h] = mesh.edge_length(h);
+      if (mesh.opposite(h) >= 0) leaving_[at(mesh.from_vertex(h))].push_back(h);
+    }
+  }
+
+  std::vector<char> find(const StopCheck& stop) {
+    grow_trees();
+    stop.poll();
+    keep_longest_uncut();
+    prune_cut(mesh_, is_terminal_, is_cut_);
+    shorten_cut(mesh_, is_terminal_, is_cut_, stop);
+    make_slit();
+    return std::move(is_cut_);
+  }
+
+ private:
+  void set_cut(Index h, char value) { is_cut_[at(h)] = is_cut_[at(mesh_.opposite(h))] = value; }
+
+  // Shortest paths to the boundary and the vertices to pass through (or else to vertex 0), from all
+  // vertices; they are cut, for the moment.
+  void grow_trees() {
+    distance_.assign(at(mesh_.vertex_count()), std::numeric_limits<double>::infinity());
+    std::vector<Index> entered(distance_.size(), -1);
+    using Entry = std::pair<double, Index>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
+    for (Index v = 0; v < mesh_.vertex_count(); ++v)
+      if (is_terminal_[at(v)] || is_boundary_[at(v)]) front.emplace(0, v);
+    if (front.empty()) front.emplace(0, 0);
+    for (auto sources = front; !sources.empty(); sources.pop())
+      distance_[at(sources.top().second)] = 0;
+    while (!front.empty()) {
+      const auto [d, v] = front.top();
+      front.pop();
+      if (d > distance_[at(v)]) continue;
+      for (const Index h : leaving_[at(v)]) {
+        const Index w = mesh_.to_vertex(h);
+        if (d + length_[h] >= distance_[at(w)]) continue;
+        distance_[at(w)] = d + length_[h];
+        entered[at(w)] = h;
+        front.emplace(distance_[at(w)], w);
+      }
+    }
+    for (const Index h : entered)
+      if (h >= 0) set_cut(h, 1);
+  }
+
+  // Of the other edges, each closes a path between sources. Leaving the longest uncut, as long as
+  // the faces that are joined are not joined already, keeps the shortest paths that make a disk.
+  void keep_longest_uncut() {
+    std::vector<std::pair<double, Index>> edges;  // minus the length of the path: longest first
+    for (Index h = 0; h < mesh_.half_edge_count(); ++h)
+      if (mesh_.opposite(h) > h && !is_cut_[at(h)])
+        edges.emplace_back(
+            -(distance_[at(mesh_.from_vertex(h))] + length_[h] + distance_[at(mesh_.to_vertex(h))]),
+            h);
+    std::sort(edges.begin(), edges.end());
+    UnionFind faces(mesh_.face_count());
+    for (const auto& [unused, h] : edges)
+      if (!faces.join(face_of(h), face_of(mesh_.opposite(h)))) set_cut(h, 1);
+  }
+
+  // A closed surface whose cut has no edge, or a single one (which has the same ends on both
+  // sides): cuts on to two edges, at the shortest neighbours.
+  void make_slit() {
+    if (!mesh_.boundary_loops().empty()) return;
+    Index at_end = 0;
+    for (Index v = 0; v < mesh_.vertex_count(); ++v)
+      if (is_terminal_[at(v)]) at_end = v;
+    for (auto count = std::count(is_cut_.begin(), is_cut_.end(), 1); count < 4; count += 2) {
+      Index best = -1;
+      for (const Index h : leaving_[at(at_end)])
+        if (!is_cut_[at(h)] && (best < 0 || length_[h] < length_[best])) best = h;
+      set_cut(best, 1);
+    }
+  }
+
+  const SurfaceMesh& mesh_;
+  std::vector<char> is_terminal_, is_boundary_;
+  std::vector<std::vector<Index>> leaving_;  // per vertex, half-edges of interior edges
+  Vec length_;
+  std::vector<char> is_cut_;
+  std::vector<double> distance_;
+};
+
+}  // namespace
+
+std::vector<char> cut_graph(const SurfaceMesh& mesh, const std::vector<Index>& through,
+                            const StopCheck& stop) {
+  return CutGraph(mesh, through).find(stop);
+}
+
+}  // namespace majorant

@@ -1,0 +1,163 @@
+#include "majorant/mesh/internal/mesh_validation.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "majorant/framework/error.h"
+#include "majorant/mesh/internal/union_find.h"
+
+namespace majorant {
+namespace {
+
+[[noreturn]] void refuse(const std::string& place, const std::string& what) {
+  throw Error(ErrorKind::Unsupported, place + ": " + what);
+}
+
+// A triangle is degenerate when its height over the longest edge is below this fraction of it.
+constexpr double kDegenerateHeight = 1e-12;
+// Shortest edges must span this many units in the last place of the largest coordinate.
+constexpr double kUsableUlps = 1e8;
+
+const Vector3& position(const PolygonMesh& m, Index v) { return m.positions[at(v)]; }
+
+struct HalfEdge {
+  Index low, high;
+  Index triangle;
+  bool forward;  // runs from low to high
+};
+
+std::vector<HalfEdge> sorted_half_edges(const TriangleList& list) {
+  std::vector<HalfEdge> edges;
+  for (std::size_t t = 0; t < list.triangles.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Index a = list.triangles[t][k], b = list.triangles[t][(k + 1) % 3];
+      edges.push_back({std::min(a, b), std::max(a, b), static_cast<Index>(t), a < b});
+    }
+  std::sort(edges.begin(), edges.end(), [](const HalfEdge& a, const HalfEdge& b) {
+    return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
+  });
+  return edges;
+}
+
+// Whether flipping some faces makes the orientation consistent: two-colour the dual graph.
+bool orientable(const TriangleList& list, const std::vector<HalfEdge>& edges) {
+  const auto n = static_cast<Index>(list.triangles.size());
+  UnionFind sheets(2 * n);  // t: kept, n + t: flipped
+  for (std::size_t k = 0; k + 1 < edges.size(); ++k) {
+    const HalfEdge &a = edges[k], &b = edges[k + 1];
+    if (a.low != b.low || a.high != b.high) continue;
+    const bool agree = a.forward != b.forward;
+    sheets.join(a.triangle, agree ? b.triangle : n + b.triangle);
+    sheets.join(n + a.triangle, agree ? n + b.triangle : b.triangle);
+  }
+  for (Index t = 0; t < n; ++t)
+    if (sheets.find(t) == sheets.find(n + t)) return false;
+  return true;
+}
+
+}  // namespace
+
+std::string face_place(const PolygonMesh& input, Index polygon) {
+  const auto p = at(polygon);
+  if (p < input.polygon_lines.size())
+    return fmt::format("{}:{}: face {}", input.file, input.polygon_lines[p], polygon + 1);
+  return fmt::format("{}: face {}", input.file, polygon + 1);
+}
+
+void require_usable_coordinates(const PolygonMesh& input) {
+  double largest = 0, shortest = std::numeric_limits<double>::infinity();
+  Index where = 0;
+  for (std::size_t p = 0; p < input.polygons.size(); ++p) {
+    const auto& polygon = input.polygons[p];
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+      const Vector3& a = position(input, polygon[k]);
+      const double length = (a - position(input, polygon[(k + 1) % polygon.size()])).norm();
+      largest = std::max(largest, a.cwiseAbs().maxCoeff());
+      if (length > 0 && length < shortest) {
+        shortest = length;
+        where = static_cast<Index>(p);
+      }
+    }
+  }
+  const double spacing = std::numeric_limits<double>::epsilon() * largest;
+  if (spacing * kUsableUlps > shortest)
+    refuse(face_place(input, where),
+           fmt::format("an edge of length {:.3g} at coordinates near {:.3g} keeps fewer than 8 "
+                       "digits; move the mesh to the origin (or remove slivers)",
+                       shortest, largest));
+}
+
+void require_proper_faces(const PolygonMesh& input, const TriangleList& list,
+                          const StopCheck& stop) {
+  std::set<std::array<Index, 3>> seen;
+  for (std::size_t t = 0; t < list.triangles.size(); ++t) {
+    stop.poll_at(t);
+    std::array<Index, 3> f = list.triangles[t];
+    const std::string place = face_place(input, list.polygon[t]);
+    if (f[0] == f[1] || f[1] == f[2] || f[2] == f[0])
+      refuse(place, "a vertex occurs twice; remove the face");
+    const Vector3 a = position(input, f[1]) - position(input, f[0]),
+                  b = position(input, f[2]) - position(input, f[0]);
+    const double longest = std::max({a.norm(), b.norm(), (a - b).norm()});
+    if (!((a / longest).cross(b / longest).norm() > kDegenerateHeight))
+      refuse(place, fmt::format("zero area (vertices {}, {}, {}); collapse it or move a vertex",
+                                f[0] + 1, f[1] + 1, f[2] + 1));
+    std::sort(f.begin(), f.end());
+    if (!seen.insert(f).second) refuse(place, "the same face occurs twice; remove one");
+  }
+}
+
+void require_manifold_edges(const PolygonMesh& input, const TriangleList& list) {
+  const std::vector<HalfEdge> edges = sorted_half_edges(list);
+  for (std::size_t k = 0; k + 2 < edges.size(); ++k)
+    if (edges[k].low == edges[k + 2].low && edges[k].high == edges[k + 2].high)
+      refuse(face_place(input, list.polygon[at(edges[k + 2].triangle)]),
+             fmt::format("edge ({}, {}) has more than two faces (non-manifold); split the surface "
+                         "there",
+                         edges[k].low + 1, edges[k].high + 1));
+  for (std::size_t k = 0; k + 1 < edges.size(); ++k) {
+    const HalfEdge &a = edges[k], &b = edges[k + 1];
+    if (a.low != b.low || a.high != b.high || a.forward != b.forward) continue;
+    const std::string place = face_place(input, list.polygon[at(b.triangle)]);
+    if (orientable(list, edges))
+      refuse(place, fmt::format("faces on both sides of edge ({}, {}) run against each other "
+                                "(inconsistent orientation); flip the faces that disagree",
+                                a.low + 1, a.high + 1));
+    refuse(place, fmt::format("the surface is not orientable (a Moebius strip passes edge "
+                              "({}, {})); cut it",
+                              a.low + 1, a.high + 1));
+  }
+}
+
+void require_one_component(const PolygonMesh& input, const TriangleList& list) {
+  UnionFind components(static_cast<Index>(input.positions.size()));
+  for (const auto& t : list.triangles) {
+    components.join(t[0], t[1]);
+    components.join(t[0], t[2]);
+  }
+  std::map<Index, Index> first;  // component -> a triangle of it
+  for (std::size_t t = 0; t < list.triangles.size(); ++t)
+    first.emplace(components.find(list.triangles[t][0]), static_cast<Index>(t));
+  if (first.size() <= 1) return;
+  if (first.size() == list.triangles.size())
+    refuse(input.file, fmt::format("none of the {} faces shares a vertex with another (unwelded "
+                                   "soup); merge coincident vertices",
+                                   first.size()));
+  Index other = 0;
+  const Index home = components.find(list.triangles[0][0]);
+  for (const auto& [component, triangle] : first)
+    if (component != home && (other == 0 || triangle < other)) other = triangle;
+  refuse(face_place(input, list.polygon[at(other)]),
+         fmt::format("the mesh has {} components, a second one starts here; give one component "
+                     "per file",
+                     first.size()));
+}
+
+}  // namespace majorant

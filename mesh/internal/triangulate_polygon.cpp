@@ -1,0 +1,143 @@
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "majorant/mesh/internal/large_polygon.h"
+#include "majorant/mesh/surface_mesh.h"
+
+namespace majorant {
+namespace {
+
+// Clipping takes time in the square of the corners: 0.1 s for so many.
+constexpr std::size_t kMostClipped = 2048;
+// Of fewer corners, whole polygons are the pieces of work between two polls.
+constexpr std::size_t kSmall = 64;
+
+// Corners projected along the polygon's area vector (Newell).
+std::vector<Vector2> flatten(const std::vector<Vector3>& corners) {
+  Vector3 normal = Vector3::Zero();
+  for (std::size_t k = 0; k < corners.size(); ++k)
+    normal += (corners[k] - corners[0]).cross(corners[(k + 1) % corners.size()] - corners[0]);
+  const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(normal, Vector3::UnitZ());
+  std::vector<Vector2> flat;
+  for (const Vector3& c : corners) flat.push_back((turn * (c - corners[0])).head<2>());
+  return flat;
+}
+
+double smallest_angle(const Vector2& a, const Vector2& b, const Vector2& c) {
+  const auto angle = [](const Vector2& p, const Vector2& q, const Vector2& r) {
+    const Vector2 u = q - p, v = r - p;
+    return std::atan2(cross(u, v), u.dot(v));
+  };
+  return std::min({angle(a, b, c), angle(b, c, a), angle(c, a, b)});
+}
+
+bool contains(const Vector2& a, const Vector2& b, const Vector2& c, const Vector2& p) {
+  // A corner on an edge counts, whatever rounding makes of it.
+  const double slack =
+      -1e-12 * std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+  return cross(b - a, p - a) >= slack && cross(c - b, p - b) >= slack &&
+         cross(a - c, p - c) >= slack;
+}
+
+// Clips the best ear of what is left, again and again. An ear is the triangle of three successive
+// corners, known by its first; clipping one changes the two before it and, of the others, how many
+// corners they contain.
+class EarClipping {
+ public:
+  EarClipping(std::vector<Vector2> flat, const StopCheck& stop)
+      : flat_(std::move(flat)), stop_(stop), ears_(flat_.size()) {
+    for (std::size_t k = 0; k < flat_.size(); ++k) left_.push_back(static_cast<int>(k));
+  }
+
+  std::vector<std::array<int, 3>> triangles() {
+    std::vector<std::array<int, 3>> triangles;
+    for (std::size_t k = 0; k < left_.size() && left_.size() > 4; ++k) judge(k);
+    while (left_.size() > 3) {
+      stop_.poll();
+      const std::size_t best = left_.size() == 4 ? best_of_quad() : best_ear();
+      const int clipped = corner(best + 1);
+      triangles.push_back({corner(best), clipped, corner(best + 2)});
+      left_.erase(left_.begin() + static_cast<std::ptrdiff_t>((best + 1) % left_.size()));
+      if (left_.size() > 4) forget(clipped, best);
+    }
+    triangles.push_back({left_[0], left_[1], left_[2]});
+    return triangles;
+  }
+
+ private:
+  struct Ear {
+    double angle = 0;  // the smallest, negative at a reflex corner
+    int inside = 0;    // other corners that it contains
+    double quality() const { return inside == 0 ? angle : std::min(angle, 0.0) - inside; }
+  };
+
+  int corner(std::size_t k) const { return left_[k % left_.size()]; }
+  const Vector2& point(std::size_t k) const { return flat_[at(corner(k))]; }
+  Ear& ear(std::size_t k) { return ears_[at(corner(k))]; }
+
+  void judge(std::size_t k) {
+    stop_.poll();
+    Ear& e = ear(k);
+    e = {smallest_angle(point(k), point(k + 1), point(k + 2)), 0};
+    for (std::size_t q = k + 3; q < k + left_.size(); ++q)
+      e.inside += contains(point(k), point(k + 1), point(k + 2), point(q));
+  }
+
+  // After a corner is gone; before it, two ears began whose triangles had it.
+  void forget(int clipped, std::size_t best) {
+    const Vector2& gone = flat_[at(clipped)];
+    // `best` may have been the last corner, with the clipped one at the front.
+    const std::size_t at = best < left_.size() ? best : left_.size() - 1;
+    for (std::size_t k = at + 1; k < at + left_.size() - 1; ++k)
+      if (contains(point(k), point(k + 1), point(k + 2), gone)) --ear(k).inside;
+    judge(at);
+    judge(at + left_.size() - 1);
+  }
+
+  std::size_t best_ear() {
+    std::size_t best = 0;
+    double best_quality = -std::numbers::pi;
+    for (std::size_t k = 0; k < left_.size(); ++k)
+      if (const double quality = ear(k).quality(); quality > best_quality) {
+        best_quality = quality;
+        best = k;
+      }
+    return best;
+  }
+
+  // Both triangles count.
+  std::size_t best_of_quad() {
+    std::size_t best = 0;
+    double best_quality = -std::numbers::pi;
+    for (std::size_t k = 0; k < 4; ++k) {
+      judge(k);
+      const double quality =
+          std::min(ear(k).quality(), smallest_angle(point(k + 2), point(k + 3), point(k)));
+      if (!(quality > best_quality)) continue;
+      best_quality = quality;
+      best = k;
+    }
+    return best;
+  }
+
+  std::vector<Vector2> flat_;
+  const StopCheck& stop_;
+  std::vector<Ear> ears_;  // by the corner they begin with
+  std::vector<int> left_;  // corners
+};
+
+}  // namespace
+
+std::vector<std::array<int, 3>> triangulate_polygon(const std::vector<Vector3>& corners,
+                                                    const StopCheck& stop) {
+  std::vector<Vector2> flat = flatten(corners);
+  if (flat.size() > kMostClipped) return triangulate_large_polygon(flat, stop);
+  const StopCheck never;
+  return EarClipping(std::move(flat), corners.size() > kSmall ? stop : never).triangles();
+}
+
+}  // namespace majorant

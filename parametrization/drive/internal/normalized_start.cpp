@@ -1,0 +1,219 @@
+#include "majorant/parametrization/drive/internal/normalized_start.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "majorant/constraints/seamless_constraint.h"
+#include "majorant/framework/error.h"
+#include "majorant/framework/internal/elimination.h"
+#include "majorant/parametrization/drive/internal/free_scale.h"
+#include "majorant/parametrization/starts/texture_seams.h"
+
+namespace majorant {
+namespace {
+
+// Extents of the surface beyond which the position of a free map is given up for its digits.
+constexpr double kFarAway = 1000;
+
+// The optimizer works on a surface of size about 1: a power of two, so that scaling is exact.
+double normalizing_scale(const SurfaceMesh& mesh) {
+  const Eigen::RowVector3d extent =
+      mesh.positions().colwise().maxCoeff() - mesh.positions().colwise().minCoeff();
+  return std::exp2(-std::round(std::log2(extent.maxCoeff())));
+}
+
+void require_face_weights(const SurfaceMesh& mesh, const Vec& weights) {
+  if (weights.size() == 0) return;
+  if (weights.size() != mesh.face_count() ||
+      !std::all_of(weights.begin(), weights.end(), is_usable_weight))
+    throw Error(ErrorKind::Usage,
+                fmt::format("{}: face weights must be one number in {:g}..{:g} for each face",
+                            mesh.file(), 1 / kLargestFactor, kLargestFactor));
+}
+
+void require_vertex(const SurfaceMesh& mesh, const Pin& pin) {
+  if (pin.vertex < 0 || pin.vertex >= mesh.vertex_count())
+    throw Error(ErrorKind::Usage,
+                fmt::format("{}: pinned vertex {} does not exist", mesh.file(), pin.vertex));
+}
+
+bool contains(const std::vector<FixedPoint>& points, Index node) {
+  return std::any_of(points.begin(), points.end(),
+                     [&](const FixedPoint& p) { return p.node == node; });
+}
+
+bool on_boundary(const SurfaceMesh& mesh, Index vertex) {
+  return std::any_of(
+      mesh.boundary_loops().begin(), mesh.boundary_loops().end(),
+      [&](const auto& loop) { return std::find(loop.begin(), loop.end(), vertex) != loop.end(); });
+}
+
+// Soft handles may be anywhere that numbers reach. scale: to model sizes.
+std::vector<FixedPoint> place_handles(const SurfaceMesh& mesh, const std::vector<Pin>& handles,
+                                      const std::vector<FixedPoint>& pins, const Vec& start,
+                                      double scale) {
+  std::vector<FixedPoint> points;
+  for (const Pin& handle : handles) {
+    require_vertex(mesh, handle);
+    if (contains(points, handle.vertex) || contains(pins, handle.vertex))
+      throw Error(ErrorKind::Unsupported,
+                  fmt::format("{}: vertex {} has two handles, or a pin and a handle; keep one",
+                              mesh.file(), mesh.input_vertex(handle.vertex)));
+    const Vector2 here = start.segment<2>(2 * handle.vertex);
+    points.push_back({handle.vertex, handle.target.value_or(here)});
+    const double distance = ((points.back().position - here) * scale).stableNorm();
+    if (!(distance <= kLargestFactor))
+      throw Error(ErrorKind::Unsupported,
+                  fmt::format("{}: the target of vertex {} is {:.3g} sizes of the model away from "
+                              "it, too far to compute with; give a nearer one",
+                              mesh.file(), mesh.input_vertex(handle.vertex), distance));
+  }
+  return points;
+}
+
+// Pins as fixed points: a target must be where the start has the vertex, up to rounding, because
+// the solver moves along maps that satisfy the constraints.
+std::vector<FixedPoint> place_pins(const SurfaceMesh& mesh, const Seams& seams,
+                                   const MapOptions& asked, const Vec& start) {
+  const double tolerance = 1e-9 * start.cwiseAbs().maxCoeff();
+  std::vector<FixedPoint> points;
+  for (const Pin& pin : asked.pins) {
+    require_vertex(mesh, pin);
+    const Vector2 here = start.segment<2>(2 * pin.vertex);
+    const Vector2 target = pin.target.value_or(here);
+    const double distance = (target - here).stableNorm();
+    if (distance > tolerance)
+      throw Error(
+          ErrorKind::Infeasible,
+          fmt::format("{}: the pin of vertex {} is {:.6g} away from the initial map ({}, {}); "
+                      "hold it there with \"target\": \"initial\", start from a map that "
+                      "meets the pins with --init input, or use soft handles",
+                      mesh.file(), mesh.input_vertex(pin.vertex), distance, here.x(), here.y()));
+    if (contains(points, pin.vertex))
+      throw Error(ErrorKind::Unsupported, fmt::format("{}: vertex {} is pinned twice; pin it once",
+                                                      mesh.file(), mesh.input_vertex(pin.vertex)));
+    // A fixed boundary, a seam or an aligned edge may already say the same, up to rounding.
+    const bool held = !seams.empty() || !asked.aligned.empty() ||
+                      (asked.boundary == BoundaryCondition::Fixed && on_boundary(mesh, pin.vertex));
+    points.push_back({pin.vertex, held ? here : target});
+  }
+  return points;
+}
+
+void require_injective(const BezierMap& map) {
+  const RestShapes rest = flat_triangles(map.mesh().positions(), map.mesh().faces());
+  const Verdict faces =
+      LocalInjectivity(map.shared_space(), 2 * rest.measure).check(map.control_points());
+  if (!faces.feasible)
+    throw Error(
+        ErrorKind::Infeasible,
+        fmt::format("{}: the initial map is not injective: face {} ({} in all) is not positively "
+                    "oriented; give another start with --init",
+                    map.mesh().file(), map.mesh().input_face(faces.blocking.front()) + 1,
+                    faces.blocking.size()));
+  const Verdict vertices =
+      AngleSums(map.shared_space(), AngleSums::Vertices::Interior, map.shared_seams())
+          .check(map.control_points());
+  if (!vertices.feasible)
+    throw Error(
+        ErrorKind::Infeasible,
+        fmt::format("{}: the initial map is not injective: it covers the neighbourhood of "
+                    "vertex {} more than once; give another start with --init",
+                    map.mesh().file(), map.mesh().input_vertex(vertices.blocking.front()) + 1));
+}
+
+// The axis that each edge is nearer to: u is constant along it, or v.
+std::vector<AlignedEdge> nearest_axes(const BezierMap& start, const std::vector<Index>& edges) {
+  const SurfaceMesh& mesh = start.mesh();
+  const auto edge = [&](Index h) -> Vector2 {
+    return start.control_points().segment<2>(2 * mesh.to_vertex(h)) -
+           start.control_points().segment<2>(2 * mesh.from_vertex(h));
+  };
+  double mean = 0;
+  for (Index h = 0; h < mesh.half_edge_count(); ++h) mean += edge(h).norm();
+  mean /= mesh.half_edge_count();
+  std::vector<AlignedEdge> aligned;
+  for (const Index h : edges) {
+    if (h < 0 || h >= mesh.half_edge_count())
+      throw Error(ErrorKind::Usage,
+                  fmt::format("{}: aligned half-edge {} does not exist", mesh.file(), h));
+    const Vector2 off = edge(h).cwiseAbs();
+    aligned.push_back({h, off.x() <= off.y() ? 0 : 1});
+    if (!(off.minCoeff() <= kSeamTolerance * mean))
+      throw Error(ErrorKind::Infeasible,
+                  fmt::format("{}: edge ({}, {}) cannot stay parallel to an axis: the initial map "
+                              "has it {:.3g} edge lengths off (tolerance {:g}); give another start "
+                              "or do not align it",
+                              mesh.file(), mesh.input_vertex(mesh.from_vertex(h)) + 1,
+                              mesh.input_vertex(mesh.to_vertex(h)) + 1, off.minCoeff() / mean,
+                              kSeamTolerance));
+  }
+  return aligned;
+}
+
+// The closest map that has these edges along their axes and keeps its seams.
+BezierMap aligned_map(const BezierMap& start, const std::vector<AlignedEdge>& aligned) {
+  ConstraintRows rows;
+  if (!start.seams().empty())
+    SeamlessConstraint(start.shared_space(), start.shared_seams()).append_rows(rows);
+  AxisAlignment(start.shared_space(), aligned).append_rows(rows);
+  const Elimination elimination(2 * start.space().node_count(), rows);
+  Vec x;
+  elimination.expand(elimination.project(start.control_points()), x);
+  return start.with(start.shared_space(), std::move(x));
+}
+
+double largest_distance(const Vec& a, const Vec& b) {
+  double largest = 0;
+  for (Index k = 0; k < a.size(); k += 2)
+    largest = std::max(largest, (a.segment<2>(k) - b.segment<2>(k)).norm());
+  return largest;
+}
+
+Vec translated(Vec x, const Vector2& by) {
+  for (Index k = 0; k < x.size(); k += 2) x.segment<2>(k) += by;
+  return x;
+}
+
+}  // namespace
+
+NormalizedStart::NormalizedStart(const BezierMap& given, const MapOptions& asked)
+    : scale_(normalizing_scale(given.mesh())), map_(given) {
+  require_face_weights(given.mesh(), asked.face_weight);
+  MapSpecification& spec = specification_;
+  static_cast<MapObjective&>(spec) = asked;
+  spec.aligned = nearest_axes(given, asked.aligned);
+  const BezierMap start = spec.aligned.empty() ? given : aligned_map(given, spec.aligned);
+  moved_ = largest_distance(given.control_points(), start.control_points());
+  require_injective(start);
+  spec.rest = flat_triangles(start.mesh().positions() * scale_, start.mesh().faces());
+  spec.seams = start.shared_seams();
+  spec.pins = place_pins(start.mesh(), start.seams(), asked, start.control_points());
+  spec.handles =
+      place_handles(start.mesh(), asked.handles, spec.pins, start.control_points(), scale_);
+  require_scale(asked, start);
+  // Where nothing holds the map, its first held vertex moves to the origin.
+  if (const auto gauge = gauge_vertices(spec, start.space());
+      !gauge.empty() && spec.pins.empty() && spec.handles.empty())
+    origin_ = start.control_points().segment<2>(2 * gauge.front());
+  if (origin_.norm() * scale_ <= kFarAway || spec.boundary == BoundaryCondition::Fixed)
+    destination_ = origin_;
+  for (auto* points : {&spec.pins, &spec.handles})
+    for (FixedPoint& p : *points) p.position = (p.position - origin_) * scale_;
+  map_ = start.with(start.shared_space(), translated(start.control_points(), -origin_) * scale_);
+}
+
+BezierMap NormalizedStart::in_model_units(const BezierMap& normalized) const {
+  return normalized.with(normalized.shared_space(),
+                         translated(normalized.control_points() / scale_, destination_));
+}
+
+BezierMesh NormalizedStart::in_model_units(BezierMesh normalized) const {
+  for (Index k = 0; k < normalized.points.cols(); ++k)
+    normalized.points.col(k) = (normalized.points.col(k) / scale_).array() + destination_[k % 2];
+  return normalized;
+}
+
+}  // namespace majorant

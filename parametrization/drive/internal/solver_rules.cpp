@@ -1,0 +1,57 @@
+#include "majorant/parametrization/drive/internal/solver_rules.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "majorant/framework/error.h"
+#include "majorant/framework/internal/curvature_name.h"
+
+namespace majorant {
+namespace {
+
+constexpr double kSoftStart = 1e5;  // mean density
+
+}  // namespace
+
+void require_curvature(const DensityTerms& terms, Curvature asked) {
+  for (const auto& term : terms) {
+    if (term->supports(asked)) continue;
+    std::vector<std::string_view> known;
+    for (const Curvature c : kCurvatures)
+      if (term->supports(c)) known.push_back(name(c));
+    throw Error(ErrorKind::Usage,
+                fmt::format("energy '{}' has no curvature model '{}'; use one of {}", term->name(),
+                            name(asked), fmt::join(known, " ")));
+  }
+}
+
+NewtonOptions newton_options(Curvature curvature, const StopCheck& stop) {
+  NewtonOptions options;
+  options.curvature = curvature;
+  options.stop = stop;
+  return options;
+}
+
+bool was_stopped(Status status) {
+  return status == Status::TimeLimit || status == Status::Interrupted;
+}
+
+SolveResult stopped(SolveResult result, Directive why) {
+  result.status = stopped_status(why);
+  result.message = Stopped(why).what();
+  return result;
+}
+
+Vec soft_weights(const Vec& energy, const Vec& measure) {
+  if (!(energy.sum() >= kSoftStart * measure.sum()) || !energy.allFinite()) return {};
+  return energy.cwiseQuotient(measure).cwiseSqrt().cwiseInverse();
+}
+
+std::vector<long> add_counts(std::vector<long> a, const std::vector<long>& b) {
+  a.resize(std::max(a.size(), b.size()), 0);
+  for (std::size_t k = 0; k < b.size(); ++k) a[k] += b[k];
+  return a;
+}
+
+}  // namespace majorant

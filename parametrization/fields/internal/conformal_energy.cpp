@@ -1,0 +1,36 @@
+#include "majorant/parametrization/fields/internal/conformal_energy.h"
+
+#include <utility>
+
+namespace majorant {
+ConformalEnergy::ConformalEnergy(const SurfaceMesh& mesh, Vec wanted_angles)
+    : triangulation_(mesh),
+      wanted_angles_(std::move(wanted_angles)),
+      is_interior_(at(mesh.vertex_count()), 1) {
+  for (const auto& loop : mesh.boundary_loops())
+    for (const Index v : loop) is_interior_[at(v)] = 0;
+}
+
+ConformalDerivatives ConformalEnergy::derivatives(const Vec& log_factor) const {
+  const Vec lengths = triangulation_.log_lengths(log_factor);
+  ConformalDerivatives out{wanted_angles_, Vec(triangulation_.half_edge_count())};
+  for (Index f = 0; f < triangulation_.face_count(); ++f) {
+    const TriangleShape shape = IntrinsicTriangulation::shape(lengths, f);
+    for (Index k = 0; k < 3; ++k) {
+      out.gradient[triangulation_.faces()(f, k)] -= shape.angle[at(k)];
+      out.hessian_weights[3 * f + k] = 0.5 * shape.cotangent[at((k + 2) % 3)];
+    }
+  }
+  bool closed = true;
+  for (std::size_t v = 0; v < is_interior_.size(); ++v) {
+    if (is_interior_[v]) continue;
+    out.gradient[static_cast<Index>(v)] = 0;
+    closed = false;
+  }
+  // By Gauss-Bonnet; left over is the rounding of pi and of the angles, spread here lest all of it
+  // be found at one vertex.
+  if (closed) out.gradient.array() -= out.gradient.mean();
+  return out;
+}
+
+}  // namespace majorant

@@ -1,0 +1,50 @@
+#include "majorant/parametrization/fields/internal/edge_laplacian.h"
+
+#include <algorithm>
+
+#include "majorant/mesh/half_edge.h"
+
+namespace majorant {
+namespace {
+
+// The unknowns at both ends of half-edge h, -1 where there is none.
+std::array<Index, 2> ends(const Cells& faces, const std::vector<Index>& row_of, Index h) {
+  return {row_of[at(from_vertex(faces, h))], row_of[at(to_vertex(faces, h))]};
+}
+
+}  // namespace
+
+EdgeLaplacian::EdgeLaplacian(const Cells& faces, const std::vector<Index>& row_of) {
+  const Index size = row_of.empty() ? 0 : *std::max_element(row_of.begin(), row_of.end()) + 1;
+  const Index half_edges = static_cast<Index>(3 * faces.rows());
+  std::vector<std::vector<Index>> below(at(size));
+  for (Index h = 0; h < half_edges; ++h) {
+    const auto [a, b] = ends(faces, row_of, h);
+    if (a >= 0 && b >= 0 && a != b) below[at(std::min(a, b))].push_back(std::max(a, b));
+  }
+  for (const auto& rows : below) pattern_.append_column(rows);
+  pattern_.order_in_blocks(1);
+  for (Index h = 0; h < half_edges; ++h) {
+    const auto [a, b] = ends(faces, row_of, h);
+    Slots slots{-1, -1, -1};
+    if (a != b) {  // else x_a - x_b = 0
+      if (a >= 0) slots.from = pattern_.diagonal_slot(a);
+      if (b >= 0) slots.to = pattern_.diagonal_slot(b);
+      if (a >= 0 && b >= 0) slots.between = pattern_.slot(a, b);
+    }
+    slots_.push_back(slots);
+  }
+}
+
+Vec EdgeLaplacian::values(const Vec& weights) const {
+  Vec values = Vec::Zero(pattern_.nonzeros());
+  for (std::size_t h = 0; h < slots_.size(); ++h) {
+    const double w = weights[static_cast<Index>(h)];
+    if (slots_[h].from >= 0) values[slots_[h].from] += w;
+    if (slots_[h].to >= 0) values[slots_[h].to] += w;
+    if (slots_[h].between >= 0) values[slots_[h].between] -= w;
+  }
+  return values;
+}
+
+}  // namespace majorant

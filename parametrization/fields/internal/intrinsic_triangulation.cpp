@@ -1,0 +1,201 @@
+#include "majorant/parametrization/fields/internal/intrinsic_triangulation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
+
+namespace majorant {
+namespace {
+
+using Complex = std::complex<double>;
+
+// Flips per call and triangle before giving up: random log factors of +-20 took 4; against endless
+// cycles where lengths agree to rounding.
+constexpr Index kMostFlipsPerFace = 20;
+
+// Twice the sum of the cosines of opposite angles is 0 on four points of a circle, where both
+// diagonals are Delaunay; smaller values count as 0.
+constexpr double kCocircular = 1e-10;
+
+// Bound of logarithms of lengths that are exponentiated, beyond all surfaces: where no metric was
+// found they may be anything, and vectors stay finite.
+constexpr double kLargestLog = 300;
+
+// log(e^x + e^y)
+double log_sum(double x, double y) {
+  return std::max(x, y) + std::log1p(std::exp(-std::abs(x - y)));
+}
+
+Complex vector_of(const Points2& vectors, Index h) { return {vectors(h, 0), vectors(h, 1)}; }
+void set_vector(Points2& vectors, Index h, Complex z) { vectors.row(h) << z.real(), z.imag(); }
+
+// The rotation that takes the frame of the triangle at `there` to the one at `here`, where both
+// sides of their edge run against each other; 1 when the edge has no length.
+Complex rotation_between(Complex here, Complex there) {
+  const Complex product = -here * std::conj(there);
+  return std::abs(product) > 0 ? product / std::abs(product) : Complex(1);
+}
+
+}  // namespace
+
+// Half-angle formula with s - a, s - b, s - c computed from the sorted sides a >= b >= c in
+// Kahan's order, which cancels no digits that the sides have.
+TriangleShape triangle_shape(const std::array<double, 3>& log_sides) {
+  std::array<std::size_t, 3> order{0, 1, 2};
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t i, std::size_t k) { return log_sides[i] > log_sides[k]; });
+  const double unit = log_sides[order[0]];  // the longest side becomes 1: no overflow
+  const double a = 1, b = std::exp(log_sides[order[1]] - unit),
+               c = std::exp(log_sides[order[2]] - unit);
+  // Twice s, s - a, s - b, s - c.
+  const double perimeter = a + (b + c);
+  const std::array<double, 3> rest{c - (a - b), c + (a - b), a + (b - c)};
+
+  TriangleShape shape;
+  // Four times the area; 0 also where the product underflows, and such a needle counts as broken.
+  const double four_areas = std::sqrt(perimeter * rest[2]) * std::sqrt(rest[1] * rest[0]);
+  if (!(rest[0] > 0) || !(four_areas > std::numeric_limits<double>::min())) {
+    shape.angle[order[0]] = std::numbers::pi;
+    shape.log_area = -std::numeric_limits<double>::infinity();
+    shape.broken = true;
+    return shape;
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double opposite = perimeter * rest[k], adjacent = rest[(k + 1) % 3] * rest[(k + 2) % 3];
+    shape.angle[order[k]] = 2 * std::atan2(std::sqrt(adjacent), std::sqrt(opposite));
+    shape.cotangent[order[k]] = (opposite - adjacent) / (2 * four_areas);
+  }
+  shape.log_area = std::log(four_areas / 4) + 2 * unit;
+  return shape;
+}
+
+IntrinsicTriangulation::IntrinsicTriangulation(const SurfaceMesh& mesh)
+    : faces_(mesh.faces()), log_lengths_(mesh.half_edge_count()) {
+  for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+    opposite_.push_back(mesh.opposite(h));
+    log_lengths_[h] = std::log(
+        (mesh.positions().row(mesh.to_vertex(h)) - mesh.positions().row(mesh.from_vertex(h)))
+            .norm());
+  }
+}
+
+Vec IntrinsicTriangulation::log_lengths(const Vec& log_factor) const {
+  Vec lengths(half_edge_count());
+  for (Index h = 0; h < half_edge_count(); ++h) lengths[h] = log_length(log_factor, h);
+  return lengths;
+}
+
+double IntrinsicTriangulation::log_length(const Vec& log_factor, Index h) const {
+  return log_lengths_[h] +
+         0.5 * (log_factor[from_vertex(faces_, h)] + log_factor[to_vertex(faces_, h)]);
+}
+
+bool IntrinsicTriangulation::has_broken_triangles(const Vec& log_factor) const {
+  const Vec lengths = log_lengths(log_factor);
+  for (Index f = 0; f < face_count(); ++f)
+    if (shape(lengths, f).broken) return true;
+  return false;
+}
+
+TriangleShape IntrinsicTriangulation::shape(const Vec& log_lengths, Index f) {
+  // Half-edge k runs from corner k to corner k + 1, opposite corner k + 2.
+  return triangle_shape({log_lengths[3 * f + 1], log_lengths[3 * f + 2], log_lengths[3 * f]});
+}
+
+// The cosines of the two angles opposite the edge add up to something positive; by the law of
+// cosines, which gives values outside [-1, 1] where triangles are broken, still with that meaning.
+bool IntrinsicTriangulation::is_delaunay(const Vec& log_lengths, Index half_edge) const {
+  const auto twice_cosine = [&](Index h) {
+    const double a = log_lengths[h], b = log_lengths[next(h)], c = log_lengths[previous(h)];
+    return std::exp(b - c) + std::exp(c - b) - std::exp(2 * a - b - c);
+  };
+  return !(twice_cosine(half_edge) + twice_cosine(opposite(half_edge)) < -kCocircular);
+}
+
+// Around the edge a -> b with c on this side and d on the other. Before: here a->b, b->c, c->a;
+// there b->a, a->d, d->b. After: here d->c, c->a, a->d; there c->d, d->b, b->c.
+void IntrinsicTriangulation::flip(Index half_edge) {
+  const Index h0 = half_edge, h1 = next(h0), h2 = previous(h0);
+  const Index o0 = opposite(half_edge), o1 = next(o0), o2 = previous(o0);
+  const std::array<Index, 4> from{h2, o1, o2, h1}, to{h1, h2, o1, o2};
+  const double diagonal =
+      log_sum(log_lengths_[h1] + log_lengths_[o1], log_lengths_[h2] + log_lengths_[o2]) -
+      log_lengths_[h0];
+  const auto vertex = [&](Index h) { return from_vertex(faces_, h); };
+  const Index a = vertex(h0), b = vertex(o0), c = vertex(h2), d = vertex(o2);
+  std::array<Index, 4> outside{};
+  std::array<double, 4> lengths{};
+  for (std::size_t k = 0; k < 4; ++k) {
+    outside[k] = opposite(from[k]);
+    lengths[k] = log_lengths_[from[k]];
+    // A side of the quadrilateral that is glued to another one moves with it.
+    for (std::size_t l = 0; l < 4; ++l)
+      if (opposite(from[k]) == from[l]) outside[k] = to[l];
+  }
+  for (std::size_t k = 0; k < 4; ++k) {
+    opposite_[at(to[k])] = outside[k];
+    if (outside[k] >= 0) opposite_[at(outside[k])] = to[k];
+    log_lengths_[to[k]] = lengths[k];
+  }
+  log_lengths_[h0] = log_lengths_[o0] = diagonal;
+  const std::array<Index, 6> half_edges{h0, h1, h2, o0, o1, o2}, origins{d, c, a, c, d, b};
+  for (std::size_t k = 0; k < 6; ++k)
+    faces_(face_of(half_edges[k]), corner_of(half_edges[k])) = origins[k];
+  flips_.push_back({h0, o0});
+}
+
+Index IntrinsicTriangulation::make_delaunay(const Vec& log_factor) {
+  Vec lengths = log_lengths(log_factor);
+  std::vector<Index> half_edges;
+  for (Index h = 0; h < half_edge_count(); ++h) half_edges.push_back(h);
+  Index flipped = 0;
+  while (!half_edges.empty() && flipped < kMostFlipsPerFace * face_count()) {
+    const Index h = half_edges.back(), o = opposite(h);
+    half_edges.pop_back();
+    if (o < 0 || face_of(o) == face_of(h) || is_delaunay(lengths, h)) continue;
+    flip(h);
+    ++flipped;
+    for (const Index first : {3 * (face_of(h)), 3 * (face_of(o))})
+      for (Index side = first; side < first + 3; ++side) {
+        lengths[side] = log_length(log_factor, side);
+        half_edges.push_back(side);
+      }
+  }
+  return flipped;
+}
+
+Points2 IntrinsicTriangulation::surface_vectors(const Vec& log_factor) const {
+  const Vec lengths = log_lengths(log_factor);
+  Points2 vectors(half_edge_count(), 2);
+  for (Index f = 0; f < face_count(); ++f) {
+    const TriangleShape triangle = shape(lengths, f);
+    Complex direction = 1;
+    for (Index k = 0; k < 3; ++k) {
+      const double turn = std::numbers::pi - triangle.angle[at((k + 1) % 3)];
+      const double length = std::clamp(lengths[3 * f + k], -kLargestLog, kLargestLog);
+      set_vector(vectors, 3 * f + k, std::exp(length) * direction);
+      // Exactly straight at a broken triangle's corners of 0 and pi.
+      direction *= !triangle.broken ? std::polar(1.0, turn) : turn > 1 ? Complex(-1) : Complex(1);
+    }
+  }
+  // The flips undone, last one first: two triangles brought into one frame, and the old diagonal
+  // in place of the new one (names as in flip()).
+  for (auto last = flips_.rbegin(); last != flips_.rend(); ++last) {
+    const Index h0 = last->here, h1 = next(h0), h2 = previous(h0);
+    const Index o0 = last->there, o1 = next(o0), o2 = previous(o0);
+    const Complex turn = rotation_between(vector_of(vectors, h0), vector_of(vectors, o0));
+    const Complex c_to_a = vector_of(vectors, h1), a_to_d = vector_of(vectors, h2);
+    const Complex d_to_b = turn * vector_of(vectors, o1), b_to_c = turn * vector_of(vectors, o2);
+    set_vector(vectors, h1, b_to_c);
+    set_vector(vectors, h2, c_to_a);
+    set_vector(vectors, o1, a_to_d);
+    set_vector(vectors, o2, d_to_b);
+    set_vector(vectors, h0, -(b_to_c + c_to_a));
+    set_vector(vectors, o0, -(a_to_d + d_to_b));
+  }
+  return vectors;
+}
+
+}  // namespace majorant

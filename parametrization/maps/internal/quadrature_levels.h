@@ -1,0 +1,33 @@
+// Which rule of a quadrature ladder each face uses: most stay on level 0 for good; a face that
+// blocks a run, or whose integral its rule gets wrong, is refined.
+#pragma once
+
+#include <vector>
+
+#include "majorant/parametrization/maps/internal/quadrature_ladder.h"
+#include "majorant/parametrization/maps/map_problem.h"
+
+namespace majorant {
+
+class QuadratureLevels {
+ public:
+  QuadratureLevels(QuadratureLadder ladder, Index face_count)
+      : ladder_(std::move(ladder)), level_(at(face_count), 0) {}
+
+  // All rules of the ladder, guarded ones first, as terms number them.
+  std::vector<Quadrature> rules() const;
+  const std::vector<RuleId>& of_faces() const { return level_; }
+
+  // One level finer, where there is one; whether any face has changed.
+  bool refine(const std::vector<Index>& faces);
+  // Refines the faces whose integrals are worst, until the error of the rest is below 3e-5 of the
+  // energy. terms: on rules(). Throws Stopped, the levels unchanged.
+  bool refine_inaccurate(const MapSpecification& spec, const DensityTerms& terms, VecIn x,
+                         const StopCheck& stop);
+
+ private:
+  QuadratureLadder ladder_;
+  std::vector<RuleId> level_;
+};
+
+}  // namespace majorant

@@ -1,0 +1,243 @@
+#include "majorant/parametrization/scaffold/internal/edge_flip.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <deque>
+#include <limits>
+#include <stdexcept>
+
+#include "majorant/constraints/local_injectivity.h"
+#include "majorant/elements/bernstein.h"
+#include "majorant/elements/bezier_triangle_space.h"
+#include "majorant/parametrization/scaffold/internal/moving_barrier.h"
+#include "majorant/parametrization/scaffold/internal/quadrilateral.h"
+
+namespace majorant {
+namespace {
+
+constexpr double kSine = Quadrilateral::kRounding;
+// Contradicting wishes come to an end; Delaunay flips, of a few per face, always do.
+constexpr long kMostFlipsPerFace = 100;
+
+// What flips of one degree share.
+class FlipTables {
+ public:
+  static const FlipTables& of_degree(int n) {
+    static const std::vector<FlipTables> tables = [] {
+      std::vector<FlipTables> all;
+      for (int degree = 1; degree <= BezierTriangleSpace::kMaxDegree; ++degree)
+        all.push_back(FlipTables(degree));
+      return all;
+    }();
+    return tables[at(n - 1)];
+  }
+
+  // Points of a triangle's grid half: corners (0,0) (n,n) (0,n) of the grid are corners
+  // slot, slot + 1, slot + 2 of the triangle (moving_barrier.h).
+  struct Place {
+    int row, local;
+  };
+  const std::vector<Place>& half(int slot) const { return half_[at(slot)]; }
+
+  bool is_injective(const RowMatrix& points) const {
+    Vec x(points.size());
+    for (int l = 0; l < triangle_.nodes_per_element(); ++l)
+      x.segment<2>(2 * triangle_.cells()(0, l)) = points.block<1, 2>(0, 2 * l);
+    return triangle_.certify(0, x, LocalInjectivity::kDefaultDepth).result == Positivity::Certified;
+  }
+
+ private:
+  explicit FlipTables(int n) : triangle_((Cells(1, 3) << 0, 1, 2).finished(), 3, n) {
+    const TriangleIndices& indices = TriangleIndices::of_degree(n);
+    for (std::size_t slot = 0; slot < 3; ++slot)
+      for (int local = 0; local < indices.count(); ++local) {
+        const MultiIndex& m = indices.multi(local);
+        const int to = m[(slot + 1) % 3], apex = m[(slot + 2) % 3];
+        half_[slot].push_back({(to + apex) * (n + 1) + to, local});
+      }
+  }
+
+  BezierTriangleSpace triangle_;
+  std::array<std::vector<Place>, 3> half_;
+};
+
+void require_degree(const BezierMesh& mesh) {
+  if (mesh.degree < 1 || mesh.degree > BezierTriangleSpace::kMaxDegree)
+    throw std::invalid_argument(fmt::format("edge flips: degree must be 1..{}, is {}",
+                                            BezierTriangleSpace::kMaxDegree, mesh.degree));
+}
+
+// Whether an edge joins these vertices, by going around v from the half-edge that leaves it.
+bool are_joined(const BezierMesh& mesh, Index leaving, Index other) {
+  Index h = leaving;
+  do {
+    if (mesh.to_vertex(h) == other || mesh.from_vertex(previous(h)) == other) return true;
+    h = mesh.opposite[at(previous(h))];
+  } while (h >= 0 && h != leaving);
+  if (h == leaving) return false;
+  for (h = mesh.opposite[at(leaving)]; h >= 0; h = mesh.opposite[at(next(h))])
+    if (mesh.to_vertex(next(h)) == other) return true;
+  return false;
+}
+
+// An edge between two triangles whose third corners are not joined yet.
+bool has_free_diagonal(const BezierMesh& mesh, Index h) {
+  const Index o = mesh.opposite[at(h)];
+  if (o < 0 || face_of(o) == face_of(h)) return false;
+  const Index c = mesh.from_vertex(previous(h)), d = mesh.from_vertex(previous(o));
+  return c != d && !are_joined(mesh, previous(h), d);
+}
+
+// The grid of the two triangles of an edge, whose half-edge is the diagonal of the upper half.
+Points2 read_grid(const BezierMesh& mesh, Index h) {
+  const FlipTables& tables = FlipTables::of_degree(mesh.degree);
+  const Index o = mesh.opposite[at(h)];
+  const int count = (mesh.degree + 1) * (mesh.degree + 1);
+  Points2 grid(count, 2);
+  for (const auto& [row, local] : tables.half(corner_of(o)))
+    grid.row(count - 1 - row) = mesh.point(face_of(o), local);
+  for (const auto& [row, local] : tables.half(corner_of(h)))
+    grid.row(row) = mesh.point(face_of(h), local);
+  return grid;
+}
+
+// The same points with the other diagonal as p = q: turned by a quarter, so that (0,0) is what was
+// (n,0).
+Points2 turned(const Points2& grid, int n) {
+  Points2 out(grid.rows(), 2);
+  for (int q = 0; q <= n; ++q)
+    for (int p = 0; p <= n; ++p) out.row(q * (n + 1) + p) = grid.row(p * (n + 1) + n - q);
+  return out;
+}
+
+// The control points of the upper half, in the order of a triangle.
+RowMatrix upper_half(const Points2& grid, const std::vector<FlipTables::Place>& places) {
+  RowMatrix points(1, 2 * static_cast<Index>(places.size()));
+  for (const auto& [row, local] : places) points.block<1, 2>(0, 2 * local) = grid.row(row);
+  return points;
+}
+
+Quadrilateral corners(const BezierMesh& mesh, Index h) {
+  const Index o = mesh.opposite[at(h)];
+  const auto corner = [&](Index side) { return mesh.point(face_of(side), corner_of(side)); };
+  return {corner(h), corner(previous(o)), corner(next(h)), corner(previous(h))};
+}
+
+void flip_connectivity(BezierMesh& mesh, Index h) {
+  const Index o = mesh.opposite[at(h)];
+  const FlippedSides moves = flipped_sides(h, o);
+  std::array<Index, 4> outside{};
+  for (std::size_t k = 0; k < 4; ++k) outside[k] = mesh.opposite[at(moves.from[k])];
+  for (std::size_t k = 0; k < 4; ++k) {
+    mesh.opposite[at(moves.to[k])] = outside[k];
+    if (outside[k] >= 0) mesh.opposite[at(outside[k])] = moves.to[k];
+  }
+  const Index a = mesh.from_vertex(h), b = mesh.from_vertex(o);
+  const Index c = mesh.from_vertex(previous(h)), d = mesh.from_vertex(previous(o));
+  const auto set = [&](Index side, Index vertex) {
+    mesh.faces(face_of(side), corner_of(side)) = vertex;
+  };
+  set(h, d);
+  set(next(h), c);
+  set(previous(h), a);
+  set(o, c);
+  set(next(o), d);
+  set(previous(o), b);
+}
+
+FlipCounts flip_while(BezierMesh& mesh, std::vector<char>& is_fixed, long most,
+                      const FlipWish& wanted) {
+  require_degree(mesh);
+  const std::size_t count = mesh.opposite.size();
+  if (!is_fixed.empty() && is_fixed.size() != count)
+    throw std::invalid_argument(
+        fmt::format("edge flips: {} flags for {} half-edges", is_fixed.size(), count));
+  std::deque<Index> queue;
+  std::vector<char> queued(count, 0), failed(count, 0);
+  const auto push = [&](Index h) {
+    if (mesh.opposite[at(h)] < 0 || queued[at(h)]) return;
+    queued[at(h)] = 1;
+    queue.push_back(h);
+  };
+  for (std::size_t h = 0; h < count; ++h)
+    if (static_cast<Index>(h) < mesh.opposite[h]) push(static_cast<Index>(h));
+
+  FlipCounts counts;
+  while (!queue.empty() && counts.performed < most) {
+    const Index h = queue.front(), o = mesh.opposite[at(h)];
+    queue.pop_front();
+    queued[at(h)] = 0;
+    if (o < 0 || failed[at(h)]) continue;
+    if (!is_fixed.empty() && (is_fixed[at(h)] || is_fixed[at(o)])) continue;
+    if (!wanted(mesh, h)) continue;
+    ++counts.intended;
+    if (!flip_edge(mesh, h)) {
+      failed[at(h)] = failed[at(o)] = 1;
+      continue;
+    }
+    ++counts.performed;
+    // Sides get other numbers; what was noted about a number is told to its new owner.
+    const FlippedSides moves = flipped_sides(h, o);
+    std::array<char, 4> fixed{};
+    for (std::size_t k = 0; k < 4 && !is_fixed.empty(); ++k) fixed[k] = is_fixed[at(moves.from[k])];
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (!is_fixed.empty()) is_fixed[at(moves.to[k])] = fixed[k];
+      const Index outside = mesh.opposite[at(moves.to[k])];
+      failed[at(moves.to[k])] = 0;
+      if (outside >= 0) failed[at(outside)] = 0;
+      push(moves.to[k]);
+    }
+  }
+  return counts;
+}
+
+}  // namespace
+
+FlippedSides flipped_sides(Index half_edge, Index opposite) {
+  return {{next(half_edge), previous(half_edge), next(opposite), previous(opposite)},
+          {previous(opposite), next(half_edge), previous(half_edge), next(opposite)}};
+}
+
+bool flip_edge(BezierMesh& mesh, Index half_edge) {
+  require_degree(mesh);
+  if (half_edge < 0 || at(half_edge) >= mesh.opposite.size())
+    throw std::invalid_argument(fmt::format("flip_edge: no half-edge {}", half_edge));
+  if (!has_free_diagonal(mesh, half_edge)) return false;
+  if (!corners(mesh, half_edge).flips_to_positive(kSine)) return false;
+
+  const int n = mesh.degree;
+  const Index h = half_edge, o = mesh.opposite[at(h)];
+  const FlipTables& tables = FlipTables::of_degree(n);
+  Points2 grid = turned(read_grid(mesh, h), n);
+  const auto corner_determinant = [&](int corner, int out, int in) {
+    return cross(grid.row(out) - grid.row(corner), grid.row(in) - grid.row(corner));
+  };
+  // The two corners that become one triangle's: det J there has no say in it.
+  const int first = n * (n + 1), last = n;
+  if (!(corner_determinant(first, first - (n + 1), first + 1) > 0) ||
+      !(corner_determinant(last, last + (n + 1), last - 1) > 0))
+    return false;
+  MovingBarrier::of_degree(n).minimize(grid);
+  const RowMatrix upper = upper_half(grid, tables.half(corner_of(h)));
+  const RowMatrix lower = upper_half(grid.colwise().reverse(), tables.half(corner_of(o)));
+  if (!tables.is_injective(upper) || !tables.is_injective(lower)) return false;
+  mesh.points.row(face_of(h)) = upper;
+  mesh.points.row(face_of(o)) = lower;
+  flip_connectivity(mesh, h);
+  return true;
+}
+
+FlipCounts make_delaunay(BezierMesh& mesh, std::vector<char>& is_fixed) {
+  return flip_while(mesh, is_fixed, std::numeric_limits<long>::max(),
+                    [](const BezierMesh& m, Index h) {
+                      const Quadrilateral quad = corners(m, h);
+                      return quad.is_strictly_convex(kSine) && quad.wants_delaunay_flip(kSine);
+                    });
+}
+
+FlipCounts flip_edges(BezierMesh& mesh, std::vector<char>& is_fixed, const FlipWish& wanted) {
+  return flip_while(mesh, is_fixed, kMostFlipsPerFace * mesh.face_count(), wanted);
+}
+
+}  // namespace majorant

@@ -1,0 +1,259 @@
+#include "majorant/parametrization/scaffold/internal/improve_mesh.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <stdexcept>
+
+#include "majorant/elements/rest_shapes.h"
+#include "majorant/parametrization/maps/internal/quadrature_ladder.h"
+#include "majorant/parametrization/scaffold/internal/pair_energy.h"
+#include "majorant/parametrization/scaffold/internal/quadrilateral.h"
+
+namespace majorant {
+namespace {
+
+constexpr double kCoplanar = 1e-12;      // distance from a plane over the quadrilateral's size
+constexpr double kSine = 1e-8;           // sharper or flatter angles are not made
+constexpr double kCocircular = 1e-12;    // sine; unfolding rounds more than the plane does
+constexpr double kGain = 1e-9;           // of a pair's energy: less may come from unfinished Newton
+constexpr double kSameEnergy = 1e-12;    // of a pair's energy
+constexpr int kProofDepth = 16;          // of bisection: the map was certified with fewer
+constexpr long kMostFlipsPerFace = 100;  // gains of kGain end earlier
+constexpr std::size_t kRuleOfMaps = 1;   // of the measuring rules: good to 1e-5 on mild maps
+
+// A pair of faces on its own, as it is and with its other diagonal: vertices a, b, c, d are 0, 1,
+// 2, 3.
+struct Trial {
+  Index half_edge;
+  bool is_delaunay;  // as it is
+  BezierMesh pair, flipped;
+};
+
+BezierMesh as_bezier_mesh(const BezierMap& map) {
+  return bezier_mesh(map.degree(), map.mesh().faces(), map.space().cells(), map.control_points());
+}
+
+Quadrature rule_of_degree(int n) {
+  const std::vector<Quadrature> rules = measuring_rules(n);
+  return rules[std::min(kRuleOfMaps, rules.size() - 1)];
+}
+
+class Improver {
+ public:
+  Improver(const BezierMap& map, const EnergySum& energy)
+      : map_(map),
+        energy_(energy),
+        rule_(rule_of_degree(map.degree())),
+        mesh_(as_bezier_mesh(map)),
+        is_queued_(mesh_.opposite.size(), 0) {
+    for (Index f = 0; f < mesh_.face_count(); ++f) {
+      input_face_.push_back(map.mesh().input_face(f));
+      if (map.space().certify(f, map.control_points(), kProofDepth).result != Positivity::Certified)
+        throw std::invalid_argument(
+            fmt::format("improve_mesh: face {} of the map is not injective", f));
+    }
+    for (Index h = 0; h < 3 * mesh_.face_count(); ++h)
+      if (mesh_.opposite[at(h)] > h) push(h);
+  }
+
+  // Pairs that share no face are tried together.
+  ImprovedMap run(const StopCheck& stop) {
+    while (!queue_.empty() && flips_.performed < kMostFlipsPerFace * mesh_.face_count() &&
+           stop() == Directive::Continue)
+      try_pairs(next_pairs());
+    if (flips_.performed == 0) return {map_, flips_};
+    return {result(), flips_};
+  }
+
+ private:
+  const Points3& positions() const { return map_.mesh().positions(); }
+
+  void push(Index h) {
+    if (mesh_.opposite[at(h)] < 0 || is_queued_[at(h)]) return;
+    is_queued_[at(h)] = 1;
+    queue_.push_back(h);
+  }
+
+  // The corners of a pair in the plane of one of its faces; nothing when they are not coplanar.
+  std::optional<Quadrilateral> unfolded(Index h) const {
+    const Index o = mesh_.opposite[at(h)];
+    const auto relative = [&, origin = mesh_.from_vertex(h)](Index side) -> Vector3 {
+      return positions().row(mesh_.from_vertex(side)) - positions().row(origin);
+    };
+    const Vector3 b = relative(o), c = relative(previous(h)), d = relative(previous(o));
+    const Vector3 above = b.cross(c), below = d.cross(b);
+    const double size = std::max({b.norm(), c.norm(), d.norm()});
+    const double volume = std::abs(above.dot(d));
+    if (!(volume <= kCoplanar * size * std::min(above.norm(), below.norm()))) return std::nullopt;
+    const Vector3 x = b.normalized(), y = above.normalized().cross(x);
+    const auto planar = [&](const Vector3& p) { return Vector2(p.dot(x), p.dot(y)); };
+    return Quadrilateral{Vector2::Zero(), planar(d), planar(b), planar(c)};
+  }
+
+  std::optional<Trial> trial(Index h) const {
+    const std::optional<Quadrilateral> quad = unfolded(h);
+    if (!quad || !quad->is_strictly_convex(kSine)) return std::nullopt;
+    const Index o = mesh_.opposite[at(h)], here = corner_of(h), there = 3 + corner_of(o);
+    Trial t{h, !quad->wants_delaunay_flip(kCocircular), {}, {}};
+    t.pair.degree = mesh_.degree;
+    t.pair.faces.resize(2, 3);
+    const auto set = [&](Index side, Index vertex) {
+      t.pair.faces(face_of(side), corner_of(side)) = vertex;
+    };
+    set(here, 0);
+    set(next(here), 1);
+    set(previous(here), 2);
+    set(there, 1);
+    set(next(there), 0);
+    set(previous(there), 3);
+    t.pair.opposite.assign(6, -1);
+    t.pair.opposite[at(here)] = there;
+    t.pair.opposite[at(there)] = here;
+    t.pair.points.resize(2, mesh_.points.cols());
+    t.pair.points.row(0) = mesh_.points.row(face_of(h));
+    t.pair.points.row(1) = mesh_.points.row(face_of(o));
+    t.flipped = t.pair;
+    if (!flip_edge(t.flipped, here)) return std::nullopt;
+    return t;
+  }
+
+  // As many edges of the queue as share no face; the others wait.
+  std::vector<Trial> next_pairs() {
+    std::vector<Trial> trials;
+    std::vector<Index> waiting;
+    std::vector<char> is_taken(at(mesh_.face_count()), 0);
+    for (const Index h : queue_) {
+      const Index f = face_of(h), g = face_of(mesh_.opposite[at(h)]);
+      if (mesh_.opposite[at(h)] < 0) {  // an earlier flip gave the number to a boundary edge
+        is_queued_[at(h)] = 0;
+        continue;
+      }
+      if (is_taken[at(f)] || is_taken[at(g)]) {
+        waiting.push_back(h);
+        continue;
+      }
+      is_queued_[at(h)] = 0;
+      std::optional<Trial> t = trial(h);
+      if (!t) continue;
+      is_taken[at(f)] = is_taken[at(g)] = 1;
+      trials.push_back(std::move(*t));
+    }
+    queue_ = std::move(waiting);
+    return trials;
+  }
+
+  // Pairs side by side in one mesh, with the inner points and values of their least energy: pair p
+  // has faces 2p, 2p + 1 and vertices 4p .. 4p + 3.
+  struct RelaxedPairs {
+    std::shared_ptr<const BezierTriangleSpace> space;
+    Vec x, value;
+    double energy(std::size_t pair) const {
+      return value[2 * static_cast<Index>(pair)] + value[2 * static_cast<Index>(pair) + 1];
+    }
+  };
+  RelaxedPairs relaxed(const std::vector<Trial>& trials, BezierMesh Trial::*which) const {
+    const auto count = static_cast<Index>(trials.size());
+    Cells faces(2 * count, 3);
+    Points3 corners(4 * count, 3);
+    for (Index p = 0; p < count; ++p) {
+      const Index h = trials[at(p)].half_edge, o = mesh_.opposite[at(h)];
+      faces.middleRows(2 * p, 2) = (trials[at(p)].*which).faces.array() + 4 * p;
+      Index corner = 4 * p;
+      for (const Index side : {h, o, previous(h), previous(o)})
+        corners.row(corner++) = positions().row(mesh_.from_vertex(side));
+    }
+    RelaxedPairs out;
+    out.space = std::make_shared<const BezierTriangleSpace>(faces, 4 * count, mesh_.degree);
+    out.x.resize(2 * out.space->node_count());
+    for (Index f = 0; f < 2 * count; ++f)
+      for (Index l = 0; l < out.space->cells().cols(); ++l)
+        out.x.segment<2>(2 * out.space->cells()(f, l)) =
+            (trials[at(f / 2)].*which).point(f % 2, static_cast<int>(l));
+    const PairEnergy energy(out.space, flat_triangles(corners, faces), energy_, rule_);
+    energy.minimize(out.x);
+    out.value = energy.values(out.x);
+    return out;
+  }
+
+  // Both diagonals at their best: otherwise what moving points gains would count for the flip.
+  void try_pairs(const std::vector<Trial>& trials) {
+    if (trials.empty()) return;
+    const RelaxedPairs before = relaxed(trials, &Trial::pair);
+    const RelaxedPairs after = relaxed(trials, &Trial::flipped);
+    for (std::size_t k = 0; k < trials.size(); ++k) {
+      ++flips_.intended;
+      const double old = before.energy(k), gain = old - after.energy(k);
+      const bool is_better = gain > kGain * std::abs(old);
+      const bool is_same = gain >= -kSameEnergy * std::abs(old);
+      if (is_better || (is_same && !trials[k].is_delaunay)) accept(trials[k].half_edge, after, k);
+    }
+  }
+
+  void accept(Index h, const RelaxedPairs& pairs, std::size_t pair) {
+    const Index o = mesh_.opposite[at(h)];
+    if (!flip_edge(mesh_, h)) return;  // the new edge exists elsewhere
+    ++flips_.performed;
+    Index relaxed_face = 2 * static_cast<Index>(pair);
+    for (const Index face : {face_of(h), face_of(o)}) {
+      for (Index l = 0; l < mesh_.points.cols() / 2; ++l)
+        mesh_.points.row(face).segment<2>(2 * l) =
+            pairs.x.segment<2>(2 * pairs.space->cells()(relaxed_face, l));
+      ++relaxed_face;
+    }
+    input_face_[at(face_of(h))] = input_face_[at(face_of(o))] =
+        std::min(input_face_[at(face_of(h))], input_face_[at(face_of(o))]);
+    for (const Index side : flipped_sides(h, o).to) push(side);
+  }
+
+  BezierMap result() const {
+    auto mesh =
+        std::make_shared<const SurfaceMesh>(map_.mesh().with_faces(mesh_.faces, input_face_));
+    auto space = std::make_shared<const BezierTriangleSpace>(mesh_.faces, mesh->vertex_count(),
+                                                             mesh_.degree);
+    Vec x(2 * space->node_count());
+    for (Index f = 0; f < mesh_.face_count(); ++f)
+      for (Index l = 0; l < space->cells().cols(); ++l)
+        x.segment<2>(2 * space->cells()(f, l)) = mesh_.point(f, static_cast<int>(l));
+    return BezierMap(std::move(mesh), std::move(space), std::move(x), seams());
+  }
+
+  // Seams are sides of the cut surface's boundary, which has other numbers now.
+  std::shared_ptr<const Seams> seams() const {
+    if (map_.seams().empty()) return map_.shared_seams();
+    std::map<std::array<Index, 2>, Index> side_of;
+    for (Index h = 0; h < 3 * mesh_.face_count(); ++h)
+      if (mesh_.opposite[at(h)] < 0) side_of[{mesh_.from_vertex(h), mesh_.to_vertex(h)}] = h;
+    const auto renumbered = [&](Index h) {
+      return side_of.at({map_.mesh().from_vertex(h), map_.mesh().to_vertex(h)});
+    };
+    std::vector<SeamEdge> edges = map_.seams().edges();
+    for (SeamEdge& edge : edges) {
+      edge.side = renumbered(edge.side);
+      edge.opposite = renumbered(edge.opposite);
+    }
+    return std::make_shared<const Seams>(mesh_.faces, map_.seams().surface_vertex(),
+                                         std::move(edges), map_.seams().quarter_turns());
+  }
+
+  const BezierMap& map_;
+  const EnergySum& energy_;
+  Quadrature rule_;
+  BezierMesh mesh_;
+  std::vector<Index> input_face_;
+  std::vector<Index> queue_;
+  std::vector<char> is_queued_;
+  FlipCounts flips_;
+};
+
+}  // namespace
+
+ImprovedMap improve_mesh(const BezierMap& map, const EnergySum& energy, const StopCheck& stop) {
+  if (energy.empty()) throw std::invalid_argument("improve_mesh: no energy");
+  return Improver(map, energy).run(stop);
+}
+
+}  // namespace majorant

@@ -1,0 +1,264 @@
+#include "majorant/parametrization/scaffold/internal/moving_barrier.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "majorant/elements/bernstein.h"
+
+namespace majorant {
+namespace {
+
+constexpr int kMostSteps = 40;          // towards positive B_l; failing flips stop long before
+constexpr int kQualitySteps = 12;       // with all B_l positive; mostly two are enough
+constexpr double kGoodEnough = 1e-2;    // relative decrease of F below which steps stop to pay
+constexpr double kWidestGap = 0.1;      // min B - mu, relative to 1 - min B [TGRL13]
+constexpr double kSmallestGap = 1e-3;   // closer barriers make F too stiff to get any further
+constexpr double kArmijo = 1e-4;        // part of the predicted decrease that a step must achieve
+constexpr double kShortestStep = 1e-6;  // a shorter one is no progress
+
+double factorial(int k) { return k < 2 ? 1.0 : k * factorial(k - 1); }
+
+double factorial(const MultiIndex& m) {
+  return factorial(m[0]) * factorial(m[1]) * factorial(m[2]);
+}
+
+double squared(double x) { return x * x; }
+
+// One term of F_mu and its derivatives by b.
+struct Barrier {
+  double value, first, second;
+};
+
+Barrier barrier(double b, double mu) {
+  const double gap = b - mu, log = std::log(gap / (1 - mu));
+  return {log * log + squared(b - 1), 2 * log / gap + 2 * (b - 1), 2 * (1 - log) / (gap * gap) + 2};
+}
+
+double objective(const Vec& b, double mu) {
+  if (!(b.minCoeff() > mu)) return std::numeric_limits<double>::infinity();
+  double sum = 0;
+  for (const double x : b) sum += squared(std::log((x - mu) / (1 - mu))) + squared(x - 1);
+  return sum;
+}
+
+// The grid in coordinates in which its corners are those of the unit square as far as an affine map
+// can do it, and back; everything here is then the same for all affine images of a quadrilateral.
+struct Frame {
+  Eigen::RowVector2d origin;
+  Eigen::Matrix2d axes;  // rows
+
+  Frame(const Points2& grid, int n) : origin(grid.row(0)) {
+    const auto corner = [&](int p, int q) { return grid.row(n * (q * (n + 1) + p)); };
+    axes.row(0) = 0.5 * (corner(1, 0) - corner(0, 0) + corner(1, 1) - corner(0, 1));
+    axes.row(1) = 0.5 * (corner(0, 1) - corner(0, 0) + corner(1, 1) - corner(1, 0));
+  }
+  Points2 enter(const Points2& grid) const {
+    return (grid.rowwise() - origin) * axes.inverse().eval();
+  }
+  Points2 leave(const Points2& grid) const { return (grid * axes).rowwise() + origin; }
+};
+
+}  // namespace
+
+struct MovingBarrier::Workspace {
+  Vec b, slope, bend;           // B_l along a direction d: b + t slope + t^2 bend
+  Eigen::MatrixXd derivatives;  // of B_l by the variables
+  Eigen::MatrixXd weighted;
+  Model model;
+};
+
+const MovingBarrier& MovingBarrier::of_degree(int degree) {
+  static const std::vector<MovingBarrier> tables = [] {
+    std::vector<MovingBarrier> all;
+    for (int n = 1; n <= kMaxDegree; ++n) all.push_back(MovingBarrier(n));
+    return all;
+  }();
+  return tables.at(at(degree - 1));
+}
+
+MovingBarrier::MovingBarrier(int degree)
+    : degree_(degree), coefficients_per_half_(control_point_count(2 * degree - 2)) {
+  add_pairs(0);
+  add_pairs(1);
+}
+
+int MovingBarrier::inner_point(int row) const {
+  const int p = row % (degree_ + 1), q = row / (degree_ + 1);
+  const bool inside = p > 0 && p < degree_ && q > 0 && q < degree_;
+  return inside ? (q - 1) * (degree_ - 1) + p - 1 : -1;
+}
+
+// det J = sum_{a<b} cross(c_a, c_b) (grad B_a x grad B_b), and with B_a = n!/a! lambda^a
+//   grad B_a x grad B_b = n!^2 / (a! b!) sum (a_x b_y - a_y b_x) lambda^(a+b-e_x-e_y)
+// over (x, y) = (0,1), (1,2), (2,0); lambda^m = m!/N! B_m of degree N = 2n-2.
+void MovingBarrier::add_pairs(int half) {
+  const int n = degree_, top = 2 * n - 2;
+  const TriangleIndices& nodes = TriangleIndices::of_degree(n);
+  const TriangleIndices& determinant = TriangleIndices::of_degree(top);
+  const auto row = [&](const MultiIndex& m) {
+    const int upper = (m[1] + m[2]) * (n + 1) + m[1];
+    return half == 0 ? upper : (n + 1) * (n + 1) - 1 - upper;
+  };
+  for (int i = 0; i < nodes.count(); ++i)
+    for (int j = i + 1; j < nodes.count(); ++j) {
+      const MultiIndex &a = nodes.multi(i), &b = nodes.multi(j);
+      Pair pair{row(a), row(b), inner_point(row(a)), inner_point(row(b)), half, {}, 0};
+      for (std::size_t x = 0; x < 3; ++x) {
+        const std::size_t y = (x + 1) % 3;
+        const int minor = a[x] * b[y] - a[y] * b[x];
+        if (minor == 0) continue;
+        MultiIndex m{a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+        --m[x];
+        --m[y];
+        const double weight = minor * squared(factorial(n)) * factorial(m) /
+                              (factorial(a) * factorial(b) * factorial(top));
+        pair.target[at(pair.targets++)] = {
+            half * coefficients_per_half_ + determinant.local(m[0], m[1], m[2]), weight};
+      }
+      if (pair.targets > 0) pairs_.push_back(pair);
+    }
+}
+
+std::array<double, 2> MovingBarrier::straight_determinants(const Points2& grid) const {
+  const int n = degree_, a = 0, d = n, c = n * (n + 1), b = c + n;
+  const Eigen::RowVector2d diagonal = grid.row(b) - grid.row(a);
+  const auto from_diagonal = [&](const Eigen::RowVector2d& e) {
+    return diagonal[0] * e[1] - diagonal[1] * e[0];
+  };
+  return {from_diagonal(grid.row(c) - grid.row(a)), -from_diagonal(grid.row(d) - grid.row(a))};
+}
+
+// add(pair, coefficient l, weight / straight determinant).
+template <class Add>
+void MovingBarrier::for_targets(const Points2& grid, const Add& add) const {
+  const std::array<double, 2> straight = straight_determinants(grid);
+  const std::array<double, 2> scale{1 / straight[0], 1 / straight[1]};
+  for (const Pair& pair : pairs_)
+    for (int k = 0; k < pair.targets; ++k) {
+      const Target& t = pair.target[at(k)];
+      add(pair, t.coefficient, t.weight * scale[at(pair.half)]);
+    }
+}
+
+void MovingBarrier::evaluate(const Points2& grid, Vec& b) const {
+  b.setZero(coefficient_count());
+  for_targets(grid, [&](const Pair& pair, int l, double weight) {
+    b[l] += weight * cross(grid.row(pair.a), grid.row(pair.b));
+  });
+}
+
+Vec MovingBarrier::coefficients(const Points2& grid) const {
+  Vec b;
+  evaluate(grid, b);
+  return b;
+}
+
+void MovingBarrier::differentiate(const Points2& grid, Eigen::MatrixXd& derivatives) const {
+  derivatives.setZero(coefficient_count(), variable_count());
+  for_targets(grid, [&](const Pair& pair, int l, double weight) {
+    if (const int v = 2 * pair.variable_a; v >= 0) {
+      derivatives(l, v) += weight * grid(pair.b, 1);
+      derivatives(l, v + 1) -= weight * grid(pair.b, 0);
+    }
+    if (const int v = 2 * pair.variable_b; v >= 0) {
+      derivatives(l, v) -= weight * grid(pair.a, 1);
+      derivatives(l, v + 1) += weight * grid(pair.a, 0);
+    }
+  });
+}
+
+// w.b and w.derivatives are those at the grid.
+void MovingBarrier::fill_model(const Points2& grid, double mu, Workspace& w) const {
+  Vec first(w.b.size()), root(w.b.size());
+  w.model.value = 0;
+  for (Index l = 0; l < w.b.size(); ++l) {
+    const Barrier term = barrier(w.b[l], mu);
+    w.model.value += term.value;
+    first[l] = term.first;
+    root[l] = std::sqrt(term.second);  // > 1.9 for mu <= 0: the logarithm bends by 0.05 at most
+  }
+  w.model.gradient.noalias() = w.derivatives.transpose() * first;
+  w.weighted.noalias() = root.asDiagonal() * w.derivatives;
+  w.model.gauss_newton.noalias() = w.weighted.transpose() * w.weighted;
+  w.model.hessian = w.model.gauss_newton;
+  for_targets(grid, [&](const Pair& pair, int l, double weight) {
+    if (pair.variable_a < 0 || pair.variable_b < 0) return;
+    const int i = 2 * pair.variable_a, j = 2 * pair.variable_b;
+    const double second = weight * first[l];
+    w.model.hessian(i, j + 1) += second;
+    w.model.hessian(j + 1, i) += second;
+    w.model.hessian(i + 1, j) -= second;
+    w.model.hessian(j, i + 1) -= second;
+  });
+}
+
+MovingBarrier::Model MovingBarrier::model(const Points2& grid, double mu) const {
+  Workspace w;
+  evaluate(grid, w.b);
+  differentiate(grid, w.derivatives);
+  fill_model(grid, mu, w);
+  return w.model;
+}
+
+void MovingBarrier::move(Points2& grid, const Vec& direction, double t) const {
+  for (int row = 0; row < grid.rows(); ++row)
+    if (const int v = 2 * inner_point(row); v >= 0)
+      grid.row(row) += t * direction.segment<2>(v).transpose();
+}
+
+// One Newton step at w.b, with Gauss-Newton's matrix where the Hessian is not positive definite.
+// Returns the relative decrease of F_mu, 0 when no step of some length decreases it. Leaves w.b at
+// the new grid.
+double MovingBarrier::step(Points2& grid, double mu, Workspace& w) const {
+  differentiate(grid, w.derivatives);
+  fill_model(grid, mu, w);
+  Eigen::LLT<Eigen::MatrixXd> factor(w.model.hessian);
+  if (factor.info() != Eigen::Success) factor.compute(w.model.gauss_newton);
+  if (factor.info() != Eigen::Success) return 0;
+  const Vec direction = -factor.solve(w.model.gradient);
+  const double descent = direction.dot(w.model.gradient);
+  if (!(descent < 0)) return 0;
+  w.slope.noalias() = w.derivatives * direction;
+  Points2 ahead = grid;
+  move(ahead, direction, 1);
+  evaluate(ahead, w.bend);
+  w.bend -= w.b + w.slope;
+  for (double t = 1; t > kShortestStep; t *= 0.5) {
+    const Vec b = w.b + t * w.slope + (t * t) * w.bend;
+    const double value = objective(b, mu);
+    if (!(value <= w.model.value + kArmijo * t * descent)) continue;
+    move(grid, direction, t);
+    evaluate(grid, w.b);
+    return (w.model.value - value) / w.model.value;
+  }
+  return 0;
+}
+
+double MovingBarrier::minimize(Points2& grid) const {
+  const Frame frame(grid, degree_);
+  Points2 x = frame.enter(grid);
+  Workspace w;
+  evaluate(x, w.b);
+  if (variable_count() == 0) return w.b.minCoeff();
+  double gap = kWidestGap;
+  int quality = 0;
+  for (int k = 0; k < kMostSteps && quality < kQualitySteps; ++k) {
+    const double worst = w.b.minCoeff();
+    if (!std::isfinite(worst)) break;
+    const bool positive = worst > 0;
+    const double decrease = step(x, positive ? 0.0 : worst - gap * (1 - worst), w);
+    if (positive) ++quality;
+    if (decrease > kGoodEnough) continue;
+    if (positive || gap <= kSmallestGap) break;
+    gap *= 0.5;
+  }
+  const Points2 moved = frame.leave(x);
+  for (int row = 0; row < grid.rows(); ++row)
+    if (inner_point(row) >= 0) grid.row(row) = moved.row(row);
+  return w.b.minCoeff();
+}
+
+}  // namespace majorant

@@ -1,0 +1,192 @@
+#include "majorant/parametrization/scaffold/internal/pair_energy.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "majorant/constraints/local_injectivity.h"
+#include "majorant/framework/evaluator.h"
+
+namespace majorant {
+namespace {
+
+constexpr int kMostSteps = 30;        // Newton's method needs 5 to 10
+constexpr double kConverged = 1e-13;  // of the energy: the predicted decrease that ends a pair
+constexpr double kPartOfStep = 0.9;   // of the largest injective step
+constexpr double kArmijo = 1e-4;      // part of the predicted decrease that a step must achieve
+constexpr int kHalvings = 20;         // of a step
+constexpr int kDepth = LocalInjectivity::kDefaultDepth;
+// Models that are never indefinite come first.
+constexpr Curvature kPreferred[] = {Curvature::Projected, Curvature::Majorizer,
+                                    Curvature::PaperMajorizer, Curvature::Reweighted,
+                                    Curvature::Exact};
+
+}  // namespace
+
+struct PairEnergy::Pair {
+  bool active = true;
+  double value = 0, descent = 0, step = 0;
+  Vec gradient, direction;
+  Eigen::MatrixXd hessian;
+};
+
+PairEnergy::PairEnergy(std::shared_ptr<const BezierTriangleSpace> space, const RestShapes& rest,
+                       const EnergySum& energy, const Quadrature& rule)
+    : space_(std::move(space)), energy_(energy) {
+  if (energy.empty()) throw std::invalid_argument("PairEnergy: no energy");
+  for (const WeightedEnergy& e : energy) terms_.push_back(e.make(space_, rest, {rule}));
+  for (const Curvature c : kPreferred)
+    if (!curvature_ && std::all_of(terms_.begin(), terms_.end(),
+                                   [c](const auto& term) { return term->supports(c); }))
+      curvature_ = c;
+  find_variables();
+}
+
+void PairEnergy::find_variables() {
+  variable_.assign(at(space_->node_count()), 0);
+  for (const Index node : space_->boundary_nodes()) variable_[at(node)] = -1;
+  inner_.resize(at(pair_count()));
+  std::vector<char> met(variable_.size(), 0);
+  for (Index f = 0; f < space_->element_count(); ++f)
+    for (Index l = 0; l < space_->cells().cols(); ++l) {
+      const Index node = space_->cells()(f, l);
+      if (variable_[at(node)] < 0 || met[at(node)]) continue;
+      met[at(node)] = 1;
+      variable_[at(node)] = static_cast<int>(inner_[at(f / 2)].size());
+      inner_[at(f / 2)].push_back(node);
+    }
+}
+
+// visit(unknown of x, unknown of the pair).
+template <class Visit>
+void PairEnergy::for_variables(Index pair, const Visit& visit) const {
+  const std::vector<Index>& nodes = inner_[at(pair)];
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    for (Index c = 0; c < 2; ++c) visit(2 * nodes[k] + c, 2 * static_cast<Index>(k) + c);
+}
+
+Vec PairEnergy::values(VecIn x) const {
+  Vec sum = Vec::Zero(space_->element_count());
+  const std::vector<RuleId> rules(at(space_->element_count()), 0);
+  for (std::size_t k = 0; k < terms_.size(); ++k) {
+    const ChunkPlan plan(terms_[k]->stencils(), rules);
+    sum += energy_[k].weight * element_values(*terms_[k], TermState{}, plan, x);
+  }
+  return sum;
+}
+
+void PairEnergy::add_local(VecIn x, const DensityTerm& term, double weight,
+                           std::vector<Pair>& pairs) const {
+  constexpr int stride = LocalSystem::stride;
+  const int size = term.stencils().local_size();
+  Workspace workspace, memory;
+  LocalSystem local;
+  local.value = memory.reserve(at(stride * (1 + size + size * (size + 1) / 2)));
+  local.gradient = local.value + stride;
+  local.hessian = local.gradient + size * stride;
+  const TermState state;
+  const std::vector<RuleId> rules(at(space_->element_count()), 0);
+  const ChunkPlan plan(term.stencils(), rules);
+  std::vector<int> variable(at(size));
+  for (Index c = 0; c < plan.chunk_count(); ++c) {
+    const Chunk chunk = plan.chunk(c);
+    term.local(x, chunk, *curvature_, state, workspace, local);
+    for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
+      const Index e = chunk.elements[p];
+      Pair& pair = pairs[at(e / 2)];
+      for (int i = 0; i < size; ++i) {
+        const int v = variable_[at(space_->cells()(e, i / 2))];
+        variable[at(i)] = v < 0 ? -1 : 2 * v + i % 2;
+      }
+      for (int i = 0; i < size; ++i) {
+        if (variable[at(i)] < 0) continue;
+        pair.gradient[variable[at(i)]] += weight * local.gradient[at(i * stride) + p];
+        for (int j = 0; j <= i; ++j) {
+          if (variable[at(j)] < 0) continue;
+          const auto [low, high] = std::minmax(variable[at(i)], variable[at(j)]);
+          pair.hessian(high, low) += weight * local.hessian[at((i * (i + 1) / 2 + j) * stride) + p];
+        }
+      }
+    }
+  }
+}
+
+void PairEnergy::linearize(VecIn x, std::vector<Pair>& pairs) const {
+  const Vec value = values(x);
+  for (Index p = 0; p < pair_count(); ++p) {
+    Pair& pair = pairs[at(p)];
+    const auto size = 2 * static_cast<Index>(inner_[at(p)].size());
+    pair.value = value[2 * p] + value[2 * p + 1];
+    pair.gradient.setZero(size);
+    pair.hessian.setZero(size, size);
+  }
+  for (std::size_t k = 0; k < terms_.size(); ++k)
+    add_local(x, *terms_[k], energy_[k].weight, pairs);
+}
+
+// A pair without a direction of descent, or next to its minimum, is done.
+void PairEnergy::find_directions(std::vector<Pair>& pairs) const {
+  for (Pair& pair : pairs) {
+    if (!pair.active) continue;
+    const Eigen::LLT<Eigen::MatrixXd> factor(pair.hessian);
+    pair.active = std::isfinite(pair.value) && factor.info() == Eigen::Success;
+    if (!pair.active) continue;
+    pair.direction = -factor.solve(pair.gradient);
+    pair.descent = pair.direction.dot(pair.gradient);
+    pair.active = pair.descent < -kConverged * std::abs(pair.value);
+  }
+}
+
+void PairEnergy::search(Vec& x, std::vector<Pair>& pairs) const {
+  Vec direction = Vec::Zero(x.size());
+  std::vector<Index> open;
+  for (Index p = 0; p < pair_count(); ++p) {
+    if (!pairs[at(p)].active) continue;
+    for_variables(p, [&](Index i, Index k) { direction[i] = pairs[at(p)].direction[k]; });
+    open.push_back(p);
+  }
+  for (const Index p : open) {
+    double step = 1 / kPartOfStep;
+    for (const Index f : {2 * p, 2 * p + 1})
+      step = std::min(step, space_->largest_step(f, x, direction, step, kDepth));
+    pairs[at(p)].step = kPartOfStep * step;
+  }
+  for (int k = 0; k < kHalvings && !open.empty(); ++k) {
+    Vec trial = x;
+    for (const Index p : open)
+      for_variables(p, [&](Index i, Index) { trial[i] += pairs[at(p)].step * direction[i]; });
+    const Vec value = values(trial);
+    std::erase_if(open, [&](Index p) {
+      Pair& pair = pairs[at(p)];
+      const double limit = pair.value + kArmijo * pair.step * pair.descent;
+      if (!(value[2 * p] + value[2 * p + 1] <= limit)) {
+        pair.step *= 0.5;
+        return false;
+      }
+      for_variables(p, [&](Index i, Index) { x[i] = trial[i]; });
+      return true;
+    });
+  }
+  for (const Index p : open) pairs[at(p)].active = false;
+}
+
+void PairEnergy::minimize(Vec& x) const {
+  if (!curvature_ || space_->degree() == 1) return;
+  const Vec start = x;
+  std::vector<Pair> pairs(at(pair_count()));
+  const auto any_active = [&] {
+    return std::any_of(pairs.begin(), pairs.end(), [](const Pair& p) { return p.active; });
+  };
+  for (int k = 0; k < kMostSteps && any_active(); ++k) {
+    linearize(x, pairs);
+    find_directions(pairs);
+    search(x, pairs);
+  }
+  for (Index p = 0; p < pair_count(); ++p)
+    for (const Index f : {2 * p, 2 * p + 1})
+      if (space_->certify(f, x, kDepth).result != Positivity::Certified)
+        for_variables(p, [&](Index i, Index) { x[i] = start[i]; });
+}
+
+}  // namespace majorant

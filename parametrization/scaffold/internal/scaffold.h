@@ -1,0 +1,91 @@
+// The triangulated space around the image of a map: as long as all its triangles and all of the
+// map's stay positively oriented, the image cannot overlap. [MC20] Sec. 6, method.md N10.
+//
+//   Scaffold scaffold(space, x);              // around a piecewise linear image
+//   Vec joint = scaffold.joined(x);           // x, then the scaffold's own nodes
+//   scaffold.take(joint);                     // after a step on it, certified on both spaces
+//   scaffold.flip();                          // keeps it in good shape
+//   scaffold.relax(2, 5);
+//
+// Scaffold triangles are Bezier triangles of the map's degree and share its boundary control
+// points; the outer frame is straight and stays fixed. Map and scaffold together fill the convex
+// frame without folds: a homeomorphism.
+#pragma once
+
+#include <memory>
+
+#include "majorant/constraints/local_injectivity.h"
+#include "majorant/elements/bezier_triangle_space.h"
+#include "majorant/elements/rest_shapes.h"
+#include "majorant/energies/density_term.h"
+#include "majorant/parametrization/scaffold/internal/edge_flip.h"
+
+namespace majorant {
+
+class Scaffold {
+ public:
+  // x: 2 numbers per node of `image`, edges of the boundary straight. Throws Error(Infeasible)
+  // when the image's boundary meets itself.
+  Scaffold(std::shared_ptr<const BezierTriangleSpace> image, VecIn x);
+
+  const BezierMesh& mesh() const { return mesh_; }
+  Index face_count() const { return mesh_.face_count(); }
+  // The scaffold's faces in the joint numbering: nodes of the image keep their numbers, then come
+  // the scaffold's own.
+  const std::shared_ptr<const BezierTriangleSpace>& space() const { return space_; }
+  Index joint_node_count() const { return joint_node_count_; }
+  const std::vector<Index>& frame_nodes() const { return frame_nodes_; }  // joint
+
+  // Every triangle is measured against a unit equilateral one.
+  RestShapes rest() const;
+  // E_conf of the triangles, on rules that get finer; levels() says which face uses which, and
+  // refine() makes faces climb that block a step: their rule does not see why.
+  std::shared_ptr<const DensityTerm> energy_term() const;
+  const std::vector<RuleId>& levels() const { return levels_; }
+  void refine(const std::vector<Index>& faces);
+
+  Vec joined(VecIn image) const;
+  void take(VecIn joint);
+
+  // Flips edges until the corner points are locally Delaunay. What flips changes numbers the nodes
+  // anew: space() and so on are others if the result has performed > 0; so with grow().
+  FlipCounts flip();
+  // Newton steps on the shape of the scaffold, image and frame fixed, fewer when stopped. depth: of
+  // the certificates.
+  void relax(int steps, int depth, const StopCheck& stop = {});
+  // Encloses the frame in a larger one where the image comes close to it; whether it did.
+  bool grow();
+  // Around the same image in a space of one degree more.
+  Scaffold elevated(std::shared_ptr<const BezierTriangleSpace> image) const;
+
+ private:
+  Scaffold() = default;
+  void number();
+  Points2 frame_points() const;
+  std::shared_ptr<const DensityTerm> term_on(std::shared_ptr<const BezierTriangleSpace>) const;
+
+  std::shared_ptr<const BezierTriangleSpace> image_, space_;
+  std::shared_ptr<const BezierTriangleSpace> own_;  // the scaffold alone, numbered by itself
+  BezierMesh mesh_;           // vertices: those of the image, then the scaffold's own
+  std::vector<Index> frame_;  // vertices of the frame, counterclockwise
+  std::vector<Index> frame_nodes_;
+  std::vector<RuleId> levels_;  // by face
+  Index joint_node_count_ = 0;
+};
+
+// Local injectivity of a map and the scaffold around it, together. Blocking elements: faces of the
+// map, then those of the scaffold.
+class ScaffoldInjectivity final : public FeasibilityChecker {
+ public:
+  ScaffoldInjectivity(std::shared_ptr<const LocalInjectivity> image, Index image_faces,
+                      std::shared_ptr<const LocalInjectivity> scaffold);
+  std::string_view name() const override { return "injectivity of image and scaffold"; }
+  Verdict check(VecIn x) const override;
+  StepBound max_step(VecIn x, VecIn d, double s) const override;
+
+ private:
+  std::shared_ptr<const LocalInjectivity> image_, scaffold_;
+  Index image_faces_;
+};
+
+}  // namespace majorant
