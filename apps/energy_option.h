@@ -1,6 +1,6 @@
 // --energy: a named energy or a weighted sum of them.
 //
-//   options.energy = parse_energy("symmetric-dirichlet + 0.1*asap").sum;
+//   options.map.energy = parse_energy("symmetric-dirichlet + 0.1*asap");
 #pragma once
 
 #include <string>

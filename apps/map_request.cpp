@@ -44,8 +44,8 @@ std::vector<Pin> on_cut_surface(const std::vector<Pin>& points, const Seams& sea
 }
 
 void read_constrained_points(const MapRequest& request, MapInput& in) {
-  for (const auto& [path, points] : {std::pair(&request.pins, &in.options.pins),
-                                     std::pair(&request.handles, &in.options.handles)}) {
+  for (const auto& [path, points] : {std::pair(&request.pins, &in.options.map.pins),
+                                     std::pair(&request.handles, &in.options.map.handles)}) {
     if (path->empty()) continue;
     *points = read_points(*path, in.polygons, *in.mesh);
     if (in.start) *points = on_cut_surface(*points, in.start->map.seams());
@@ -61,8 +61,8 @@ Vec read_weights(const std::string& path, const PolygonMesh& polygons, const Sur
 
 // What parametrize() would refuse, said before a start is made and in terms of options.
 void require_scale(const MapRequest& request, const MapInput& in) {
-  if (in.start ? !collapses(in.options, in.start->map.space(), in.start->map.seams())
-               : !collapses(in.options, {in.mesh->faces(), in.mesh->vertex_count(), 1}, {}))
+  if (in.start ? !collapses(in.options.map, in.start->map.space(), in.start->map.seams())
+               : !collapses(in.options.map, {in.mesh->faces(), in.mesh->vertex_count(), 1}, {}))
     return;
   throw Error(ErrorKind::Usage,
               fmt::format("--energy '{}' is smallest for a map shrunk to a point; hold its scale "
@@ -127,18 +127,18 @@ std::vector<std::string> MapRequest::inputs() const { return {input, pins, handl
 MapInput read_input(const MapRequest& request, const StopCheck& stop,
                     const StartMaker& make_start) {
   MapInput in;
-  in.options.energy = parse_energy(request.energy);
+  in.options.map.energy = parse_energy(request.energy);
   unless_stopped("reading " + request.input, [&] {
     in.polygons = read_mesh(request.input, stop);
     in.mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(in.polygons, stop));
   });
   ParametrizationOptions& options = in.options;
-  options.degree = request.degree;
-  options.curvature = find_curvature(request.curvature);
-  if (request.boundary == "fixed") options.boundary = BoundaryCondition::Fixed;
-  if (request.boundary_angles) options.boundary_angles = BoundaryAngles::AtMostFullTurn;
-  options.quadrature_points = request.quadrature;
-  options.handle_weight = request.soft;
+  options.map.degree = request.degree;
+  options.solve.curvature = find_curvature(request.curvature);
+  if (request.boundary == "fixed") options.map.boundary = BoundaryCondition::Fixed;
+  if (request.boundary_angles) options.map.boundary_angles = BoundaryAngles::AtMostFullTurn;
+  options.solve.quadrature_points = request.quadrature;
+  options.map.handle_weight = request.soft;
   if (make_start)
     in.start = unless_stopped("making the start of " + request.input,
                               [&] { return make_start(in.polygons, *in.mesh); });
@@ -148,10 +148,10 @@ MapInput read_input(const MapRequest& request, const StopCheck& stop,
     in.mesh->require_planar();
   else
     in.mesh->require_disk();
-  if (request.init == "input" && !request.seamless) options.initial = texture_map(*in.mesh);
+  if (request.init == "input" && !request.seamless) options.map.initial = texture_map(*in.mesh);
   read_constrained_points(request, in);
   if (!request.weights.empty())
-    options.face_weight = read_weights(request.weights, in.polygons, *in.mesh);
+    options.map.face_weight = read_weights(request.weights, in.polygons, *in.mesh);
   require_scale(request, in);
   return in;
 }

@@ -48,7 +48,6 @@ MapInput& MapRun::read(const StartMaker& make_start) {
 int MapRun::finish(ParametrizationResult result, const Json& extra) {
   finish_progress(request_.common);
   result.initialize_seconds += start_seconds_;
-  request_.solve.finish(in_.options, record_.stop(), result);
   std::optional<InUnitSquare> normalized;
   if (request_.outputs.normalize && has_result(result)) normalized = normalize(result);
   Json options = request_.solve.to_json();
@@ -59,7 +58,7 @@ int MapRun::finish(ParametrizationResult result, const Json& extra) {
 
 // What is moved must be proven anew; where that fails there is no result.
 std::optional<InUnitSquare> MapRun::normalize(ParametrizationResult& result) {
-  auto normalized = into_unit_square(*result.map, in_.options.energy, record_.stop());
+  auto normalized = into_unit_square(*result.map, in_.options.map.energy, record_.stop());
   if (normalized) {
     result.map = normalized->map;
     result.measures = normalized->measures;

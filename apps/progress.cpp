@@ -10,9 +10,11 @@ namespace majorant::app {
 namespace {
 
 std::string line(const TraceEntry& e) {
-  return fmt::format("degree {}  iteration {:3}  energy {:.8g}  decrease {:.1e}  step {:.2g}",
+  const std::string phase =
+      e.phase == Phase::Newton ? "" : fmt::format("  ({})", phase_name(e.phase));
+  return fmt::format("degree {}  iteration {:3}  energy {:.8g}  decrease {:.1e}  step {:.2g}{}",
                      e.degree, e.record.iteration, e.record.energy, e.record.relative_decrease,
-                     e.record.step);
+                     e.record.step, phase);
 }
 
 }  // namespace

@@ -77,12 +77,29 @@ std::string seam_summary(const Json& measures_section) {
                      measures_section["seam_residual_ulp"].get<double>());
 }
 
+Json remedies_section(const RemedyUses& uses) {
+  Json section = Json::object();
+  for (std::size_t k = 0; k < kRemedies.size(); ++k)
+    section[remedy_name(kRemedies[k])] = {{"runs", uses[k].runs}, {"gained", uses[k].gained}};
+  return section;
+}
+
+namespace {
+
+std::string_view remedy_of(const TraceEntry& entry) {
+  return entry.remedy ? remedy_name(*entry.remedy) : std::string_view();
+}
+
+}  // namespace
+
 Json iterations_section(const std::vector<TraceEntry>& trace) {
   Json list = Json::array();
   for (const TraceEntry& e : trace) {
     const IterationRecord& r = e.record;
     list.push_back({{"iteration", r.iteration},
                     {"degree", e.degree},
+                    {"phase", phase_name(e.phase)},
+                    {"remedy", e.remedy ? Json(remedy_of(e)) : Json()},
                     {"energy", r.energy},
                     {"relative_decrease", r.relative_decrease},
                     {"step", r.step},
@@ -117,13 +134,14 @@ void write_json(const std::string& path, const Json& json) {
 void write_trace(const std::string& path, const std::vector<TraceEntry>& trace) {
   std::string out =
       "iteration,degree,energy,relative_decrease,step,step_bound,gradient_norm,newton_decrement,"
-      "shift,trials,assemble,factorize,solve,line_search\n";
+      "shift,trials,assemble,factorize,solve,line_search,phase,remedy\n";
   for (const TraceEntry& e : trace) {
     const IterationRecord& r = e.record;
-    out += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", r.iteration, e.degree,
-                       r.energy, r.relative_decrease, r.step, r.step_bound, r.gradient_norm,
-                       r.newton_decrement, r.shift, r.trials, r.seconds.assemble,
-                       r.seconds.factorize, r.seconds.solve, r.seconds.line_search);
+    out +=
+        fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", r.iteration, e.degree,
+                    r.energy, r.relative_decrease, r.step, r.step_bound, r.gradient_norm,
+                    r.newton_decrement, r.shift, r.trials, r.seconds.assemble, r.seconds.factorize,
+                    r.seconds.solve, r.seconds.line_search, phase_name(e.phase), remedy_of(e));
   }
   write_file_atomically(path, out);
 }

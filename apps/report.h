@@ -21,6 +21,8 @@ Json cones_section(const BezierMap& map);
 Json measures_section(const BezierMap& map, const MapMeasures& measures, const std::string& energy);
 // What a line that sums up says of that section's seams, ", ..."; empty when there are none.
 std::string seam_summary(const Json& measures_section);
+// {"deepen": {"runs": 2, "gained": 0.01}, ...} of every remedy, energies as in the trace.
+Json remedies_section(const RemedyUses& uses);
 Json iterations_section(const std::vector<TraceEntry>& trace);
 long peak_memory_bytes();
 

@@ -32,7 +32,7 @@ Json normalized_section(const std::optional<InUnitSquare>& normalized) {
 std::string claims(const FinishedRun& run) {
   const BezierMap& map = *run.result.map;
   Json pins = Json::array();
-  for (const Pin& pin : run.in.options.pins) {
+  for (const Pin& pin : run.in.options.map.pins) {
     const Vector2 uv = map.control_points().segment<2>(2 * pin.vertex);
     pins.push_back({{"vertex", map.mesh().input_vertex(pin.vertex)}, {"target", {uv.x(), uv.y()}}});
   }
@@ -43,7 +43,7 @@ std::string claims(const FinishedRun& run) {
               {"boundary", run.map.boundary},
               {"init", run.map.init},
               {"seams", !map.seams().trivial()},
-              {"bijective", run.in.options.injectivity == MapInjectivity::Global},
+              {"bijective", run.in.options.map.injectivity == MapInjectivity::Global},
               {"normalized", normalized_section(run.normalized)},
               {"pins", pins},
               {"other_triangles", run.result.other_triangles},
@@ -58,7 +58,7 @@ ProofRequest promise(const FinishedRun& run, const std::string& path) {
   ProofRequest promise;
   promise.surface = &run.in.polygons;
   if (!run.result.map->seams().trivial()) promise.cuts = CutRule::Seams;
-  if (run.in.options.injectivity == MapInjectivity::Global)
+  if (run.in.options.map.injectivity == MapInjectivity::Global)
     promise.overlap = ProofRequest::Overlap::Forbidden;
   if (extension(path) == ".vtu") promise.labels = ProofRequest::FaceLabels::Compared;
   return promise;
@@ -70,7 +70,7 @@ void write_maps(const FinishedRun& run, WrittenFiles& written) {
   file.min_det = run.result.measures.min_det;
   file.claims = claims(run);
   FormatOptions formats = run.outputs.formats;
-  if (run.in.options.injectivity == MapInjectivity::Global)
+  if (run.in.options.map.injectivity == MapInjectivity::Global)
     formats.tessellation.overlap = Overlap::Excluded;
   if (run.result.scaffold && !run.normalized)
     formats.svg.scaffold = to_map_file(*run.result.scaffold);
@@ -97,7 +97,7 @@ Json result_section(const FinishedRun& run) {
   const ParametrizationResult& r = run.result;
   if (!r.map) return nullptr;
   Json result = measures_section(*r.map, r.measures, run.map.energy);
-  if (was_stopped(r) && run.in.options.injectivity != MapInjectivity::Global)
+  if (was_stopped(r) && run.in.options.map.injectivity != MapInjectivity::Global)
     result["boundary"] = {{"reason", "not asked after the limit"}};
   else
     add_global_injectivity(result, *r.map, r.measures, check_boundary(*r.map, {.stopped = [&] {
@@ -137,11 +137,13 @@ void write_reports(const FinishedRun& run, double write_seconds, WrittenFiles& w
               {"outputs", written.to_json()},
               {"iterations", iterations_section(run.record.trace())},
               {"injectivity_tests", {{"depth", r.injectivity_tests}}},
+              {"remedies", remedies_section(r.remedies)},
               {"flips", {{"intended", r.flips.intended}, {"performed", r.flips.performed}}},
               {"seconds",
                {{"read", run.read_seconds},
                 {"initialize", r.initialize_seconds},
                 {"optimize", r.optimize_seconds},
+                {"scaffold", r.scaffold_seconds},
                 {"measure", r.measure_seconds},
                 {"write", write_seconds},
                 {"total", seconds_since(run.start)}}},

@@ -7,8 +7,6 @@
 #include "apps/progress.h"
 #include "majorant/framework/curvature_name.h"
 #include "majorant/framework/error.h"
-#include "majorant/parametrization/maps/measure.h"
-#include "majorant/parametrization/scaffold/improve_mesh.h"
 
 namespace majorant::app {
 
@@ -35,21 +33,11 @@ void SolveRequest::add_to(CLI::App& verb, std::string& curvature) {
 }
 
 void SolveRequest::apply(ParametrizationOptions& options) const {
-  if (elevation == "direct") options.elevation = Elevation::Direct;
-  options.tolerance = tolerance;
-  if (bijective) options.injectivity = MapInjectivity::Global;
-  if (no_flips) options.scaffold_flips = ScaffoldFlips::Omitted;
-}
-
-void SolveRequest::finish(const ParametrizationOptions& options, const StopCheck& stop,
-                          ParametrizationResult& result) const {
-  if (!improve_mesh || !has_result(result) || stop() != Directive::Continue) return;
-  const ImprovedMap improved = majorant::improve_mesh(*result.map, options.energy, stop);
-  result.flips.intended += improved.flips.intended;
-  result.flips.performed += improved.flips.performed;
-  result.map = improved.map;
-  result.other_triangles = improved.flips.performed > 0;
-  result.measures = measure(*result.map, options.energy, stop);
+  if (elevation == "direct") options.solve.elevation = Elevation::Direct;
+  options.solve.tolerance = tolerance;
+  if (bijective) options.map.injectivity = MapInjectivity::Global;
+  if (no_flips) options.solve.scaffold_flips = ScaffoldFlips::Omitted;
+  if (improve_mesh) options.solve.triangles = Triangles::Flipped;
 }
 
 Json SolveRequest::to_json() const {

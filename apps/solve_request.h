@@ -24,9 +24,6 @@ struct SolveRequest {
   // Before any work. Throws Error(Usage) for options that do not go together.
   void require_usable(const OutputRequest& outputs, const MapRequest& map) const;
   void apply(ParametrizationOptions& options) const;
-  // What is asked of a finished result: better triangles, unless it was stopped.
-  void finish(const ParametrizationOptions& options, const StopCheck& stop,
-              ParametrizationResult& result) const;
   Json to_json() const;
   // Limits, Ctrl-C and progress lines. Throws Error(Usage) for a time limit that is no number.
   RunRecord make_record(const CommonOptions& common) const;

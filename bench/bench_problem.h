@@ -25,7 +25,7 @@ struct BenchProblem {
   BenchProblem(const std::string& path, int degree, int steps = 1000) {
     mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(read_mesh(path)));
     ParametrizationOptions options;
-    options.degree = 1;
+    options.map.degree = 1;
     RunRecord record(1e9, steps);
     BezierMap map = *parametrize(mesh, options, record).map;
     while (map.degree() < degree) map = map.elevated();

@@ -107,7 +107,7 @@ struct Costs {
 Costs newton_costs(const ProblemBuilder& builder, const Vec& x, int steps) {
   Costs c;
   const Problem problem = timed(c.build, [&] { return builder.build(); });
-  c.colours = problem.plan(0).colours().size();
+  c.colours = problem.plan(problem.terms().front()).colours().size();
   c.nonzeros = problem.pattern().nonzeros();
   const auto solver = make_cholmod_solver();
   timed(c.analyze, [&] {

@@ -93,7 +93,7 @@ int main(int argc, char** argv) {
         continue;
       }
       ParametrizationOptions options;
-      options.degree = degree;
+      options.map.degree = degree;
       RunRecord record;
       const ParametrizationResult r = parametrize(b.mesh, options, record);
       const double ms = 1e3 * r.optimize_seconds, n = static_cast<double>(record.trace().size());

@@ -1,8 +1,8 @@
 // What a rounded operation may be off: the arithmetic of error bounds, in double and quadruple
 // precision.
 //
-//   const Real sum = a + b;
-//   const Real error = kUnitRoundoff<Real> * magnitude(sum);
+//   const double sum = 0.1 + 0.2;
+//   const double error = kUnitRoundoff<double> * magnitude(sum);
 #pragma once
 
 #include <limits>

@@ -7,7 +7,7 @@
 // Drivers that build spaces and rules themselves take an EnergyFactory instead:
 //
 //   auto mine = spectral("my-energy", [](auto S, auto s) { return S / s + s / S; });
-//   options.energy = {{energy_factory(mine), 1.0}};
+//   options.map.energy = {{energy_factory(mine), 1.0}};
 //
 // The kernel is compiled where these are called, for the instruction set of that file. A density
 // with a member `Density with_parameters(const Vec&) const` takes TermState::parameters, which may

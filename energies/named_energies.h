@@ -1,7 +1,7 @@
 // The energies users call by name.
 //
 //   const NamedEnergy* e = find_energy("arap");
-//   options.energy = {{e->make, 1.0}, {mips(), 0.1}};
+//   options.map.energy = {{e->make, 1.0}, {mips(), 0.1}};
 //
 // Kernels are compiled for several instruction sets and chosen at run time.
 #pragma once

@@ -1,7 +1,7 @@
 // What a density declares about itself: facts of its formula that no code can find out from it.
 //
-//   const Traits steep{.barrier = Barrier::Strong};
-//   auto mine = spectral("mine", [](auto S, auto s) { return 1.0 / (S * S * s * s); }, steep);
+//   Traits steep{.barrier = Barrier::Strong};
+//   steep.free_scale = FreeScale::Arbitrary;   // for spectral("mine", h, steep)
 //
 // Drivers decide by these facts and never by a name. No includes: kernels see this file.
 #pragma once

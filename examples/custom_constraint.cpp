@@ -35,7 +35,7 @@ int main(int argc, char** argv) {
   auto mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(read_mesh(argv[1])));
   // 1. A start that meets the constraint, which takes its offset from it: the initial map.
   ParametrizationOptions options;
-  const BezierMap start = BezierMap::linear(mesh, initial_map(*mesh, options));
+  const BezierMap start = BezierMap::linear(mesh, initial_map(*mesh, options.map));
   const Vec& x = start.control_points();
   const Index a = 0, b = mesh->vertex_count() - 1;
   const Vector2 offset = x.segment<2>(2 * b) - x.segment<2>(2 * a);

@@ -23,8 +23,8 @@ int main(int argc, char** argv) {
   });
   // 2. Like any other energy. Derivatives are exact, the Hessian is projected by eigenvalues.
   ParametrizationOptions options;
-  options.degree = 2;
-  options.energy = {{energy_factory(cloth)}};
+  options.map.degree = 2;
+  options.map.energy = {{energy_factory(cloth)}};
   ParametrizationResult result = parametrize(mesh, options);
   write_vtu(argv[2], to_map_file(*result.map));
   std::cout << name(result.status) << ", energy " << result.measures.value << "\n";

@@ -21,8 +21,8 @@ int main(int argc, char** argv) {
   // 2. Into the solver, here with a little of a built-in energy.
   auto mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(read_mesh(argv[1])));
   ParametrizationOptions options;
-  options.degree = 2;
-  options.energy = {{energy_factory(mine), 1.0}, {find_energy("asap")->make, 0.1}};
+  options.map.degree = 2;
+  options.map.energy = {{energy_factory(mine), 1.0}, {find_energy("asap")->make, 0.1}};
   ParametrizationResult result = parametrize(mesh, options);
   write_vtu(argv[2], to_map_file(*result.map));
   // 3. While writing a new energy: its derivatives against finite differences.

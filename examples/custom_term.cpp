@@ -79,7 +79,7 @@ int main(int argc, char** argv) {
   auto springs = std::make_shared<const Springs>(ends, lengths);
   // 2. A linear map to start from, its energy, the springs, injectivity, one point held.
   ParametrizationOptions options;
-  options.degree = 1;
+  options.map.degree = 1;
   const BezierMap start = *parametrize(mesh, options).map;
   const RestShapes rest = flat_triangles(mesh->positions(), mesh->faces());
   ProblemBuilder builder(2 * mesh->vertex_count());

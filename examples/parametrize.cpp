@@ -17,7 +17,7 @@ int main(int argc, char** argv) {
   auto mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(read_mesh(argv[1])));
   // 2. Optimize: symmetric Dirichlet, free boundary, degree 3 by default.
   ParametrizationOptions options;
-  options.degree = 3;
+  options.map.degree = 3;
   ParametrizationResult result = parametrize(mesh, options);
   // 3. Use the map.
   std::cout << name(result.status) << ", energy " << result.measures.value

@@ -19,8 +19,8 @@ using CeresSolver = ceres::GradientProblemSolver;
 
 // What the function and the callback share.
 struct Run {
-  Run(const Problem& problem, const CeresOptions& o, const Observer& watch)
-      : evaluator(problem), options(o), observer(watch) {}
+  Run(const Problem& problem, const CeresOptions& o, const Observer& observes)
+      : evaluator(problem), options(o), observer(observes) {}
 
   // Ceres accepted y; step: multiple of its direction.
   void accept(const Vec& y, double step) {
@@ -31,7 +31,7 @@ struct Run {
     r.step = step;
     r.gradient_norm = gradient_norm;
     r.trials = std::exchange(trials, 0);
-    r.seconds.line_search = lap();
+    r.seconds.line_search = watch.restart();
     result.energy = r.energy;
     result.y = y;
     result.iterations.push_back(r);
@@ -51,7 +51,7 @@ struct Run {
   bool cut_short = false;       // `refused` as of the last accepted step
   bool started = false;         // Ceres evaluated the start
   Directive directive = Directive::Continue;
-  Lap lap;
+  Stopwatch watch;
 };
 
 class Function final : public ceres::FirstOrderFunction {

@@ -29,6 +29,18 @@ double weight(const TermState& state, Index element) {
   return state.element_weight.size() ? state.weight * state.element_weight[element] : state.weight;
 }
 
+void add_energy(const Problem& problem, TermId id, VecIn x, const StopCheck& stop, double& total) {
+  const TermState& state = problem.state(id);
+  const ChunkPlan& plan = problem.plan(id);
+  const Vec f = element_values(problem.term(id), state, plan, x, stop);
+  for (Index c = 0; c < plan.chunk_count(); ++c) {
+    double sum = 0;
+    for (const Index e : plan.chunk(c).elements)
+      if (const double w = weight(state, e); w != 0) sum += w * f[e];
+    total += sum;
+  }
+}
+
 }  // namespace
 
 struct Evaluator::Scratch {
@@ -74,22 +86,18 @@ Vec element_values(const EnergyTerm& term, const TermState& state, const ChunkPl
   return f;
 }
 
+double term_energy(const Problem& problem, TermId id, VecIn x, const StopCheck& stop) {
+  double total = 0;
+  add_energy(problem, id, x, stop, total);
+  return total;
+}
+
 double Evaluator::value(VecIn y, const StopCheck& stop) {
   const Timer timer(counters_.value_seconds);
   ++counters_.values;
   problem_.elimination().expand(y, x_);
   double total = 0;
-  for (std::size_t k = 0; k < problem_.term_count(); ++k) {
-    const TermState& state = problem_.state(k);
-    const ChunkPlan& plan = problem_.plan(k);
-    const Vec f = element_values(problem_.term(k), state, plan, x_, stop);
-    for (Index c = 0; c < plan.chunk_count(); ++c) {
-      double sum = 0;
-      for (const Index e : plan.chunk(c).elements)
-        if (const double w = weight(state, e); w != 0) sum += w * f[e];
-      total += sum;
-    }
-  }
+  for (const TermId id : problem_.terms()) add_energy(problem_, id, x_, stop, total);
   return total;
 }
 
@@ -114,16 +122,15 @@ double Evaluator::assemble(VecIn y, Curvature curvature, Vec& gradient, Vec* hes
   while (scratch_.size() < at(threads())) scratch_.push_back(std::make_unique<Scratch>());
   double total = 0;
   std::vector<double> energies;
-  for (std::size_t k = 0; k < problem_.term_count(); ++k) {
+  for (const TermId k : problem_.terms()) {
     assemble_term(k, curvature, gradient, hessian_values, stop, energies);
     for (const double e : energies) total += e;
   }
   return total;
 }
 
-void Evaluator::assemble_term(std::size_t k, Curvature curvature, Vec& gradient,
-                              Vec* hessian_values, const StopCheck& stop,
-                              std::vector<double>& chunk_energies) {
+void Evaluator::assemble_term(TermId k, Curvature curvature, Vec& gradient, Vec* hessian_values,
+                              const StopCheck& stop, std::vector<double>& chunk_energies) {
   const EnergyTerm& term = problem_.term(k);
   const TermState& state = problem_.state(k);
   const ChunkPlan& plan = problem_.plan(k);

@@ -32,6 +32,9 @@ void run_on_threads(const std::function<void()>& work);
 Vec element_values(const EnergyTerm& term, const TermState& state, const ChunkPlan& plan, VecIn x,
                    const StopCheck& stop = {});
 
+// The part of the problem's energy at x (full unknowns) that one term has, weights included.
+double term_energy(const Problem& problem, TermId id, VecIn x, const StopCheck& stop = {});
+
 class Evaluator {
  public:
   explicit Evaluator(const Problem& problem);
@@ -60,7 +63,7 @@ class Evaluator {
   struct Scratch;
   double assemble(VecIn y, Curvature curvature, Vec& gradient, Vec* hessian_values,
                   const StopCheck& stop);
-  void assemble_term(std::size_t k, Curvature curvature, Vec& gradient, Vec* hessian_values,
+  void assemble_term(TermId k, Curvature curvature, Vec& gradient, Vec* hessian_values,
                      const StopCheck& stop, std::vector<double>& chunk_energies);
 
   Problem problem_;

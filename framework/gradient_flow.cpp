@@ -26,13 +26,13 @@ class GradientFlowStepper final : public Stepper {
     r.curvature = metric_.curvature();
     r.shift = metric_.shift();
     if (!factorized_) return;
-    Lap lap;
+    Stopwatch watch;
     evaluator_.gradient(y, gradient_, stop_);
-    r.seconds.assemble += lap();
+    r.seconds.assemble += watch.restart();
     Vec p;
     metric_.solve(-gradient_, p);
-    r.seconds.solve = lap();
-    descend(p, first_, y, energy, step);
+    r.seconds.solve = watch.restart();
+    move_along(p, first_, y, energy, step);
     if (step.outcome == Outcome::Moved) first_ = r.step;
   }
 
@@ -46,7 +46,7 @@ class GradientFlowStepper final : public Stepper {
 SolveResult GradientFlowMinimizer::minimize(const Problem& problem, Vec y0,
                                             const Observer& observer) const {
   GradientFlowStepper stepper(problem, options_);
-  return run(stepper, std::move(y0), options_.stopping, observer);
+  return stepper.minimize(std::move(y0), options_.stopping, observer);
 }
 
 }  // namespace majorant

@@ -81,22 +81,22 @@ class LbfgsStepper final : public Stepper {
     r.curvature = metric_.curvature();
     r.shift = metric_.shift();
     if (!factorized_) return false;
-    Lap lap;
+    Stopwatch watch;
     evaluator_.gradient(y, gradient_, stop_);
     if (age_ > 0) history_.add(y - last_y_, gradient_ - last_gradient_);
     last_y_ = y;
     last_gradient_ = gradient_;
     ++age_;
-    r.seconds.assemble += lap();
+    r.seconds.assemble += watch.restart();
     return true;
   }
 
   void direction_step(Vec& y, double& energy, Step& step) {
-    Lap lap;
+    Stopwatch watch;
     Vec p;
     history_.apply(metric_, -gradient_, p);
-    step.record.seconds.solve += lap();
-    descend(p, 1.0, y, energy, step);
+    step.record.seconds.solve += watch.restart();
+    move_along(p, 1.0, y, energy, step);
   }
 
   Metric metric_;
@@ -112,7 +112,7 @@ class LbfgsStepper final : public Stepper {
 SolveResult LbfgsMinimizer::minimize(const Problem& problem, Vec y0,
                                      const Observer& observer) const {
   LbfgsStepper stepper(problem, options_);
-  return run(stepper, std::move(y0), options_.stopping, observer);
+  return stepper.minimize(std::move(y0), options_.stopping, observer);
 }
 
 }  // namespace majorant

@@ -33,13 +33,13 @@ Metric::Metric(const Problem& problem, Curvature curvature, std::unique_ptr<Line
 }
 
 bool Metric::factorize(VecIn y, const StopCheck& stop) {
-  Lap lap;
+  Stopwatch watch;
   evaluator_.linearize(y, curvature_, gradient_, hessian_, stop);
-  seconds_.assemble = lap();
+  seconds_.assemble = watch.restart();
   const ShiftedFactorization f =
       factorize_shifted(*solver_, evaluator_.problem().pattern(), hessian_, kSmallestShift, stop);
   shift_ = f.shift;
-  seconds_.factorize = lap();
+  seconds_.factorize = watch.restart();
   return f.status == FactorStatus::Ok;
 }
 

@@ -26,7 +26,7 @@ NewtonStepper::NewtonStepper(const Problem& problem, NewtonOptions options)
 }
 
 void NewtonStepper::require_curvature(const Problem& problem) const {
-  for (std::size_t k = 0; k < problem.term_count(); ++k)
+  for (const TermId k : problem.terms())
     if (!problem.term(k).supports(options_.curvature))
       throw std::invalid_argument(fmt::format("Newton: term '{}' has no curvature model '{}'",
                                               problem.term(k).name(), name(options_.curvature)));
@@ -43,13 +43,13 @@ void NewtonStepper::reset(const Problem& problem) {
 void NewtonStepper::advance(Vec& y, double& energy, Step& step) {
   IterationRecord& r = step.record;
   if (!try_exact(y, r) && !factorize(y, r)) return;
-  Lap lap;
+  Stopwatch watch;
   Vec p;
   rhs_ = -gradient_;
   solver_->solve(rhs_, p);
-  r.seconds.solve = lap();
+  r.seconds.solve = watch.restart();
   const double before = energy;
-  descend(p, 1.0, y, energy, step);
+  move_along(p, 1.0, y, energy, step);
   if (step.outcome == Outcome::Breakdown) return;
   relative_decrement_ = relative_to(before, r.newton_decrement);
   // A decrease far below the model's -g.p / 2: the Hessian is misleading here - unless energies
@@ -73,9 +73,9 @@ bool NewtonStepper::try_exact(const Vec& y, IterationRecord& record) {
     --exact_pause_;
     return false;
   }
-  Lap lap;
+  Stopwatch watch;
   evaluator_.linearize(y, Curvature::Exact, gradient_, hessian_, stop_);
-  record.seconds.assemble += lap();
+  record.seconds.assemble += watch.restart();
   const double size = y.squaredNorm();
   record.shift = size > 0 ? 1.5 * std::max(0.0, -y.dot(gradient_)) / size : 0.0;
   if (relative_decrement_ <= kPolish)
@@ -83,7 +83,7 @@ bool NewtonStepper::try_exact(const Vec& y, IterationRecord& record) {
                             kPolishShift * mean_diagonal(evaluator_.problem().pattern(), hessian_));
   stop_.poll();
   const FactorStatus status = solver_->factorize(hessian_, record.shift);
-  record.seconds.factorize += lap();
+  record.seconds.factorize += watch.restart();
   record.curvature = Curvature::Exact;
   if (status == FactorStatus::Ok) return true;
   pause_exact();
@@ -93,22 +93,22 @@ bool NewtonStepper::try_exact(const Vec& y, IterationRecord& record) {
 void NewtonStepper::pause_exact() { exact_pause_ = 1 << std::min(exact_failures_++, 5); }
 
 bool NewtonStepper::factorize(const Vec& y, IterationRecord& record) {
-  Lap lap;
+  Stopwatch watch;
   evaluator_.linearize(y, options_.curvature, gradient_, hessian_, stop_);
   record.curvature = options_.curvature;
-  record.seconds.assemble += lap();
+  record.seconds.assemble += watch.restart();
   if (!gradient_.allFinite()) return false;
   const ShiftedFactorization f =
       factorize_shifted(*solver_, evaluator_.problem().pattern(), hessian_, 1e-14, stop_);
   record.shift = f.shift;
-  record.seconds.factorize += lap();
+  record.seconds.factorize += watch.restart();
   return f.status == FactorStatus::Ok;
 }
 
 SolveResult NewtonMinimizer::minimize(const Problem& problem, Vec y0,
                                       const Observer& observer) const {
   NewtonStepper stepper(problem, options_);
-  return run(stepper, std::move(y0), options_.stopping, observer);
+  return stepper.minimize(std::move(y0), options_.stopping, observer);
 }
 
 }  // namespace majorant

@@ -13,15 +13,16 @@ bool Problem::supports(Curvature curvature) const {
   return true;
 }
 
-Problem Problem::with(std::vector<TermState> states) const {
-  if (states.size() != states_.size())
-    throw std::invalid_argument("Problem::with: one state per term is needed");
+Problem Problem::with(TermChanges changes) const {
   Problem other = *this;
-  for (std::size_t k = 0; k < states.size(); ++k)
-    if (states[k].element_rule != states_[k].element_rule)
-      other.plans_[k] = std::make_shared<const ChunkPlan>(term(k).stencils(),
-                                                          states[k].element_rule, elimination());
-  other.states_ = std::move(states);
+  for (auto& [id, state] : changes) {
+    if (at(id) >= states_.size())
+      throw std::invalid_argument("Problem::with: no term of this problem has that id");
+    if (state.element_rule != other.states_[at(id)].element_rule)
+      other.plans_[at(id)] =
+          std::make_shared<const ChunkPlan>(term(id).stencils(), state.element_rule, elimination());
+    other.states_[at(id)] = std::move(state);
+  }
   return other;
 }
 
@@ -31,20 +32,22 @@ Vec Problem::expand(VecIn y) const {
   return x;
 }
 
-ProblemBuilder& ProblemBuilder::add(std::shared_ptr<const EnergyTerm> term, double weight) {
+ProblemBuilder::AddedTerm ProblemBuilder::add(std::shared_ptr<const EnergyTerm> term,
+                                              double weight) {
   TermState state;
   state.weight = weight;
   return add(std::move(term), std::move(state));
 }
 
-ProblemBuilder& ProblemBuilder::add(std::shared_ptr<const EnergyTerm> term, TermState state) {
+ProblemBuilder::AddedTerm ProblemBuilder::add(std::shared_ptr<const EnergyTerm> term,
+                                              TermState state) {
   const Stencils& s = term->stencils();
   if (s.nodes.size() && (s.nodes.minCoeff() < 0 || s.block * (s.nodes.maxCoeff() + 1) > full_size_))
     throw std::invalid_argument(
         fmt::format("term '{}': a stencil leaves the {} unknowns", term->name(), full_size_));
   terms_.push_back(std::move(term));
   states_.push_back(std::move(state));
-  return *this;
+  return {*this, TermId(terms_.size() - 1)};
 }
 
 ProblemBuilder& ProblemBuilder::add(const Constraint& constraint) {
@@ -66,12 +69,16 @@ Problem ProblemBuilder::build() const {
   for (const Stencils* s : stencils) slots.emplace_back(*s, elimination, pattern);
 
   Problem problem;
-  for (std::size_t k = 0; k < terms_.size(); ++k)
+  std::vector<TermId> ids;
+  for (std::size_t k = 0; k < terms_.size(); ++k) {
+    ids.push_back(TermId(k));
     problem.plans_.push_back(
         std::make_shared<const ChunkPlan>(*stencils[k], states_[k].element_rule, elimination));
+  }
   problem.states_ = states_;
-  problem.structure_ = std::make_shared<const Problem::Structure>(Problem::Structure{
-      terms_, checkers_, std::move(elimination), std::move(pattern), std::move(slots)});
+  problem.structure_ = std::make_shared<const Problem::Structure>(
+      Problem::Structure{terms_, std::move(ids), checkers_, std::move(elimination),
+                         std::move(pattern), std::move(slots)});
   return problem;
 }
 

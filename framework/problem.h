@@ -1,17 +1,21 @@
 // An optimization problem: minimize sum_k w_k E_k(x) subject to A x = b, inside a feasible set.
 //
 //   ProblemBuilder builder(2 * space->node_count());
-//   builder.add(energy, 1.0);                 // shared_ptr<const EnergyTerm>
+//   TermId id = builder.add(energy, 1.0);     // shared_ptr<const EnergyTerm>
 //   builder.add(FixedPoints({{0, {0, 0}}}));  // Constraint: eliminated, holds exactly
 //   // FeasibilityChecker: held by the line search
 //   builder.add(std::make_shared<LocalInjectivity>(space, 2 * rest.measure));
 //   Problem problem = builder.build();
 //   SolveResult r = NewtonMinimizer().minimize(problem, problem.reduce(x), observer);
 //
+//   problem = problem.with({{id, TermState{.weight = 2}}});  // everything else the same
+//
 // A Problem is immutable and cheap to copy. Solvers see the reduced unknowns y of x = Z y + c.
 #pragma once
 
 #include <memory>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "majorant/framework/assembly.h"
@@ -24,16 +28,23 @@
 
 namespace majorant {
 
+// One term of a problem, as ProblemBuilder::add names it; the same in all problems of one
+// structure.
+enum class TermId : std::size_t {};
+
+// What is to be set, term by term.
+using TermChanges = std::vector<std::pair<TermId, TermState>>;
+
 class Problem {
  public:
   Index full_size() const { return structure_->elimination.full_size(); }
   Index size() const { return structure_->elimination.reduced_size(); }
 
-  std::size_t term_count() const { return structure_->terms.size(); }
-  const EnergyTerm& term(std::size_t k) const { return *structure_->terms[k]; }
-  const TermState& state(std::size_t k) const { return states_[k]; }
-  const ChunkPlan& plan(std::size_t k) const { return *plans_[k]; }
-  const SlotTable& slots(std::size_t k) const { return structure_->slots[k]; }
+  std::span<const TermId> terms() const { return structure_->ids; }  // in the order of add()
+  const EnergyTerm& term(TermId id) const { return *structure_->terms[at(id)]; }
+  const TermState& state(TermId id) const { return states_[at(id)]; }
+  const ChunkPlan& plan(TermId id) const { return *plans_[at(id)]; }
+  const SlotTable& slots(TermId id) const { return structure_->slots[at(id)]; }
   const Elimination& elimination() const { return structure_->elimination; }
   const SparsePattern& pattern() const { return structure_->pattern; }
   const std::vector<std::shared_ptr<const FeasibilityChecker>>& checkers() const {
@@ -41,9 +52,10 @@ class Problem {
   }
   bool supports(Curvature curvature) const;
 
-  // The same problem with other states: pattern, slots and (in a solver) the symbolic factor stay
-  // valid. Throws std::invalid_argument unless there are term_count() states.
-  Problem with(std::vector<TermState> states) const;
+  // The same problem with other states of these terms, the rest kept: pattern, slots and (in a
+  // solver) the symbolic factor stay valid. Throws std::invalid_argument for a term of another
+  // problem.
+  Problem with(TermChanges changes) const;
   // Whether a factorization analysed for `other` fits this problem.
   bool same_structure(const Problem& other) const { return structure_ == other.structure_; }
 
@@ -55,8 +67,10 @@ class Problem {
 
  private:
   friend class ProblemBuilder;
+  static std::size_t at(TermId id) { return static_cast<std::size_t>(id); }
   struct Structure {
     std::vector<std::shared_ptr<const EnergyTerm>> terms;
+    std::vector<TermId> ids;
     std::vector<std::shared_ptr<const FeasibilityChecker>> checkers;
     Elimination elimination;
     SparsePattern pattern;
@@ -69,9 +83,27 @@ class Problem {
 
 class ProblemBuilder {
  public:
+  // What add() of a term returns: its id, or the builder again where nobody asks for it.
+  //   const TermId energy = builder.add(term, 1.0);
+  //   const Problem problem = ProblemBuilder(size).add(term, 1.0).add(pins).build();
+  class AddedTerm {
+   public:
+    AddedTerm(ProblemBuilder& builder, TermId id) : builder_(builder), id_(id) {}
+    operator TermId() const { return id_; }
+    template <class... Arguments>
+    decltype(auto) add(Arguments&&... arguments) const {
+      return builder_.add(std::forward<Arguments>(arguments)...);
+    }
+    Problem build() const { return builder_.build(); }
+
+   private:
+    ProblemBuilder& builder_;
+    TermId id_;
+  };
+
   explicit ProblemBuilder(Index full_size) : full_size_(full_size) {}
-  ProblemBuilder& add(std::shared_ptr<const EnergyTerm> term, double weight);
-  ProblemBuilder& add(std::shared_ptr<const EnergyTerm> term, TermState state);
+  AddedTerm add(std::shared_ptr<const EnergyTerm> term, double weight);
+  AddedTerm add(std::shared_ptr<const EnergyTerm> term, TermState state);
   ProblemBuilder& add(const Constraint& constraint);  // rows are copied
   ProblemBuilder& add(std::shared_ptr<const FeasibilityChecker> checker);
   // Eliminates the constraints and fixes the pattern. Throws Error(Unsupported) when the

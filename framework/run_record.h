@@ -7,17 +7,14 @@
 #include <chrono>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "majorant/framework/minimizer.h"
+#include "majorant/framework/trace.h"
 
 namespace majorant {
-
-struct TraceEntry {
-  int degree = 1;
-  IterationRecord record;  // record.iteration counts through the whole run
-};
 
 class RunRecord {
  public:
@@ -40,15 +37,17 @@ class RunRecord {
   explicit RunRecord(const StopCheck& stop) : stop_(stop), start_stop_(stop) {}
 
   // Observer for a solve at one degree.
-  Observer observer(int degree) {
-    return [this, degree](const IterationRecord& record, const Vec&) {
-      TraceEntry entry{degree, record};
+  Observer observer(int degree, Phase phase = Phase::Newton) {
+    return [this, degree, phase](const IterationRecord& record, const Vec&) {
+      TraceEntry entry{degree, record, phase, std::exchange(remedy_, std::nullopt)};
       entry.record.iteration = static_cast<int>(trace_.size()) + 1;
       trace_.push_back(entry);
       if (progress_) progress_(entry);
       return directive();
     };
   }
+  // The next iteration is the first one after that.
+  void mark(Remedy remedy) { remedy_ = remedy; }
   // For everything once there is a map, and before. Both may outlive the record.
   const StopCheck& stop() const { return stop_; }
   const StopCheck& start_stop() const { return start_stop_; }
@@ -78,6 +77,7 @@ class RunRecord {
   StopCheck stop_, start_stop_;
   Progress progress_;
   std::vector<TraceEntry> trace_;
+  std::optional<Remedy> remedy_;
 };
 
 }  // namespace majorant

@@ -3,7 +3,7 @@
 //
 //   std::vector<SparseSpd::Entry> entries{{0, 0, 2}, {1, 0, -1}, {1, 1, 2}};
 //   const SparseSpd matrix(2, 1, entries, "the matrix is singular");
-//   const Vec x = matrix.solve(rhs);
+//   const Vec x = matrix.solve(Vec::Ones(2));
 //
 // Not for matrices whose values change while the pattern stays, which is analysed but once with
 // SparsePattern and LinearSolver.

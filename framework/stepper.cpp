@@ -1,18 +1,13 @@
 #include "majorant/framework/stepper.h"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 namespace majorant {
 
-double relative_to(double energy, double value) {
-  return value / std::max(std::abs(energy), std::numeric_limits<double>::min());
-}
-
 Stepper::Step Stepper::step(Vec& y, double& energy) {
   Step step;
-  step.record.energy = energy;
+  step.record.energy = step.energy_before = energy;
   if (y.size() == 0) {
     step.outcome = Outcome::AtMinimum;
     return step;
@@ -27,7 +22,7 @@ Stepper::Step Stepper::step(Vec& y, double& energy) {
   return step;
 }
 
-void Stepper::descend(const Vec& p, double first, Vec& y, double& energy, Step& step) {
+void Stepper::move_along(const Vec& p, double first, Vec& y, double& energy, Step& step) {
   IterationRecord& r = step.record;
   step.outcome = Outcome::Breakdown;
   r.gradient_norm = gradient_.norm();
@@ -37,7 +32,7 @@ void Stepper::descend(const Vec& p, double first, Vec& y, double& energy, Step& 
     step.outcome = Outcome::AtMinimum;
     return;
   }
-  Lap lap;
+  Stopwatch watch;
   LineSearch search(evaluator_, line_search_, y, p, energy, r.newton_decrement, stop_);
   const LineSearch::Result result = search.find(first);
   r.step_bound = search.bound().step;
@@ -52,7 +47,7 @@ void Stepper::descend(const Vec& p, double first, Vec& y, double& energy, Step& 
   } else {
     step.outcome = result == LineSearch::Result::Blocked ? Outcome::Blocked : Outcome::NoDecrease;
   }
-  r.seconds.line_search += lap();
+  r.seconds.line_search += watch.restart();
 }
 
 bool check_start(Evaluator& evaluator, SolveResult& result) {
@@ -71,61 +66,53 @@ bool check_start(Evaluator& evaluator, SolveResult& result) {
   return false;
 }
 
-SolveResult run(Stepper& stepper, Vec y0, const StoppingRules& rules, const Observer& observer) {
+SolveResult Stepper::minimize(Vec y0, const StoppingRules& rules, const Observer& observer) {
   SolveResult result;
   result.y = std::move(y0);
-  const auto finish = [&](Status status, std::string message) {
-    result.status = status;
-    result.message = std::move(message);
-    return result;
-  };
-  if (!check_start(stepper.evaluator(), result)) return result;
+  if (!check_start(evaluator_, result)) return result;
+  return descend_from(std::move(result.y), result.energy, rules, observer);
+}
 
-  // An energy that vanishes at its minimum has no relative scale there.
-  const double smallest_scale = 1e-14 * std::abs(result.energy);
-  int idle = 0;
-  bool polished = false;
-  Vec anchor = result.y;  // last point from which a good part of the step was possible
-  double anchor_energy = result.energy;
-  for (int k = 1; k <= rules.max_iterations; ++k) {
-    const double scale = std::max(std::abs(result.energy), smallest_scale);
-    Stepper::Step step = stepper.step(result.y, result.energy);
-    if (step.outcome == Stepper::Outcome::Stopped)
-      return finish(stopped_status(step.why), Stopped(step.why).what());
-    step.record.iteration = k;
-    result.newton_decrement = step.record.newton_decrement;
-    result.blocking = std::move(step.blocking);
-    using Outcome = Stepper::Outcome;
-    const bool near = result.newton_decrement <= rules.stall_decrement * scale;
-    if (step.outcome == Outcome::Breakdown) return finish(Status::Failed, "no finite direction");
-    if (step.outcome == Outcome::AtMinimum) return finish(Status::Converged, "decrement");
-    if (step.outcome != Outcome::Moved)
-      return finish(near ? Status::Converged : Status::Stalled, "no further decrease");
-    result.iterations.push_back(step.record);
-    const Directive directive = observer ? observer(step.record, result.y) : Directive::Continue;
-    const bool small_decrease = step.record.relative_decrease <= rules.relative_decrease;
-    const bool exact = step.record.curvature == Curvature::Exact;
-    if (small_decrease && !exact &&
-        result.newton_decrement <= rules.tail_factor * rules.relative_decrease * scale) {
-      if (polished) return finish(Status::Converged, "relative decrease");
-      stepper.polish();
-      polished = true;
+SolveResult Stepper::descend_from(Vec y, double energy, const StoppingRules& rules,
+                                  const Observer& observer) {
+  SolveResult result;
+  result.y = std::move(y);
+  result.energy = energy;
+  StoppingTest test(rules, energy);
+  Vec anchor = result.y;
+  double anchor_energy = energy;
+  std::optional<Stop> stop;
+  while (!(stop = test.before_step())) {
+    Step step = this->step(result.y, result.energy);
+    Directive directive = Directive::Continue;
+    if (step.outcome == Outcome::Moved) {
+      step.record.iteration = static_cast<int>(result.iterations.size()) + 1;
+      result.iterations.push_back(step.record);
+      if (observer) directive = observer(step.record, result.y);
     }
-    idle = small_decrease || step.record.step_bound < rules.stall_step ? idle + 1 : 0;
-    if (idle >= rules.stall_iterations) {
-      if (near) return finish(Status::Converged, "relative decrease");
-      result.y = anchor;
-      result.energy = anchor_energy;
-      return finish(Status::Stalled, "held at the limit of the feasible set");
+    const Advice advice = test.after(step);
+    if (step.outcome != Outcome::Stopped) {
+      result.newton_decrement = step.record.newton_decrement;
+      result.blocking = std::move(step.blocking);
     }
-    if (idle == 0 && step.record.step_bound >= rules.anchor_step) {
+    if ((stop = advice.stop)) break;
+    if (advice.polish) polish();
+    if (advice.anchor) {
       anchor = result.y;
       anchor_energy = result.energy;
     }
-    if (directive != Directive::Continue)
-      return finish(stopped_status(directive), Stopped(directive).what());
+    if (directive != Directive::Continue) {
+      stop = Stop{stopped_status(directive), Stopped(directive).what()};
+      break;
+    }
   }
-  return finish(Status::MaxIterations, "iteration limit");
+  if (stop->at_anchor) {
+    result.y = std::move(anchor);
+    result.energy = anchor_energy;
+  }
+  result.status = stop->status;
+  result.message = std::move(stop->message);
+  return result;
 }
 
 }  // namespace majorant

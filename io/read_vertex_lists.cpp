@@ -95,15 +95,21 @@ class VertexList {
   json list_;
 };
 
-// Entries by vertex, each once; the same again counts once.
-template <class Entry, class Same>
-void add_once(const VertexList& list, const Entry& entry, std::string_view what, const Same& same,
-              std::vector<Entry>& entries, std::unordered_map<Index, std::size_t>& known) {
-  const auto [place, is_new] = known.try_emplace(entry.vertex, entries.size());
-  if (is_new)
-    entries.push_back(entry);
-  else if (!same(entries[place->second], entry))
-    list.fail_here(fmt::format("vertex {} has two different {}", entry.vertex + list.base(), what));
+// The entries, by vertex, each once; the same again counts once. read(json, vertex) gives an Entry.
+template <class Entry, class Read, class Same>
+std::vector<Entry> read_once(VertexList& list, std::string_view what, const Read& read,
+                             const Same& same) {
+  std::vector<Entry> entries;
+  std::unordered_map<Index, std::size_t> known;  // vertex -> place in `entries`
+  list.for_each([&](const json& item, Index vertex) {
+    const Entry entry = read(item, vertex);
+    const auto [place, is_new] = known.try_emplace(vertex, entries.size());
+    if (is_new)
+      entries.push_back(entry);
+    else if (!same(entries[place->second], entry))
+      list.fail_here(fmt::format("vertex {} has two different {}", vertex + list.base(), what));
+  });
+  return entries;
 }
 
 std::optional<Vector2> read_target(const VertexList& list, const json& entry) {
@@ -136,28 +142,22 @@ int read_quarter_turns(const VertexList& list, const json& entry) {
 std::vector<Handle> read_handles(const std::string& path, Index vertex_count) {
   VertexList list(path, "handles", "{\"handles\": [{\"vertex\": 0, \"target\": [0, 0]}]}",
                   vertex_count);
-  std::vector<Handle> handles;
-  std::unordered_map<Index, std::size_t> known;
-  list.for_each([&](const json& entry, Index vertex) {
-    add_once(
-        list, Handle{vertex, read_target(list, entry)}, "targets",
-        [](const Handle& a, const Handle& b) { return a.target == b.target; }, handles, known);
-  });
-  return handles;
+  const auto read = [&](const json& item, Index vertex) {
+    return Handle{vertex, read_target(list, item)};
+  };
+  return read_once<Handle>(list, "targets", read,
+                           [](const Handle& a, const Handle& b) { return a.target == b.target; });
 }
 
 std::vector<Cone> read_cones(const std::string& path, Index vertex_count) {
   VertexList list(path, "cones", "{\"cones\": [{\"vertex\": 0, \"quarter_turns\": 3}]}",
                   vertex_count);
-  std::vector<Cone> cones;
-  std::unordered_map<Index, std::size_t> known;
-  list.for_each([&](const json& entry, Index vertex) {
-    add_once(
-        list, Cone{vertex, read_quarter_turns(list, entry)}, "angles",
-        [](const Cone& a, const Cone& b) { return a.quarter_turns == b.quarter_turns; }, cones,
-        known);
+  const auto read = [&](const json& item, Index vertex) {
+    return Cone{vertex, read_quarter_turns(list, item)};
+  };
+  return read_once<Cone>(list, "angles", read, [](const Cone& a, const Cone& b) {
+    return a.quarter_turns == b.quarter_turns;
   });
-  return cones;
 }
 
 }  // namespace majorant

@@ -1,10 +1,10 @@
 // Disjoint sets of the numbers 0 .. count - 1, which only ever grow together: components of
 // anything.
 //
-//   UnionFind components(mesh.face_count());
-//   for (Index h = 0; h < mesh.half_edge_count(); ++h)
-//     if (mesh.opposite(h) >= 0) components.join(face_of(h), face_of(mesh.opposite(h)));
-//   const bool connected = components.find(f) == components.find(g);
+//   UnionFind components(mesh->face_count());
+//   for (Index h = 0; h < mesh->half_edge_count(); ++h)
+//     if (mesh->opposite(h) >= 0) components.join(face_of(h), face_of(mesh->opposite(h)));
+//   const bool connected = components.find(12) == components.find(13);
 #pragma once
 
 #include <algorithm>

@@ -106,9 +106,9 @@ Contest make_contest(const Request& request) {
                          interruption_flag());
   const MapInput in = read_input(request.map, limits.start_stop());
   const Vec initial = unless_stopped("making the start of " + request.map.input, [&] {
-    return initial_map(*in.mesh, in.options, limits.start_stop());
+    return initial_map(*in.mesh, in.options.map, limits.start_stop());
   });
-  const NormalizedStart start(BezierMap::linear(in.mesh, initial), in.options);
+  const NormalizedStart start(BezierMap::linear(in.mesh, initial), in.options.map);
   BezierMap map = start.map();
   while (map.degree() < request.map.degree) map = map.elevated();
   Contest c;
@@ -120,7 +120,8 @@ Contest make_contest(const Request& request) {
       std::make_shared<const LocalInjectivity>(c.space, 2 * c.specification.rest.measure);
   c.start = map.control_points();
   c.problem = map_problem(c.specification, c.space, c.start,
-                          energy_terms(c.specification, c.space, {c.rule}), c.injectivity);
+                          energy_terms(c.specification, c.space, {c.rule}), c.injectivity)
+                  .problem;
   if (!std::isfinite(Evaluator(c.problem).value(c.problem.reduce(c.start))))
     throw Error(ErrorKind::Infeasible,
                 fmt::format("{}: energy '{}' is infinite at the start; begin with another map "

@@ -49,7 +49,8 @@ Problem dirichlet_problem(const Contest& c) {
   spec.energy = {{energy_factory(
       invariant("dirichlet", [](const auto& x, const auto& y) { return 2.0 * (x + y); },
                 {Domain::Everywhere, Convexity::Convex}))}};
-  return map_problem(spec, c.space, c.start, energy_terms(spec, c.space, {c.rule}), c.injectivity);
+  return map_problem(spec, c.space, c.start, energy_terms(spec, c.space, {c.rule}), c.injectivity)
+      .problem;
 }
 
 std::unique_ptr<Minimizer> make_gradient_flow(const Contest& c) {

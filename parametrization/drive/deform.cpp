@@ -35,11 +35,11 @@ class Deformation {
       : start_(start), options_(options), record_(record), map_(start) {}
 
   ParametrizationResult solve() {
-    if (options_.handles.empty() && options_.pins.empty())
+    if (options_.map.handles.empty() && options_.map.pins.empty())
       return parametrize(start_, options_, record_);
     for (int k = 1; k <= kSteps && going_on(); ++k)
-      pull(static_cast<double>(k) / kSteps, options_.handle_weight);
-    if (!options_.pins.empty()) reach_pins();
+      pull(static_cast<double>(k) / kSteps, options_.map.handle_weight);
+    if (!options_.map.pins.empty()) reach_pins();
     return parametrize(map_, options_, record_);
   }
 
@@ -51,15 +51,16 @@ class Deformation {
   // One solve at degree 1 with all targets soft, at the part t of their way.
   double pull(double t, double weight) {
     ParametrizationOptions o = options_;
-    o.degree = 1;
-    o.tolerance = kStepTolerance;
-    o.handle_weight = weight;
-    o.handles.clear();
-    o.pins.clear();
-    for (const auto* points : {&options_.handles, &options_.pins})
+    o.map.degree = 1;
+    o.map.handle_weight = weight;
+    o.map.handles.clear();
+    o.map.pins.clear();
+    o.solve.tolerance = kStepTolerance;
+    o.solve.triangles = Triangles::Kept;
+    for (const auto* points : {&options_.map.handles, &options_.map.pins})
       for (const Pin& p : *points) {
         const Vector2 from = start_of(start_, p.vertex);
-        o.handles.push_back({p.vertex, Vector2(from + t * (p.target.value_or(from) - from))});
+        o.map.handles.push_back({p.vertex, Vector2(from + t * (p.target.value_or(from) - from))});
       }
     const ParametrizationResult r = parametrize(map_, o, record_);
     if (r.map) map_ = *r.map;
@@ -86,7 +87,7 @@ class Deformation {
     const Index name = start_.mesh().input_vertex(vertex);
     if (distance > enough) refuse(fmt::format("vertex {} stays {:.3g} away", name, distance));
     Vec x = map_.control_points();
-    for (const Pin& p : options_.pins)
+    for (const Pin& p : options_.map.pins)
       x.segment<2>(2 * p.vertex) = p.target.value_or(start_of(start_, p.vertex));
     map_ = map_.with(map_.shared_space(), std::move(x));
   }
@@ -94,7 +95,7 @@ class Deformation {
   // The pin that is farthest from its target.
   std::pair<Index, double> pin_distance() const {
     std::pair<Index, double> worst{-1, -1.0};
-    for (const Pin& p : options_.pins) {
+    for (const Pin& p : options_.map.pins) {
       const Vector2 target = p.target.value_or(start_of(start_, p.vertex));
       const double d = (start_of(map_, p.vertex) - target).norm();
       if (d > worst.second) worst = {p.vertex, d};
@@ -138,12 +139,12 @@ BezierMap planar_map(std::shared_ptr<const SurfaceMesh> mesh) {
 
 ParametrizationResult deform(const BezierMap& start, const ParametrizationOptions& options,
                              RunRecord& record) {
-  for (const auto* points : {&options.pins, &options.handles})
+  for (const auto* points : {&options.map.pins, &options.map.handles})
     for (const Pin& p : *points)
       if (p.vertex < 0 || p.vertex >= start.mesh().vertex_count())
         throw Error(ErrorKind::Usage,
                     fmt::format("{}: vertex {} does not exist", start.mesh().file(), p.vertex));
-  require_scale(options, start);
+  require_scale(options.map, start);
   return Deformation(start, options, record).solve();
 }
 

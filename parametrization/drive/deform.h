@@ -2,8 +2,8 @@
 //
 //   BezierMap rest = planar_map(mesh);                 // every point where it is
 //   ParametrizationOptions options;
-//   options.handles = {{12, Vector2(0.5, 1)}};          // soft; pins are hard
-//   options.injectivity = MapInjectivity::Global;
+//   options.map.handles = {{12, Vector2(0.5, 1)}};          // soft; pins are hard
+//   options.map.injectivity = MapInjectivity::Global;
 //   ParametrizationResult bent = deform(rest, options, record);
 //
 // Targets are approached in steps at degree 1. Pins are first pulled by springs that get stiffer

@@ -1,15 +1,24 @@
-// The optimization at one degree: Newton on a fixed space, with quadrature that climbs where it
-// must and the ways out of a stall at the injectivity limit.
+// The optimization at one degree: Newton on a fixed space, on whatever domain, with quadrature that
+// is refined where it must be and the remedies for stalls at the limit of the feasible set.
+//
+//   DegreeSolver solver(setup, domain, map.shared_space(), map.control_points());
+//   solver.soften_start(record);
+//   SolveResult solved = solver.finish(record);
+//   map = map.with(map.shared_space(), solver.x());
 //
 // Internal to parametrize(). Coordinates are normalised (see NormalizedStart). Whatever is stopped,
-// x() is the best point reached.
+// x() is the best point reached, and the domain's surroundings belong to it.
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "majorant/framework/newton.h"
-#include "majorant/parametrization/drive/parametrize.h"
+#include "majorant/framework/run_record.h"
+#include "majorant/parametrization/drive/map_domain.h"
+#include "majorant/parametrization/drive/solve_options.h"
 #include "majorant/parametrization/maps/map_problem.h"
 #include "majorant/parametrization/maps/quadrature_levels.h"
 
@@ -18,55 +27,90 @@ namespace majorant {
 class DegreeSolver {
  public:
   struct Setup {
-    MapSpecification map;            // normalised
-    ParametrizationOptions options;  // how to solve: curvature, tolerance, quadrature, depth
+    MapSpecification map;  // normalised
+    SolveOptions solve;
     StopCheck stop;
   };
 
-  // x: start, 2 numbers per node of `space`, normalised, locally injective. Throws Error(Usage)
-  // when an energy does not support the curvature; Stopped.
-  DegreeSolver(const Setup& setup, std::shared_ptr<const BezierTriangleSpace> space, Vec x);
+  // x: start, 2 numbers per node of `space`, normalised, locally injective. setup and domain
+  // outlive the solver. Throws Error(Usage) when an energy does not support the curvature; Stopped.
+  DegreeSolver(const Setup& setup, MapDomain& domain,
+               std::shared_ptr<const BezierTriangleSpace> space, const Vec& x);
 
   // For a start of enormous energy (a Tutte map with nearly collapsed triangles): steps on
   // sum A sqrt(density) by reweighting, until the mean density is moderate. Otherwise the stiff
   // triangles' rounding errors drive everything else, and which minimum is reached is chance.
   void soften_start(RunRecord& record);
-  // Until one iteration decreases the energy by less than `tolerance`; no way out of stalls is
-  // tried. For degrees on the way.
-  SolveResult approach(double tolerance, RunRecord& record);
-  // To the documented stopping rules, with all means.
+  // Until one iteration decreases the energy by less than `tolerance`; no remedy is tried. For
+  // degrees on the way.
+  SolveResult approach(double tolerance, RunRecord& record, Phase phase = Phase::Newton);
+  // To the documented stopping rules, with all remedies.
   SolveResult finish(RunRecord& record);
 
-  const Vec& x() const { return x_; }
-  Index variables() const { return problem_.size(); }
+  Vec x() const { return x_.head(2 * space_->node_count()); }
+  Index variables() const { return built_.problem.size(); }
   double constraint_residual() const;
+  const RemedyUses& remedies() const { return uses_; }
   std::vector<long> injectivity_depth_counts() const;
 
  private:
-  Problem build_problem() const;
-  SolveResult run_once(const StoppingRules& rules, RunRecord& record);
-  bool deepen();
+  // Where a run can come back to.
+  struct Place {
+    Vec x;
+    std::optional<Scaffold> surroundings;
+  };
+  // What happened between two looks at the stopping rules.
+  struct Iteration {
+    StepResult step;
+    StoppingTest::Since since = StoppingTest::Since::Same;
+    Directive directive = Directive::Continue;
+  };
+  // What came of a remedy: nothing that could help, something to go on from, or the end of the run.
+  enum class Effect { None, GoOn, Ended };
+
+  DomainInput input() const;
+  void rebuild();
   void apply_state();
-  bool climb(const std::vector<Index>& elements);
-  bool climb_inaccurate();
-  void help(SolveResult& result, const StoppingRules& rules, RunRecord& record);
-  SolveResult exhaust(RunRecord& record);
-  SolveResult follow_barrier(const SolveResult& stalled, RunRecord& record);
-  SolveResult leave_stall(const SolveResult& stalled, RunRecord& record);
-  SolveResult back_to(const Vec& best, SolveResult stalled, Status way_out);
-  bool step_aside(double weight, RunRecord& record);
+  bool follow();
+  Place place() const { return {x_, domain_.surroundings()}; }
+  void return_to(const Place& place);
+  double own_energy(VecIn x) const;
+
+  SolveResult descend(StoppingRules rules, Phase phase, RunRecord& record);
+  void iterate_until(StoppingTest& test, const Observer& observer, double energy,
+                     SolveResult& result);
+  Iteration iterate(SolveResult& result, double& energy, const Observer& observer);
+  void soften(RunRecord& record);
+
+  SolveResult exhaust(std::span<const Remedy> remedies, RunRecord& record);
+  bool relieve(std::span<const Remedy> remedies, SolveResult& result, RunRecord& record);
+  Effect apply(Remedy remedy, SolveResult& result, RunRecord& record);
+  Effect deepen(RunRecord& record);
+  Effect refine(const std::vector<Index>& blocking, RunRecord& record);
+  Effect exclude(SolveResult& result, RunRecord& record);
+  Effect follow_barrier(SolveResult& result, RunRecord& record);
+  bool step_aside(double unit, RunRecord& record);
+  bool approach_with(double weight, RunRecord& record);
+  bool refine_inaccurate();
+  StoppingRules final_rules() const;
+  SolveResult back_to(const Place& best, SolveResult stalled, Status way_out);
 
   const Setup& setup_;
+  MapDomain& domain_;
   std::shared_ptr<const BezierTriangleSpace> space_;
-  Vec x_, start_;
+  const Vec start_;
   QuadratureLevels levels_;
   DensityTerms terms_;
   int depth_;
   std::shared_ptr<const LocalInjectivity> injectivity_;
   std::vector<long> depth_counts_;  // of checkers that are gone
-  Vec element_weight_;              // 1, or less where temporarily excluded
-  Problem problem_;
+  Vec element_weight_;              // 1, or else for a while: softened, excluded
+  Vec x_;                           // unknowns of the domain, the map's first
+  MapProblem built_;
   NewtonStepper stepper_;
+  double began_at_ = 0;            // own energy at the start of the last descent
+  bool barrier_followed_ = false;  // once a degree
+  RemedyUses uses_{};
 };
 
 }  // namespace majorant

@@ -17,11 +17,11 @@ bool at_one_place(const Pin& a, const Pin& b) {
 }
 
 // Pieces that seams connect need one pair of points between them: a seam carries lengths over.
-bool two_points_hold(const ParametrizationOptions& options, const BezierTriangleSpace& space) {
-  const std::vector<Index> piece = pieces_of(space);
+bool two_points_hold(const MapOptions& asked, const BezierTriangleSpace& space) {
+  const std::vector<Index> piece = vertex_components(space);
   const auto piece_of = [&](const Pin& p) { return piece[static_cast<std::size_t>(p.vertex)]; };
-  std::vector<Pin> points = options.pins;
-  points.insert(points.end(), options.handles.begin(), options.handles.end());
+  std::vector<Pin> points = asked.pins;
+  points.insert(points.end(), asked.handles.begin(), asked.handles.end());
   for (std::size_t i = 0; i < points.size(); ++i)
     for (std::size_t k = 0; k < i; ++k)
       if (piece_of(points[i]) == piece_of(points[k]) && !at_one_place(points[i], points[k]))
@@ -37,21 +37,20 @@ std::string names_of(const EnergySum& energy) {
 
 }  // namespace
 
-bool collapses(const ParametrizationOptions& options, const BezierTriangleSpace& space,
-               const Seams& seams) {
-  if (free_scale_of(options.energy) != FreeScale::Collapses) return false;
-  if (options.boundary == BoundaryCondition::Fixed && !boundary_nodes(space, seams).empty())
+bool collapses(const MapOptions& asked, const BezierTriangleSpace& space, const Seams& seams) {
+  if (free_scale_of(asked.energy) != FreeScale::Collapses) return false;
+  if (asked.boundary == BoundaryCondition::Fixed && !boundary_nodes(space, seams).empty())
     return false;
-  return !two_points_hold(options, space);
+  return !two_points_hold(asked, space);
 }
 
-void require_scale(const ParametrizationOptions& options, const BezierMap& start) {
-  if (!collapses(options, start.space(), start.seams())) return;
+void require_scale(const MapOptions& asked, const BezierMap& start) {
+  if (!collapses(asked, start.space(), start.seams())) return;
   throw Error(ErrorKind::Usage,
               fmt::format("{}: the energy {} is smallest for a map shrunk to a point, and nothing "
                           "holds the scale; fix the boundary, hold two points at different places, "
                           "or add an energy that has a scale, such as symmetric Dirichlet",
-                          start.mesh().file(), names_of(options.energy)));
+                          start.mesh().file(), names_of(asked.energy)));
 }
 
 }  // namespace majorant

@@ -76,10 +76,10 @@ std::vector<FixedPoint> place_handles(const SurfaceMesh& mesh, const std::vector
 // Pins as fixed points: a target must be where the start has the vertex, up to rounding, because
 // the solver moves along maps that satisfy the constraints.
 std::vector<FixedPoint> place_pins(const SurfaceMesh& mesh, const Seams& seams,
-                                   const ParametrizationOptions& options, const Vec& start) {
+                                   const MapOptions& asked, const Vec& start) {
   const double tolerance = 1e-9 * start.cwiseAbs().maxCoeff();
   std::vector<FixedPoint> points;
-  for (const Pin& pin : options.pins) {
+  for (const Pin& pin : asked.pins) {
     require_vertex(mesh, pin);
     const Vector2 here = start.segment<2>(2 * pin.vertex);
     const Vector2 target = pin.target.value_or(here);
@@ -95,9 +95,8 @@ std::vector<FixedPoint> place_pins(const SurfaceMesh& mesh, const Seams& seams,
       throw Error(ErrorKind::Unsupported, fmt::format("{}: vertex {} is pinned twice; pin it once",
                                                       mesh.file(), mesh.input_vertex(pin.vertex)));
     // A fixed boundary, a seam or an aligned edge may already say the same, up to rounding.
-    const bool held =
-        !seams.empty() || !options.aligned.empty() ||
-        (options.boundary == BoundaryCondition::Fixed && on_boundary(mesh, pin.vertex));
+    const bool held = !seams.empty() || !asked.aligned.empty() ||
+                      (asked.boundary == BoundaryCondition::Fixed && on_boundary(mesh, pin.vertex));
     points.push_back({pin.vertex, held ? here : target});
   }
   return points;
@@ -180,25 +179,21 @@ Vec translated(Vec x, const Vector2& by) {
 
 }  // namespace
 
-NormalizedStart::NormalizedStart(const BezierMap& given, const ParametrizationOptions& options)
+NormalizedStart::NormalizedStart(const BezierMap& given, const MapOptions& asked)
     : scale_(normalizing_scale(given.mesh())), map_(given) {
-  require_face_weights(given.mesh(), options.face_weight);
+  require_face_weights(given.mesh(), asked.face_weight);
   MapSpecification& spec = specification_;
-  spec.aligned = nearest_axes(given, options.aligned);
+  static_cast<MapObjective&>(spec) = asked;
+  spec.aligned = nearest_axes(given, asked.aligned);
   const BezierMap start = spec.aligned.empty() ? given : aligned_map(given, spec.aligned);
   moved_ = largest_distance(given.control_points(), start.control_points());
   require_injective(start);
   spec.rest = flat_triangles(start.mesh().positions() * scale_, start.mesh().faces());
-  spec.energy = options.energy;
-  spec.face_weight = options.face_weight;
-  spec.boundary = options.boundary;
-  spec.boundary_angles = options.boundary_angles;
   spec.seams = start.shared_seams();
-  spec.pins = place_pins(start.mesh(), start.seams(), options, start.control_points());
+  spec.pins = place_pins(start.mesh(), start.seams(), asked, start.control_points());
   spec.handles =
-      place_handles(start.mesh(), options.handles, spec.pins, start.control_points(), scale_);
-  require_scale(options, start);
-  spec.handle_weight = options.handle_weight;
+      place_handles(start.mesh(), asked.handles, spec.pins, start.control_points(), scale_);
+  require_scale(asked, start);
   // Where nothing holds the map, its first held vertex moves to the origin.
   if (const auto gauge = gauge_vertices(spec, start.space());
       !gauge.empty() && spec.pins.empty() && spec.handles.empty())

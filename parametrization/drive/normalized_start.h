@@ -1,12 +1,12 @@
 // The start of an optimization in coordinates that suit it: the surface scaled by a power of two to
 // size about 1, exactly undone at the end, so that scaling the input changes nothing but rounding.
 //
-//   NormalizedStart start(map, options);
+//   NormalizedStart start(map, options.map);
 //   BezierMap optimized = start.map();   // minimized under start.specification()
 //   BezierMap result = start.in_model_units(optimized);
 #pragma once
 
-#include "majorant/parametrization/drive/parametrize.h"
+#include "majorant/parametrization/drive/map_options.h"
 #include "majorant/parametrization/maps/bezier_map.h"
 #include "majorant/parametrization/maps/bezier_mesh.h"
 #include "majorant/parametrization/maps/map_problem.h"
@@ -15,13 +15,13 @@ namespace majorant {
 
 class NormalizedStart {
  public:
-  // options.aligned: edges are projected onto their axis, seams kept, before anything else.
+  // asked.aligned: edges are projected onto their axis, seams kept, before anything else.
   // Throws Error(Infeasible) when the start is not locally injective, does not meet the pins or has
   // an aligned edge off its axis by more than kSeamTolerance,
   // Error(Unsupported) when a vertex is held twice or a handle's target too far away to compute
   // with (kLargestFactor), Error(Usage) for vertices that do not exist, face weights that do not
   // fit, and an energy that would shrink the map to a point (free_scale.h).
-  NormalizedStart(const BezierMap& start, const ParametrizationOptions& options);
+  NormalizedStart(const BezierMap& start, const MapOptions& asked);
 
   double scale() const { return scale_; }
   const BezierMap& map() const { return map_; }  // (uv - origin) * scale

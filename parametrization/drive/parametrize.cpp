@@ -4,40 +4,51 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 #include "majorant/framework/curvature_name.h"
 #include "majorant/framework/error.h"
-#include "majorant/parametrization/drive/bijective_solver.h"
 #include "majorant/parametrization/drive/degree_solver.h"
 #include "majorant/parametrization/drive/normalized_start.h"
 #include "majorant/parametrization/drive/solver_rules.h"
 #include "majorant/parametrization/injectivity/global_injectivity.h"
+#include "majorant/parametrization/scaffold/improve_mesh.h"
 #include "majorant/parametrization/starts/tutte.h"
 
 namespace majorant {
 namespace {
 
-void require_valid(const ParametrizationOptions& o) {
+void require_valid(const MapOptions& asked) {
   const auto refuse = [](const std::string& what) { throw Error(ErrorKind::Usage, what); };
-  if (o.degree < 1 || o.degree > BezierTriangleSpace::kMaxDegree)
-    refuse(fmt::format("degree {} is not one of 1..{}", o.degree, BezierTriangleSpace::kMaxDegree));
-  if (!(o.tolerance > 0) || !std::isfinite(o.tolerance))
-    refuse("the tolerance must be a positive number");
-  if (o.quadrature_points < 0) refuse("the number of quadrature points must not be negative");
-  if (o.injectivity == MapInjectivity::Global &&
-      (o.curvature == Curvature::Reweighted || o.curvature == Curvature::PaperMajorizer))
-    refuse(
-        fmt::format("the scaffold's energy has no curvature model '{}'; use projected, majorizer "
-                    "or exact",
-                    name(o.curvature)));
-  if (o.energy.empty()) refuse("no energy is given");
-  for (const WeightedEnergy& e : o.energy)
+  if (asked.degree < 1 || asked.degree > BezierTriangleSpace::kMaxDegree)
+    refuse(fmt::format("degree {} is not one of 1..{}", asked.degree,
+                       BezierTriangleSpace::kMaxDegree));
+  if (asked.energy.empty()) refuse("no energy is given");
+  for (const WeightedEnergy& e : asked.energy)
     if (!is_usable_weight(e.weight))
       refuse(fmt::format("the weight {:g} of an energy is not in {:g}..{:g}", e.weight,
                          1 / kLargestFactor, kLargestFactor));
-  if (!is_usable_weight(o.handle_weight))
-    refuse(fmt::format("the weight {:g} of soft handles is not in {:g}..{:g}", o.handle_weight,
+  if (!is_usable_weight(asked.handle_weight))
+    refuse(fmt::format("the weight {:g} of soft handles is not in {:g}..{:g}", asked.handle_weight,
                        1 / kLargestFactor, kLargestFactor));
+}
+
+void require_valid(const ParametrizationOptions& o) {
+  const auto refuse = [](const std::string& what) { throw Error(ErrorKind::Usage, what); };
+  require_valid(o.map);
+  if (!(o.solve.tolerance > 0) || !std::isfinite(o.solve.tolerance))
+    refuse("the tolerance must be a positive number");
+  if (o.solve.quadrature_points < 0) refuse("the number of quadrature points must not be negative");
+  if (o.map.injectivity == MapInjectivity::Global &&
+      (o.solve.curvature == Curvature::Reweighted ||
+       o.solve.curvature == Curvature::PaperMajorizer))
+    refuse(
+        fmt::format("the scaffold's energy has no curvature model '{}'; use projected, majorizer "
+                    "or exact",
+                    name(o.solve.curvature)));
+  if (o.solve.triangles == Triangles::Flipped && o.map.face_weight.size() > 0)
+    refuse("flipping edges changes the faces that weights are for; leave one of the two out");
 }
 
 // One degree after the other, from 1 (or, when asked, directly at the highest).
@@ -46,20 +57,20 @@ class Run {
   Run(const BezierMap& start, const ParametrizationOptions& options, RunRecord& record)
       : options_(options),
         record_(record),
-        start_(start, options),
+        start_(start, options.map),
         map_(start_.map()),
-        setup_{start_.specification(), options, record.stop()} {}
+        setup_{start_.specification(), options.solve, record.stop()} {}
 
   ParametrizationResult solve() {
     const double started = record_.seconds();
     result_.start_moved = start_.moved();
     Vec unused;
-    result_.initial_value = mean_density(map_, setup_.map.rest, options_.energy, unused);
-    if (options_.injectivity == MapInjectivity::Global) make_scaffold();
+    result_.initial_value = mean_density(map_, setup_.map.rest, options_.map.energy, unused);
+    domain_ = make_domain();
     SolveResult solved;
     solved.energy = result_.initial_value;
     try {
-      climb_degrees(solved);
+      raise_degree(solved);
     } catch (const Stopped& stop) {  // between two solves
       solved = stopped(std::move(solved), stop.why());
     }
@@ -69,14 +80,13 @@ class Run {
 
  private:
   // solved: of the last degree that was optimized.
-  void climb_degrees(SolveResult& solved) {
+  void raise_degree(SolveResult& solved) {
     if (!std::isfinite(result_.initial_value)) enter_domain();
     for (;;) {
       record_.stop().poll();
-      const bool last = map_.degree() == options_.degree;
-      if (last || options_.elevation == Elevation::Incremental) {
-        solved = options_.injectivity == MapInjectivity::Global ? optimize_bijective(last)
-                                                                : optimize(last);
+      const bool last = map_.degree() == options_.map.degree;
+      if (last || options_.solve.elevation == Elevation::Incremental) {
+        solved = optimize(last);
         if (limited(solved.status)) return;
       }
       if (last) return;
@@ -89,33 +99,28 @@ class Run {
   void enter_domain() {
     DegreeSolver::Setup gentle = setup_;
     gentle.map.energy = {{symmetric_dirichlet(), 1.0}};
-    gentle.options.curvature = Curvature::Projected;
-    if (options_.injectivity == MapInjectivity::Global) {
-      BijectiveSolver solver(gentle, map_.shared_space(), map_.control_points(), *scaffold_);
-      solver.approach(options_.elevation_tolerance, record_);
-      map_ = map_.with(map_.shared_space(), solver.x());
-      scaffold_ = solver.scaffold();
-      return;
-    }
-    DegreeSolver solver(gentle, map_.shared_space(), map_.control_points());
+    gentle.solve.curvature = Curvature::Projected;
+    DegreeSolver solver(gentle, *domain_, map_.shared_space(), map_.control_points());
     solver.soften_start(record_);
-    solver.approach(options_.elevation_tolerance, record_);
+    solver.approach(options_.solve.elevation_tolerance, record_, Phase::Entry);
     map_ = map_.with(map_.shared_space(), solver.x());
   }
 
   SolveResult optimize(bool last) {
-    DegreeSolver solver(setup_, map_.shared_space(), map_.control_points());
+    DegreeSolver solver(setup_, *domain_, map_.shared_space(), map_.control_points());
     solver.soften_start(record_);
-    SolveResult solved =
-        last ? solver.finish(record_) : solver.approach(options_.elevation_tolerance, record_);
+    SolveResult solved = last ? solver.finish(record_)
+                              : solver.approach(options_.solve.elevation_tolerance, record_);
     map_ = map_.with(map_.shared_space(), solver.x());
     account(solver);
     return solved;
   }
 
-  void make_scaffold() {
+  std::unique_ptr<MapDomain> make_domain() const {
+    if (options_.map.injectivity == MapInjectivity::Local) return std::make_unique<PlainDomain>();
     try {
-      scaffold_.emplace(map_.shared_space(), map_.control_points());
+      return std::make_unique<ScaffoldedDomain>(
+          Scaffold(map_.shared_space(), map_.control_points()), options_.solve.scaffold_flips);
     } catch (const Error& e) {
       throw Error(e.kind(),
                   fmt::format("{}: the start overlaps itself ({}); start from another map "
@@ -124,38 +129,17 @@ class Run {
     }
   }
 
-  // What was held by the scaffold, proven once more from the boundary of what is returned.
-  void prove_no_overlaps() {
-    const GlobalInjectivity proof = check_boundary(*result_.map);
-    if (proof.result == Injectivity::Violated) result_.status = Status::Failed;
-    if (proof.result != Injectivity::Undecided || result_.status != Status::Converged) return;
-    result_.status = Status::Stalled;
-    result_.message = "boundary curves touch to within rounding: " + proof.reason;
-  }
-
-  SolveResult optimize_bijective(bool last) {
-    BijectiveSolver solver(setup_, map_.shared_space(), map_.control_points(), *scaffold_);
-    SolveResult solved =
-        last ? solver.finish(record_) : solver.approach(options_.elevation_tolerance, record_);
-    map_ = map_.with(map_.shared_space(), solver.x());
-    scaffold_ = solver.scaffold();
-    result_.flips.intended += solver.flips().intended;
-    result_.flips.performed += solver.flips().performed;
-    account(solver);
-    return solved;
-  }
-
   void elevate() {
     map_ = map_.elevated();
-    if (scaffold_) scaffold_ = scaffold_->elevated(map_.shared_space());
+    domain_->elevate(map_.shared_space());
   }
 
   static bool limited(Status s) { return s != Status::Converged && s != Status::Stalled; }
 
-  template <class Solver>
-  void account(const Solver& solver) {
+  void account(const DegreeSolver& solver) {
     result_.injectivity_tests =
         add_counts(std::move(result_.injectivity_tests), solver.injectivity_depth_counts());
+    result_.remedies = solver.remedies();
     result_.variables = solver.variables();
     result_.constraint_residual = solver.constraint_residual() / start_.scale();
     result_.handle_distance = 0;
@@ -168,21 +152,71 @@ class Run {
   // A run that a limit ended below the degree asked for is elevated all the same: valid, and of
   // the promised degree.
   ParametrizationResult conclude(const SolveResult& solved) {
-    while (map_.degree() < options_.degree) elevate();
+    while (map_.degree() < options_.map.degree) elevate();
     result_.status = solved.status;
     result_.message = solved.message;
     result_.value_quadrature = solved.energy;
     result_.newton_decrement = relative_to(solved.energy, solved.newton_decrement);
     result_.map = start_.in_model_units(map_);
-    if (scaffold_) result_.scaffold = start_.in_model_units(scaffold_->mesh());
-    const double started = record_.seconds();
-    result_.measures = measure(*result_.map, options_.energy, record_.stop());
-    result_.measure_seconds = record_.seconds() - started;
-    if (!result_.measures.locally_injective) result_.status = Status::Failed;
-    if (solved.status == Status::Failed && result_.measures.locally_injective)
+    result_.flips = domain_->flips();
+    result_.scaffold_seconds = domain_->seconds();
+    const std::optional<Scaffold> scaffold = domain_->surroundings();
+    if (scaffold) result_.scaffold = start_.in_model_units(scaffold->mesh());
+    take_measures();
+    if (!result_.measures.locally_injective)
+      fail(unproven());
+    else if (solved.status == Status::Failed)
       result_.status = Status::Stalled;
-    if (scaffold_ && result_.status != Status::Failed) prove_no_overlaps();
+    if (scaffold && result_.status != Status::Failed) prove_no_overlaps();
+    if (options_.solve.triangles == Triangles::Flipped && result_.status != Status::Failed &&
+        record_.directive() == Directive::Continue)
+      flip_triangles();
     return std::move(result_);
+  }
+
+  void take_measures() {
+    const double started = record_.seconds();
+    result_.measures = measure(*result_.map, options_.map.energy, record_.stop());
+    result_.measure_seconds += record_.seconds() - started;
+  }
+
+  void flip_triangles() {
+    const double started = record_.seconds();
+    ImprovedMap improved = improve_mesh(*result_.map, options_.map.energy, record_.stop());
+    result_.optimize_seconds += record_.seconds() - started;
+    result_.flips.intended += improved.flips.intended;
+    result_.flips.performed += improved.flips.performed;
+    result_.other_triangles = improved.flips.performed > 0;
+    result_.map = std::move(improved.map);
+    take_measures();
+  }
+
+  // The solver is done, its result is not what it should be.
+  void fail(const std::string& proof) {
+    result_.status = Status::Failed;
+    result_.message = fmt::format("the result fails its own proof: {} (the solver ended with: {})",
+                                  proof, result_.message);
+  }
+
+  std::string unproven() const {
+    const SurfaceMesh& mesh = result_.map->mesh();
+    Index face = 0;
+    const double least = result_.measures.min_det.minCoeff(&face);
+    if (!(least > 0))
+      return fmt::format("face {} ({} in all) is not proven to be positively oriented",
+                         mesh.input_face(face) + 1,
+                         (result_.measures.min_det.array() <= 0).count());
+    return "angle sums at inner vertices are not full turns";
+  }
+
+  // What was held by the scaffold, proven once more from the boundary of what is returned.
+  void prove_no_overlaps() {
+    const GlobalInjectivity proof = check_boundary(*result_.map);
+    if (proof.result == Injectivity::Violated)
+      fail("the image overlaps itself" + (proof.reason.empty() ? "" : ": " + proof.reason));
+    if (proof.result != Injectivity::Undecided || result_.status != Status::Converged) return;
+    result_.status = Status::Stalled;
+    result_.message = "boundary curves touch to within rounding: " + proof.reason;
   }
 
   const ParametrizationOptions& options_;
@@ -190,22 +224,21 @@ class Run {
   NormalizedStart start_;
   BezierMap map_;  // normalised
   DegreeSolver::Setup setup_;
-  std::optional<Scaffold> scaffold_;  // around map_, of MapInjectivity::Global
+  std::unique_ptr<MapDomain> domain_;  // around map_
   ParametrizationResult result_;
 };
 
 }  // namespace
 
-Vec initial_map(const SurfaceMesh& mesh, const ParametrizationOptions& options,
-                const StopCheck& stop) {
+Vec initial_map(const SurfaceMesh& mesh, const MapOptions& asked, const StopCheck& stop) {
   // Holes are kept open, and free of overlaps, by the scaffold inside them.
-  if (options.injectivity == MapInjectivity::Global)
+  if (asked.injectivity == MapInjectivity::Global)
     mesh.require_planar();
   else
     mesh.require_disk();
-  if (options.initial && options.initial->size() != 2 * mesh.vertex_count())
+  if (asked.initial && asked.initial->size() != 2 * mesh.vertex_count())
     throw Error(ErrorKind::Usage, mesh.file() + ": the initial map needs 2 numbers per vertex");
-  return options.initial ? *options.initial : tutte_map(mesh, stop);
+  return asked.initial ? *asked.initial : tutte_map(mesh, stop);
 }
 
 ParametrizationResult parametrize(const BezierMap& start, const ParametrizationOptions& options,
@@ -219,7 +252,8 @@ ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,
                                   const ParametrizationOptions& options, RunRecord& record) {
   require_valid(options);
   const double started = record.seconds();
-  const BezierMap start = BezierMap::linear(mesh, initial_map(*mesh, options, record.start_stop()));
+  const BezierMap start =
+      BezierMap::linear(mesh, initial_map(*mesh, options.map, record.start_stop()));
   const double initialize_seconds = record.seconds() - started;
   ParametrizationResult result = parametrize(start, options, record);
   result.initialize_seconds = initialize_seconds;

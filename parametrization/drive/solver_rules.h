@@ -1,5 +1,5 @@
-// What the solvers of one degree have in common (degree_solver.h, bijective_solver.h): when they
-// soften a start, how deep they bisect, how often they refine.
+// Rules of the solver of one degree (degree_solver.h): when it softens a start, how deep it
+// bisects, how often it refines.
 #pragma once
 
 #include <vector>

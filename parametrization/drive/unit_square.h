@@ -1,7 +1,7 @@
 // A layout moved into the unit square, aspect ratio kept: before it is certified, since rounding
 // can turn triangles over that are small beside the layout.
 //
-//   std::optional<InUnitSquare> normalized = into_unit_square(map, options.energy);
+//   std::optional<InUnitSquare> normalized = into_unit_square(map, options.map.energy);
 //   if (normalized) normalized->map;            // as certified as the map was
 #pragma once
 

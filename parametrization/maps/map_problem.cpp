@@ -11,14 +11,6 @@
 namespace majorant {
 namespace {
 
-// The vertices that faces connect, of all connected components.
-UnionFind vertex_components(const BezierTriangleSpace& space) {
-  UnionFind components(space.vertex_count());
-  for (Index f = 0; f < space.element_count(); ++f)
-    for (const int k : {1, 2}) components.join(space.faces()(f, 0), space.faces()(f, k));
-  return components;
-}
-
 const Seams& seams_of(const MapSpecification& spec) {
   static const Seams none;
   return spec.seams ? *spec.seams : none;
@@ -26,22 +18,24 @@ const Seams& seams_of(const MapSpecification& spec) {
 
 }  // namespace
 
-std::vector<Index> pieces_of(const BezierTriangleSpace& space) {
-  const Pieces pieces(space);
-  std::vector<Index> out(static_cast<std::size_t>(space.vertex_count()));
-  for (Index v = 0; v < space.vertex_count(); ++v) out[static_cast<std::size_t>(v)] = pieces.of(v);
-  return out;
+std::vector<Index> vertex_components(const BezierTriangleSpace& space) {
+  UnionFind components(space.vertex_count());
+  for (Index f = 0; f < space.element_count(); ++f)
+    for (const int k : {1, 2}) components.join(space.faces()(f, 0), space.faces()(f, k));
+  std::vector<Index> component(at(space.vertex_count()));
+  for (Index v = 0; v < space.vertex_count(); ++v) component[at(v)] = components.find(v);
+  return component;
 }
 
 std::vector<Index> gauge_vertices(const MapSpecification& spec, const BezierTriangleSpace& space) {
-  UnionFind components = vertex_components(space);
+  const std::vector<Index> component = vertex_components(space);
   std::vector<char> is_held(at(space.vertex_count()), 0);
   std::vector<char> on_seam = is_held;
   for (const auto* points : {&spec.pins, &spec.handles})
-    for (const FixedPoint& p : *points) is_held[at(components.find(p.node))] = 1;
+    for (const FixedPoint& p : *points) is_held[at(component[at(p.node)])] = 1;
   if (spec.boundary == BoundaryCondition::Fixed)
     for (const Index node : boundary_nodes(space, seams_of(spec)))
-      if (node < space.vertex_count()) is_held[at(components.find(node))] = 1;
+      if (node < space.vertex_count()) is_held[at(component[at(node)])] = 1;
   for (const SeamEdge& edge : seams_of(spec).edges())
     for (const Index h : {edge.side, edge.opposite})
       for (const Index v : {from_vertex(space.faces(), h), to_vertex(space.faces(), h)})
@@ -50,7 +44,7 @@ std::vector<Index> gauge_vertices(const MapSpecification& spec, const BezierTria
   std::vector<Index> gauge;
   for (const char allowed : {0, 1})
     for (Index v = 0; v < space.vertex_count(); ++v) {
-      char& held = is_held[at(components.find(v))];
+      char& held = is_held[at(component[at(v)])];
       if (held || on_seam[at(v)] > allowed) continue;
       held = 1;
       gauge.push_back(v);
@@ -66,15 +60,16 @@ DensityTerms energy_terms(const MapSpecification& spec,
   return terms;
 }
 
-void add_map(ProblemBuilder& builder, const MapSpecification& spec,
-             const std::shared_ptr<const BezierTriangleSpace>& space, VecIn start,
-             const DensityTerms& terms) {
+EnergyIds add_map(ProblemBuilder& builder, const MapSpecification& spec,
+                  const std::shared_ptr<const BezierTriangleSpace>& space, VecIn start,
+                  const DensityTerms& terms) {
   const double area = spec.rest.measure.sum();
+  EnergyIds energies;
   for (std::size_t k = 0; k < terms.size(); ++k) {
     TermState state;
     state.weight = spec.energy[k].weight / area;
     state.element_weight = spec.face_weight;
-    builder.add(terms[k], state);
+    energies.push_back(builder.add(terms[k], state));
   }
   if (spec.boundary_angles == BoundaryAngles::AtMostFullTurn)
     builder.add(
@@ -87,34 +82,36 @@ void add_map(ProblemBuilder& builder, const MapSpecification& spec,
     builder.add(std::make_shared<const QuadraticPenalty>(FixedPoints(spec.handles)),
                 spec.handle_weight / area);
   if (!spec.pins.empty()) builder.add(FixedPoints(spec.pins));
+  return energies;
 }
 
-Problem map_problem(const MapSpecification& spec,
-                    const std::shared_ptr<const BezierTriangleSpace>& space, VecIn start,
-                    const DensityTerms& terms,
-                    std::shared_ptr<const FeasibilityChecker> injectivity) {
+MapProblem map_problem(const MapSpecification& spec,
+                       const std::shared_ptr<const BezierTriangleSpace>& space, VecIn start,
+                       const DensityTerms& terms,
+                       std::shared_ptr<const FeasibilityChecker> injectivity) {
   ProblemBuilder builder(2 * space->node_count());
-  add_map(builder, spec, space, start, terms);
+  EnergyIds energies = add_map(builder, spec, space, start, terms);
   if (injectivity) builder.add(std::move(injectivity));
   builder.add(FixedPoints::at(gauge_vertices(spec, *space), start));
-  return builder.build();
+  return {builder.build(), std::move(energies)};
 }
 
-std::vector<TermState> energy_states(const MapSpecification& spec, const Problem& problem,
-                                     const std::vector<RuleId>& rules, const Vec& element_weight) {
-  std::vector<TermState> states;
-  for (std::size_t k = 0; k < problem.term_count(); ++k) {
-    states.push_back(problem.state(k));
-    if (k >= spec.energy.size()) continue;
-    states[k].element_rule = rules;
-    states[k].element_weight = spec.face_weight;
-    if (element_weight.size() == 0) continue;
-    if (spec.face_weight.size() == 0)
-      states[k].element_weight = element_weight;
-    else
-      states[k].element_weight.array() *= element_weight.array();
+TermChanges energy_states(const MapSpecification& spec, const EnergyIds& energies,
+                          const std::vector<RuleId>& rules, const Vec& element_weight) {
+  const double area = spec.rest.measure.sum();
+  TermChanges changes;
+  for (std::size_t k = 0; k < energies.size(); ++k) {
+    TermState state;
+    state.weight = spec.energy[k].weight / area;
+    state.element_rule = rules;
+    state.element_weight = spec.face_weight;
+    if (element_weight.size() > 0 && spec.face_weight.size() == 0)
+      state.element_weight = element_weight;
+    else if (element_weight.size() > 0)
+      state.element_weight.array() *= element_weight.array();
+    changes.emplace_back(energies[k], std::move(state));
   }
-  return states;
+  return changes;
 }
 
 Vec energy_by_face(const MapSpecification& spec, const DensityTerms& terms,

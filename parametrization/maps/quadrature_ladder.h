@@ -3,7 +3,7 @@
 // The paper's lattices let det J run to 0 at element corners unseen (method.md N12). Ours: Radon's
 // rule on subtriangles, plus guard points of small total weight on the element's boundary, which
 // make it a barrier. Most elements stay on level 0 for good; an element that blocks a run, or whose
-// integral level 0 gets wrong, climbs.
+// integral level 0 gets wrong, is refined.
 #pragma once
 
 #include <vector>

@@ -16,18 +16,18 @@ std::vector<Quadrature> QuadratureLevels::rules() const {
   return rules;
 }
 
-bool QuadratureLevels::climb(const std::vector<Index>& faces) {
-  bool climbed = false;
+bool QuadratureLevels::refine(const std::vector<Index>& faces) {
+  bool refined = false;
   for (const Index f : faces) {
     RuleId& level = level_[at(f)];
     if (level >= ladder_.top()) continue;
     ++level;
-    climbed = true;
+    refined = true;
   }
-  return climbed;
+  return refined;
 }
 
-bool QuadratureLevels::climb_inaccurate(const MapSpecification& spec, const DensityTerms& terms,
+bool QuadratureLevels::refine_inaccurate(const MapSpecification& spec, const DensityTerms& terms,
                                         VecIn x, const StopCheck& stop) {
   if (ladder_.top() == 0) return false;
   const auto plain = [&](int above) {
@@ -47,7 +47,7 @@ bool QuadratureLevels::climb_inaccurate(const MapSpecification& spec, const Dens
     left -= error[f];
     worst.push_back(f);
   }
-  return climb(worst);
+  return refine(worst);
 }
 
 }  // namespace majorant

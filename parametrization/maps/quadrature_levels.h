@@ -1,5 +1,5 @@
 // Which rule of a quadrature ladder each face uses: most stay on level 0 for good; a face that
-// blocks a run, or whose integral its rule gets wrong, climbs.
+// blocks a run, or whose integral its rule gets wrong, is refined.
 #pragma once
 
 #include <vector>
@@ -18,11 +18,11 @@ class QuadratureLevels {
   std::vector<Quadrature> rules() const;
   const std::vector<RuleId>& of_faces() const { return level_; }
 
-  // One level up, where there is one; whether any face climbed.
-  bool climb(const std::vector<Index>& faces);
-  // The faces whose integrals are worst climb, until the error of the rest is below 3e-5 of the
+  // One level finer, where there is one; whether any face has changed.
+  bool refine(const std::vector<Index>& faces);
+  // Refines the faces whose integrals are worst, until the error of the rest is below 3e-5 of the
   // energy. terms: on rules(). Throws Stopped, the levels unchanged.
-  bool climb_inaccurate(const MapSpecification& spec, const DensityTerms& terms, VecIn x,
+  bool refine_inaccurate(const MapSpecification& spec, const DensityTerms& terms, VecIn x,
                         const StopCheck& stop);
 
  private:

@@ -1,7 +1,7 @@
 // Better triangles for a map where the surface does not care: edges inside flat parts are flipped.
 //
 //   ParametrizationResult first = parametrize(mesh, options);
-//   ImprovedMap better = improve_mesh(*first.map, options.energy);
+//   ImprovedMap better = improve_mesh(*first.map, options.map.energy);
 //   better.map.mesh();   // the same surface with other triangles; as injective as before
 //
 // Two faces in one plane may be any two triangles of their quadrilateral: the surface stays what it

@@ -1,7 +1,7 @@
 // The energy of many separate pairs of Bezier triangles, minimized over the control points inside
 // each pair: Newton's method for all pairs at once, with a step length for each of them.
 //
-//   const PairEnergy pairs(space, rest, options.energy, rule);
+//   const PairEnergy pairs(space, rest, options.map.energy, rule);
 //   pairs.minimize(x);                   // x is certified before and after
 //   const Vec value = pairs.values(x);   // one a face
 //

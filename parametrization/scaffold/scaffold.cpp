@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -195,11 +196,13 @@ void Scaffold::relax(int steps, int depth, const StopCheck& stop) {
   NewtonOptions options;
   options.stop = stop;
   NewtonStepper stepper(problem, options);
-  Vec y = problem.reduce(x);
-  double energy = stepper.evaluator().value(y);
-  for (int k = 0; k < steps && std::isfinite(energy); ++k)
-    if (stepper.step(y, energy).outcome != Stepper::Outcome::Moved) break;
-  scatter(problem.expand(y), own_->cells(), mesh_);
+  const Vec y = problem.reduce(x);
+  const double energy = stepper.evaluator().value(y);
+  if (!std::isfinite(energy)) return;
+  // However little a step gains: what it gains is room for the image's next one.
+  constexpr double kAnyDecrease = -std::numeric_limits<double>::infinity();
+  const SolveResult relaxed = stepper.descend_from(y, energy, brief_rules(steps, kAnyDecrease));
+  scatter(problem.expand(relaxed.y), own_->cells(), mesh_);
 }
 
 Points2 Scaffold::frame_points() const {

@@ -1,7 +1,9 @@
 // A surface cut open whose transitions are known: what a seamless map is made on.
 //
-//   const CutSurface cut = cut_open(mesh, is_cut, field.turns, field.quarter_turns);
-//   BezierMap map = BezierMap::linear(cut.mesh, project_to_seams(cut, uv, nullptr), cut.seams);
+//   CrossField field = smoothest_cross_field(*mesh);
+//   comb(*mesh, is_cut, field);
+//   const CutSurface cut = cut_open(*mesh, is_cut, field.turns, field.quarter_turns);
+//   BezierMap map = BezierMap::linear(cut.mesh, project_to_seams(cut, x, nullptr), cut.seams);
 #pragma once
 
 #include <memory>

@@ -107,17 +107,13 @@ BezierMap integrate_field(const SurfaceMesh& mesh, const std::vector<char>& is_c
   NewtonOptions options;
   options.curvature = Curvature::Exact;
   NewtonStepper stepper(problem, options);
-  Vec y = Vec::Zero(problem.size());
-  double energy = stepper.evaluator().value(y);
-  for (int k = 0; k < 2; ++k) {
-    const Stepper::Step step = stepper.step(y, energy);
-    if (step.outcome == Stepper::Outcome::Breakdown)
-      throw Error(ErrorKind::Infeasible,
-                  mesh.file() +
-                      ": the field's linear system is singular; check the mesh with "
-                      "`majorant info`");
-  }
-  return map.with(map.shared_space(), problem.expand(y));
+  const SolveResult solved = stepper.minimize(Vec::Zero(problem.size()), brief_rules(2, 0));
+  if (solved.status == Status::Failed || solved.status == Status::Infeasible)
+    throw Error(ErrorKind::Infeasible,
+                mesh.file() +
+                    ": the field's linear system is singular; check the mesh with "
+                    "`majorant info`");
+  return map.with(map.shared_space(), problem.expand(solved.y));
 }
 
 }  // namespace majorant

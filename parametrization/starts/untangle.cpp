@@ -24,10 +24,10 @@ class Untangler {
             VecIn start, const RunRecord& record, double first_eps)
       : spec_(untangling(spec)),
         injectivity_(space, 2 * spec.rest.measure),
-        problem_(map_problem(spec_, space, start, energy_terms(spec_, space, {lattice_rule(1)}),
-                             nullptr)),
-        stepper_(problem_, newton_options(record.start_stop())),
-        y_(problem_.reduce(start)),
+        map_(map_problem(spec_, space, start, energy_terms(spec_, space, {lattice_rule(1)}),
+                         nullptr)),
+        stepper_(map_.problem, newton_options(record.start_stop())),
+        y_(map_.problem.reduce(start)),
         first_eps_(first_eps > 0 ? first_eps : own_first_eps(spec)) {}
 
   UntangleResult run(const RunRecord& record) {
@@ -36,7 +36,7 @@ class Untangler {
       if (round % kRounds == 0) eps_ = first_eps_;
       set_eps();
       const double before = stepper_.evaluator().value(y_);
-      const double after = descend(before, record);
+      const double after = descend(before, record.start_stop());
       worst = update();
       if (record.start_stop()() != Directive::Continue) break;
       shrink(worst, before, after);
@@ -64,28 +64,26 @@ class Untangler {
     return options;
   }
 
+  TermId energy() const { return map_.energies.front(); }
+
   void set_eps() {
-    std::vector<TermState> states;
-    for (std::size_t k = 0; k < problem_.term_count(); ++k) states.push_back(problem_.state(k));
-    states.front().parameters = Vec::Constant(1, eps_);
-    stepper_.reset(problem_.with(std::move(states)));
+    TermState state = map_.problem.state(energy());
+    state.parameters = Vec::Constant(1, eps_);
+    stepper_.reset(map_.problem.with({{energy(), state}}));
   }
 
-  double descend(double energy, const RunRecord& record) {
-    for (int k = 0; k < kStepsPerRound; ++k) {
-      const Stepper::Step step = stepper_.step(y_, energy);
-      ++result_.iterations;
-      if (step.outcome != Stepper::Outcome::Moved ||
-          step.record.relative_decrease < kRoundTolerance ||
-          record.start_stop()() != Directive::Continue)
-        break;
-    }
-    return energy;
+  double descend(double energy, const StopCheck& stop) {
+    SolveResult round =
+        stepper_.descend_from(std::move(y_), energy, brief_rules(kStepsPerRound, kRoundTolerance),
+                              [&](const IterationRecord&, const Vec&) { return stop(); });
+    y_ = std::move(round.y);
+    result_.iterations += static_cast<int>(round.iterations.size());
+    return round.energy;
   }
 
   // The worst determinant; finds the elements that are left.
   double update() {
-    result_.x = problem_.expand(y_);
+    result_.x = map_.problem.expand(y_);
     Verdict verdict = injectivity_.check(result_.x);
     result_.inverted = std::move(verdict.blocking);
     return verdict.margin;
@@ -99,7 +97,7 @@ class Untangler {
 
   MapSpecification spec_;
   LocalInjectivity injectivity_;
-  Problem problem_;
+  MapProblem map_;
   NewtonStepper stepper_;
   Vec y_;
   double first_eps_, eps_ = 0;

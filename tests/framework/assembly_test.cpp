@@ -33,7 +33,8 @@ void expect_matches_dense(const Problem& problem, const TermList& terms, Random&
   const Vec x = problem.expand(y);
   Eigen::MatrixXd h = Eigen::MatrixXd::Zero(x.size(), x.size());
   Vec g = Vec::Zero(x.size());
-  for (std::size_t k = 0; k < terms.size(); ++k) terms[k]->add_dense(x, problem.state(k), h, g);
+  for (std::size_t k = 0; k < terms.size(); ++k)
+    terms[k]->add_dense(x, problem.state(problem.terms()[k]), h, g);
   const Eigen::MatrixXd z = test::dense_z(problem.elimination());
 
   Evaluator evaluator(problem);
@@ -96,7 +97,7 @@ TEST_P(Assembly, ManyChunks) {
   const auto term =
       std::make_shared<const QuadraticTerm>(test::band_stencils(300, 4, block), random);
   const Problem problem = ProblemBuilder(303 * block).add(term, 1.0).build();
-  EXPECT_GT(problem.plan(0).chunk_count(), 2);
+  EXPECT_GT(problem.plan(problem.terms().front()).chunk_count(), 2);
   expect_matches_dense(problem, {term}, random);
 }
 
@@ -133,16 +134,26 @@ TEST_P(Assembly, SeveralTermsWeightsAndRules) {
   for (int e = 0; e < 200; ++e) state.element_rule.push_back(random.integer(0, 3));
   Rows rows;
   rows.row({{0, 1}, {7, -1}}, 0).row({{3, 1}}, 1);
-  const Problem problem = ProblemBuilder(20 * block).add(a, state).add(b, 3).add(rows).build();
+  ProblemBuilder builder(20 * block);
+  const TermId first = builder.add(a, state);
+  const TermId second = builder.add(b, 3);
+  const Problem problem = builder.add(rows).build();
   expect_matches_dense(problem, {a, b}, random);
   expect_exact_pattern(problem, {a, b});
 
   std::reverse(state.element_rule.begin(), state.element_rule.end());
   TermState other;
   other.weight = 7;
-  const Problem changed = problem.with({state, other});
+  const Problem one = problem.with({{second, other}});
+  EXPECT_EQ(one.state(second).weight, 7);
+  EXPECT_EQ(one.state(first).element_rule, problem.state(first).element_rule) << "kept";
+  expect_matches_dense(one, {a, b}, random);
+  const Problem changed = one.with({{first, state}});
+  EXPECT_EQ(changed.state(second).weight, 7);
+  EXPECT_EQ(changed.state(first).element_rule, state.element_rule);
   EXPECT_TRUE(changed.same_structure(problem));
   expect_matches_dense(changed, {a, b}, random);
+  EXPECT_THROW(problem.with({{TermId(2), other}}), std::invalid_argument);
   expect_matches_dense(problem, {a, b}, random);  // unchanged
 }
 

@@ -31,7 +31,7 @@ TEST(Ceres, TheScaleMakesTheGradientRuleRelative) {
   ChainProblem chain(10);
   TermState state;
   state.weight = 1e-12;
-  const Problem tiny = chain.problem.with({state});
+  const Problem tiny = chain.problem.with({{chain.problem.terms().front(), state}});
   const double best = 1e-12 * chain.term->best_energy();
   CeresOptions o;
   const SolveResult early = CeresMinimizer(o).minimize(tiny, chain.start, {});

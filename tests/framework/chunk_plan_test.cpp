@@ -154,13 +154,13 @@ TEST_F(Threads, ChunksOfOneColourShareNoReducedUnknown) {
   const test::Mesh mesh = test::grid(40, 40);
   const Problem problem = seam_problem(random, mesh);
   const Elimination& z = problem.elimination();
-  const Stencils& s = problem.term(0).stencils();
+  const Stencils& s = problem.term(problem.terms().front()).stencils();
   int shared = 0;
-  for (const auto& colour : problem.plan(0).colours()) {
+  for (const auto& colour : problem.plan(problem.terms().front()).colours()) {
     std::set<Index> unknowns;
     for (const Index c : colour) {
       std::set<Index> own;
-      for (const Index e : problem.plan(0).chunk(c).elements)
+      for (const Index e : problem.plan(problem.terms().front()).chunk(c).elements)
         for (Index k = 0; k < s.nodes.cols(); ++k)
           for (int b = 0; b < s.block; ++b)
             for (auto q = z.begin(s.block * s.nodes(e, k) + b);

@@ -55,7 +55,8 @@ class FlowForTests final : public Minimizer {
   explicit FlowForTests(int max_iterations) { options_.stopping.max_iterations = max_iterations; }
   SolveResult minimize(const Problem& problem, Vec y0, const Observer& observer) const override {
     GradientFlowOptions o = options_;
-    if (problem.term_count() == 1 && problem.term(0).name() == "barrier chain")
+    if (problem.terms().size() == 1 &&
+        problem.term(problem.terms().front()).name() == "barrier chain")
       o.metric = dirichlet(problem);
     return GradientFlowMinimizer(o).minimize(problem, std::move(y0), observer);
   }

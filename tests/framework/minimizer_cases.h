@@ -217,7 +217,7 @@ TYPED_TEST_P(MinimizerCases, EnergiesThatEndAreNotMinima) {
 TYPED_TEST_P(MinimizerCases, DoesNotDependOnThreads) {
   const ChainProblem chain(3000);
   const int before = threads();
-  ASSERT_GT(chain.problem.plan(0).chunk_count(), 16);
+  ASSERT_GT(chain.problem.plan(chain.problem.terms().front()).chunk_count(), 16);
   set_threads(1);
   const SolveResult one = this->minimize(chain.problem, chain.start, {}, 15);
   ASSERT_EQ(one.iterations.size(), 15u);

@@ -63,7 +63,7 @@ TEST(Newton, SolvesAQuadraticInOneStep) {
 
   Eigen::MatrixXd h = Eigen::MatrixXd::Zero(64, 64);
   Vec g = Vec::Zero(64);
-  term->add_dense(Vec(problem.expand(Vec::Zero(62))), problem.state(0), h, g);
+  term->add_dense(Vec(problem.expand(Vec::Zero(62))), problem.state(problem.terms().front()), h, g);
   const Eigen::MatrixXd z = test::dense_z(problem.elimination());
   const Vec expected = (z.transpose() * h * z).ldlt().solve(-z.transpose() * g);
   EXPECT_LE((r.y - expected).norm(), 1e-8 * expected.norm());
@@ -306,13 +306,13 @@ TEST(Newton, StepperGoesOnWithAnotherState) {
   const auto b = std::make_shared<const Chain>(3, parabola(1, 1));
   const Problem problem = ProblemBuilder(3).add(a, 1).add(b, 0).build();
   NewtonStepper stepper(problem, options());
-  SolveResult r = run(stepper, Vector3(3, 4, 5), {}, {});
+  SolveResult r = stepper.minimize(Vector3(3, 4, 5), {});
   EXPECT_EQ(r.status, Status::Converged);
   EXPECT_LE(r.y.norm(), 1e-6);
   TermState first, second;
   first.weight = 0;
-  stepper.reset(problem.with({first, second}));
-  r = run(stepper, r.y, {}, {});
+  stepper.reset(problem.with({{problem.terms()[0], first}, {problem.terms()[1], second}}));
+  r = stepper.minimize(r.y, {});
   EXPECT_LE((r.y - Vec::Ones(3)).norm(), 1e-6);
 }
 
@@ -322,11 +322,11 @@ TEST(Newton, AnotherStateForgetsTheLastDecrement) {
   const auto b = std::make_shared<const Chain>(3, double_well());
   const Problem problem = ProblemBuilder(3).add(a, 1).add(b, 0).build();
   NewtonStepper stepper(problem, options(Curvature::Projected));
-  const SolveResult r = run(stepper, Vector3(1e-3, 1e-3, 1e-3), {}, {});
+  const SolveResult r = stepper.minimize(Vector3(1e-3, 1e-3, 1e-3), {});
   ASSERT_EQ(r.status, Status::Converged);
   TermState off, on;
   off.weight = 0;
-  stepper.reset(problem.with({off, on}));
+  stepper.reset(problem.with({{problem.terms()[0], off}, {problem.terms()[1], on}}));
   Vec y = Vector3(2, 3, 4);
   double energy = stepper.evaluator().value(y);
   EXPECT_EQ(stepper.step(y, energy).record.curvature, Curvature::Projected);

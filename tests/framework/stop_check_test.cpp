@@ -52,7 +52,7 @@ TEST(StopCheck, PollsAtMultiplesOfItsPeriod) {
 // Each chunk of elements is asked for, and none is evaluated after a stop.
 TEST(StopCheck, EvaluationsAskBeforeEveryChunk) {
   const ChainProblem chain(3000, 1);
-  const long chunks = chain.problem.plan(0).chunk_count();
+  const long chunks = chain.problem.plan(chain.problem.terms().front()).chunk_count();
   ASSERT_GE(chunks, 20);
   Evaluator evaluator(chain.problem);
   Vec g, h;
@@ -103,7 +103,7 @@ std::unique_ptr<Minimizer> made(const StopCheck& stop) {
 // Wherever it is stopped, a minimizer returns the last point that it told of, at once.
 TEST(StopCheck, MinimizersReturnTheLastAcceptedPoint) {
   const ChainProblem chain(20, 2);
-  const long chunks = chain.problem.plan(0).chunk_count();
+  const long chunks = chain.problem.plan(chain.problem.terms().front()).chunk_count();
   using Maker = std::unique_ptr<Minimizer> (*)(const StopCheck&);
   const Maker makers[] = {made<NewtonMinimizer, NewtonOptions>, made<LbfgsMinimizer, LbfgsOptions>,
                           made<GradientFlowMinimizer, GradientFlowOptions>,

@@ -18,7 +18,7 @@ Cells cells_of(const std::vector<std::array<Index, 3>>& faces) {
   return cells;
 }
 
-Cells cells_of(const PolygonMesh& mesh) {
+Cells faces_of(const PolygonMesh& mesh) {
   std::vector<std::array<Index, 3>> faces;
   for (const auto& p : mesh.polygons) faces.push_back({p[0], p[1], p[2]});
   return cells_of(faces);
@@ -33,8 +33,8 @@ std::vector<Cells> surfaces() {
     for (Index& v : p) v += 20;
     two.polygons.push_back(p);
   }
-  return {cells_of({{0, 1, 2}}),    cells_of(grid(3)),        cells_of(annulus),
-          cells_of(torus(6, 5, 0)), cells_of(torus(6, 5, 2)), cells_of(two)};
+  return {cells_of({{0, 1, 2}}),    faces_of(grid(3)),        faces_of(annulus),
+          faces_of(torus(6, 5, 0)), faces_of(torus(6, 5, 2)), faces_of(two)};
 }
 
 TEST(HalfEdge, GoesAroundItsFace) {
@@ -101,10 +101,10 @@ TEST(HalfEdge, BoundaryIsWalkedOnceFromTheSmallestVertices) {
 }
 
 TEST(HalfEdge, ComponentsAreNumberedByTheirFirstFaces) {
-  // Three strips, interleaved in the list of faces; the first two touch in vertex 2 only.
+  // Three strips, interleaved in the list of faces; the first and the last touch in vertex 2 only.
   const Cells faces =
-      cells_of({{0, 1, 2}, {10, 11, 12}, {2, 3, 4}, {1, 0, 5}, {4, 3, 6}, {12, 11, 13}, {5, 0, 7}});
-  EXPECT_EQ(face_components(opposite_half_edges(faces)), (std::vector<Index>{0, 1, 2, 0, 2, 1, 0}));
+      cells_of({{0, 1, 2}, {1, 0, 5}, {10, 11, 12}, {5, 0, 7}, {2, 3, 4}, {12, 11, 13}, {4, 3, 6}});
+  EXPECT_EQ(face_components(opposite_half_edges(faces)), (std::vector<Index>{0, 0, 1, 0, 2, 1, 2}));
   EXPECT_TRUE(face_components({}).empty());
 }
 
@@ -114,7 +114,7 @@ TEST(HalfEdge, FindsVerticesWhereSheetsTouch) {
   };
   for (const Cells& faces : surfaces()) EXPECT_EQ(touching(faces), -1);
   EXPECT_EQ(touching(cells_of({{0, 1, 2}, {2, 3, 4}})), 2);
-  EXPECT_EQ(touching(cells_of({{9, 1, 2}, {2, 3, 4}, {4, 5, 9}})), 2);  // a ring of three: smallest
+  EXPECT_EQ(touching(cells_of({{9, 1, 7}, {7, 3, 4}, {4, 5, 9}})), 4);  // a ring: the smallest of 3
   // A closed surface and a triangle; two closed surfaces.
   const std::vector<std::array<Index, 3>> tetrahedron{{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {0, 2, 3}};
   auto more = tetrahedron;

@@ -53,14 +53,14 @@ struct Case {
 
   Case(const Surface& s, const NamedEnergy& energy, int degree) {
     ParametrizationOptions options;
-    options.degree = 1;
-    options.energy = {{energy.make}};
-    options.boundary = s.boundary;
+    options.map.degree = 1;
+    options.map.energy = {{energy.make}};
+    options.map.boundary = s.boundary;
     // Scale and place of a conformal map are arbitrary: hold the far corners.
     if (energy.make.traits().free_scale != FreeScale::Determined &&
         s.boundary == BoundaryCondition::Free)
-      options.pins = {{1, {}}, {s.mesh->vertex_count() - 1, {}}};
-    const NormalizedStart start(BezierMap::linear(s.mesh, initial_map(*s.mesh, options)), options);
+      options.map.pins = {{1, {}}, {s.mesh->vertex_count() - 1, {}}};
+    const NormalizedStart start(BezierMap::linear(s.mesh, initial_map(*s.mesh, options.map)), options.map);
     const BezierMap linear = start.map();
     specification = start.specification();
     if (degree == 1) {  // from the initial map itself
@@ -79,7 +79,8 @@ struct Case {
     const auto injectivity =
         std::make_shared<const LocalInjectivity>(on, 2 * specification.rest.measure);
     problem =
-        map_problem(specification, on, x, energy_terms(specification, on, {rule}), injectivity);
+        map_problem(specification, on, x, energy_terms(specification, on, {rule}), injectivity)
+            .problem;
     return problem.reduce(x);
   }
   Vec optimum(const std::shared_ptr<const BezierTriangleSpace>& on, const Vec& x) {

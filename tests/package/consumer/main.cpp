@@ -12,8 +12,8 @@ int main(int argc, char** argv) try {
   const auto mesh = std::make_shared<const majorant::SurfaceMesh>(
       majorant::SurfaceMesh::from_polygons(majorant::read_mesh(argv[1])));
   majorant::ParametrizationOptions options;
-  options.degree = 3;
-  options.initial = majorant::tutte_map(*mesh);  // memory of the library, freed here
+  options.map.degree = 3;
+  options.map.initial = majorant::tutte_map(*mesh);  // memory of the library, freed here
   const majorant::ParametrizationResult result = majorant::parametrize(mesh, options);
   std::printf("%.17g\n", result.measures.value);
   return result.status == majorant::Status::Converged ? 0 : 4;

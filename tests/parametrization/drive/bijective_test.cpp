@@ -11,7 +11,7 @@ namespace {
 
 ParametrizationOptions options(int n, MapInjectivity injectivity) {
   ParametrizationOptions o = degree(n);
-  o.injectivity = injectivity;
+  o.map.injectivity = injectivity;
   return o;
 }
 
@@ -100,7 +100,7 @@ TEST(Bijective, ADiskWithTwoHoles) {
 TEST(Bijective, DirectElevationAndLimits) {
   const auto mesh = ramp(1.3, 36);
   ParametrizationOptions o = options(2, MapInjectivity::Global);
-  o.elevation = Elevation::Direct;
+  o.solve.elevation = Elevation::Direct;
   for (const int iterations : {0, 1, 7}) {  // valid whenever it is stopped
     RunRecord record(1e9, iterations);
     const ParametrizationResult result = parametrize(mesh, o, record);
@@ -113,18 +113,18 @@ TEST(Bijective, DirectElevationAndLimits) {
 TEST(Bijective, PinsAndFixedBoundaryHold) {
   const auto mesh = generated("cap");
   ParametrizationOptions o = options(2, MapInjectivity::Global);
-  o.pins = {{100, std::nullopt}, {150, std::nullopt}};
-  const Vec start = initial_map(*mesh, o);
+  o.map.pins = {{100, std::nullopt}, {150, std::nullopt}};
+  const Vec start = initial_map(*mesh, o.map);
   const ParametrizationResult pinned = parametrize(mesh, o);
   expect_valid(pinned, 2);
   const double size = start.cwiseAbs().maxCoeff();
-  for (const Pin& p : o.pins)
+  for (const Pin& p : o.map.pins)
     EXPECT_LE(
         (pinned.map->control_points().segment<2>(2 * p.vertex) - start.segment<2>(2 * p.vertex))
             .norm(),
         1e-14 * size);
-  o.pins.clear();
-  o.boundary = BoundaryCondition::Fixed;
+  o.map.pins.clear();
+  o.map.boundary = BoundaryCondition::Fixed;
   const ParametrizationResult fixed = parametrize(mesh, o);
   expect_valid(fixed, 2);
   expect_boundary_fixed(fixed, start);
@@ -133,7 +133,7 @@ TEST(Bijective, PinsAndFixedBoundaryHold) {
 TEST(Bijective, AStartThatOverlapsIsRefused) {
   const auto mesh = ramp(1.3, 36);
   ParametrizationOptions o = options(1, MapInjectivity::Global);
-  o.initial = uv_of(*mesh, [](const Vector3& p) { return Vector2(p.x(), p.y()); });
+  o.map.initial = uv_of(*mesh, [](const Vector3& p) { return Vector2(p.x(), p.y()); });
   error_message(ErrorKind::Infeasible, [&] { parametrize(mesh, o); });
 }
 

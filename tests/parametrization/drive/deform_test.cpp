@@ -53,14 +53,14 @@ TEST(Deform, SoftHandlesAreReachedNearlyAndPinsExactly) {
   for (const MapInjectivity injectivity : {MapInjectivity::Local, MapInjectivity::Global})
     for (int n = 1; n <= 3; ++n) {
       ParametrizationOptions o = degree(n);
-      o.injectivity = injectivity;
-      o.handles = targets;
+      o.map.injectivity = injectivity;
+      o.map.handles = targets;
       const ParametrizationResult soft = run(rest, o);
       expect_valid(soft, n);
       EXPECT_EQ(static_cast<int>(soft.status), static_cast<int>(Status::Converged));
       EXPECT_LE(distance(*soft.map, targets), 0.01 * std::sqrt(17.0));
       EXPECT_NEAR(soft.handle_distance, distance(*soft.map, targets), 1e-12);
-      std::swap(o.handles, o.pins);
+      std::swap(o.map.handles, o.map.pins);
       const ParametrizationResult hard = run(rest, o);
       expect_valid(hard, n);
       EXPECT_EQ(static_cast<int>(hard.status), static_cast<int>(Status::Converged));
@@ -76,7 +76,7 @@ TEST(Deform, SoftHandlesAreReachedNearlyAndPinsExactly) {
 TEST(Deform, TargetsWhereVerticesAreChangeNothing) {
   const BezierMap rest = planar_map(surface(bar()));
   ParametrizationOptions o = degree(2);
-  for (const double x : {0.0, 2.0, 4.0}) o.pins.push_back({vertex_at(rest.mesh(), x, 0), {}});
+  for (const double x : {0.0, 2.0, 4.0}) o.map.pins.push_back({vertex_at(rest.mesh(), x, 0), {}});
   const ParametrizationResult r = run(rest, o);
   expect_valid(r, 2);
   EXPECT_NEAR(r.measures.value, 4, 1e-12);
@@ -87,13 +87,13 @@ TEST(Deform, TargetsWhereVerticesAreChangeNothing) {
 TEST(Deform, HandlesAndPinsTogether) {
   const BezierMap rest = planar_map(surface(bar()));
   ParametrizationOptions o = degree(2);
-  o.pins = {{vertex_at(rest.mesh(), 0, 0), Vector2(0, 0)},
-            {vertex_at(rest.mesh(), 0, 1), Vector2(0, 1)}};
-  o.handles = {{vertex_at(rest.mesh(), 4, 1), Vector2(3, 3)}};
+  o.map.pins = {{vertex_at(rest.mesh(), 0, 0), Vector2(0, 0)},
+                {vertex_at(rest.mesh(), 0, 1), Vector2(0, 1)}};
+  o.map.handles = {{vertex_at(rest.mesh(), 4, 1), Vector2(3, 3)}};
   const ParametrizationResult r = run(rest, o);
   expect_valid(r, 2);
-  EXPECT_LE(distance(*r.map, o.pins), 1e-14);
-  EXPECT_LE(distance(*r.map, o.handles), 0.05);
+  EXPECT_LE(distance(*r.map, o.map.pins), 1e-14);
+  EXPECT_LE(distance(*r.map, o.map.handles), 0.05);
 }
 
 TEST(PlanarMap, IsTheIdentity) {
@@ -113,7 +113,7 @@ TEST(PlanarMap, OfReversedFacesIsSeenFromBelow) {
   }
   EXPECT_EQ(static_cast<int>(check_boundary(rest).result), static_cast<int>(Injectivity::Proven));
   ParametrizationOptions o = degree(1);
-  o.handles = {{0, Vector2(0.1, -0.1)}};
+  o.map.handles = {{0, Vector2(0.1, -0.1)}};
   expect_valid(run(rest, o), 1);
 }
 
@@ -136,7 +136,7 @@ TEST(Deform, PinsThatCannotBeReachedAreNamed) {
   ParametrizationOptions o = degree(1);  // two corners of a face exchanged: it would turn over
   const Index a = faces(40, 0), b = faces(40, 1), c = faces(40, 2);
   const auto place = [&](Index v) { return Vector2(rest.control_points().segment<2>(2 * v)); };
-  o.pins = {{a, place(b)}, {b, place(a)}, {c, place(c)}};
+  o.map.pins = {{a, place(b)}, {b, place(a)}, {c, place(c)}};
   const std::string message = error_message(ErrorKind::Infeasible, [&] { run(rest, o); });
   expect_contains(message, {"inline.obj", "no valid way to the pins' targets", "vertex "});
   EXPECT_TRUE(message.find("vertex " + std::to_string(a) + " ") != std::string::npos ||

@@ -36,7 +36,8 @@ struct Sheet {
     s.energy = energy;
     s.face_weight = face_weight;
     return map_problem(s, space, x, energy_terms(s, space, {radon_rule()}),
-                       std::make_shared<const LocalInjectivity>(space, 2 * s.rest.measure));
+                       std::make_shared<const LocalInjectivity>(space, 2 * s.rest.measure))
+        .problem;
   }
   Linearized at(const Problem& p, Curvature c = Curvature::Projected) const {
     Linearized out;
@@ -125,7 +126,7 @@ TEST(FaceWeights, ConstantWeightsChangeNothing) {
     ParametrizationOptions options = degree(n);
     const auto plain = parametrize(mesh, options);
     for (const double c : {1.0, 8.0, 0.3}) {
-      options.face_weight = Vec::Constant(mesh->face_count(), c);
+      options.map.face_weight = Vec::Constant(mesh->face_count(), c);
       const auto weighted = parametrize(mesh, options);
       expect_valid(weighted, n);
       // What is reported is the unweighted energy.
@@ -150,9 +151,9 @@ TEST(FaceWeights, AHeavyRegionIsLessDistorted) {
   for (const int n : {1, 2}) {
     ParametrizationOptions options = degree(n);
     const auto plain = parametrize(mesh, options);
-    options.face_weight = Vec::Ones(mesh->face_count());
+    options.map.face_weight = Vec::Ones(mesh->face_count());
     for (Index f = 0; f < mesh->face_count(); ++f)
-      if (region[static_cast<std::size_t>(f)]) options.face_weight[f] = 100;
+      if (region[static_cast<std::size_t>(f)]) options.map.face_weight[f] = 100;
     const auto heavy = parametrize(mesh, options);
     expect_valid(heavy, n);
     const double inside = mean_over(plain, rest.measure, region, true),
@@ -168,20 +169,20 @@ TEST(FaceWeights, Refusals) {
   const auto mesh = generated("cap");
   ParametrizationOptions options = degree(1);
   for (const double bad : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
-    options.face_weight = Vec::Ones(mesh->face_count());
-    options.face_weight[17] = bad;
+    options.map.face_weight = Vec::Ones(mesh->face_count());
+    options.map.face_weight[17] = bad;
     error_message(ErrorKind::Usage, [&] { parametrize(mesh, options); });
   }
-  options.face_weight = Vec::Ones(3);
+  options.map.face_weight = Vec::Ones(3);
   error_message(ErrorKind::Usage, [&] { parametrize(mesh, options); });
-  options.face_weight = {};
+  options.map.face_weight = {};
   for (const double bad : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
-    options.energy = named({{"mips", 1}, {"arap", bad}});
+    options.map.energy = named({{"mips", 1}, {"arap", bad}});
     error_message(ErrorKind::Usage, [&] { parametrize(mesh, options); });
-    options.energy = named({{"mips", 1}});
-    options.handle_weight = bad;
+    options.map.energy = named({{"mips", 1}});
+    options.map.handle_weight = bad;
     error_message(ErrorKind::Usage, [&] { parametrize(mesh, options); });
-    options.handle_weight = 1e3;
+    options.map.handle_weight = 1e3;
   }
 }
 

@@ -13,10 +13,10 @@ namespace {
 
 ParametrizationOptions options_for(const NamedEnergy& energy, int degree) {
   ParametrizationOptions options;
-  options.degree = degree;
-  options.energy = {{energy.make, 1.0}};
+  options.map.degree = degree;
+  options.map.energy = {{energy.make, 1.0}};
   if (energy.make.traits().free_scale == FreeScale::Collapses)
-    options.boundary = BoundaryCondition::Fixed;
+    options.map.boundary = BoundaryCondition::Fixed;
   return options;
 }
 

@@ -21,8 +21,8 @@ EnergySum energy(const std::vector<const char*>& names) {
 
 ParametrizationOptions options_for(const std::vector<const char*>& names) {
   ParametrizationOptions options;
-  options.degree = 1;
-  options.energy = energy(names);
+  options.map.degree = 1;
+  options.map.energy = energy(names);
   return options;
 }
 
@@ -50,34 +50,34 @@ TEST(FreeScale, ACollapseIsRefusedWithCauseAndRemedy) {
 TEST(FreeScale, OnesOwnDensityIsBelieved) {
   ParametrizationOptions options = options_for({});
   const auto formula = [](const auto&, const auto& y) { return 4.0 * y; };
-  options.energy = {{energy_factory(invariant(
+  options.map.energy = {{energy_factory(invariant(
       "similar", formula, {.domain = Domain::Everywhere, .free_scale = FreeScale::Collapses}))}};
   expect_contains(refusal(options), {"the energy similar "});
 }
 
 TEST(FreeScale, OnePlaceDoesNotHoldIt) {
   ParametrizationOptions options = options_for({"asap"});
-  options.pins = {{0, {}}};
+  options.map.pins = {{0, {}}};
   refusal(options);
-  options.pins.clear();
-  options.handles = {{0, Vector2(1, 2)}};
+  options.map.pins.clear();
+  options.map.handles = {{0, Vector2(1, 2)}};
   refusal(options);
-  options.handles = {{0, Vector2(1, 2)}, {15, Vector2(1, 2)}};  // both pulled to one point
+  options.map.handles = {{0, Vector2(1, 2)}, {15, Vector2(1, 2)}};  // both pulled to one point
   refusal(options);
 }
 
 TEST(FreeScale, WhatHoldsIt) {
   ParametrizationOptions options = options_for({"asap"});
-  options.boundary = BoundaryCondition::Fixed;
+  options.map.boundary = BoundaryCondition::Fixed;
   expect_a_map("fixed boundary", options);
   options = options_for({"asap", "mips"});
-  options.pins = {{0, {}}, {15, {}}};
+  options.map.pins = {{0, {}}, {15, {}}};
   expect_a_map("two pins", options);
-  options.pins.clear();
-  options.handles = {{0, Vector2(0, 0)}, {15, Vector2(1, 1)}};
+  options.map.pins.clear();
+  options.map.handles = {{0, Vector2(0, 0)}, {15, Vector2(1, 1)}};
   expect_a_map("two handles", options);
-  options.handles.pop_back();
-  options.pins = {{15, {}}};
+  options.map.handles.pop_back();
+  options.map.pins = {{15, {}}};
   expect_a_map("a pin and a handle", options);
   expect_a_map("a sum", options_for({"asap", "arap"}));
   expect_a_map("arbitrary", options_for({"mips"}));  // no scale of its own, but no collapse
@@ -86,7 +86,7 @@ TEST(FreeScale, WhatHoldsIt) {
 TEST(FreeScale, DeformAsksToo) {
   const BezierMap rest = planar_map(surface(grid(3, flat)));
   ParametrizationOptions options = options_for({"asap"});
-  options.handles = {{0, Vector2(1, 1)}, {15, Vector2(1, 1)}};
+  options.map.handles = {{0, Vector2(1, 1)}, {15, Vector2(1, 1)}};
   RunRecord record(std::numeric_limits<double>::infinity(), 100, nullptr, {});
   error_message(ErrorKind::Usage, [&] { deform(rest, options, record); });
   EXPECT_EQ(record.iterations_left(), 100);  // before the first step of the way
@@ -97,21 +97,21 @@ TEST(FreeScale, TwoPointsOfOnePieceAreNeeded) {
   Cells faces(2, 3);
   faces << 0, 1, 2, 3, 4, 5;
   const BezierTriangleSpace pieces(faces, 6, 1);
-  EXPECT_EQ(pieces_of(pieces), (std::vector<Index>{0, 0, 0, 3, 3, 3}));
+  EXPECT_EQ(vertex_components(pieces), (std::vector<Index>{0, 0, 0, 3, 3, 3}));
   ParametrizationOptions options = options_for({"asap"});
-  options.pins = {{1, {}}, {4, {}}};
-  EXPECT_TRUE(collapses(options, pieces, {}));
-  options.handles = {{5, Vector2(0, 0)}};
-  EXPECT_FALSE(collapses(options, pieces, {}));
+  options.map.pins = {{1, {}}, {4, {}}};
+  EXPECT_TRUE(collapses(options.map, pieces, {}));
+  options.map.handles = {{5, Vector2(0, 0)}};
+  EXPECT_FALSE(collapses(options.map, pieces, {}));
 }
 
 TEST(FreeScale, AClosedSurfaceHasNoBoundaryToFix) {
   const auto closed = surface(tetrahedron());
   const BezierTriangleSpace space(closed->faces(), closed->vertex_count(), 1);
   ParametrizationOptions options = options_for({"asap"});
-  options.boundary = BoundaryCondition::Fixed;
-  EXPECT_TRUE(collapses(options, space, {}));
-  EXPECT_FALSE(collapses(options_for({"arap"}), space, {}));
+  options.map.boundary = BoundaryCondition::Fixed;
+  EXPECT_TRUE(collapses(options.map, space, {}));
+  EXPECT_FALSE(collapses(options_for({"arap"}).map, space, {}));
 }
 
 }  // namespace

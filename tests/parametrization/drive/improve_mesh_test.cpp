@@ -211,8 +211,8 @@ TEST(ImproveMesh, SeamsFollowTheirEdges) {
 TEST(ImproveMesh, HelpsWhatFollows) {
   const PlaneTriangulation t = jittered_grid(10, 0.35, 8);
   ParametrizationOptions options;
-  options.boundary = BoundaryCondition::Fixed;
-  options.degree = 1;
+  options.map.boundary = BoundaryCondition::Fixed;
+  options.map.degree = 1;
   const ParametrizationResult first = parametrize(placed(t), options);
   ASSERT_TRUE(first.map);
   const ImprovedMap improved = improve_mesh(*first.map, kEnergy);

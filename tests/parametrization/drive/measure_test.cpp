@@ -123,7 +123,7 @@ TEST(Measure, AgreesWithAnIndependentRule) {
   }
   for (const char* name : {"cap", "tube"}) {
     ParametrizationOptions options;
-    options.degree = 3;
+    options.map.degree = 3;
     const ParametrizationResult result = parametrize(generated(name), options);
     const double expected = gauss_mean(*result.map, 16);
     EXPECT_NEAR(result.measures.value, expected, 1e-4 * expected) << name;

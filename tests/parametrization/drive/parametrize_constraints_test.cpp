@@ -22,11 +22,11 @@ TEST(Parametrize, PinsAreHeldExactly) {
   for (const int n : {1, 2, 3})
     for (const BoundaryCondition boundary : {BoundaryCondition::Free, BoundaryCondition::Fixed}) {
       ParametrizationOptions options = degree(n);
-      options.boundary = boundary;
+      options.map.boundary = boundary;
       // Interior vertices and one on the boundary, named with and without a target.
       const std::vector<Index> pinned{3, 40, 120, mesh->boundary_loops()[0][5]};
-      for (const Index v : pinned) options.pins.push_back({v, std::nullopt});
-      options.pins[1].target = Vector2(start.segment<2>(2 * pinned[1]));
+      for (const Index v : pinned) options.map.pins.push_back({v, std::nullopt});
+      options.map.pins[1].target = Vector2(start.segment<2>(2 * pinned[1]));
       const ParametrizationResult result = parametrize(mesh, options);
       EXPECT_EQ(result.status, Status::Converged) << result.message;
       expect_valid(result, n);
@@ -47,19 +47,20 @@ TEST(Parametrize, ATargetWithinRoundingIsAccepted) {
   for (const BoundaryCondition boundary : {BoundaryCondition::Free, BoundaryCondition::Fixed})
     for (const Index v : {12, 0}) {
       ParametrizationOptions options = degree(2);
-      options.boundary = boundary;
-      options.pins = {{v, Vector2(start.segment<2>(2 * v) + Vector2(1e-12, -1e-12))}};
+      options.map.boundary = boundary;
+      options.map.pins = {{v, Vector2(start.segment<2>(2 * v) + Vector2(1e-12, -1e-12))}};
       const ParametrizationResult result = parametrize(mesh, options);
       EXPECT_EQ(result.status, Status::Converged) << result.message;
-      EXPECT_LT((result.map->control_points().segment<2>(2 * v) - *options.pins[0].target).norm(),
-                3e-12);
+      EXPECT_LT(
+          (result.map->control_points().segment<2>(2 * v) - *options.map.pins[0].target).norm(),
+          3e-12);
     }
 }
 
 TEST(Parametrize, APinAwayFromTheStartIsInfeasible) {
   const auto mesh = surface(grid(4, bumpy));
   ParametrizationOptions options = degree(2);
-  options.pins = {{12, std::nullopt}, {7, Vector2(0.3, 0.2)}};
+  options.map.pins = {{12, std::nullopt}, {7, Vector2(0.3, 0.2)}};
   expect_contains(error_message(ErrorKind::Infeasible, [&] { parametrize(mesh, options); }),
                   {"inline.obj", "vertex 7", "\"initial\"", "--init"});
 }
@@ -67,7 +68,7 @@ TEST(Parametrize, APinAwayFromTheStartIsInfeasible) {
 TEST(Parametrize, RefusesTwoPinsOfOneVertex) {
   const auto mesh = surface(grid(4, bumpy));
   ParametrizationOptions options = degree(1);
-  options.pins = {{12, std::nullopt}, {12, std::nullopt}};
+  options.map.pins = {{12, std::nullopt}, {12, std::nullopt}};
   error_message(ErrorKind::Unsupported, [&] { parametrize(mesh, options); });
 }
 
@@ -76,29 +77,29 @@ TEST(Parametrize, RefusesTwoPinsOfOneVertex) {
 TEST(Parametrize, StartsFromTheMapGiven) {
   const auto mesh = surface(grid(5, bumpy));
   ParametrizationOptions options = degree(2);
-  options.initial = uv_of(*mesh, [](const Vector3& p) { return Vector2(2 * p.x(), p.y()); });
-  options.boundary = BoundaryCondition::Fixed;
+  options.map.initial = uv_of(*mesh, [](const Vector3& p) { return Vector2(2 * p.x(), p.y()); });
+  options.map.boundary = BoundaryCondition::Fixed;
   const ParametrizationResult result = parametrize(mesh, options);
   EXPECT_EQ(result.status, Status::Converged) << result.message;
   expect_valid(result, 2);
-  expect_boundary_fixed(result, *options.initial);
+  expect_boundary_fixed(result, *options.map.initial);
   EXPECT_NE(result.initial_value, parametrize(mesh, degree(2)).initial_value);
 }
 
 TEST(Parametrize, RefusesAStartThatIsNotInjective) {
   const auto mesh = surface(grid(4, bumpy));
   ParametrizationOptions options = degree(2);
-  options.initial = uv_of(*mesh, [](const Vector3& p) { return Vector2(p.x(), p.y()); });
-  options.initial->segment<2>(2 * 12) << 0.9, 0.9;
+  options.map.initial = uv_of(*mesh, [](const Vector3& p) { return Vector2(p.x(), p.y()); });
+  options.map.initial->segment<2>(2 * 12) << 0.9, 0.9;
   expect_contains(error_message(ErrorKind::Infeasible, [&] { parametrize(mesh, options); }),
                   {"inline.obj", "face ", "--init"});
-  options.initial = uv_of(*mesh, [](const Vector3& p) { return Vector2(p.y(), p.x()); });
+  options.map.initial = uv_of(*mesh, [](const Vector3& p) { return Vector2(p.y(), p.x()); });
   expect_contains(error_message(ErrorKind::Infeasible, [&] { parametrize(mesh, options); }),
                   {"face 1 ", "32 in all"});
   const auto star = surface(cone(8, true));  // twice around
-  options.initial = Vec::Zero(18);
+  options.map.initial = Vec::Zero(18);
   for (Index v = 1; v <= 8; ++v)
-    options.initial->segment<2>(2 * v) << std::cos(kPi * v / 2), std::sin(kPi * v / 2);
+    options.map.initial->segment<2>(2 * v) << std::cos(kPi * v / 2), std::sin(kPi * v / 2);
   expect_contains(error_message(ErrorKind::Infeasible, [&] { parametrize(star, options); }),
                   {"vertex 1 ", "more than once"});
 }
@@ -156,7 +157,7 @@ TEST(Parametrize, LooserTolerancesStopEarlier) {
   std::map<double, std::size_t> iterations;
   for (const double tolerance : {1e-2, 1e-6, 1e-12}) {
     ParametrizationOptions options = degree(1);
-    options.tolerance = tolerance;
+    options.solve.tolerance = tolerance;
     RunRecord record;
     parametrize(mesh, options, record);
     iterations[tolerance] = record.trace().size();
@@ -169,7 +170,7 @@ TEST(Parametrize, QuadraturePointsChangeTheRule) {
   const auto mesh = generated("cap");
   ParametrizationOptions options = degree(3);
   const ParametrizationResult own = parametrize(mesh, options);
-  options.quadrature_points = 78;
+  options.solve.quadrature_points = 78;
   const ParametrizationResult lattice = parametrize(mesh, options);
   EXPECT_EQ(lattice.status, Status::Converged) << lattice.message;
   expect_valid(lattice, 3);
@@ -207,7 +208,7 @@ TEST(Parametrize, BoundaryAnglesHoldSectorSumsWithinAFullTurn) {
     expect_valid(free, n);
     ASSERT_GT(free.measures.max_boundary_angle, 2 * kPi + 0.1) << "the case does not test it";
     EXPECT_GT(free.measures.boundary_over_full_turn, 0);
-    options.boundary_angles = BoundaryAngles::AtMostFullTurn;
+    options.map.boundary_angles = BoundaryAngles::AtMostFullTurn;
     const ParametrizationResult held = parametrize(mesh, options);
     expect_valid(held, n);
     EXPECT_LE(held.measures.max_boundary_angle, 2 * kPi + 1e-6);

@@ -11,7 +11,7 @@ namespace majorant {
 
 inline ParametrizationOptions degree(int n) {
   ParametrizationOptions options;
-  options.degree = n;
+  options.map.degree = n;
   return options;
 }
 

@@ -48,7 +48,7 @@ TEST_P(GeneratedMesh, FixedBoundaryStaysWhereTutteHasIt) {
   const double free = parametrize(mesh, degree(1)).measures.value;
   for (const int n : quick ? std::vector<int>{1, 2, 3} : std::vector<int>{1}) {
     ParametrizationOptions options = degree(n);
-    options.boundary = BoundaryCondition::Fixed;
+    options.map.boundary = BoundaryCondition::Fixed;
     const ParametrizationResult result = parametrize(mesh, options);
     EXPECT_EQ(result.status, Status::Converged) << n << ": " << result.message;
     expect_valid(result, n);
@@ -64,7 +64,7 @@ TEST_P(GeneratedMesh, DirectElevationReachesTheSame) {
   const auto mesh = generated(GetParam());
   ParametrizationOptions options = degree(3);
   const double incremental = parametrize(mesh, options).measures.value;
-  options.elevation = Elevation::Direct;
+  options.solve.elevation = Elevation::Direct;
   RunRecord record;
   const ParametrizationResult direct = parametrize(mesh, options, record);
   expect_valid(direct, 3);
@@ -89,11 +89,11 @@ TEST(Parametrize, EveryCurvatureReachesTheSameEnergy) {
   for (const char* name : {"cap", "wavy_disk", "tube"})
     for (const int n : {1, 2}) {
       ParametrizationOptions options = degree(n);
-      options.tolerance = 1e-8;
+      options.solve.tolerance = 1e-8;
       const double expected = parametrize(generated(name), options).measures.value;
       for (const Curvature curvature :
            {Curvature::Majorizer, Curvature::PaperMajorizer, Curvature::Exact}) {
-        options.curvature = curvature;
+        options.solve.curvature = curvature;
         const ParametrizationResult result = parametrize(generated(name), options);
         EXPECT_EQ(result.status, Status::Converged) << name << ' ' << static_cast<int>(curvature);
         expect_valid(result, n);
@@ -106,11 +106,11 @@ TEST(Parametrize, EveryCurvatureReachesTheSameEnergy) {
 TEST(Parametrize, RefusesACurvatureTheEnergyDoesNotHave) {
   ParametrizationOptions options = degree(2);
   // Nothing declared: no majorizer, no reweighting.
-  options.energy = {
+  options.map.energy = {
       {energy_factory(spectral("test-mips", [](auto S, auto s) { return S / s + s / S; }))}};
   for (const Curvature curvature :
        {Curvature::Majorizer, Curvature::PaperMajorizer, Curvature::Reweighted}) {
-    options.curvature = curvature;
+    options.solve.curvature = curvature;
     expect_contains(
         error_message(ErrorKind::Usage, [&] { parametrize(surface(grid(3, bumpy)), options); }),
         {"test-mips", "curvature"});
@@ -126,11 +126,11 @@ TEST(Parametrize, RefusesOptionsOutOfRange) {
   }
   ParametrizationOptions options;
   for (const double tolerance : {0.0, -1.0, double(NAN)}) {
-    options.tolerance = tolerance;
+    options.solve.tolerance = tolerance;
     error_message(ErrorKind::Usage, [&] { parametrize(mesh, options); });
   }
   options = {};
-  options.quadrature_points = -1;
+  options.solve.quadrature_points = -1;
   error_message(ErrorKind::Usage, [&] { parametrize(mesh, options); });
 }
 
@@ -144,7 +144,7 @@ const PolygonMesh kTriangle = polygon_mesh({{0, 0, 0}, {3, 0, 0}, {0, 4, 1}}, {{
 
 TEST(Parametrize, ASingleTriangleWithFixedBoundaryHasNoUnknowns) {
   ParametrizationOptions options = degree(1);
-  options.boundary = BoundaryCondition::Fixed;
+  options.map.boundary = BoundaryCondition::Fixed;
   RunRecord record;
   const ParametrizationResult result = parametrize(surface(kTriangle), options, record);
   EXPECT_EQ(result.status, Status::Converged) << result.message;
@@ -156,7 +156,7 @@ TEST(Parametrize, ASingleTriangleWithFixedBoundaryHasNoUnknowns) {
 
 TEST(Parametrize, ASingleCubicTriangleWithFixedBoundaryHasOnePoint) {
   ParametrizationOptions options = degree(3);
-  options.boundary = BoundaryCondition::Fixed;
+  options.map.boundary = BoundaryCondition::Fixed;
   const ParametrizationResult result = parametrize(surface(kTriangle), options);
   EXPECT_EQ(result.status, Status::Converged) << result.message;
   EXPECT_EQ(result.variables, 2);
@@ -178,7 +178,7 @@ TEST(Parametrize, APlanarMeshBecomesIsometric) {
   for (Vector3& p : mesh.positions) p = {p.x() + 0.3 * p.y(), 2 * p.y(), 0.5 * p.x() - p.y()};
   for (const int n : {1, 2, 3, 4}) {
     ParametrizationOptions options = degree(n);
-    options.tolerance = 1e-10;
+    options.solve.tolerance = 1e-10;
     const ParametrizationResult result = parametrize(surface(mesh), options);
     EXPECT_EQ(result.status, Status::Converged) << result.message;
     expect_valid(result, n);

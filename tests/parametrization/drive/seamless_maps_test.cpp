@@ -117,8 +117,8 @@ TEST(SeamlessMaps, DoNotDependOnTheCuts) {
       {fan_case(3, 3), BoundaryCondition::Free}};
   for (const Case& c : cases) {
     ParametrizationOptions options = degree(2);
-    options.boundary = c.boundary;
-    options.tolerance = 1e-10;
+    options.map.boundary = c.boundary;
+    options.solve.tolerance = 1e-10;
     const auto value = [&](const SeamlessCase& surface) {
       const Start start = surface.start();
       const ParametrizationResult r = solve(start, options);
@@ -175,7 +175,7 @@ TEST(SeamlessMaps, PinsOnEveryCopyOfCutVertices) {
         pinned.insert(v);
     for (const int n : {1, 3}) {
       ParametrizationOptions options = degree(n);
-      for (const Index v : pinned) options.pins.push_back({v, std::nullopt});
+      for (const Index v : pinned) options.map.pins.push_back({v, std::nullopt});
       const ParametrizationResult r = solve(start, options);
       EXPECT_EQ(r.status, Status::Converged) << r.message;
       expect_seamless(r, n);
@@ -194,7 +194,7 @@ TEST(SeamlessMaps, APinOnOneCopy) {
   const Seams& seams = start.map.seams();
   const Index v = start.map.mesh().from_vertex(seams.edges()[0].side);
   ParametrizationOptions options = degree(2);
-  options.pins = {{v, Vector2(start.map.control_points().segment<2>(2 * v))}};
+  options.map.pins = {{v, Vector2(start.map.control_points().segment<2>(2 * v))}};
   const ParametrizationResult r = solve(start, options);
   EXPECT_EQ(r.status, Status::Converged) << r.message;
   expect_seamless(r, 2);
@@ -208,7 +208,7 @@ TEST(SeamlessMaps, FixedBoundaries) {
       for (const int n : {1, 2, 3}) {
         SCOPED_TRACE(testing::Message() << turns << " turns, inner " << inner << ", degree " << n);
         ParametrizationOptions options = degree(n);
-        options.boundary = BoundaryCondition::Fixed;
+        options.map.boundary = BoundaryCondition::Fixed;
         const ParametrizationResult r = solve(start, options);
         EXPECT_EQ(r.status, Status::Converged) << r.message;
         expect_seamless(r, n);
@@ -225,7 +225,7 @@ TEST(SeamlessMaps, FixedBoundaries) {
 TEST(SeamlessMaps, APinElsewhereIsInfeasible) {
   const Start start = fan_case(5, 3).start();
   ParametrizationOptions options = degree(1);
-  options.pins = {{1, Vector2(0.5, 0.5)}};
+  options.map.pins = {{1, Vector2(0.5, 0.5)}};
   expect_contains(error_message(ErrorKind::Infeasible, [&] { solve(start, options); }),
                   {"vertex 1", "away from the initial map"});
 }
@@ -260,7 +260,7 @@ TEST(SeamlessMaps, AlignedSidesStayAligned) {
     for (const int n : {1, 2, 3}) {
       ParametrizationOptions options = degree(n);
       const double free = solve(start, options).measures.value;
-      options.aligned = sides;
+      options.map.aligned = sides;
       const ParametrizationResult r = solve(start, options);
       EXPECT_EQ(r.status, Status::Converged) << r.message;
       expect_seamless(r, n);
@@ -274,18 +274,18 @@ TEST(SeamlessMaps, AlignedSidesStayAligned) {
 TEST(SeamlessMaps, AlignedSidesWithPins) {
   const Start start = squares_case(unit_cube(), 3, Charts::OneWithoutSlits, bent).start();
   ParametrizationOptions options = degree(2);
-  options.aligned = sides_of_cube(start.map);
+  options.map.aligned = sides_of_cube(start.map);
   std::set<Index> pinned;
   for (const std::size_t e : {0, 4, 8}) {
     const Index cut = start.map.mesh().from_vertex(start.map.seams().edges()[e].side);
     for (const Index v : copies_of(start.map.seams(), start.map.seams().surface_vertex()[at(cut)]))
       pinned.insert(v);
   }
-  for (const Index v : pinned) options.pins.push_back({v, std::nullopt});
+  for (const Index v : pinned) options.map.pins.push_back({v, std::nullopt});
   const ParametrizationResult r = solve(start, options);
   EXPECT_EQ(r.status, Status::Converged) << r.message;
   expect_seamless(r, 2);
-  EXPECT_LE(off_axis(*r.map, options.aligned), 1e-13);
+  EXPECT_LE(off_axis(*r.map, options.map.aligned), 1e-13);
   for (const Index v : pinned)
     EXPECT_LE(
         (r.map->control_points().segment<2>(2 * v) - start.map.control_points().segment<2>(2 * v))
@@ -300,30 +300,30 @@ TEST(SeamlessMaps, AlignedBoundary) {
   for (Index h = 0; h < mesh->half_edge_count(); ++h)
     if (mesh->opposite(h) < 0) boundary.push_back(h);
   ParametrizationOptions options = degree(3);
-  options.initial = uv_of(*mesh, [](const Vector3& p) { return Vector2(p.x(), p.y()); });
-  options.aligned = boundary;
+  options.map.initial = uv_of(*mesh, [](const Vector3& p) { return Vector2(p.x(), p.y()); });
+  options.map.aligned = boundary;
   const ParametrizationResult r = parametrize(mesh, options);
   EXPECT_EQ(r.status, Status::Converged) << r.message;
   expect_valid(r, 3);
   EXPECT_LE(off_axis(*r.map, boundary), 1e-14);
   // Slightly off: projected out; far off: refused.
-  for (Index k = 0; k < options.initial->size(); ++k)
-    (*options.initial)[k] += 2e-5 * std::sin(double(7 * k));
+  for (Index k = 0; k < options.map.initial->size(); ++k)
+    (*options.map.initial)[k] += 2e-5 * std::sin(double(7 * k));
   const ParametrizationResult s = parametrize(mesh, options);
   EXPECT_EQ(s.status, Status::Converged) << s.message;
   EXPECT_GT(s.start_moved, 1e-6);
   EXPECT_LT(s.start_moved, 4e-5);
   EXPECT_NEAR(s.measures.value, r.measures.value, 1e-6);
   EXPECT_LE(off_axis(*s.map, boundary), 1e-14);
-  options.boundary = BoundaryCondition::Fixed;
+  options.map.boundary = BoundaryCondition::Fixed;
   const ParametrizationResult fixed = parametrize(mesh, options);
   EXPECT_EQ(fixed.status, Status::Converged) << fixed.message;
   EXPECT_LE(off_axis(*fixed.map, boundary), 1e-14);
-  options.boundary = BoundaryCondition::Free;
-  (*options.initial)[0] -= 1e-3;
+  options.map.boundary = BoundaryCondition::Free;
+  (*options.map.initial)[0] -= 1e-3;
   expect_contains(error_message(ErrorKind::Infeasible, [&] { parametrize(mesh, options); }),
                   {"inline.obj", "edge (", "parallel to an axis"});
-  options.aligned = {mesh->half_edge_count()};
+  options.map.aligned = {mesh->half_edge_count()};
   error_message(ErrorKind::Usage, [&] { parametrize(mesh, options); });
 }
 

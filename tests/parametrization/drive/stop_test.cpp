@@ -57,19 +57,19 @@ double mean_of(const BezierMap& map, const EnergySum& energy) {
 
 void expect_best_so_far(const ParametrizationOptions& options,
                         const std::shared_ptr<const SurfaceMesh>& mesh) {
-  const BezierMap start = BezierMap::linear(mesh, initial_map(*mesh, options));
-  double last = mean_of(start, options.energy) * (1 + 1e-9);
+  const BezierMap start = BezierMap::linear(mesh, initial_map(*mesh, options.map));
+  double last = mean_of(start, options.map.energy) * (1 + 1e-9);
   int absent = 0;
   at_any_moment([&](RunRecord& record) { return parametrize(mesh, options, record); },
                 [&](const RunRecord& record, const std::optional<ParametrizationResult>& result) {
                   if (!result) {
                     ++absent;
-                    EXPECT_EQ(last, mean_of(start, options.energy) * (1 + 1e-9))
+                    EXPECT_EQ(last, mean_of(start, options.map.energy) * (1 + 1e-9))
                         << "a result was there";
                     return;
                   }
                   ASSERT_TRUE(result->map);
-                  EXPECT_EQ(result->map->degree(), options.degree);
+                  EXPECT_EQ(result->map->degree(), options.map.degree);
                   EXPECT_EQ(result->status == Status::Interrupted,
                             record.trace().empty() || result->status != Status::Converged);
                   EXPECT_TRUE(result->measures.locally_injective);
@@ -77,11 +77,11 @@ void expect_best_so_far(const ParametrizationOptions& options,
                   EXPECT_TRUE(std::isfinite(result->measures.value));
                   EXPECT_TRUE(std::isfinite(result->measures.sigma_min));
                   EXPECT_TRUE(std::isfinite(result->value_quadrature));
-                  if (options.injectivity == MapInjectivity::Global) {
+                  if (options.map.injectivity == MapInjectivity::Global) {
                     EXPECT_EQ(check_boundary(*result->map).result, Injectivity::Proven);
                     ASSERT_TRUE(result->scaffold);
                   }
-                  const double energy = mean_of(*result->map, options.energy);
+                  const double energy = mean_of(*result->map, options.map.energy);
                   EXPECT_LE(energy, last * (1 + 1e-3));
                   last = std::min(last, energy);
                 });
@@ -91,20 +91,20 @@ void expect_best_so_far(const ParametrizationOptions& options,
 TEST(Stop, LocallyInjectiveMaps) {
   ParametrizationOptions options;
   for (const int degree : {1, 3}) {
-    options.degree = degree;
+    options.map.degree = degree;
     expect_best_so_far(options, surface(grid(4, bumpy)));
   }
-  options.degree = 2;
-  options.elevation = Elevation::Direct;
+  options.map.degree = 2;
+  options.solve.elevation = Elevation::Direct;
   expect_best_so_far(options, surface(grid(4, bumpy)));
-  options.energy = {{find_energy("arap")->make}};  // stalls on the way
+  options.map.energy = {{find_energy("arap")->make}};  // stalls on the way
   expect_best_so_far(options, surface(grid(4, bumpy)));
 }
 
 TEST(Stop, BijectiveMaps) {
   ParametrizationOptions options;
-  options.injectivity = MapInjectivity::Global;
-  options.degree = 2;
+  options.map.injectivity = MapInjectivity::Global;
+  options.map.degree = 2;
   expect_best_so_far(options, surface(grid(3, bumpy)));
 }
 
@@ -118,8 +118,8 @@ TEST(Stop, SeamlessMaps) {
 TEST(Stop, Deformations) {
   const auto mesh = surface(grid(5));
   ParametrizationOptions options;
-  options.degree = 2;
-  options.handles = {{0, Vector2(0, 0)}, {35, Vector2(1.5, 1.5)}};
+  options.map.degree = 2;
+  options.map.handles = {{0, Vector2(0, 0)}, {35, Vector2(1.5, 1.5)}};
   const BezierMap start = planar_map(mesh);
   at_any_moment([&](RunRecord& record) { return deform(start, options, record); },
                 [&](const RunRecord&, const std::optional<ParametrizationResult>& result) {
@@ -130,8 +130,7 @@ TEST(Stop, Deformations) {
 
 TEST(Stop, Measuring) {
   const auto mesh = surface(grid(5, bumpy));
-  const BezierMap map =
-      elevated_to(BezierMap::linear(mesh, initial_map(*mesh, ParametrizationOptions())), 3);
+  const BezierMap map = elevated_to(BezierMap::linear(mesh, initial_map(*mesh, MapOptions())), 3);
   const EnergySum energy{{symmetric_dirichlet()}};
   const MapMeasures whole = measure(map, energy);
   EXPECT_FALSE(whole.cut_short);

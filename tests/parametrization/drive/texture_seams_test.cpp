@@ -144,7 +144,7 @@ TEST(TextureSeams, MismatchesBelowTheToleranceAreProjectedOut) {
               1e-13);
     EXPECT_EQ(cone_counts(start.map.seams()), (std::map<int, int>{{3, 8}}));
     ParametrizationOptions options;
-    options.degree = 1;
+    options.map.degree = 1;
     RunRecord record;
     const ParametrizationResult r = parametrize(start.map, options, record);
     EXPECT_EQ(r.status, Status::Converged) << r.message;
@@ -233,7 +233,7 @@ TEST(TextureSeams, AFullTurnTooManyInsideAChart) {
     ASSERT_EQ(cone_counts(start.map.seams()), (std::map<int, int>{{8, 1}}));
     for (const int n : {1, 2}) {
       ParametrizationOptions options;
-      options.degree = n;
+      options.map.degree = n;
       RunRecord record;
       const ParametrizationResult r = parametrize(start.map, options, record);
       EXPECT_EQ(r.status, Status::Converged) << r.message;

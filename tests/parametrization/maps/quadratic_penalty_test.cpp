@@ -200,7 +200,7 @@ std::vector<double> distances(const std::vector<double>& weights) {
     const Problem problem =
         map_problem(spec, space, start, terms,
                     std::make_shared<const LocalInjectivity>(space, 2 * spec.rest.measure));
-    EXPECT_EQ(problem.term_count(), 2U);
+    EXPECT_EQ(problem.terms().size(), 2U);
     EXPECT_EQ(problem.size(), 2 * space->node_count());  // handles hold the gauge
     NewtonOptions options;
     options.stopping.relative_decrease = 1e-14;

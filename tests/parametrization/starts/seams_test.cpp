@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "majorant/framework/elimination.h"
+#include "majorant/parametrization/starts/cut_surface.h"
 #include "parametrization/starts/seamless_cases.h"
 #include "support.h"
 

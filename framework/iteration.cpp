@@ -1,4 +1,8 @@
-#include "majorant/framework/minimizer.h"
+#include "majorant/framework/iteration.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace majorant {
 
@@ -24,6 +28,10 @@ std::string_view name(Status status) {
 
 Status stopped_status(Directive why) {
   return why == Directive::TimeLimit ? Status::TimeLimit : Status::Interrupted;
+}
+
+double relative_to(double energy, double value) {
+  return value / std::max(std::abs(energy), std::numeric_limits<double>::min());
 }
 
 }  // namespace majorant

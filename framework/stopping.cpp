@@ -1,0 +1,83 @@
+#include "majorant/framework/stopping.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace majorant {
+namespace {
+
+// Of the start's energy: about what is left of it after cancellation of terms of its size.
+constexpr double kSmallestScale = 1e-14;
+
+}  // namespace
+
+StoppingRules first_order_rules() {
+  StoppingRules rules;
+  rules.relative_decrease = 1e-14;
+  rules.stall_decrement = 1e-8;
+  rules.stall_step = 1e-9;
+  rules.anchor_step = 0;
+  rules.max_iterations = 10000;
+  return rules;
+}
+
+StoppingRules brief_rules(int steps, double relative_decrease) {
+  StoppingRules rules;
+  rules.relative_decrease = relative_decrease;
+  rules.tail_factor = 0;
+  rules.stall_decrement = std::numeric_limits<double>::infinity();
+  rules.stall_iterations = 1;
+  rules.stall_step = 0;
+  rules.max_iterations = steps;
+  return rules;
+}
+
+StoppingTest::StoppingTest(const StoppingRules& rules, double energy)
+    : rules_(rules), smallest_scale_(kSmallestScale * std::abs(energy)) {}
+
+std::optional<Stop> StoppingTest::before_step() const {
+  if (steps_ < rules_.max_iterations) return {};
+  return Stop{Status::MaxIterations, "iteration limit"};
+}
+
+Advice StoppingTest::after(const StepResult& step, Since since) {
+  ++steps_;
+  Advice advice;
+  const IterationRecord& r = step.record;
+  const double scale = std::max(std::abs(step.energy_before), smallest_scale_);
+  const bool near_minimum = r.newton_decrement <= rules_.stall_decrement * scale;
+  if (step.outcome != StepResult::Outcome::Moved) {
+    const bool held = step.outcome == StepResult::Outcome::Blocked ||
+                      step.outcome == StepResult::Outcome::NoDecrease;
+    if (!held || since == Since::Same || ++idle_ > rules_.stall_iterations)
+      advice.stop = no_step(step, near_minimum);
+    return advice;
+  }
+  const bool small = r.relative_decrease <= rules_.relative_decrease;
+  const bool in_tail = small && since == Since::Same && r.curvature != Curvature::Exact &&
+                       r.newton_decrement <= rules_.tail_factor * rules_.relative_decrease * scale;
+  if (in_tail && polished_) {
+    advice.stop = Stop{Status::Converged, "relative decrease"};
+    return advice;
+  }
+  advice.polish = in_tail;
+  polished_ = polished_ || in_tail;
+  idle_ = small || r.step_bound < rules_.stall_step ? idle_ + 1 : 0;
+  if (idle_ >= rules_.stall_iterations)
+    advice.stop = near_minimum
+                      ? Stop{Status::Converged, "relative decrease"}
+                      : Stop{Status::Stalled, "held at the limit of the feasible set", true};
+  advice.anchor = idle_ == 0 && r.step_bound >= rules_.anchor_step;
+  return advice;
+}
+
+Stop StoppingTest::no_step(const StepResult& step, bool near_minimum) const {
+  using Outcome = StepResult::Outcome;
+  if (step.outcome == Outcome::Stopped) return {stopped_status(step.why), Stopped(step.why).what()};
+  if (step.outcome == Outcome::Breakdown) return {Status::Failed, "no finite direction"};
+  if (step.outcome == Outcome::AtMinimum) return {Status::Converged, "decrement"};
+  return {near_minimum ? Status::Converged : Status::Stalled, "no further decrease"};
+}
+
+}  // namespace majorant

@@ -1,0 +1,91 @@
+// Why a descent ends: the stopping rules as a value, and the test that applies them step by step.
+//
+//   StoppingTest test(rules, energy);
+//   while (!(stop = test.before_step())) {
+//     const StepResult step = stepper.step(y, energy);
+//     const Advice advice = test.after(step);
+//     if ((stop = advice.stop)) break;
+//     if (advice.polish) stepper.polish();
+//     if (advice.anchor) best = y;
+//   }
+//
+// That loop exists: Stepper::minimize(). The test is for loops that change the problem between
+// steps. It sees reports of steps only, no solver and no unknowns, and decides nothing at random:
+// the same reports give the same advice.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "majorant/framework/iteration.h"
+
+namespace majorant {
+
+// Stopping formulas, with E_k the energy after iteration k, p the Newton direction, g the gradient:
+//     decrement:   -g.p <= decrement |E_{k-1}|                                Converged, no step
+//     taken small step:  E_{k-1} - E_k <= relative_decrease |E_{k-1}|
+//       and -g.p <= tail_factor relative_decrease |E_{k-1}|                   Converged
+//       for a second time, the exact Hessian having been given another chance in between; steps
+//       with the exact Hessian do not count, they converge quadratically to the decrement rule
+//     idle: small step, or a certified step below stall_step, in stall_iterations successive
+//       iterations: Converged if -g.p <= stall_decrement |E_{k-1}|, else Stalled, and the result is
+//       the last point reached where the certified step was at least anchor_step: what follows it
+//       led into a corner
+//     no step decreases the energy: Converged or Stalled by the same bound on -g.p; where the
+//       problem has changed since, another try is left: it counts as idle
+// The decrement rule itself is applied inside a step, which it spares (Stepper::move_along).
+struct StoppingRules {
+  double relative_decrease = 1e-6;
+  double tail_factor = 10;
+  double decrement = 1e-12;
+  double stall_decrement = 1e-4;
+  int stall_iterations = 3;
+  double stall_step = 1e-3;
+  double anchor_step = 0.1;
+  int max_iterations = 1000;
+};
+
+// For first-order methods, whose steps are many and small: only the decrement, or the end of what
+// doubles resolve, counts as a minimum; a small certified step alone is no stall, since the metric
+// may belong to a shape far away, and the result of a stall is the last point reached by progress.
+StoppingRules first_order_rules();
+
+// For a few steps inside an outer loop that moves on anyway: at most `steps`, ended by the first
+// one that decreases the energy by no more than `relative_decrease`.
+StoppingRules brief_rules(int steps, double relative_decrease);
+
+struct Stop {
+  Status status = Status::Failed;
+  std::string message;
+  bool at_anchor = false;  // the result is the anchor, not the last point
+};
+
+struct Advice {
+  std::optional<Stop> stop;
+  bool polish = false;  // Stepper::polish() before the next step
+  bool anchor = false;  // the point reached is one to return to
+};
+
+class StoppingTest {
+ public:
+  // energy: of the start, which is the first anchor.
+  StoppingTest(const StoppingRules& rules, double energy);
+
+  // Whether the iterations are used up.
+  std::optional<Stop> before_step() const;
+
+  // Whether the next step minimizes what this one did. A small step on a problem that has changed
+  // since is no sign of a minimum.
+  enum class Since { Same, ProblemChanged };
+  Advice after(const StepResult& step, Since since = Since::Same);
+
+ private:
+  Stop no_step(const StepResult& step, bool near_minimum) const;
+
+  StoppingRules rules_;
+  double smallest_scale_;  // an energy that vanishes at its minimum has no relative scale there
+  int steps_ = 0, idle_ = 0;
+  bool polished_ = false;
+};
+
+}  // namespace majorant

@@ -1,0 +1,130 @@
+#include "majorant/parametrization/drive/map_domain.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "majorant/framework/evaluator.h"
+#include "majorant/framework/stopwatch.h"
+
+namespace majorant {
+namespace {
+
+// lambda E_conf / E. [MC20] Sec. 6 has 1e-4: too weak a barrier where curves touch (scorpion_500 at
+// degree 3 stalls at 5.386 with 1e-4 and converges to 4.996 with 1e-3, own energies); elsewhere the
+// energy is 3e-5 to 2e-4 higher (docs/bijective.md).
+constexpr double kScaffoldShare = 1e-3;
+// A change of lambda below this part does not count: the stepper keeps what it has learned.
+constexpr double kSameLambda = 0.02;
+constexpr double kLeastEnergy = 1e-3;  // mean density: where the map's vanishes, the scaffold stays
+constexpr double kStillMoving = 1e-3;  // relative decrease above which the scaffold is relaxed
+constexpr int kRelaxSteps = 5;
+
+// Adds the time until it goes out of scope to a sum.
+class AddedSeconds {
+ public:
+  explicit AddedSeconds(double& sum) : sum_(sum) {}
+  ~AddedSeconds() { sum_ += watch_.restart(); }
+  AddedSeconds(const AddedSeconds&) = delete;
+  AddedSeconds& operator=(const AddedSeconds&) = delete;
+
+ private:
+  double& sum_;
+  Stopwatch watch_;
+};
+
+}  // namespace
+
+MapProblem PlainDomain::build(const DomainInput& in, VecIn) {
+  return map_problem(in.map, in.space, in.start, in.terms, in.injectivity);
+}
+
+ScaffoldedDomain::ScaffoldedDomain(Scaffold scaffold, ScaffoldFlips flips)
+    : scaffold_(std::move(scaffold)), mode_(flips), share_(kScaffoldShare) {}
+
+MapProblem ScaffoldedDomain::build(const DomainInput& in, VecIn x) {
+  const AddedSeconds time(seconds_);
+  ProblemBuilder builder(2 * scaffold_.joint_node_count());
+  EnergyIds energies = add_map(builder, in.map, in.space, in.start, in.terms);
+  TermState around;
+  around.element_rule = scaffold_.levels();
+  around_ = builder.add(scaffold_.energy_term(), around);
+  builder.add(std::make_shared<const ScaffoldInjectivity>(
+      in.injectivity, in.space->element_count(),
+      std::make_shared<const LocalInjectivity>(scaffold_.space(), Vec::Ones(scaffold_.face_count()),
+                                               in.depth, in.stop)));
+  builder.add(FixedPoints::at(scaffold_.frame_nodes(), x));
+  lambda_.reset();
+  return {builder.build(), std::move(energies)};
+}
+
+TermChanges ScaffoldedDomain::before_step(const MapProblem& built, VecIn x, const StopCheck& stop) {
+  const AddedSeconds time(seconds_);
+  double mean = 0;
+  for (const TermId id : built.energies) mean += term_energy(built.problem, id, x, stop);
+  TermState around = built.problem.state(*around_);
+  const double lambda = share_ * std::max(mean, kLeastEnergy) * around.weight /
+                        term_energy(built.problem, *around_, x, stop);
+  if (lambda_ && std::abs(lambda - *lambda_) <= kSameLambda * lambda) return {};
+  lambda_ = lambda;
+  around.weight = lambda;
+  around.element_rule = scaffold_.levels();
+  return {{*around_, std::move(around)}};
+}
+
+double ScaffoldedDomain::foreign_energy(const Problem& problem, VecIn x) const {
+  return term_energy(problem, *around_, x);
+}
+
+// The scaffold is enlarged, flipped and relaxed. Near the end of a run that nothing hinders it is
+// left alone.
+DomainChange ScaffoldedDomain::after_step(Vec& x, const StepResult& step, const DomainInput& in) {
+  const AddedSeconds time(seconds_);
+  scaffold_.take(x);
+  if (refine(step.blocking, in.space->element_count())) lambda_.reset();
+  const bool grown = scaffold_.grow();
+  FlipCounts counts = flip();
+  const bool relaxed = grown || counts.performed > 0 ||
+                       step.record.relative_decrease > kStillMoving || step.record.step_bound < 1;
+  if (relaxed) {
+    scaffold_.relax(kRelaxSteps, in.depth, in.stop);
+    const FlipCounts more = flip();
+    counts.intended += more.intended;
+    counts.performed += more.performed;
+  }
+  flips_.intended += counts.intended;
+  flips_.performed += counts.performed;
+  x = scaffold_.joined(x);
+  if (grown || counts.performed > 0) return DomainChange::Structure;
+  return relaxed ? DomainChange::Values : DomainChange::None;
+}
+
+// Scaffold faces that block a step get a finer quadrature rule: theirs does not see the barrier.
+bool ScaffoldedDomain::refine(const std::vector<Index>& blocking, Index map_faces) {
+  std::vector<Index> faces;
+  for (const Index e : blocking)
+    if (e >= map_faces) faces.push_back(e - map_faces);
+  scaffold_.refine(faces);
+  return !faces.empty();
+}
+
+FlipCounts ScaffoldedDomain::flip() {
+  return mode_ == ScaffoldFlips::Performed ? scaffold_.flip() : FlipCounts{};
+}
+
+bool ScaffoldedDomain::strengthen(double weight) {
+  const double share = std::max(kScaffoldShare, weight);
+  lambda_.reset();
+  return std::exchange(share_, share) != share;
+}
+
+void ScaffoldedDomain::elevate(const std::shared_ptr<const BezierTriangleSpace>& higher) {
+  const AddedSeconds time(seconds_);
+  scaffold_ = scaffold_.elevated(higher);
+}
+
+void ScaffoldedDomain::restore(const std::optional<Scaffold>& scaffold) {
+  if (scaffold) scaffold_ = *scaffold;
+}
+
+}  // namespace majorant

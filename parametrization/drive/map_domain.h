@@ -1,0 +1,115 @@
+// Where the map of one degree is optimized: on its own nodes (PlainDomain), or with the space
+// around its image as a part of the problem (ScaffoldedDomain), which keeps it free of overlaps.
+//
+//   std::unique_ptr<MapDomain> domain = std::make_unique<PlainDomain>();
+//   DomainProblem built = domain->build({spec, space, start, terms, injectivity, depth, stop}, x);
+//   ... a step on built.problem ...
+//   if (domain->after_step(x, step) == DomainChange::Structure) built = domain->build(...);
+//
+// Internal to parametrize(). A domain lives as long as a run: it is elevated with the map.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "majorant/framework/stepper.h"
+#include "majorant/parametrization/drive/solve_options.h"
+#include "majorant/parametrization/maps/map_problem.h"
+#include "majorant/parametrization/scaffold/scaffold.h"
+
+namespace majorant {
+
+// The map that is to be optimized, whatever surrounds it.
+struct DomainInput {
+  const MapSpecification& map;
+  const std::shared_ptr<const BezierTriangleSpace>& space;
+  const Vec& start;  // 2 numbers per node of `space`: what is fixed stays there
+  const DensityTerms& terms;
+  std::shared_ptr<const LocalInjectivity> injectivity;  // of the map
+  int depth;                                            // of certificates
+  const StopCheck& stop;
+};
+
+// What happened to the unknowns between two steps.
+enum class DomainChange {
+  None,
+  Values,     // they are elsewhere: energies are others
+  Structure,  // there are others: the problem must be built anew
+};
+
+class MapDomain {
+ public:
+  virtual ~MapDomain() = default;
+
+  // The unknowns of a problem for a map with these control points, which come first.
+  virtual Vec unknowns(VecIn map) const = 0;
+  virtual MapProblem build(const DomainInput& input, VecIn x) = 0;
+
+  // States that follow the unknowns x of the last problem built; empty: as they are.
+  virtual TermChanges before_step(const MapProblem&, VecIn /*x*/, const StopCheck&) { return {}; }
+  // The surroundings are adapted to x, which was reached by `step` or could not be left.
+  virtual DomainChange after_step(Vec& /*x*/, const StepResult& /*step*/, const DomainInput&) {
+    return DomainChange::None;
+  }
+  // What the problem's energy at x has that is not the map's own.
+  virtual double foreign_energy(const Problem&, VecIn /*x*/) const { return 0; }
+
+  // The surroundings follow a barrier of their own: weight relative to the map's energy, 0 as ever.
+  // Whether that changes anything.
+  virtual bool strengthen(double /*weight*/) { return false; }
+
+  // Part of the tolerance asked for at which a run may end.
+  virtual double part_of_tolerance() const { return 1; }
+
+  virtual void elevate(const std::shared_ptr<const BezierTriangleSpace>& /*higher*/) {}
+
+  // To come back to a place: the surroundings as they were there, none where there are none.
+  virtual std::optional<Scaffold> surroundings() const { return {}; }
+  virtual void restore(const std::optional<Scaffold>&) {}
+  virtual FlipCounts flips() const { return {}; }
+  virtual double seconds() const { return 0; }  // spent on the surroundings, outside of steps
+};
+
+class PlainDomain final : public MapDomain {
+ public:
+  Vec unknowns(VecIn map) const override { return map; }
+  MapProblem build(const DomainInput& input, VecIn x) override;
+};
+
+// [MC20] Sec. 6. Every iteration is one Newton step on
+//   E(map) + lambda E_conf(scaffold),   lambda = 1e-3 E(map) / E_conf(scaffold),
+// then the scaffold's edges are flipped and its triangles relaxed with the image fixed.
+class ScaffoldedDomain final : public MapDomain {
+ public:
+  ScaffoldedDomain(Scaffold scaffold, ScaffoldFlips flips);
+
+  Vec unknowns(VecIn map) const override { return scaffold_.joined(map); }
+  MapProblem build(const DomainInput& input, VecIn x) override;
+  TermChanges before_step(const MapProblem& built, VecIn x, const StopCheck& stop) override;
+  DomainChange after_step(Vec& x, const StepResult& step, const DomainInput& input) override;
+  double foreign_energy(const Problem& problem, VecIn x) const override;
+  bool strengthen(double weight) override;
+  // Its Newton steps never become exact (the image of a scaffolded map may not turn freely, so the
+  // exact Hessian is indefinite), and the small steps at the end add up: penguin_500 at degree 2
+  // ends 2e-5 above its minimum at a decrease of 1e-6.
+  double part_of_tolerance() const override { return 0.5; }
+  void elevate(const std::shared_ptr<const BezierTriangleSpace>& higher) override;
+  std::optional<Scaffold> surroundings() const override { return scaffold_; }
+  void restore(const std::optional<Scaffold>& scaffold) override;
+  FlipCounts flips() const override { return flips_; }
+  double seconds() const override { return seconds_; }
+
+ private:
+  bool refine(const std::vector<Index>& blocking, Index map_faces);
+  FlipCounts flip();
+
+  Scaffold scaffold_;
+  ScaffoldFlips mode_;
+  FlipCounts flips_;
+  double share_;                  // lambda E_conf / E
+  std::optional<TermId> around_;  // E_conf, in the last problem built
+  std::optional<double> lambda_;  // none: not set since the problem was built
+  double seconds_ = 0;
+};
+
+}  // namespace majorant

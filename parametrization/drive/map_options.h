@@ -1,0 +1,36 @@
+// *What* a map shall be: degree, energy, boundary, points that are held. In model units, vertices
+// and half-edges of the mesh that is mapped (of the start's, where a start is given).
+//
+//   MapOptions map;
+//   map.degree = 2;
+//   map.pins = {{0, {}}};                          // stays where the initial map has it
+//   map.handles = {{12, Vector2(0.5, 1)}};         // pulled there
+//
+// How such a map is looked for is another matter: solve_options.h.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "majorant/parametrization/maps/map_objective.h"
+
+namespace majorant {
+
+// Local: det J > 0 and angle sums; Global: no overlaps either, held by a scaffold (scaffold.h).
+enum class MapInjectivity { Local, Global };
+
+struct Pin {
+  Index vertex;                   // of the mesh
+  std::optional<Vector2> target;  // model units; none: where the initial map has the vertex
+};
+
+struct MapOptions : MapObjective {
+  int degree = 3;  // 1..8
+  MapInjectivity injectivity = MapInjectivity::Local;
+  std::vector<Pin> pins;       // hard
+  std::vector<Pin> handles;    // soft, with handle_weight
+  std::vector<Index> aligned;  // half-edges that stay parallel to an axis
+  std::optional<Vec> initial;  // u, v per vertex; none: Tutte's map
+};
+
+}  // namespace majorant

@@ -1,0 +1,29 @@
+// *How* a map is looked for: models, rules, limits of accuracy. The minimum is the same for all of
+// them but for the path to it, which may lead to another local one.
+#pragma once
+
+#include "majorant/framework/curvature.h"
+
+namespace majorant {
+
+enum class Elevation { Incremental, Direct };
+
+// Omitted: for comparison only; the scaffold's shape suffers.
+enum class ScaffoldFlips { Performed, Omitted };
+
+// Flipped: edges inside flat parts of the surface are flipped at the end where that lowers the
+// energy (improve_mesh.h); the result's faces are not those of the input then.
+enum class Triangles { Kept, Flipped };
+
+struct SolveOptions {
+  Curvature curvature = Curvature::Projected;
+  double tolerance = 1e-6;  // relative energy decrease per iteration, StoppingRules
+  Elevation elevation = Elevation::Incremental;
+  double elevation_tolerance = 1e-4;  // the degree is raised below this decrease
+  int quadrature_points = 0;          // lattice points per triangle; 0: our own rule
+  int injectivity_depth = 5;          // of bisection; deeper when a run is held back
+  ScaffoldFlips scaffold_flips = ScaffoldFlips::Performed;  // of MapInjectivity::Global
+  Triangles triangles = Triangles::Kept;
+};
+
+}  // namespace majorant

@@ -1,0 +1,208 @@
+#include "majorant/framework/stopping.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "framework/scalar_terms.h"
+#include "majorant/framework/newton.h"
+
+namespace majorant::test {
+namespace {
+
+using Outcome = StepResult::Outcome;
+using Since = StoppingTest::Since;
+
+// From energy 100: what its parts say in the order of their names.
+StepResult moved(double decrease, double decrement, double bound = 1,
+                 Curvature curvature = Curvature::Projected) {
+  StepResult step;
+  step.outcome = Outcome::Moved;
+  step.energy_before = 100;
+  step.record.relative_decrease = decrease;
+  step.record.energy = 100 * (1 - decrease);
+  step.record.newton_decrement = 100 * decrement;
+  step.record.step_bound = bound;
+  step.record.curvature = curvature;
+  return step;
+}
+
+StepResult ended(Outcome outcome, double decrement = 0) {
+  StepResult step = moved(0, decrement, 0);
+  step.outcome = outcome;
+  return step;
+}
+
+StoppingRules rules() {
+  StoppingRules r;
+  r.relative_decrease = 1e-6;
+  r.tail_factor = 10;
+  r.stall_decrement = 1e-4;
+  r.stall_iterations = 3;
+  r.stall_step = 1e-3;
+  r.anchor_step = 0.1;
+  r.max_iterations = 7;
+  return r;
+}
+
+void expect_goes_on(const Advice& advice) {
+  EXPECT_FALSE(advice.stop.has_value()) << advice.stop->message;
+}
+
+void expect_stop(const Advice& advice, Status status, const std::string& message) {
+  ASSERT_TRUE(advice.stop.has_value());
+  EXPECT_EQ(name(advice.stop->status), name(status));
+  EXPECT_EQ(advice.stop->message, message);
+}
+
+TEST(Stopping, StepsWithProgressGoOnUntilTheIterationsAreUsedUp) {
+  StoppingTest test(rules(), 100);
+  for (int k = 0; k < 7; ++k) {
+    EXPECT_FALSE(test.before_step().has_value()) << k;
+    const Advice advice = test.after(moved(0.1, 0.2));
+    expect_goes_on(advice);
+    EXPECT_TRUE(advice.anchor);
+    EXPECT_FALSE(advice.polish);
+  }
+  ASSERT_TRUE(test.before_step().has_value());
+  EXPECT_EQ(test.before_step()->status, Status::MaxIterations);
+  EXPECT_FALSE(test.before_step()->at_anchor);
+}
+
+TEST(Stopping, ASmallStepNearAMinimumIsPolishedOnceThenConverged) {
+  StoppingTest test(rules(), 100);
+  const Advice first = test.after(moved(9e-7, 9e-6));
+  expect_goes_on(first);
+  EXPECT_TRUE(first.polish);
+  expect_goes_on(test.after(moved(0.1, 0.2)));  // a polish remembered is not asked for again
+  expect_stop(test.after(moved(9e-7, 9e-6)), Status::Converged, "relative decrease");
+}
+
+TEST(Stopping, TheTailNeedsASmallDecrementAndAModelThatIsNotExact) {
+  {
+    StoppingTest test(rules(), 100);
+    EXPECT_FALSE(test.after(moved(9e-7, 1.1e-5)).polish) << "decrement too large";
+  }
+  StoppingTest test(rules(), 100);
+  const Advice exact = test.after(moved(9e-7, 9e-6, 1, Curvature::Exact));
+  EXPECT_FALSE(exact.polish) << "exact steps end by the decrement rule";
+  expect_goes_on(exact);
+}
+
+TEST(Stopping, ASmallStepBeforeAChangeOfTheProblemIsNoSignOfAMinimum) {
+  StoppingTest test(rules(), 100);
+  for (int k = 0; k < 2; ++k) {
+    const Advice advice = test.after(moved(9e-7, 9e-6), Since::ProblemChanged);
+    EXPECT_FALSE(advice.polish);
+    expect_goes_on(advice);
+  }
+  // but it does not go on like that for ever
+  expect_stop(test.after(moved(9e-7, 9e-6), Since::ProblemChanged), Status::Converged,
+              "relative decrease");
+}
+
+TEST(Stopping, IdleStepsInARowStallFarFromAMinimumAndReturnToTheAnchor) {
+  StoppingTest test(rules(), 100);
+  EXPECT_FALSE(test.after(moved(9e-7, 1e-2)).anchor);
+  EXPECT_FALSE(test.after(moved(0.1, 1e-2, 9e-4)).anchor) << "a certified step below stall_step";
+  expect_goes_on(test.after(moved(0.1, 1e-2)));  // the row is broken
+  expect_goes_on(test.after(moved(9e-7, 1e-2)));
+  expect_goes_on(test.after(moved(0.1, 1e-2, 9e-4)));
+  const Advice last = test.after(moved(9e-7, 1e-2));
+  expect_stop(last, Status::Stalled, "held at the limit of the feasible set");
+  EXPECT_TRUE(last.stop->at_anchor);
+}
+
+TEST(Stopping, IdleStepsNearAMinimumConvergeWhereTheyAre) {
+  StoppingTest test(rules(), 100);
+  expect_goes_on(test.after(moved(9e-7, 9e-5)));
+  expect_goes_on(test.after(moved(9e-7, 9e-5)));
+  const Advice last = test.after(moved(9e-7, 9e-5));
+  expect_stop(last, Status::Converged, "relative decrease");
+  EXPECT_FALSE(last.stop->at_anchor);
+}
+
+TEST(Stopping, OnlyAGoodPartOfAStepMakesAnAnchor) {
+  StoppingTest test(rules(), 100);
+  EXPECT_TRUE(test.after(moved(0.1, 0.2, 0.1)).anchor);
+  EXPECT_FALSE(test.after(moved(0.1, 0.2, 0.09)).anchor);
+}
+
+TEST(Stopping, AStepThatDidNotMoveEndsTheRun) {
+  const auto answer = [](const StepResult& step) { return StoppingTest(rules(), 100).after(step); };
+  expect_stop(answer(ended(Outcome::AtMinimum)), Status::Converged, "decrement");
+  expect_stop(answer(ended(Outcome::Breakdown)), Status::Failed, "no finite direction");
+  for (const Outcome outcome : {Outcome::Blocked, Outcome::NoDecrease}) {
+    expect_stop(answer(ended(outcome, 9e-5)), Status::Converged, "no further decrease");
+    expect_stop(answer(ended(outcome, 1.1e-4)), Status::Stalled, "no further decrease");
+  }
+  StepResult limit = ended(Outcome::Stopped);
+  limit.why = Directive::TimeLimit;
+  expect_stop(answer(limit), Status::TimeLimit, "the time limit was reached");
+  limit.why = Directive::Interrupt;
+  expect_stop(answer(limit), Status::Interrupted, "interrupted");
+}
+
+// Decrements are compared with the energy before the step, never with less than 1e-14 of the first.
+TEST(Stopping, EnergiesThatVanishHaveTheScaleOfTheirStart) {
+  const auto blocked_at = [](double energy, double first) {
+    StepResult step = ended(Outcome::Blocked, 0);
+    step.energy_before = energy;
+    step.record.newton_decrement = 1e-19;
+    return StoppingTest(rules(), first).after(step).stop->status;
+  };
+  EXPECT_EQ(blocked_at(0, 1), Status::Converged);      // 1e-19 <= 1e-4 * 1e-14
+  EXPECT_EQ(blocked_at(0, 1e-2), Status::Stalled);     // 1e-19 > 1e-4 * 1e-16
+  EXPECT_EQ(blocked_at(-1e-2, 0), Status::Converged);  // sizes count, not signs
+}
+
+TEST(Stopping, BriefRulesEndWithTheFirstSmallStep) {
+  StoppingTest test(brief_rules(3, 1e-2), 100);
+  expect_goes_on(test.after(moved(0.1, 0.2, 1e-9)));  // however short
+  const Advice small = test.after(moved(9e-3, 0.2));
+  expect_stop(small, Status::Converged, "relative decrease");
+
+  StoppingTest limited(brief_rules(2, -std::numeric_limits<double>::infinity()), 100);
+  expect_goes_on(limited.after(moved(0, 0)));
+  expect_goes_on(limited.after(moved(0, 0)));
+  EXPECT_TRUE(limited.before_step().has_value());
+}
+
+// The loop of Stepper::minimize obeys the test: from within a bound that lets nothing through, the
+// result is the anchor.
+TEST(Stopping, MinimizeReturnsToTheAnchor) {
+  const auto well = std::make_shared<const Chain>(1, parabola(5, 1));
+  // The wall at 1 lets a tenth of the way to it pass, then less and less.
+  class Wall final : public FeasibilityChecker {
+   public:
+    std::string_view name() const override { return "wall"; }
+    Verdict check(VecIn x) const override {
+      Verdict verdict;
+      verdict.feasible = x[0] < 1;
+      return verdict;
+    }
+    StepBound max_step(VecIn x, VecIn d, double) const override {
+      const double way = 1 - x[0];
+      return {way > 0.75 ? 0.2 : 1e-4 * way / d[0], {0}};
+    }
+  };
+  ProblemBuilder builder(1);
+  builder.add(well, 1.0);
+  builder.add(std::make_shared<const Wall>());
+  NewtonOptions options;
+  options.exact_below = 0;
+  NewtonStepper stepper(builder.build(), options);
+  std::vector<double> points;
+  const SolveResult r = stepper.minimize(Vec::Zero(1), StoppingRules{},
+                                         [&](const IterationRecord& record, const Vec& y) {
+                                           if (record.step_bound >= 0.1) points.push_back(y[0]);
+                                           return Directive::Continue;
+                                         });
+  EXPECT_EQ(r.status, Status::Stalled) << r.message;
+  ASSERT_FALSE(points.empty());
+  EXPECT_EQ(r.y[0], points.back());
+  EXPECT_GT(r.iterations.size(), points.size());
+}
+
+}  // namespace
+}  // namespace majorant::test
