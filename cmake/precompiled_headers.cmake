@@ -1,4 +1,5 @@
-# majorant_precompiled_headers(KIND header...) and majorant_use_precompiled(TARGET KIND)
+# majorant_precompiled_headers(KIND [OPTIONS flag...] [LINK target...] HEADERS header...)
+# majorant_use_precompiled(TARGET KIND)
 #
 # What almost every source of a kind includes, read by the compiler once: only headers of other
 # projects, so that no change of ours compiles it again. A source still includes what it uses; with

@@ -215,14 +215,11 @@ class Check(CommandTest):
         self.assertIs(report['result']['globally_injective'], None)
         self.assertTrue(any('could not be decided' in finding for finding in report['findings']))
 
-    def test_shared_meshes(self):
-        folder = os.path.join(SHARED, 'data', 'public', 'disks')
-        if not os.path.isdir(folder):
-            self.skipTest('no ' + folder)
+    @where(os.path.join(SHARED, 'data', 'public', 'disks'))
+    def test_public_meshes(self):
         for name, injective in {'plane_500': False, 'spot_500': True}.items():
-            mesh, out = os.path.join(folder, name + '.obj'), self.path('out.vtu')
-            if not os.path.exists(mesh):
-                continue
+            mesh = os.path.join(SHARED, 'data', 'public', 'disks', name + '.obj')
+            out = self.path('out.vtu')
             report = self.path('run.json')
             self.run_ok('parametrize', '--quiet', mesh, '-o', out, '--degree', '2', '--report',
                         report)

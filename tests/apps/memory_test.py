@@ -15,11 +15,6 @@ class Memory(CommandTest):
                                       stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
                                       preexec_fn=lower, timeout=120))
 
-    def setUp(self):
-        super().setUp()
-        if self.run_within(1000, '--version').code != OK:
-            self.skipTest('a sanitizer, which needs more address space than there can be')
-
     def all_or_nothing(self, mesh, degree, limits):
         """Codes by limit. Exit 0 gives the very file that a run without a limit gives."""
         job = ('parametrize', generated(mesh), '-o', self.path('out.vtu'), '--degree', degree, '--quiet')

@@ -234,7 +234,7 @@ class Seamless(SeamlessTest):
             self.refused(INVALID, 'check', path, '--surface', self.meshes['open'], says='boundary')
 
     # ---------------------------------------------------------------- the independent checker
-    @unittest.skipUnless(os.path.exists(VERIFY), 'no ' + VERIFY)
+    @where(VERIFY)
     def test_verify(self):
         for name, path in self.results.items():
             mesh = self.mesh_of(name)
@@ -245,8 +245,7 @@ class Seamless(SeamlessTest):
             self.assertEqual(process.returncode, 0, name + process.stdout[-2000:] + process.stderr)
             self.assertTrue(json.loads(process.stdout)['ok']['same_cuts'])
 
-    @unittest.skipUnless(os.path.isdir(os.path.join(SHARED, 'data', 'public', 'seamless')),
-                         'no public seamless meshes')
+    @where(os.path.join(SHARED, 'data', 'public', 'seamless'))
     def test_public_meshes(self):
         folder = os.path.join(SHARED, 'data', 'public', 'seamless')
         for name in sorted(os.listdir(folder)):

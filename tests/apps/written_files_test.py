@@ -45,7 +45,7 @@ class BeforeTheWork(CommandTest):
         os.symlink('a.vtu', self.path('b.vtu'))
         self.refused_early(self.path('a.vtu'), 'symbolic links')
 
-    @unittest.skipIf(os.geteuid() == 0, 'everything is permitted to root')
+    @only_if(os.geteuid() != 0)  # everything is permitted to root
     def test_permission(self):
         os.mkdir(self.path('closed'), 0o500)
         self.refused_early(self.path('closed/a.vtu'), 'Permission denied')

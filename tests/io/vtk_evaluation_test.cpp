@@ -21,7 +21,6 @@ TEST(VtkEvaluation, AgreesWithTheOrderOfControlPoints) {
   }
   const int status = std::system(command.c_str());
   ASSERT_TRUE(WIFEXITED(status));
-  if (WEXITSTATUS(status) == 77) GTEST_SKIP() << "python3-vtk9 is not installed";
   EXPECT_EQ(WEXITSTATUS(status), 0);
 }
 

@@ -221,6 +221,7 @@ TEST(WriteComparison, WholeOrAbsent) {
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
+#ifdef MAJORANT_CHROMIUM
 // Headless Chromium opens every page, uses its controls and looks for errors.
 TEST(WriteComparisonHtml, WorksInABrowser) {
   const TemporaryFolder folder;
@@ -236,9 +237,9 @@ TEST(WriteComparisonHtml, WorksInABrowser) {
   }
   const int status = std::system(command.c_str());
   ASSERT_TRUE(WIFEXITED(status));
-  if (WEXITSTATUS(status) == 77) GTEST_SKIP() << "no /usr/bin/chromium";
   EXPECT_EQ(WEXITSTATUS(status), 0);
 }
+#endif
 
 }  // namespace
 }  // namespace majorant

@@ -33,7 +33,7 @@ class EveryEnergy : public testing::TestWithParam<std::string> {
 
 void expect_valid_map(const ParametrizationResult& r, const NamedEnergy& energy, int n) {
   ASSERT_TRUE(r.map.has_value());
-  EXPECT_TRUE(r.status == Status::Converged || r.status == Status::Stalled) << r.message;
+  EXPECT_EQ(r.status, Status::Converged) << r.message;
   EXPECT_EQ(r.map->degree(), n);
   EXPECT_TRUE(r.measures.locally_injective);
   EXPECT_GT(r.measures.min_det.minCoeff(), 0);
@@ -54,7 +54,6 @@ TEST_P(EveryEnergy, ImprovesWithTheDegree) {
       SCOPED_TRACE(testing::Message() << name << ", degree " << n);
       const ParametrizationResult r = parametrize(mesh, options_for(energy(), n));
       expect_valid_map(r, energy(), n);
-      EXPECT_EQ(r.status, Status::Converged) << r.message;
       EXPECT_LE(r.measures.value, before * (1 + 1e-4));
       before = r.measures.value;
     }
