@@ -8,6 +8,7 @@
 #include "majorant/framework/ceres_minimizer.h"
 #include "majorant/framework/newton.h"
 #include "majorant/parametrization/drive/normalized_start.h"
+#include "majorant/parametrization/drive/parametrize.h"
 #include "majorant/parametrization/maps/quadrature_ladder.h"
 #include "majorant/parametrization/starts/initial_map.h"
 #include "mesh/test_meshes.h"
