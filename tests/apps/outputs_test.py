@@ -88,13 +88,15 @@ class Info(CommandTest):
 
 class Report(CommandTest):
     TOP = {'schema_version', 'version', 'command', 'status', 'message', 'input', 'options', 'result',
-           'iterations', 'injectivity_tests', 'flips', 'seconds', 'peak_memory_bytes', 'threads'}
+           'iterations', 'injectivity_tests', 'flips', 'remedies', 'seconds',
+           'peak_memory_bytes', 'threads'}
     INPUT = {'file', 'vertices', 'faces', 'components', 'boundary_loops', 'euler_characteristic', 'area',
              'repairs'}
     RESULT = {'degree', 'control_points', 'variables', 'energy', 'value', 'initial_value',
               'value_quadrature', 'max_density', 'sigma_max', 'sigma_min', 'locally_injective',
               'min_det_bound', 'globally_injective', 'boundary', 'seam_residual', 'constraint_residual'}
-    ITERATION = {'iteration', 'degree', 'energy', 'relative_decrease', 'step', 'gradient_norm',
+    ITERATION = {'iteration', 'degree', 'phase', 'remedy', 'energy', 'relative_decrease', 'step',
+                 'gradient_norm',
                  'seconds'}
     STEP_SECONDS = {'assemble', 'factorize', 'solve', 'line_search'}
     SECONDS = {'read', 'initialize', 'optimize', 'write', 'total'}
@@ -113,6 +115,9 @@ class Report(CommandTest):
         self.assertLessEqual(self.RESULT, keys(r['result']))
         self.assertLessEqual(self.SECONDS, keys(r['seconds']))
         self.assertEqual(keys(r['flips']), {'intended', 'performed'})
+        self.assertEqual(r['remedies'], {remedy: {'runs': 0, 'gained': 0} for remedy in (
+            'deepen', 'refine', 'exclude', 'follow-barrier')})
+        self.assertEqual(r['seconds']['scaffold'], 0)
         self.assertEqual((r['schema_version'], r['command'], r['status'], r['threads']),
                          (1, 'parametrize', 'converged', 2))
         self.assertEqual(r['version'], self.run_ok('--version').out.split()[1])
@@ -166,6 +171,8 @@ class Report(CommandTest):
                 self.assertEqual(float(row[name]), step[name], name)
             for name in self.STEP_SECONDS:
                 self.assertEqual(float(row[name]), step['seconds'][name], name)
+            self.assertEqual((row['phase'], row['remedy']), ('newton', ''))
+            self.assertEqual((step['phase'], step['remedy']), ('newton', None))
 
     def test_value_keeps_all_digits(self):
         self.run_ok('parametrize', '--quiet', generated('tube'), '-o', self.path('o.vtu'), '--report',

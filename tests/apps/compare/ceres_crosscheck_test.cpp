@@ -8,6 +8,7 @@
 #include "majorant/framework/ceres_minimizer.h"
 #include "majorant/framework/newton.h"
 #include "majorant/parametrization/drive/internal/normalized_start.h"
+#include "majorant/parametrization/drive/parametrize.h"
 #include "majorant/parametrization/maps/internal/quadrature_ladder.h"
 #include "majorant/parametrization/starts/tutte.h"
 #include "mesh/test_meshes.h"
@@ -110,8 +111,8 @@ TEST_P(CeresCrossCheck, EnergiesAgree) {
       ++total;
       const SolveResult ours = NewtonMinimizer(tight()).minimize(c.problem, c.y0, {});
       const SolveResult theirs = CeresMinimizer().minimize(c.problem, c.y0, {});
-      // MIPS at degree 3: without the help of parametrize(), Newton is held at the injectivity limit
-      // on some surfaces (up to 1.5 % above Ceres), and Ceres does not finish the pyramid.
+      // MIPS at degree 3: without the help of parametrize(), Newton is held at the injectivity
+      // limit on some surfaces (up to 1.5 % above Ceres), and Ceres does not finish the pyramid.
       const bool may_end_early = std::string(GetParam()) == "mips" && degree == 3;
       const bool both = ours.status == Status::Converged && theirs.status == Status::Converged;
       EXPECT_TRUE(both || may_end_early) << ours.message << "; " << theirs.message;
@@ -144,8 +145,8 @@ TEST(CeresCrossCheck, LeastSquaresFindsTheSameMinimum) {
       const SolveResult ours = NewtonMinimizer(tight()).minimize(c.problem, c.y0, {});
       // What it reports is what the problem says of its result.
       EXPECT_NEAR(theirs.energy, Evaluator(c.problem).value(theirs.y), 1e-12 * theirs.energy);
-      // MIPS at degree 3: without the help of parametrize(), Newton is held at the injectivity limit
-      // on some surfaces (up to 1.5 % above Ceres), and Ceres does not finish the pyramid.
+      // MIPS at degree 3: without the help of parametrize(), Newton is held at the injectivity
+      // limit on some surfaces (up to 1.5 % above Ceres), and Ceres does not finish the pyramid.
       const bool may_end_early = std::string(GetParam()) == "mips" && degree == 3;
       const bool both = ours.status == Status::Converged && theirs.status == Status::Converged;
       EXPECT_TRUE(both || may_end_early) << ours.message << "; " << theirs.message;

@@ -226,6 +226,28 @@ TEST(ImproveMesh, HelpsWhatFollows) {
                                std::to_string(second.measures.value));
 }
 
+TEST(ImproveMesh, IsAnOptionOfParametrize) {
+  const PlaneTriangulation t = jittered_grid(10, 0.35, 8);
+  ParametrizationOptions options;
+  options.map.boundary = BoundaryCondition::Fixed;
+  options.map.degree = 1;
+  const ParametrizationResult kept = parametrize(placed(t), options);
+  EXPECT_FALSE(kept.other_triangles);
+  EXPECT_EQ(kept.flips.performed, 0);
+  options.solve.triangles = Triangles::Flipped;
+  const ParametrizationResult flipped = parametrize(placed(t), options);
+  const ImprovedMap expected = improve_mesh(*kept.map, kEnergy);
+  EXPECT_TRUE(flipped.other_triangles);
+  EXPECT_GT(flipped.flips.performed, 0);
+  EXPECT_EQ(flipped.flips.performed, expected.flips.performed);
+  EXPECT_EQ(flipped.map->mesh().faces(), expected.map.mesh().faces());
+  EXPECT_EQ(flipped.measures.value, mean(expected.map)) << "measured anew";
+  EXPECT_LT(flipped.measures.value, kept.measures.value);
+  EXPECT_EQ(flipped.value_quadrature, kept.value_quadrature);
+  options.map.face_weight = Vec::Ones(flipped.map->mesh().face_count());
+  EXPECT_THROW(parametrize(placed(t), options), Error);
+}
+
 TEST(ImproveMesh, RefusesMapsWithFolds) {
   const PlaneTriangulation t = jittered_grid(3, 0, 1);
   const auto mesh = placed(t);

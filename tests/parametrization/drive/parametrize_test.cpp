@@ -200,5 +200,17 @@ TEST(Parametrize, DoesNotDependOnScale) {
   }
 }
 
+// Nothing holds the size of a map under |J|^2: it shrinks until no determinant can be proven.
+TEST(Parametrize, AResultThatFailsItsOwnProofSaysSo) {
+  ParametrizationOptions options = degree(1);
+  options.map.energy = {
+      {energy_factory(invariant("dirichlet", [](const auto& x, const auto& y) { return x + y; },
+                                {Domain::Everywhere, Convexity::Convex}))}};
+  const ParametrizationResult result = parametrize(generated("cap"), options);
+  EXPECT_EQ(name(result.status), name(Status::Failed));
+  EXPECT_FALSE(result.measures.locally_injective);
+  EXPECT_NE(result.message.find("fails its own proof: face "), std::string::npos) << result.message;
+}
+
 }  // namespace
 }  // namespace majorant
