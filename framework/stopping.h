@@ -35,13 +35,21 @@ namespace majorant {
 //       problem has changed since, another try is left: it counts as idle
 // The decrement rule itself is applied inside a step, which it spares (Stepper::move_along).
 struct StoppingRules {
+  // Origin: bench/tune.py stopping.relative_decrease.
   double relative_decrease = 1e-6;
+  // Origin: -g.p is twice what is left, and that is 5 decreases where each step leaves 5/6.
   double tail_factor = 10;
+  // Origin: twice LineSearch::kResolution: no energy could tell what is left.
   double decrement = 1e-12;
+  // Origin: bench/tune.py stopping.stall_decrement.
   double stall_decrement = 1e-4;
+  // Origin: bench/tune.py stopping.stall_iterations.
   int stall_iterations = 3;
+  // Origin: bench/tune.py stopping.stall_step.
   double stall_step = 1e-3;
+  // Origin: bench/tune.py stopping.anchor_step.
   double anchor_step = 0.1;
+  // Origin: bounds the cost of a solve that nobody watches; parametrize() has no such limit.
   int max_iterations = 1000;
 };
 
