@@ -4,6 +4,7 @@
 #include "energies/density_fixture.h"
 #include "majorant/framework/evaluator.h"
 #include "majorant/parametrization/drive/parametrize.h"
+#include "majorant/parametrization/maps/map_problem.h"
 #include "parametrization/drive/parametrize_expectations.h"
 
 namespace majorant {
