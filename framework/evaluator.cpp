@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "majorant/framework/internal/element_values.h"
 #include "majorant/framework/internal/parallel_errors.h"
 #include "majorant/framework/internal/problem_parts.h"
 
