@@ -88,6 +88,11 @@ Vec element_values(const EnergyTerm& term, const TermState& state, const ChunkPl
   return f;
 }
 
+Vec element_values(const Problem& problem, TermId id, VecIn x, const StopCheck& stop) {
+  return element_values(problem.term(id), problem.state(id), ProblemParts::plan(problem, id), x,
+                        stop);
+}
+
 double term_energy(const Problem& problem, TermId id, VecIn x, const StopCheck& stop) {
   double total = 0;
   add_energy(problem, id, x, stop, total);

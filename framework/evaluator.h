@@ -27,6 +27,12 @@ int threads();
 // Calls `work` once on each of the threads, which start if they do not run yet.
 void run_on_threads(const std::function<void()>& work);
 
+// Of one term at x (full unknowns): the unweighted value of each of its elements, and its part of
+// the problem's energy, weights included. Poll between chunks of elements, as all evaluations do
+// that are given a stop check: Stopped.
+Vec element_values(const Problem& problem, TermId id, VecIn x, const StopCheck& stop = {});
+double term_energy(const Problem& problem, TermId id, VecIn x, const StopCheck& stop = {});
+
 class Evaluator {
  public:
   explicit Evaluator(const Problem& problem);

@@ -15,7 +15,4 @@ namespace majorant {
 Vec element_values(const EnergyTerm& term, const TermState& state, const ChunkPlan& plan, VecIn x,
                    const StopCheck& stop = {});
 
-// The part of the problem's energy at x (full unknowns) that one term has, weights included.
-double term_energy(const Problem& problem, TermId id, VecIn x, const StopCheck& stop = {});
-
 }  // namespace majorant
