@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "majorant/framework/internal/element_values.h"
 #include "majorant/framework/internal/parallel_errors.h"
 #include "majorant/framework/internal/problem_parts.h"
 
@@ -85,6 +86,11 @@ Vec element_values(const EnergyTerm& term, const TermState& state, const ChunkPl
   }
   errors.rethrow();
   return f;
+}
+
+Vec element_values(const Problem& problem, TermId id, VecIn x, const StopCheck& stop) {
+  return element_values(problem.term(id), problem.state(id), ProblemParts::plan(problem, id), x,
+                        stop);
 }
 
 double term_energy(const Problem& problem, TermId id, VecIn x, const StopCheck& stop) {

@@ -14,6 +14,7 @@
 // the same reports give the same advice.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -59,7 +60,8 @@ struct StoppingRules {
 StoppingRules first_order_rules();
 
 // For a few steps inside an outer loop that moves on anyway: at most `steps`, ended by the first
-// one that decreases the energy by no more than `relative_decrease`.
+// one that decreases the energy by no more than `relative_decrease`, which may be kAnyDecrease.
+inline constexpr double kAnyDecrease = -std::numeric_limits<double>::infinity();
 StoppingRules brief_rules(int steps, double relative_decrease);
 
 struct Stop {

@@ -10,6 +10,7 @@
 #include "majorant/constraints/seamless_constraint.h"
 #include "majorant/elements/proof_depth.h"
 #include "majorant/framework/evaluator.h"
+#include "majorant/framework/internal/element_values.h"
 #include "majorant/parametrization/maps/internal/quadrature_ladder.h"
 
 namespace majorant {

@@ -9,12 +9,6 @@
 #include "majorant/parametrization/drive/internal/solver_rules.h"
 
 namespace majorant {
-namespace {
-
-constexpr double kAnyDecrease = -std::numeric_limits<double>::infinity();
-
-}  // namespace
-
 DegreeSolver::DegreeSolver(const Setup& setup, MapDomain& domain,
                            std::shared_ptr<const BezierTriangleSpace> space, const Vec& x)
     : setup_(setup),

@@ -8,6 +8,7 @@
 #include "majorant/elements/proof_depth.h"
 #include "majorant/framework/evaluator.h"
 #include "majorant/framework/internal/backtracking.h"
+#include "majorant/framework/internal/element_values.h"
 
 namespace majorant {
 namespace {

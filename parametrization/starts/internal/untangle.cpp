@@ -12,11 +12,17 @@
 namespace majorant {
 namespace {
 
-constexpr int kPasses = 2;                // the second from where the first one got stuck
-constexpr int kRounds = 100;              // values of eps, each pass
-constexpr int kStepsPerRound = 10;        // Newton steps
-constexpr double kRoundTolerance = 1e-2;  // relative decrease that ends a round
-constexpr double kSmallestShrink = 0.1;   // sigma of [GKKPRS21]
+// Origin: the second one starts where the first got stuck, with a large eps again.
+constexpr int kPasses = 2;
+// Values of eps, each pass. Origin: eps shrinks by kSmallestShrink at least wherever there is
+// progress, so 0.9^100 = 3e-5 of it is left.
+constexpr int kRounds = 100;
+// Newton steps. Origin: eps moves on anyway; bounds the cost of one value.
+constexpr int kStepsPerRound = 10;
+// Relative decrease that ends a round. Origin: an order below kSmallestShrink, by which eps moves.
+constexpr double kRoundTolerance = 1e-2;
+// Origin: sigma of [GKKPRS21].
+constexpr double kSmallestShrink = 0.1;
 
 class Untangler {
  public:
