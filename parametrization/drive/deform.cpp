@@ -14,7 +14,7 @@ namespace {
 
 // Of the mesh's size: deviation from a plane. Origin: coordinates in files have ten digits.
 constexpr double kFlat = 1e-9;
-// Towards the targets. Origin: each of them may fold nothing; ten of a right angle are 9 degrees.
+// Towards the targets. Origin: chosen so that a right angle is turned by 9 degrees at a time.
 constexpr int kSteps = 10;
 // Relative decrease that ends one. Origin: a thousand times the final one: they only lead there.
 constexpr double kStepTolerance = 1e-3;

@@ -9,6 +9,7 @@
 #include "majorant/parametrization/drive/internal/solver_rules.h"
 
 namespace majorant {
+
 DegreeSolver::DegreeSolver(const Setup& setup, MapDomain& domain,
                            std::shared_ptr<const BezierTriangleSpace> space, const Vec& x)
     : setup_(setup),

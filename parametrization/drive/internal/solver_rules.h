@@ -20,8 +20,7 @@ namespace majorant {
 
 // Against stalls, in the order in which they are tried (remedies.cpp).
 struct RemedyRules {
-  // Bisection where the depth asked for holds a run back. Origin: bench/tune.py
-  // remedies.deepest_bisection.
+  // Bisection where the depth asked for holds a run back.
   int deepest_bisection = ProofDepth::kDeepest;
   // Levels at a time. Origin: two remedies lead from 5 to 13.
   int bisections_deeper = 4;
@@ -55,8 +54,8 @@ struct ScaffoldRules {
   // A change of lambda below this part does not count: the stepper keeps what it has learned.
   // Origin: bench/tune.py scaffold.same_lambda.
   double same_lambda = 0.02;
-  // Mean density: where the map's vanishes, the scaffold stays. Origin: densities of maps worth the
-  // name are 4 and more, or 1e-3 and more where isometries have 0.
+  // Mean density: where the map's vanishes, the scaffold stays. Origin: a small part of the
+  // densities of maps that are not isometric, 4 and more where isometries do not have 0.
   double least_energy = 1e-3;
   // Relative decrease above which the scaffold is relaxed. Origin: bench/tune.py
   // scaffold.still_moving.

@@ -16,7 +16,7 @@
 namespace majorant {
 namespace {
 
-constexpr double kSine = Quadrilateral::kRounding;  // Origin: there.
+constexpr double kSine = Quadrilateral::kRounding;
 
 // What flips of one degree share.
 class FlipTables {

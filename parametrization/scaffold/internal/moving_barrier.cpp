@@ -21,9 +21,9 @@ constexpr int kQualitySteps = 12;
 constexpr double kGoodEnough = 1e-2;
 // min B - mu, relative to 1 - min B. Origin: [TGRL13].
 constexpr double kWidestGap = 0.1;
-// Origin: closer barriers make F too stiff to get any further.
+// The same, where it stays. Origin: closer barriers make F too stiff to get any further.
 constexpr double kSmallestGap = 1e-3;
-// Origin: what a shorter one may gain is below kGoodEnough by far.
+// Of Newton's. Origin: what a shorter one may gain is below kGoodEnough by far.
 constexpr double kShortestStep = 1e-6;
 
 double factorial(int k) { return k < 2 ? 1.0 : k * factorial(k - 1); }

@@ -13,7 +13,7 @@
 namespace majorant {
 namespace {
 
-// Origin: three times what Newton's method needs.
+// Newton steps of a pair. Origin: three times what they need.
 constexpr int kMostSteps = 30;
 // Of the energy: the predicted decrease that ends a pair. Origin: a fifth of
 // LineSearch::kResolution, since a pair's energy is a sum of few terms.

@@ -12,16 +12,17 @@
 namespace majorant {
 namespace {
 
-// Origin: the second one starts where the first got stuck, with a large eps again.
+// Over the values of eps. Origin: the second one starts where the first got stuck, with a large eps
+// again.
 constexpr int kPasses = 2;
-// Values of eps, each pass. Origin: eps shrinks by kSmallestShrink at least wherever there is
-// progress, so 0.9^100 = 3e-5 of it is left.
+// Values of eps, each pass. Origin: eps shrinks by half of kSmallestShrink at least, 0.95^100 is
+// 0.6 %.
 constexpr int kRounds = 100;
 // Newton steps. Origin: eps moves on anyway; bounds the cost of one value.
 constexpr int kStepsPerRound = 10;
 // Relative decrease that ends a round. Origin: an order below kSmallestShrink, by which eps moves.
 constexpr double kRoundTolerance = 1e-2;
-// Origin: sigma of [GKKPRS21].
+// Least part by which eps shrinks, sigma. Origin: [GKKPRS21].
 constexpr double kSmallestShrink = 0.1;
 
 class Untangler {
