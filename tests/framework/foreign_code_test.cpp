@@ -69,7 +69,7 @@ TEST(ForeignCode, SignalsWaitForTheEndOfTheCall) {
   const rlimit little{1 << 20, 1 << 20};
   setrlimit(RLIMIT_AS, &little);
   try {
-    require_blas_buffer();
+    require_blas();
   } catch (const std::bad_alloc&) {
     ::_exit(7);
   }
