@@ -25,7 +25,7 @@ LocalInjectivity::LocalInjectivity(std::shared_ptr<const ElementSpace> space, Ve
                                    int max_depth, StopCheck stop)
     : space_(std::move(space)),
       rest_det_(std::move(rest_det)),
-      max_depth_(std::min(max_depth, kMaxDepth)),
+      max_depth_(std::clamp(max_depth, 0, kMaxDepth)),
       stop_(std::move(stop)) {
   if (!space_ || static_cast<Index>(rest_det_.size()) != space_->element_count())
     throw std::invalid_argument(

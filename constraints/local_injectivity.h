@@ -21,7 +21,7 @@ namespace majorant {
 class LocalInjectivity final : public FeasibilityChecker {
  public:
   static constexpr int kDefaultDepth = 5;
-  static constexpr int kMaxDepth = 63;  // deeper is taken as this
+  static constexpr int kMaxDepth = 63;  // deeper is taken as this, less than 0 as 0
   // rest_det: #E determinants of the rest shapes (their measures over the reference measure), to
   // make margins dimensionless. Where they are not positive nothing is certified. stop: polled by
   // max_step() alone, which then throws Stopped. Throws std::invalid_argument for another number of

@@ -15,6 +15,8 @@ namespace {
 // BUFFER_SIZE of OpenBLAS for x86-64, the largest of its targets that are in use.
 constexpr std::size_t kBlasBuffer = std::size_t{128} << 20;
 
+std::mutex handlers;
+
 bool prepare_blas() {
   void* place =
       ::mmap(nullptr, kBlasBuffer, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
@@ -33,7 +35,7 @@ bool prepare_blas() {
 // A static of a function: once, and under a lock.
 void require_blas() { [[maybe_unused]] static const bool ready = prepare_blas(); }
 
-KeptSignals::KeptSignals() {
+KeptSignals::KeptSignals() : alone_(handlers) {
   sigaction(SIGTERM, nullptr, &term_);
   sigaction(SIGABRT, nullptr, &abort_);
   sigset_t term;

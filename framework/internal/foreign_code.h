@@ -10,6 +10,7 @@
 #pragma once
 
 #include <csignal>
+#include <mutex>
 
 namespace majorant {
 
@@ -23,7 +24,8 @@ void require_blas();
 
 // METIS puts its own handlers of SIGTERM and SIGABRT in place, which jump out of it, and leaves
 // those it found as one-shot handlers. A SIGTERM waits while this lives, and handlers are as before
-// after it. Other threads must block SIGTERM to be safe from METIS's handler.
+// after it. Handlers belong to the process, so one of these lives at a time: the next waits. Other
+// threads must block SIGTERM to be safe from METIS's handler.
 class KeptSignals {
  public:
   KeptSignals();
@@ -32,6 +34,7 @@ class KeptSignals {
   KeptSignals& operator=(const KeptSignals&) = delete;
 
  private:
+  std::unique_lock<std::mutex> alone_;
   struct sigaction term_, abort_;
   sigset_t mask_;
 };

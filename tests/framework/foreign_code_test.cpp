@@ -6,8 +6,10 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <chrono>
 #include <csignal>
 #include <new>
+#include <thread>
 #include <vector>
 
 #include "majorant/framework/linear_solver.h"
@@ -60,6 +62,31 @@ TEST(ForeignCode, SignalsWaitForTheEndOfTheCall) {
     EXPECT_EQ(noticed, 0);
   }
   EXPECT_EQ(noticed, 1);
+}
+
+// Otherwise the second would keep METIS's handlers for the program's, and leave them.
+TEST(ForeignCode, OnlyOneThreadAtATimeHasForeignHandlers) {
+  struct sigaction mine {};
+  mine.sa_handler = [](int) { ++noticed; };
+  ASSERT_EQ(sigaction(SIGTERM, &mine, nullptr), 0);
+  std::atomic<bool> second_is_in{false}, second_may_leave{false};
+  std::thread second;
+  {
+    const KeptSignals signals;
+    std::signal(SIGTERM, SIG_DFL);  // as METIS does
+    second = std::thread([&] {
+      const KeptSignals others;
+      second_is_in = true;
+      while (!second_may_leave) std::this_thread::yield();
+    });
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));  // in which it must not get in
+    EXPECT_FALSE(second_is_in);
+  }
+  second_may_leave = true;
+  second.join();
+  struct sigaction after {};
+  sigaction(SIGTERM, nullptr, &after);
+  EXPECT_EQ(after.sa_handler, mine.sa_handler);
 }
 
 #ifndef __SANITIZE_ADDRESS__  // which needs address space without limits

@@ -70,7 +70,7 @@ double DegreeSolver::constraint_residual() const {
 }
 
 std::vector<long> DegreeSolver::proven() const {
-  std::vector<long> counts(at(std::min(depth_, LocalInjectivity::kMaxDepth)) + 1);
+  std::vector<long> counts(at(std::clamp(depth_, 0, LocalInjectivity::kMaxDepth)) + 1);
   add_counts(counts, stepper_.evaluator().counters().proven);
   add_counts(counts, proven_inside_);
   return counts;
