@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "majorant/framework/internal/element_values.h"
 #include "majorant/framework/internal/parallel_errors.h"
 #include "majorant/framework/internal/problem_parts.h"
 #include "majorant/framework/thread_count.h"
@@ -74,6 +75,11 @@ Vec element_values(const EnergyTerm& term, const TermState& state, const ChunkPl
   }
   errors.rethrow();
   return f;
+}
+
+Vec element_values(const Problem& problem, TermId id, VecIn x, const StopCheck& stop) {
+  return element_values(problem.term(id), problem.state(id), ProblemParts::plan(problem, id), x,
+                        stop);
 }
 
 double term_energy(const Problem& problem, TermId id, VecIn x, const StopCheck& stop) {

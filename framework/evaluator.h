@@ -20,12 +20,10 @@
 
 namespace majorant {
 
-// Unweighted value of each element of a term at x, with the plan that belongs to `state`. Polls
-// between chunks of elements, as all evaluations do that are given a stop check: Stopped.
-Vec element_values(const EnergyTerm& term, const TermState& state, const ChunkPlan& plan, VecIn x,
-                   const StopCheck& stop = {});
-
-// The part of the problem's energy at x (full unknowns) that one term has, weights included.
+// Of one term at x (full unknowns): the unweighted value of each of its elements, and its part of
+// the problem's energy, weights included. Poll between chunks of elements, as all evaluations do
+// that are given a stop check: Stopped.
+Vec element_values(const Problem& problem, TermId id, VecIn x, const StopCheck& stop = {});
 double term_energy(const Problem& problem, TermId id, VecIn x, const StopCheck& stop = {});
 
 class Evaluator {

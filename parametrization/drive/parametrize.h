@@ -20,6 +20,7 @@
 #include "majorant/parametrization/drive/solve_options.h"
 #include "majorant/parametrization/maps/bezier_map.h"
 #include "majorant/parametrization/maps/bezier_mesh.h"
+#include "majorant/parametrization/maps/map_problem.h"
 #include "majorant/parametrization/maps/measure.h"
 
 namespace majorant {

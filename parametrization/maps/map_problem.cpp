@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "majorant/constraints/internal/axis_alignment.h"
 #include "majorant/constraints/seamless_constraint.h"
 #include "majorant/energies/quadratic_penalty.h"
 #include "majorant/framework/evaluator.h"
+#include "majorant/framework/internal/element_values.h"
 #include "majorant/mesh/half_edge.h"
 #include "majorant/mesh/internal/union_find.h"
 

@@ -5,6 +5,7 @@
 
 #include "energies/density_fixture.h"
 #include "majorant/framework/evaluator.h"
+#include "majorant/framework/internal/element_values.h"
 #include "majorant/framework/thread_count.h"
 
 namespace majorant {

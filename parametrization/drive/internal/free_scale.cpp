@@ -7,6 +7,7 @@
 
 #include "majorant/constraints/seamless_constraint.h"
 #include "majorant/framework/error.h"
+#include "majorant/parametrization/maps/map_problem.h"
 
 namespace majorant {
 namespace {

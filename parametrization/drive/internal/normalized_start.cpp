@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "majorant/constraints/axis_alignment.h"
 #include "majorant/constraints/seamless_constraint.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/elimination.h"

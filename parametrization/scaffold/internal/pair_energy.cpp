@@ -7,6 +7,7 @@
 
 #include "majorant/constraints/local_injectivity.h"
 #include "majorant/framework/evaluator.h"
+#include "majorant/framework/internal/element_values.h"
 
 namespace majorant {
 namespace {

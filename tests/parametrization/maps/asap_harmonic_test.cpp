@@ -97,7 +97,8 @@ TEST_P(AsapHarmonic, OneNewtonStepToTheHarmonicMap) {
   const auto terms = energy_terms(s.spec, s.space, {radon_rule()});
   const Problem problem =
       map_problem(s.spec, s.space, s.start, terms,
-                  std::make_shared<const LocalInjectivity>(s.space, 2 * s.spec.rest.measure));
+                  std::make_shared<const LocalInjectivity>(s.space, 2 * s.spec.rest.measure))
+          .problem;
   NewtonOptions options;
   options.curvature = curvature;
   Vec y = problem.reduce(s.start), g, h;
@@ -136,7 +137,8 @@ TEST(AsapHarmonic, ThePaperMajorizerNeedsManySteps) {
   const auto terms = energy_terms(s.spec, s.space, {radon_rule()});
   const Problem problem =
       map_problem(s.spec, s.space, s.start, terms,
-                  std::make_shared<const LocalInjectivity>(s.space, 2 * s.spec.rest.measure));
+                  std::make_shared<const LocalInjectivity>(s.space, 2 * s.spec.rest.measure))
+          .problem;
   NewtonOptions options;
   options.curvature = Curvature::PaperMajorizer;
   options.exact_below = 0;

@@ -199,7 +199,8 @@ std::vector<double> distances(const std::vector<double>& weights) {
     const auto terms = energy_terms(spec, space, {radon_rule()});
     const Problem problem =
         map_problem(spec, space, start, terms,
-                    std::make_shared<const LocalInjectivity>(space, 2 * spec.rest.measure));
+                    std::make_shared<const LocalInjectivity>(space, 2 * spec.rest.measure))
+            .problem;
     EXPECT_EQ(problem.terms().size(), 2U);
     EXPECT_EQ(problem.size(), 2 * space->node_count());  // handles hold the gauge
     NewtonOptions options;

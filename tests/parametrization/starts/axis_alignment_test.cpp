@@ -1,5 +1,5 @@
 // Edges held parallel to an axis: ranks, values shared along lines, seams and pins.
-#include "majorant/constraints/internal/axis_alignment.h"
+#include "majorant/constraints/axis_alignment.h"
 
 #include <gtest/gtest.h>
 

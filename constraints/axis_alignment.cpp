@@ -1,4 +1,4 @@
-#include "majorant/constraints/internal/axis_alignment.h"
+#include "majorant/constraints/axis_alignment.h"
 
 #include <fmt/format.h>
 
