@@ -131,7 +131,7 @@ cholmod_factor* CholmodSolver::analyze_with(const char* name,
 }
 
 bool CholmodSolver::order_by_metis(cholmod_sparse& blocks, std::vector<Index>& order) {
-  const KeptSignals signals;
+  const MetisScope scope;
   return cholmod_metis(&blocks, nullptr, 0, 1, order.data(), &common_);
 }
 

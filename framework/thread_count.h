@@ -1,7 +1,7 @@
 // How many threads the work of a block may use: a value that the block owns.
 //
 //   const ThreadCount two(2);          // until the end of this block, for what this thread calls
-//   MapMeasures m = measure_map(map, energy);
+//   double e = Evaluator(problem).value(y0);
 //
 // Evaluators, checkers and all solvers run their loops on OpenMP's team of the thread that calls
 // them. OpenMP keeps that number by thread, not by process (its data environments; libgomp and

@@ -4,6 +4,7 @@
 #include <sys/mman.h>
 
 #include <cstddef>
+#include <cstdlib>
 #include <new>
 
 extern "C" void openblas_set_num_threads(int);
@@ -15,7 +16,7 @@ namespace {
 // BUFFER_SIZE of OpenBLAS for x86-64, the largest of its targets that are in use.
 constexpr std::size_t kBlasBuffer = std::size_t{128} << 20;
 
-std::mutex handlers;
+std::mutex metis;
 
 bool prepare_blas() {
   void* place =
@@ -35,16 +36,18 @@ bool prepare_blas() {
 // A static of a function: once, and under a lock.
 void require_blas() { [[maybe_unused]] static const bool ready = prepare_blas(); }
 
-KeptSignals::KeptSignals() : alone_(handlers) {
+MetisScope::MetisScope() : alone_(metis) {
   sigaction(SIGTERM, nullptr, &term_);
   sigaction(SIGABRT, nullptr, &abort_);
   sigset_t term;
   sigemptyset(&term);
   sigaddset(&term, SIGTERM);
   pthread_sigmask(SIG_BLOCK, &term, &mask_);
+  program_random_ = ::initstate(1, random_.data(), random_.size());
 }
 
-KeptSignals::~KeptSignals() {
+MetisScope::~MetisScope() {
+  ::setstate(program_random_);
   sigaction(SIGTERM, &term_, nullptr);
   sigaction(SIGABRT, &abort_, nullptr);
   pthread_sigmask(SIG_SETMASK, &mask_, nullptr);

@@ -3,12 +3,13 @@
 //   const ThreadCount alone(1);         // around anything of CHOLMOD: its own teams of four
 //                                       // slow it down on the matrices here
 //   require_blas();                     // before a factorization
-//   const KeptSignals signals;          // around METIS
+//   const MetisScope metis;             // around METIS
 //
-// Not public: for .cpp files of solvers. ThreadCount (thread_count.h) and KeptSignals leave all as
+// Not public: for .cpp files of solvers. ThreadCount (thread_count.h) and MetisScope leave all as
 // it was; what require_blas() sets stays.
 #pragma once
 
+#include <array>
 #include <csignal>
 #include <mutex>
 
@@ -22,21 +23,25 @@ namespace majorant {
 // thread that factorizes at the same time has a second buffer, for which nobody asks first.)
 void require_blas();
 
-// METIS puts its own handlers of SIGTERM and SIGABRT in place, which jump out of it, and leaves
-// those it found as one-shot handlers. A SIGTERM waits while this lives, and handlers are as before
-// after it. Handlers belong to the process, so one of these lives at a time: the next waits. Other
-// threads must block SIGTERM to be safe from METIS's handler.
-class KeptSignals {
+// METIS puts its own handlers of SIGTERM and SIGABRT in place, which jump out of it, leaves those
+// it found as one-shot handlers, and seeds rand(). A SIGTERM waits while this lives; handlers and
+// the sequence of rand() are as before after it. All of that belongs to the process, so one of
+// these lives at a time, the next waits: METIS would draw the other's numbers, and order
+// differently. Other threads must block SIGTERM to be safe from METIS's handler, and leave rand()
+// alone for orderings, and so the bits of results, to be the same every time.
+class MetisScope {
  public:
-  KeptSignals();
-  ~KeptSignals();
-  KeptSignals(const KeptSignals&) = delete;
-  KeptSignals& operator=(const KeptSignals&) = delete;
+  MetisScope();
+  ~MetisScope();
+  MetisScope(const MetisScope&) = delete;
+  MetisScope& operator=(const MetisScope&) = delete;
 
  private:
   std::unique_lock<std::mutex> alone_;
   struct sigaction term_, abort_;
   sigset_t mask_;
+  std::array<char, 128> random_;  // as large as the C library's own: the same numbers for a seed
+  char* program_random_;
 };
 
 }  // namespace majorant

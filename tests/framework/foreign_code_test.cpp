@@ -8,6 +8,7 @@
 #include <atomic>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <new>
 #include <thread>
 #include <vector>
@@ -50,13 +51,23 @@ TEST(ForeignCode, HandlersSurviveMetis) {
   EXPECT_EQ(noticed, 2);
 }
 
+TEST(ForeignCode, RandomNumbersAreTheProgramsOwn) {
+  std::srand(7);
+  const int first = std::rand(), second = std::rand();
+  std::srand(7);
+  EXPECT_EQ(std::rand(), first);
+  const SparsePattern pattern = path_pattern(2000);
+  make_cholmod_solver(Factorization::Automatic, Ordering::Metis)->analyze(pattern);
+  EXPECT_EQ(std::rand(), second);
+}
+
 TEST(ForeignCode, SignalsWaitForTheEndOfTheCall) {
   struct sigaction mine {};
   mine.sa_handler = [](int) { ++noticed; };
   ASSERT_EQ(sigaction(SIGTERM, &mine, nullptr), 0);
   noticed = 0;
   {
-    const KeptSignals signals;
+    const MetisScope scope;
     std::signal(SIGTERM, SIG_DFL);  // as METIS does
     raise(SIGTERM);
     EXPECT_EQ(noticed, 0);
@@ -65,17 +76,17 @@ TEST(ForeignCode, SignalsWaitForTheEndOfTheCall) {
 }
 
 // Otherwise the second would keep METIS's handlers for the program's, and leave them.
-TEST(ForeignCode, OnlyOneThreadAtATimeHasForeignHandlers) {
+TEST(ForeignCode, OneThreadAtATimeIsInMetis) {
   struct sigaction mine {};
   mine.sa_handler = [](int) { ++noticed; };
   ASSERT_EQ(sigaction(SIGTERM, &mine, nullptr), 0);
   std::atomic<bool> second_is_in{false}, second_may_leave{false};
   std::thread second;
   {
-    const KeptSignals signals;
+    const MetisScope scope;
     std::signal(SIGTERM, SIG_DFL);  // as METIS does
     second = std::thread([&] {
-      const KeptSignals others;
+      const MetisScope waiting;
       second_is_in = true;
       while (!second_may_leave) std::this_thread::yield();
     });
