@@ -8,9 +8,8 @@
 // sum at a cone is the cone's angle.
 #pragma once
 
-#include <array>
-#include <atomic>
 #include <memory>
+#include <vector>
 
 #include "majorant/elements/bezier_triangle_space.h"
 #include "majorant/framework/feasibility.h"
@@ -22,7 +21,7 @@ namespace majorant {
 class LocalInjectivity final : public FeasibilityChecker {
  public:
   static constexpr int kDefaultDepth = 5;
-  static constexpr int kMaxDepth = 63;  // deeper is taken as this
+  static constexpr int kMaxDepth = 63;  // deeper is taken as this, less than 0 as 0
   // rest_det: #E determinants of the rest shapes (their measures over the reference measure), to
   // make margins dimensionless. Where they are not positive nothing is certified. stop: polled by
   // max_step() alone, which then throws Stopped. Throws std::invalid_argument for another number of
@@ -31,20 +30,20 @@ class LocalInjectivity final : public FeasibilityChecker {
                    int max_depth = kDefaultDepth, StopCheck stop = {});
 
   std::string_view name() const override { return "local injectivity"; }
-  Verdict check(VecIn x) const override;  // margin: smallest certified det of the map
+  // margin: smallest certified det of the map. proven: max_depth + 1 entries.
+  Verdict check(VecIn x) const override;
   StepBound max_step(VecIn x, VecIn d, double s) const override;
 
   // Certified lower bound of det J of the map, by element (<= 0 where there is no proof).
   Vec lower_bounds(VecIn x) const;
-  // Elements certified at each bisection depth since construction, all checks together.
-  std::vector<long> depth_counts() const;
 
  private:
+  Vec certify(VecIn x, std::vector<long>* proven) const;
+
   std::shared_ptr<const ElementSpace> space_;
   Vec rest_det_;
   int max_depth_;
   StopCheck stop_;
-  mutable std::array<std::atomic<long>, kMaxDepth + 1> depth_counts_{};
 };
 
 // Sum of sector angles (radians) at each vertex, between the tangents of the map at the corners.

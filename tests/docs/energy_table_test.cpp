@@ -61,7 +61,7 @@ std::string special_curvatures(const DensityTraits& traits) {
   std::string list;
   for (const Curvature c : {Curvature::Majorizer, Curvature::PaperMajorizer, Curvature::Reweighted})
     if (std::count(traits.curvatures.begin(), traits.curvatures.end(), c))
-      list += (list.empty() ? "" : ", ") + std::string(name(c));
+      list += (list.empty() ? "" : ", ") + std::string(curvature_name(c));
   return list.empty() ? "-" : list;
 }
 

@@ -69,8 +69,11 @@ double DegreeSolver::constraint_residual() const {
   return residual;
 }
 
-std::vector<long> DegreeSolver::injectivity_depth_counts() const {
-  return add_counts(injectivity_->depth_counts(), depth_counts_);
+std::vector<long> DegreeSolver::proven() const {
+  std::vector<long> counts(at(std::clamp(depth_, 0, LocalInjectivity::kMaxDepth)) + 1);
+  add_counts(counts, stepper_.evaluator().counters().proven);
+  add_counts(counts, proven_inside_);
+  return counts;
 }
 
 void DegreeSolver::rebuild() {
@@ -293,7 +296,6 @@ DegreeSolver::Effect DegreeSolver::deepen(RunRecord& record) {
   if (depth_ >= kDeepestBisection) return Effect::None;
   setup_.stop.poll();
   depth_ = std::min(depth_ + kBisectionsDeeper, kDeepestBisection);
-  depth_counts_ = injectivity_depth_counts();
   injectivity_ = std::make_shared<const LocalInjectivity>(space_, 2 * setup_.map.rest.measure,
                                                           depth_, setup_.stop);
   rebuild();
@@ -399,7 +401,7 @@ bool DegreeSolver::approach_with(double weight, RunRecord& record) {
     DegreeSolver inner(with, domain_, space_, x());
     const SolveResult result = inner.approach(kBarrierTolerance, record, Phase::Barrier);
     x_ = inner.x_;
-    depth_counts_ = add_counts(std::move(depth_counts_), inner.injectivity_depth_counts());
+    add_counts(proven_inside_, inner.proven());
     return result.status == Status::Converged || result.status == Status::Stalled;
   } catch (const Stopped&) {  // before it began
     return false;
