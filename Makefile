@@ -1,11 +1,11 @@
 # make demo   install what is missing, build, flatten the bundled creature, say where the files are
 # make test   install what is missing, build, run every test
-# make build | asan | bench | clean
+# make build | asan | tsan | bench | clean
 JOBS ?= $(shell nproc)
 BINARY = build/release/apps/majorant
 OUT = out
 
-.PHONY: demo test build setup configure command asan bench clean
+.PHONY: demo test build setup configure command asan tsan bench clean
 
 demo: command
 	@mkdir -p $(OUT)
@@ -35,6 +35,12 @@ asan: setup
 	cmake --preset asan
 	cmake --build --preset asan -j $(JOBS)
 	ctest --preset asan -j $(JOBS)
+
+tsan:
+	@scripts/install_packages.sh scripts/packages_tsan.txt
+	cmake --preset tsan
+	cmake --build --preset tsan -j $(JOBS)
+	ctest --preset tsan -j $(JOBS)
 
 bench: build
 	build/release/bench/majorant_bench

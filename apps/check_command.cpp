@@ -18,6 +18,7 @@
 #include "apps/report.h"
 #include "apps/streams.h"
 #include "apps/unless_stopped.h"
+#include "majorant/framework/thread_count.h"
 #include "majorant/io/map_proof.h"
 #include "majorant/io/read_map.h"
 #include "majorant/io/read_mesh.h"
@@ -132,7 +133,7 @@ int conclude(Check& check) {
 
 int check(const Request& request) {
   require_writable(request.common, {}, {request.result, request.surface});
-  request.common.apply();
+  const ThreadCount threads(start_threads(request.common.threads));
   const RunRecord record(request.time_limit, 0, interruption_flag());
   const StopCheck& stop = record.stop();
   const auto read = [&](const std::string& path, const auto& reader) {

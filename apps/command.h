@@ -30,7 +30,6 @@ struct CommonOptions {
   std::string report;  // file name or empty
 
   void add_to(CLI::App& verb);
-  void apply() const;  // threads; before any work
 };
 
 // Each adds its verb to `app` and sets *run when that verb is chosen; run returns the exit code and

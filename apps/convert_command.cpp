@@ -5,7 +5,9 @@
 #include "apps/claims.h"
 #include "apps/command.h"
 #include "apps/outputs.h"
+#include "apps/process.h"
 #include "apps/report.h"
+#include "majorant/framework/thread_count.h"
 #include "majorant/io/certified_file.h"
 #include "majorant/io/internal/cut_map.h"
 #include "majorant/io/read_map.h"
@@ -73,7 +75,7 @@ int convert(Request request) {
   if (request.outputs.empty())
     throw Error(ErrorKind::Usage, "no output file; add -o OUT.obj (or .svg .vtu)");
   require_writable(request.common, {{request.outputs, {".vtu", ".obj", ".svg"}}}, {request.input});
-  request.common.apply();
+  const ThreadCount threads(start_threads(request.common.threads));
   MapFile map = read_map(request.input);
   mark_seams(map, request.input);
   request.formats.tessellation.overlap = allowed_overlap(map, request.input);

@@ -10,7 +10,6 @@
 #include "apps/command.h"
 #include "apps/process.h"
 #include "apps/streams.h"
-#include "majorant/framework/evaluator.h"
 
 namespace majorant::app {
 
@@ -54,11 +53,6 @@ void CommonOptions::add_to(CLI::App& verb) {
   verb.add_flag("--verbose", verbose, "a line per iteration")->excludes(q);
   verb.add_option("--report", report, "write a JSON report to FILE")->type_name("FILE");
   verb.add_flag("--force", force, "an output may replace a file that is read");
-}
-
-void CommonOptions::apply() const {
-  if (threads > 0) set_threads(threads);
-  start_threads();
 }
 
 namespace {

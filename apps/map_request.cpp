@@ -21,7 +21,7 @@ namespace {
 
 Curvature find_curvature(const std::string& wanted) {
   for (const Curvature c : kCurvatures)
-    if (name(c) == wanted) return c;
+    if (curvature_name(c) == wanted) return c;
   throw Error(ErrorKind::Usage, "no curvature model is called '" + wanted + "'");
 }
 

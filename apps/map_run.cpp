@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "apps/energy_option.h"
+#include "apps/process.h"
 #include "apps/progress.h"
 
 namespace majorant::app {
@@ -27,7 +28,7 @@ MapRun::MapRun(std::string verb, MapVerb& request, const std::vector<std::string
                    {{request.outputs.files, {".vtu", ".obj", ".svg", ".json", ".csv"}},
                     {{request.solve.scaffold_file}, {".vtu", ".svg"}}},
                    inputs);
-  request.common.apply();
+  threads_.emplace(start_threads(request.common.threads));
 }
 
 MapInput& MapRun::read(const StartMaker& make_start) {

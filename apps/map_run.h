@@ -18,6 +18,7 @@
 #include "apps/map_request.h"
 #include "apps/result_files.h"
 #include "apps/solve_request.h"
+#include "majorant/framework/thread_count.h"
 
 namespace majorant::app {
 
@@ -51,6 +52,7 @@ class MapRun {
   MapVerb& request_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   RunRecord record_;
+  std::optional<ThreadCount> threads_;
   MapInput in_;
   double read_seconds_ = 0, start_seconds_ = 0;
 };

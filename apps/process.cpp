@@ -15,7 +15,7 @@
 #include <ctime>
 
 #include "apps/streams.h"
-#include "majorant/framework/evaluator.h"
+#include "majorant/framework/thread_count.h"
 #include "majorant/io/internal/temporary_file.h"
 
 namespace majorant::app {
@@ -138,19 +138,20 @@ const std::atomic<bool>* interruption_flag() {
   return &interrupted;
 }
 
-void start_threads() {
+int start_threads(int asked) {
   // glibc gives a thread that allocates an arena of 64 MiB, aligned to as much.
   constexpr std::size_t kArena = std::size_t{128} << 20;
   // Left to the run: OpenBLAS's buffer and room to begin with.
   constexpr std::size_t kRun = std::size_t{256} << 20;
   const std::size_t per_thread = stack_bytes() + kArena;
-  while (threads() > 1 && !can_map(kRun + static_cast<std::size_t>(threads() - 1) * per_thread))
-    set_threads(threads() - 1);
-  set_threads(threads());  // if it is 1, no library starts any
+  int count = asked > 0 ? asked : ThreadCount::current();
+  while (count > 1 && !can_map(kRun + static_cast<std::size_t>(count - 1) * per_thread)) --count;
+  const ThreadCount started(count);
   const sigset_t set = ending_signals();
-  run_on_threads([&set] {
+  ThreadCount::run_on_each([&set] {
     if (!pthread_equal(pthread_self(), main_thread)) pthread_sigmask(SIG_BLOCK, &set, nullptr);
   });
+  return count;
 }
 
 }  // namespace majorant::app

@@ -2,6 +2,7 @@
 //
 //   char** argv = nullptr;                                      // of main
 //   prepare_process(argv);                                      // first thing in main
+//   const ThreadCount threads(start_threads(0));
 //   RunRecord record(60, 10000, interruption_flag(), nullptr);  // signals stop it from now on
 //
 // SIGINT, SIGTERM and SIGHUP end the process and remove its temporary files. From the first call of
@@ -23,8 +24,9 @@ void prepare_process(char** argv);
 // Set by the first of the signals above. Outlives everything.
 const std::atomic<bool>* interruption_flag();
 
-// Starts the threads that threads() says; fewer where an address space limit (ulimit -v) leaves no
-// room for their stacks: results do not depend on it.
-void start_threads();
+// Starts that many threads, 0: as many as OpenMP has; fewer where an address space limit (ulimit
+// -v) leaves no room for their stacks: results do not depend on it. The ending signals do not reach
+// them. How many there are, for the ThreadCount of the work.
+int start_threads(int asked);
 
 }  // namespace majorant::app

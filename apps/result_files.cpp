@@ -6,7 +6,7 @@
 
 #include "apps/global_verdict.h"
 #include "apps/streams.h"
-#include "majorant/framework/evaluator.h"
+#include "majorant/framework/thread_count.h"
 #include "majorant/io/certified_file.h"
 
 namespace majorant::app {
@@ -128,7 +128,7 @@ void write_reports(const FinishedRun& run, double write_seconds, WrittenFiles& w
   Json report{{"schema_version", 1},
               {"version", MAJORANT_VERSION},
               {"command", run.command},
-              {"status", name(r.status)},
+              {"status", status_name(r.status)},
               {"message", r.message},
               {"input", input_section(run.in.polygons, *run.in.mesh)},
               {"options", options_section(run)},
@@ -147,7 +147,7 @@ void write_reports(const FinishedRun& run, double write_seconds, WrittenFiles& w
                 {"write", write_seconds},
                 {"total", seconds_since(run.start)}}},
               {"peak_memory_bytes", peak_memory_bytes()},
-              {"threads", threads()}};
+              {"threads", ThreadCount::current()}};
   if (run.in.start && !run.in.start->map.seams().trivial())
     report["seam_start"] = seam_start_section(*run.in.start);
   for (const std::string& path : paths) written.write(path, [&] { write_json(path, report); });
@@ -157,14 +157,15 @@ void summarize(const FinishedRun& run) {
   const ParametrizationResult& r = run.result;
   if (!has_result(r))
     return say("majorant: {}: no valid result: {}{}; no map is written\n", run.map.input,
-               name(r.status), r.message.empty() ? "" : fmt::format(" ({})", r.message));
+               status_name(r.status), r.message.empty() ? "" : fmt::format(" ({})", r.message));
   if (run.common.quiet) return;
   const std::string seams =
       r.map ? seam_summary(measures_section(*r.map, r.measures, run.map.energy)) : "";
   say("{}: {} after {} iterations, {} {:.6f} (start {:.6g}){}, degree {}{}, {:.2f} s\n",
-      run.map.input, name(r.status), run.record.trace().size(), run.map.energy, r.measures.value,
-      r.initial_value, run.map.weights.empty() ? "" : ", both without the face weights",
-      run.map.degree, seams, seconds_since(run.start));
+      run.map.input, status_name(r.status), run.record.trace().size(), run.map.energy,
+      r.measures.value, r.initial_value,
+      run.map.weights.empty() ? "" : ", both without the face weights", run.map.degree, seams,
+      seconds_since(run.start));
 }
 
 }  // namespace

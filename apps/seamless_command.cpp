@@ -20,7 +20,7 @@ struct Request : MapVerb {
 SeamlessMethod find_method(const std::string& wanted) {
   for (const SeamlessMethod m :
        {SeamlessMethod::Field, SeamlessMethod::ScaledField, SeamlessMethod::Conformal})
-    if (name(m) == wanted) return m;
+    if (method_name(m) == wanted) return m;
   return SeamlessMethod::Automatic;
 }
 
@@ -40,7 +40,7 @@ int run_job(Request request) {
     options.field.curvature_weight = request.curvature_alignment;
     if (!request.cones.empty()) options.cones = read_cones_of(request.cones, polygons, mesh);
     const Start start = make_seamless(mesh, options, run.record());
-    request.map.init = name(start.method);
+    request.map.init = method_name(start.method);
     return start;
   };
   const MapInput& in = run.read(make_start);

@@ -12,7 +12,7 @@ namespace majorant::app {
 
 void SolveRequest::add_to(CLI::App& verb, std::string& curvature) {
   std::vector<std::string> curvatures;
-  for (const Curvature c : kCurvatures) curvatures.emplace_back(name(c));
+  for (const Curvature c : kCurvatures) curvatures.emplace_back(curvature_name(c));
   verb.add_option("--curvature", curvature, "second-order model (projected)")
       ->check(CLI::IsMember(curvatures));
   verb.add_option("--elevation", elevation, "how the degree is reached")

@@ -24,6 +24,7 @@
 #include "majorant/energies/named_energies.h"
 #include "majorant/framework/internal/problem_parts.h"
 #include "majorant/framework/newton.h"
+#include "majorant/framework/thread_count.h"
 #include "majorant/parametrization/maps/internal/quadrature_ladder.h"
 #include "parametrization/starts/seamless_cases.h"
 
@@ -208,7 +209,7 @@ void report_degree(const SurfaceMesh& glued_mesh, const BezierMap& start, int de
 
 int main(int argc, char** argv) {
   const Arguments arguments = parse(argc, argv);
-  set_threads(arguments.threads);
+  const ThreadCount threads(arguments.threads);
   double start_ms = 0;
   SeamlessCase surface = bumpy_plate(arguments.subdivision, arguments.charts);
   if (arguments.more_cuts > 0) surface = with_random_cuts(surface, arguments.more_cuts, 1);

@@ -16,6 +16,7 @@
 #include <limits>
 
 #include "bench_problem.h"
+#include "majorant/framework/thread_count.h"
 
 using namespace majorant;
 
@@ -70,7 +71,7 @@ double report_costs(const BenchProblem& b, const std::string& label) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  set_threads(1);
+  const ThreadCount one(1);
   std::vector<int> degrees{1};
   fmt::print("| mesh, degree | unknowns | assembly ms |");
   for (const Variant& v : kVariants) fmt::print(" {} ms |", v.name);

@@ -150,7 +150,7 @@ int main(int argc, char** argv) {
     if (list_only) {
       list(settings);
     } else {
-      set_threads(threads);
+      settings.options.solve.threads = threads;
       solve(path, settings);
     }
   } catch (const std::exception& e) {

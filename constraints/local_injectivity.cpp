@@ -24,7 +24,7 @@ LocalInjectivity::LocalInjectivity(std::shared_ptr<const ElementSpace> space, Ve
                                    int max_depth, StopCheck stop)
     : space_(std::move(space)),
       rest_det_(std::move(rest_det)),
-      max_depth_(std::min(max_depth, kMaxDepth)),
+      max_depth_(std::clamp(max_depth, 0, kMaxDepth)),
       stop_(std::move(stop)) {
   if (!space_ || static_cast<Index>(rest_det_.size()) != space_->element_count())
     throw std::invalid_argument(
@@ -32,27 +32,33 @@ LocalInjectivity::LocalInjectivity(std::shared_ptr<const ElementSpace> space, Ve
                     space_ ? space_->element_count() : 0));
 }
 
-Vec LocalInjectivity::lower_bounds(VecIn x) const {
+// proven: where elements are counted by depth, if anywhere.
+Vec LocalInjectivity::certify(VecIn x, std::vector<long>* proven) const {
   const Index count = space_->element_count();
   Vec bounds(count);
+  std::vector<int> depths(proven ? at(count) : 0, -1);
   ParallelErrors errors;
 #pragma omp parallel for schedule(static) if (count >= kParallelElements)
   for (Index e = 0; e < count; ++e)
     errors.guard([&] {
       const PositivityProof proof = space_->certify(e, x, max_depth_);
-      const bool proven = proof.result == Positivity::Certified && rest_det_[e] > 0;
-      bounds[e] =
-          (proven ? proof.lower_bound : std::min(proof.lower_bound, 0.0)) / std::abs(rest_det_[e]);
-      if (proven)
-        depth_counts_[at(std::min(proof.depth, kMaxDepth))].fetch_add(1, std::memory_order_relaxed);
+      const bool certified = proof.result == Positivity::Certified && rest_det_[e] > 0;
+      bounds[e] = (certified ? proof.lower_bound : std::min(proof.lower_bound, 0.0)) /
+                  std::abs(rest_det_[e]);
+      if (certified && proven) depths[at(e)] = std::min(proof.depth, max_depth_);
     });
   errors.rethrow();
+  for (const int depth : depths)
+    if (depth >= 0) ++(*proven)[at(depth)];
   return bounds;
 }
 
+Vec LocalInjectivity::lower_bounds(VecIn x) const { return certify(x, nullptr); }
+
 Verdict LocalInjectivity::check(VecIn x) const {
-  const Vec bounds = lower_bounds(x);
   Verdict verdict;
+  verdict.proven.resize(at(max_depth_) + 1);
+  const Vec bounds = certify(x, &verdict.proven);
   verdict.margin = std::numeric_limits<double>::infinity();
   for (Index e = 0; e < bounds.size(); ++e) {
     if (!(bounds[e] > 0)) verdict.blocking.push_back(e);
@@ -93,13 +99,6 @@ StepBound LocalInjectivity::max_step(VecIn x, VecIn d, double s) const {
   std::erase_if(bound.blocking, [&](Index e) { return quick[e] > 2 * bound.step; });
   std::sort(bound.blocking.begin(), bound.blocking.end());
   return bound;
-}
-
-std::vector<long> LocalInjectivity::depth_counts() const {
-  std::vector<long> counts;
-  for (int k = 0; k <= max_depth_; ++k)
-    counts.push_back(depth_counts_[at(k)].load(std::memory_order_relaxed));
-  return counts;
 }
 
 Vec vertex_angle_sums(const BezierTriangleSpace& space, VecIn x) {

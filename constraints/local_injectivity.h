@@ -8,9 +8,8 @@
 // sum at a cone is the cone's angle.
 #pragma once
 
-#include <array>
-#include <atomic>
 #include <memory>
+#include <vector>
 
 #include "majorant/elements/bezier_triangle_space.h"
 #include "majorant/elements/proof_depth.h"
@@ -32,20 +31,20 @@ class LocalInjectivity final : public FeasibilityChecker {
                    int max_depth = ProofDepth::kStart, StopCheck stop = {});
 
   std::string_view name() const override { return "local injectivity"; }
-  Verdict check(VecIn x) const override;  // margin: smallest certified det of the map
+  // margin: smallest certified det of the map. proven: max_depth + 1 entries.
+  Verdict check(VecIn x) const override;
   StepBound max_step(VecIn x, VecIn d, double s) const override;
 
   // Certified lower bound of det J of the map, by element (<= 0 where there is no proof).
   Vec lower_bounds(VecIn x) const;
-  // Elements certified at each bisection depth since construction, all checks together.
-  std::vector<long> depth_counts() const;
 
  private:
+  Vec certify(VecIn x, std::vector<long>* proven) const;
+
   std::shared_ptr<const ElementSpace> space_;
   Vec rest_det_;
   int max_depth_;
   StopCheck stop_;
-  mutable std::array<std::atomic<long>, kMaxDepth + 1> depth_counts_{};
 };
 
 // Sum of sector angles (radians) at each vertex, between the tangents of the map at the corners.

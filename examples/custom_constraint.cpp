@@ -53,7 +53,7 @@ int main(int argc, char** argv) {
   const BezierMap map(mesh, start.shared_space(), problem.expand(result.y));
   const Vector2 left =
       map.control_points().segment<2>(2 * b) - map.control_points().segment<2>(2 * a) - offset;
-  std::cout << name(result.status) << ", energy " << result.energy << ", link off by "
+  std::cout << status_name(result.status) << ", energy " << result.energy << ", link off by "
             << left.norm() << "\n";
   write_vtu(argv[2], to_map_file(map));
   return result.status == Status::Converged && left.norm() < 1e-12 ? 0 : 1;

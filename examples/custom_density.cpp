@@ -27,6 +27,6 @@ int main(int argc, char** argv) {
   options.map.energy = {{energy_factory(cloth)}};
   ParametrizationResult result = parametrize(mesh, options);
   write_vtu(argv[2], to_map_file(*result.map));
-  std::cout << name(result.status) << ", energy " << result.measures.value << "\n";
+  std::cout << status_name(result.status) << ", energy " << result.measures.value << "\n";
   return result.status == Status::Converged ? 0 : 1;
 }

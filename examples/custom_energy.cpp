@@ -29,7 +29,7 @@ int main(int argc, char** argv) {
   auto term = make_energy(result.map->shared_space(),
                           flat_triangles(mesh->positions(), mesh->faces()), mine, {radon_rule()});
   auto report = check_derivatives(*term, result.map->control_points());
-  std::cout << name(result.status) << ", energy " << result.measures.value << "\n"
+  std::cout << status_name(result.status) << ", energy " << result.measures.value << "\n"
             << report.message();
   return result.status == Status::Converged && report.ok() ? 0 : 1;
 }

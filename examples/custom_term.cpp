@@ -93,7 +93,8 @@ int main(int argc, char** argv) {
   const Vec y0 = problem.reduce(start.control_points());
   const SolveResult result = NewtonMinimizer().minimize(problem, y0, {});
   const auto report = check_derivatives(*springs, problem.expand(result.y));
-  std::cout << name(result.status) << ", energy " << result.energy << "\n" << report.message();
+  std::cout << status_name(result.status) << ", energy " << result.energy << "\n"
+            << report.message();
   const BezierMap map(mesh, start.shared_space(), problem.expand(result.y));
   write_vtu(argv[2], to_map_file(map));
   return result.status == Status::Converged && report.ok() ? 0 : 1;

@@ -20,7 +20,7 @@ int main(int argc, char** argv) {
   options.map.degree = 3;
   ParametrizationResult result = parametrize(mesh, options);
   // 3. Use the map.
-  std::cout << name(result.status) << ", energy " << result.measures.value
+  std::cout << status_name(result.status) << ", energy " << result.measures.value
             << ", centre of face 0 at "
             << result.map->evaluate(0, {1 / 3., 1 / 3., 1 / 3.}).transpose() << "\n";
   write_vtu(argv[2], to_map_file(*result.map));

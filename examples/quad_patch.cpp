@@ -48,7 +48,7 @@ int main(int argc, char** argv) {
   // 3. The same solver as for triangles.
   const SolveResult result = NewtonMinimizer().minimize(problem, problem.reduce(start), {});
   const Vec x = problem.expand(result.y);
-  std::cout << name(result.status) << " after " << result.iterations.size()
+  std::cout << status_name(result.status) << " after " << result.iterations.size()
             << " iterations, energy " << result.energy
             << ", det J >= " << injectivity->lower_bounds(x).minCoeff() << "\n";
   write_vtk(argv[argc - 1], *space, x, 2, 77);

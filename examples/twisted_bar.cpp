@@ -86,7 +86,7 @@ int main(int argc, char** argv) {
     const Problem problem = builder.build();
     result = NewtonMinimizer().minimize(problem, problem.reduce(x), {});
     x = problem.expand(result.y);
-    std::cout << degrees << " degrees: " << name(result.status) << " after "
+    std::cout << degrees << " degrees: " << status_name(result.status) << " after "
               << result.iterations.size() << " iterations, energy " << result.energy
               << ", det J >= " << injectivity->lower_bounds(x).minCoeff() << "\n";
     if (result.status != Status::Converged) return 1;

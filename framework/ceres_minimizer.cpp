@@ -2,7 +2,6 @@
 
 #include <ceres/gradient_problem.h>
 #include <ceres/gradient_problem_solver.h>
-#include <glog/logging.h>
 
 #include <cmath>
 #include <stdexcept>
@@ -80,12 +79,11 @@ class Function final : public ceres::FirstOrderFunction {
     const double energy = run_.evaluator.value(y, run_.options.stop);
     if (!std::isfinite(energy)) return false;
     const Vec x = problem.expand(y);
-    for (const auto& checker : problem.checkers())
-      if (Verdict verdict = checker->check(x); !verdict.feasible) {
-        run_.refused = true;
-        run_.blocking = std::move(verdict.blocking);
-        return false;
-      }
+    if (auto violation = run_.evaluator.violation(x)) {
+      run_.refused = true;
+      run_.blocking = std::move(violation->verdict.blocking);
+      return false;
+    }
     *cost = run_.options.scale * energy;
     if (!gradient) return true;
     Vec g;
@@ -111,18 +109,6 @@ class Callback final : public ceres::IterationCallback {
  private:
   Run& run_;
   const Vec& y_;
-};
-
-// Ceres reports restarts of conjugate gradients to stderr whatever its own options say.
-class SilentLog {
- public:
-  SilentLog() : level_(FLAGS_minloglevel) { FLAGS_minloglevel = google::GLOG_FATAL; }
-  ~SilentLog() { FLAGS_minloglevel = level_; }
-  SilentLog(const SilentLog&) = delete;
-  SilentLog& operator=(const SilentLog&) = delete;
-
- private:
-  int level_;
 };
 
 CeresSolver::Options ceres_options(const CeresOptions& o) {
@@ -176,7 +162,6 @@ SolveResult CeresMinimizer::minimize(const Problem& problem, Vec y0,
   options.callbacks.push_back(&callback);
   const ceres::GradientProblem function(new Function(run));  // owned by it
   CeresSolver::Summary summary;
-  const SilentLog silent;
   ceres::Solve(options, function, y.data(), &summary);
   // Ceres calls back after its convergence tests: the last step is still to be told.
   if (summary.termination_type == ceres::CONVERGENCE && y != run.result.y)

@@ -8,6 +8,10 @@
 // is not finite or a FeasibilityChecker refuses a point and shortens its step, so that all points
 // it accepts pass the checkers, but nothing certifies the paths between them. No metric either:
 // the number of iterations grows with the condition of the Hessian. lbfgs.h has both.
+//
+// Ceres is told to be silent, but reports restarts of conjugate gradients through glog, to stderr,
+// whatever its options say. glog's level belongs to the process, so the library leaves it alone: a
+// program that wants silence sets FLAGS_minloglevel once, when it starts.
 #pragma once
 
 #include "majorant/framework/minimizer.h"
@@ -27,7 +31,7 @@ struct CeresOptions {
   double parameter_tolerance = 1e-14;
   double scale = 1;  // Ceres minimizes scale * E; 1 / |E_0| makes gradient_tolerance relative
   int history = 20;  // pairs that L-BFGS keeps
-  StopCheck stop;    // ends a run between evaluations and chunks of elements
+  StopCheck stop{};  // ends a run between evaluations and chunks of elements
 };
 
 class CeresMinimizer final : public Minimizer {

@@ -7,6 +7,7 @@
 
 #include "majorant/framework/internal/foreign_code.h"
 #include "majorant/framework/linear_solver.h"
+#include "majorant/framework/thread_count.h"
 
 namespace majorant {
 namespace {
@@ -130,12 +131,12 @@ cholmod_factor* CholmodSolver::analyze_with(const char* name,
 }
 
 bool CholmodSolver::order_by_metis(cholmod_sparse& blocks, std::vector<Index>& order) {
-  const KeptSignals signals;
+  const MetisScope scope;
   return cholmod_metis(&blocks, nullptr, 0, 1, order.data(), &common_);
 }
 
 void CholmodSolver::analyze(const SparsePattern& pattern) {
-  const SingleThreaded guard;
+  const ThreadCount alone(1);
   pattern_ = &pattern;
   cholmod_free_factor(&factor_, &common_);
   if (pattern.size == 0) return;
@@ -161,8 +162,8 @@ void CholmodSolver::analyze(const SparsePattern& pattern) {
 
 FactorStatus CholmodSolver::factorize(const Vec& values, double shift) {
   if (pattern_->size == 0) return FactorStatus::Ok;
-  require_blas_buffer();
-  const SingleThreaded guard;
+  require_blas();
+  const ThreadCount alone(1);
   cholmod_sparse matrix = view(values.data());
   double beta[2] = {shift, 0};
   cholmod_factorize_p(&matrix, beta, nullptr, 0, factor_, &common_);
@@ -174,7 +175,7 @@ FactorStatus CholmodSolver::factorize(const Vec& values, double shift) {
 void CholmodSolver::solve(const Vec& r, Vec& p) {
   p.resize(r.size());
   if (r.size() == 0) return;
-  const SingleThreaded guard;
+  const ThreadCount alone(1);
   cholmod_dense rhs{};
   rhs.nrow = rhs.d = rhs.nzmax = static_cast<std::size_t>(r.size());
   rhs.ncol = 1;

@@ -133,7 +133,7 @@ class ElementCheck {
       const Eigen::MatrixXd k = probe_.local(x_, curvature).hessian;
       const double lowest = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(k).eigenvalues()[0];
       definite.update(std::max(0.0, -lowest) / hessian_scale_, element_,
-                      fmt::format("curvature {}", name(curvature)), lowest, 0);
+                      fmt::format("curvature {}", curvature_name(curvature)), lowest, 0);
     }
   }
 

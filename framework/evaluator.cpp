@@ -4,10 +4,12 @@
 
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "majorant/framework/internal/element_values.h"
 #include "majorant/framework/internal/parallel_errors.h"
 #include "majorant/framework/internal/problem_parts.h"
+#include "majorant/framework/thread_count.h"
 
 namespace majorant {
 namespace {
@@ -48,19 +50,6 @@ void add_energy(const Problem& problem, TermId id, VecIn x, const StopCheck& sto
 struct Evaluator::Scratch {
   Workspace kernel, local;
 };
-
-void set_threads(int count) {
-  omp_set_num_threads(count);
-  omp_set_max_active_levels(count > 1 ? 1 : 0);  // for those who ask for a number of their own
-}
-int threads() { return omp_get_max_threads(); }
-
-void run_on_threads(const std::function<void()>& work) {
-  ParallelErrors errors;
-#pragma omp parallel
-  errors.guard(work);
-  errors.rethrow();
-}
 
 Evaluator::Evaluator(const Problem& problem) : problem_(problem) {}
 Evaluator::~Evaluator() = default;
@@ -122,11 +111,21 @@ double Evaluator::gradient(VecIn y, Vec& gradient, const StopCheck& stop) {
   return assemble(y, Curvature::Projected, gradient, nullptr, stop);
 }
 
+std::optional<Evaluator::Violation> Evaluator::violation(VecIn x) {
+  for (const auto& checker : problem_.checkers()) {
+    Verdict verdict = checker->check(x);
+    add_counts(counters_.proven, verdict.proven);
+    if (!verdict.feasible) return Violation{checker.get(), std::move(verdict)};
+  }
+  return std::nullopt;
+}
+
 double Evaluator::assemble(VecIn y, Curvature curvature, Vec& gradient, Vec* hessian_values,
                            const StopCheck& stop) {
   ProblemParts::elimination(problem_).expand(y, x_);
   gradient.setZero(problem_.size());
-  while (scratch_.size() < at(threads())) scratch_.push_back(std::make_unique<Scratch>());
+  while (scratch_.size() < at(ThreadCount::current()))
+    scratch_.push_back(std::make_unique<Scratch>());
   double total = 0;
   std::vector<double> energies;
   for (const TermId k : problem_.terms()) {

@@ -7,25 +7,18 @@
 //   energy = evaluator.linearize(y, Curvature::Projected, g, h);        // Newton
 //
 // One evaluator per solver: it owns scratch memory, counters and timers. Results do not depend on
-// the number of threads, to the last bit: chunks are fixed, chunks of one colour touch disjoint
-// unknowns, colours run in order, energies add in chunk order.
+// the number of threads (thread_count.h), to the last bit: chunks are fixed, chunks of one colour
+// touch disjoint unknowns, colours run in order, energies add in chunk order.
 #pragma once
 
-#include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "majorant/framework/problem.h"
 #include "majorant/framework/stop_check.h"
 
 namespace majorant {
-
-// Number of threads that evaluators and checkers of this process use (default: OpenMP's). With 1 no
-// other library starts OpenMP threads either.
-void set_threads(int count);
-int threads();
-// Calls `work` once on each of the threads, which start if they do not run yet.
-void run_on_threads(const std::function<void()>& work);
 
 // Of one term at x (full unknowns): the unweighted value of each of its elements, and its part of
 // the problem's energy, weights included. Poll between chunks of elements, as all evaluations do
@@ -51,8 +44,18 @@ class Evaluator {
                    const StopCheck& stop = {});
   // Energy and gradient at y, which lies in the domain: Z^T of the full gradient, size() entries.
   double gradient(VecIn y, Vec& gradient, const StopCheck& stop = {});
+
+  struct Violation {
+    const FeasibilityChecker* checker = nullptr;
+    Verdict verdict;
+  };
+  // The first of the problem's checkers that does not find x feasible (full unknowns), if any.
+  std::optional<Violation> violation(VecIn x);
+
+  // Since construction, all problems together.
   struct Counters {
     long values = 0, gradients = 0, linearizations = 0;
+    std::vector<long> proven;  // Verdict::proven of all violation()s
     double value_seconds = 0, gradient_seconds = 0, linearize_seconds = 0;
   };
   const Counters& counters() const { return counters_; }

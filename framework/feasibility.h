@@ -1,9 +1,11 @@
 // What a line search must hold besides decreasing the energy.
 //
 // A checker sees the full unknowns x. It certifies: "feasible" is a proof (up to the documented
-// model of arithmetic), "not feasible" may be mere caution.
+// model of arithmetic), "not feasible" may be mere caution. A checker is immutable and called from
+// several threads: what it did it returns, and who asks adds it up (Evaluator::violation).
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 #include <vector>
 
@@ -15,7 +17,15 @@ struct Verdict {
   bool feasible = true;
   double margin = 0;            // checker's own measure, larger is safer
   std::vector<Index> blocking;  // elements that fail, in increasing order
+  // Elements proven by depth of bisection; empty for checkers that do not bisect.
+  std::vector<long> proven;
 };
+
+// Entry by entry; either may have fewer of them.
+inline void add_counts(std::vector<long>& sum, const std::vector<long>& more) {
+  if (sum.size() < more.size()) sum.resize(more.size());
+  for (std::size_t k = 0; k < more.size(); ++k) sum[k] += more[k];
+}
 
 struct StepBound {
   double step = 0;              // largest certified step

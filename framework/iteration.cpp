@@ -6,7 +6,7 @@
 
 namespace majorant {
 
-std::string_view name(Status status) {
+std::string_view status_name(Status status) {
   switch (status) {
     case Status::Converged:
       return "converged";

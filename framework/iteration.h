@@ -24,7 +24,8 @@ enum class Status {
   Infeasible,   // the start violates a checker or lies outside an energy's domain
   Failed,       // numerical breakdown: no factorization, no finite energy
 };
-std::string_view name(Status status);  // "converged", "max_iterations", ... as reports have it
+// "converged", "max_iterations", ... as reports have it.
+std::string_view status_name(Status status);
 Status stopped_status(Directive why);  // of a run that was stopped
 
 struct IterationRecord {

@@ -64,8 +64,7 @@ bool LineSearch::accept(double s) {
     return false;
   if (best_step_ > 0 && !(trial < best_energy_)) return false;
   const Vec x = evaluator_.problem().expand(candidate);
-  for (const auto& checker : evaluator_.problem().checkers())
-    if (!checker->check(x).feasible) return false;
+  if (evaluator_.violation(x)) return false;
   best_step_ = s;
   best_energy_ = trial;
   return true;

@@ -31,6 +31,9 @@ enum class Factorization { Automatic, Supernodal, Simplicial };
 enum class Ordering { Best, Amd, Metis };  // Best: the one with fewer operations
 
 // CHOLMOD [CDHR08], on one thread. Every member throws std::bad_alloc when it runs out of memory.
+// OpenBLAS below it has one number of threads for the whole process: the first factorization of the
+// process sets it to 1, under a lock, and nothing here changes it again. A program that raises it
+// afterwards pays with time, and with bits that may depend on it.
 std::unique_ptr<LinearSolver> make_cholmod_solver(
     Factorization factorization = Factorization::Automatic, Ordering ordering = Ordering::Best);
 

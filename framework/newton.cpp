@@ -41,7 +41,8 @@ void NewtonStepper::require_curvature(const Problem& problem) const {
   for (const TermId k : problem.terms())
     if (!problem.term(k).supports(options_.curvature))
       throw std::invalid_argument(fmt::format("Newton: term '{}' has no curvature model '{}'",
-                                              problem.term(k).name(), name(options_.curvature)));
+                                              problem.term(k).name(),
+                                              curvature_name(options_.curvature)));
 }
 
 void NewtonStepper::reset(const Problem& problem) {

@@ -56,12 +56,11 @@ bool check_start(Evaluator& evaluator, SolveResult& result) {
   result.status = Status::Infeasible;
   const Problem& problem = evaluator.problem();
   const Vec x = problem.expand(result.y);
-  for (const auto& checker : problem.checkers())
-    if (Verdict verdict = checker->check(x); !verdict.feasible) {
-      result.blocking = std::move(verdict.blocking);
-      result.message = std::string("the start violates ") + std::string(checker->name());
-      return false;
-    }
+  if (auto violation = evaluator.violation(x)) {
+    result.blocking = std::move(violation->verdict.blocking);
+    result.message = std::string("the start violates ") + std::string(violation->checker->name());
+    return false;
+  }
   result.energy = evaluator.value(result.y);
   if (std::isfinite(result.energy)) return true;
   result.message = "the start lies outside the energy's domain";

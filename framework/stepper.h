@@ -40,6 +40,7 @@ class Stepper {
   virtual void polish() {}
 
   Evaluator& evaluator() { return evaluator_; }
+  const Evaluator& evaluator() const { return evaluator_; }
 
  protected:
   // decrement_rule: StoppingRules::decrement. stop: polled in every piece of a step.

@@ -1,10 +1,9 @@
 #!/bin/sh
-# Installs the packages of scripts/packages.txt that are missing (Debian, root or sudo). Does
-# nothing, and needs no network, when all are there.
+# install_packages.sh [LIST...]: installs the packages of scripts/packages.txt, and of other lists,
+# that are missing (Debian, root or sudo). Does nothing, and needs no network, when all are there.
 set -eu
-list=$(dirname "$0")/packages.txt
 missing=""
-for package in $(sed 's/#.*//' "$list"); do
+for package in $(cat "$(dirname "$0")/packages.txt" "$@" | sed 's/#.*//'); do
   status=$(dpkg-query -W -f='${Status}' "$package" 2>/dev/null || true)
   case "$status" in
     *"install ok installed"*) ;;

@@ -14,6 +14,7 @@
 #include <memory>
 
 #include "apps/command.h"
+#include "apps/compare/ceres_log.h"
 #include "apps/compare/comparison_table.h"
 #include "apps/compare/methods.h"
 #include "apps/compare/write_comparison.h"
@@ -26,6 +27,7 @@
 #include "apps/streams.h"
 #include "apps/unless_stopped.h"
 #include "majorant/framework/evaluator.h"
+#include "majorant/framework/thread_count.h"
 #include "majorant/parametrization/drive/internal/normalized_start.h"
 #include "majorant/parametrization/maps/internal/quadrature_ladder.h"
 
@@ -173,7 +175,7 @@ MethodRun race(const Method& method, const Contest& contest, double time_limit) 
   const SolveResult result = minimizer->minimize(
       contest.problem, y0, [&](const IterationRecord& r, const Vec& y) { return watch(r, y); });
   const std::string message = result.status == Status::Converged ? "" : result.message;
-  return {method.name, std::string(name(result.status)), message, watch.take_points()};
+  return {method.name, std::string(status_name(result.status)), message, watch.take_points()};
 }
 
 // The first method would pay for waking threads and touching memory.
@@ -236,14 +238,15 @@ int compare(const Request& request) {
     throw Error(ErrorKind::Usage, "--time-limit and --tolerance must be numbers");
   wanted_methods(request);  // complains before anything is read
   interruption_flag();
-  request.common.apply();
+  silence_ceres();
+  const ThreadCount threads(start_threads(request.common.threads));
   const Contest contest = make_contest(request);
   const std::vector<const Method*> chosen = choose(request, contest);
   Comparison comparison;
   comparison.title = fmt::format("{}, degree {}, {}, {} boundary, {} unknowns", request.map.input,
                                  request.map.degree, request.map.energy, request.map.boundary,
                                  contest.problem.size());
-  comparison.machine = fmt::format("{}, {} threads", processor(), threads());
+  comparison.machine = fmt::format("{}, {} threads", processor(), ThreadCount::current());
   warm_up(contest);
   for (const Method* method : chosen) {
     if (!request.common.quiet) say("{} ...\n", method->name);

@@ -11,6 +11,7 @@
 #include "majorant/framework/evaluator.h"
 #include "majorant/framework/internal/problem_parts.h"
 #include "majorant/framework/stepper.h"
+#include "majorant/framework/thread_count.h"
 
 namespace majorant {
 namespace {
@@ -103,7 +104,7 @@ class Progress final : public ceres::IterationCallback {
     const Directive directive = observer_ ? observer_(record, result_.y) : Directive::Continue;
     if (directive == Directive::Continue) return ceres::SOLVER_CONTINUE;
     result_.status = directive == Directive::TimeLimit ? Status::TimeLimit : Status::Interrupted;
-    result_.message = name(result_.status);
+    result_.message = status_name(result_.status);
     return ceres::SOLVER_TERMINATE_SUCCESSFULLY;
   }
 
@@ -149,7 +150,7 @@ ceres::Solver::Options solver_options(const LeastSquaresOptions& asked) {
   options.parameter_tolerance = asked.parameter_tolerance;
   options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
   options.logging_type = ceres::SILENT;
-  options.num_threads = threads();
+  options.num_threads = ThreadCount::current();
   options.update_state_every_iteration = true;
   options.max_num_consecutive_invalid_steps = 50;
   return options;

@@ -29,7 +29,7 @@ Method newton(
   const auto obstacle = [curvature](const Contest& c) {
     return c.problem.supports(curvature) ? std::string()
                                          : fmt::format("energy '{}' has no curvature model '{}'",
-                                                       c.energy, majorant::name(curvature));
+                                                       c.energy, curvature_name(curvature));
   };
   return {std::move(name), std::move(summary), obstacle, [=](const Contest& c) {
             NewtonOptions options;

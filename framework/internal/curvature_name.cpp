@@ -2,7 +2,7 @@
 
 namespace majorant {
 
-std::string_view name(Curvature curvature) {
+std::string_view curvature_name(Curvature curvature) {
   switch (curvature) {
     case Curvature::Projected:
       return "projected";

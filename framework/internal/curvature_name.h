@@ -7,6 +7,6 @@
 
 namespace majorant {
 
-std::string_view name(Curvature curvature);  // "projected", "paper-majorizer", ...
+std::string_view curvature_name(Curvature curvature);  // "projected", "paper-majorizer", ...
 
 }  // namespace majorant

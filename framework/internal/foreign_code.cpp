@@ -1,14 +1,13 @@
 #include "majorant/framework/internal/foreign_code.h"
 
-#include <omp.h>
 #include <pthread.h>
 #include <sys/mman.h>
 
 #include <cstddef>
+#include <cstdlib>
 #include <new>
 
 extern "C" void openblas_set_num_threads(int);
-extern "C" int openblas_get_num_threads(void);
 extern "C" void dpotrf_(const char* uplo, const int* n, double* a, const int* lda, int* info);
 
 namespace majorant {
@@ -17,12 +16,14 @@ namespace {
 // BUFFER_SIZE of OpenBLAS for x86-64, the largest of its targets that are in use.
 constexpr std::size_t kBlasBuffer = std::size_t{128} << 20;
 
-bool map_blas_buffer() {
+std::mutex metis;
+
+bool prepare_blas() {
   void* place =
       ::mmap(nullptr, kBlasBuffer, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (place == MAP_FAILED) throw std::bad_alloc();
   ::munmap(place, kBlasBuffer);
-  const SingleThreaded guard;
+  openblas_set_num_threads(1);
   const int size = 1;
   int info = 0;
   double matrix = 1;
@@ -32,29 +33,21 @@ bool map_blas_buffer() {
 
 }  // namespace
 
-SingleThreaded::SingleThreaded()
-    : levels_(omp_get_max_active_levels()), blas_(openblas_get_num_threads()) {
-  omp_set_max_active_levels(0);
-  openblas_set_num_threads(1);
-}
+// A static of a function: once, and under a lock.
+void require_blas() { [[maybe_unused]] static const bool ready = prepare_blas(); }
 
-SingleThreaded::~SingleThreaded() {
-  omp_set_max_active_levels(levels_);
-  openblas_set_num_threads(blas_);
-}
-
-void require_blas_buffer() { [[maybe_unused]] static const bool mapped = map_blas_buffer(); }
-
-KeptSignals::KeptSignals() {
+MetisScope::MetisScope() : alone_(metis) {
   sigaction(SIGTERM, nullptr, &term_);
   sigaction(SIGABRT, nullptr, &abort_);
   sigset_t term;
   sigemptyset(&term);
   sigaddset(&term, SIGTERM);
   pthread_sigmask(SIG_BLOCK, &term, &mask_);
+  program_random_ = ::initstate(1, random_.data(), random_.size());
 }
 
-KeptSignals::~KeptSignals() {
+MetisScope::~MetisScope() {
+  ::setstate(program_random_);
   sigaction(SIGTERM, &term_, nullptr);
   sigaction(SIGABRT, &abort_, nullptr);
   pthread_sigmask(SIG_SETMASK, &mask_, nullptr);

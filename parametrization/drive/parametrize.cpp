@@ -9,6 +9,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/curvature_name.h"
+#include "majorant/framework/thread_count.h"
 #include "majorant/parametrization/drive/internal/degree_solver.h"
 #include "majorant/parametrization/drive/internal/normalized_start.h"
 #include "majorant/parametrization/drive/internal/parametrize_by.h"
@@ -39,6 +40,7 @@ void require_valid(const ParametrizationOptions& o) {
   require_valid(o.map);
   if (!(o.solve.tolerance > 0) || !std::isfinite(o.solve.tolerance))
     refuse("the tolerance must be a positive number");
+  if (o.solve.threads < 0) refuse("the number of threads must not be negative");
   if (o.solve.quadrature_points < 0) refuse("the number of quadrature points must not be negative");
   if (o.map.injectivity == MapInjectivity::Global &&
       (o.solve.curvature == Curvature::Reweighted ||
@@ -46,7 +48,7 @@ void require_valid(const ParametrizationOptions& o) {
     refuse(
         fmt::format("the scaffold's energy has no curvature model '{}'; use projected, majorizer "
                     "or exact",
-                    name(o.solve.curvature)));
+                    curvature_name(o.solve.curvature)));
   if (o.solve.triangles == Triangles::Flipped && o.map.face_weight.size() > 0)
     refuse("flipping edges changes the faces that weights are for; leave one of the two out");
 }
@@ -139,8 +141,7 @@ class Run {
   static bool limited(Status s) { return s != Status::Converged && s != Status::Stalled; }
 
   void account(const DegreeSolver& solver) {
-    result_.injectivity_tests =
-        add_counts(std::move(result_.injectivity_tests), solver.injectivity_depth_counts());
+    add_counts(result_.injectivity_tests, solver.proven());
     result_.remedies = solver.remedies();
     result_.variables = solver.variables();
     result_.constraint_residual = solver.constraint_residual() / start_.scale();
@@ -178,7 +179,7 @@ class Run {
 
   void take_measures() {
     const double started = record_.seconds();
-    result_.measures = measure(*result_.map, options_.map.energy, record_.stop());
+    result_.measures = measure_map(*result_.map, options_.map.energy, record_.stop());
     result_.measure_seconds += record_.seconds() - started;
   }
 
@@ -247,6 +248,7 @@ ParametrizationResult parametrize_by(const SolverRules& rules, const BezierMap& 
                                      const ParametrizationOptions& options, RunRecord& record) {
   require_valid(options);
   if (start.degree() != 1) throw Error(ErrorKind::Usage, "a start must have degree 1");
+  const ThreadCount threads(options.solve.threads);
   return Run(rules, start, options, record).solve();
 }
 

@@ -25,6 +25,7 @@ struct SolveOptions {
   int injectivity_depth = ProofDepth::kStart;  // of bisection; deeper when a run is held back
   ScaffoldFlips scaffold_flips = ScaffoldFlips::Performed;  // of MapInjectivity::Global
   Triangles triangles = Triangles::Kept;
+  int threads = 0;  // 0: as many as the caller has (thread_count.h); results do not depend on it
 };
 
 }  // namespace majorant

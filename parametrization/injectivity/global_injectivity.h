@@ -8,10 +8,10 @@
 //
 // What is assumed of the map and not checked here: the surface is compact and orientable, its
 // faces the elements; the map is continuous across edges that two elements share; det J > 0 on
-// every (closed) element (LocalInjectivity, measure()); the loops given are the whole boundary, the
-// surface on their left. Its connected components are the charts: any number, with any number of
-// loops; their genus does not matter (an injective one turns out to be 0), nor does it matter that
-// angles around inner vertices sum to 2 pi.
+// every (closed) element (LocalInjectivity, measure_map()); the loops given are the whole boundary,
+// the surface on their left. Its connected components are the charts: any number, with any number
+// of loops; their genus does not matter (an injective one turns out to be 0), nor does it matter
+// that angles around inner vertices sum to 2 pi.
 //
 // Theorem. If the boundary curves are simple and disjoint, one loop of every chart is
 // counterclockwise (the outer one) and the others are clockwise and lie inside of that one, and no

@@ -129,7 +129,7 @@ double mean_density(const BezierMap& map, const RestShapes& rest, const EnergySu
   return m.value;
 }
 
-MapMeasures measure(const BezierMap& map, const EnergySum& energy, const StopCheck& stop) {
+MapMeasures measure_map(const BezierMap& map, const EnergySum& energy, const StopCheck& stop) {
   return measure_normalized(map, 1.0, energy, stop);
 }
 

@@ -30,7 +30,7 @@ double mean_density(const BezierMap& map, const RestShapes& rest, const EnergySu
                     Vec& face_value);
 
 // After a stop, or when it comes meanwhile, only what is needed to judge the map.
-MapMeasures measure(const BezierMap& map, const EnergySum& energy, const StopCheck& stop = {});
+MapMeasures measure_map(const BezierMap& map, const EnergySum& energy, const StopCheck& stop = {});
 // Of a map whose control points were divided by `scale` after it was made, in the units of before.
 // What is proven (min_det, angles, local injectivity) is proven of the control points as they are.
 MapMeasures measure_normalized(const BezierMap& map, double scale, const EnergySum& energy,

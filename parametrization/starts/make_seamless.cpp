@@ -10,6 +10,7 @@
 
 #include "majorant/constraints/local_injectivity.h"
 #include "majorant/framework/error.h"
+#include "majorant/framework/thread_count.h"
 #include "majorant/mesh/internal/cut_graph.h"
 #include "majorant/parametrization/fields/internal/conformal_metric.h"
 #include "majorant/parametrization/starts/internal/field_integration.h"
@@ -180,7 +181,7 @@ class Maker {
 
 }  // namespace
 
-std::string_view name(SeamlessMethod method) {
+std::string_view method_name(SeamlessMethod method) {
   switch (method) {
     case SeamlessMethod::Field:
       return "field";
@@ -201,6 +202,9 @@ Start make_seamless(const SurfaceMesh& mesh, const SeamlessOptions& options,
                 mesh.file() +
                     ": a conformal start needs a sphere or a disk, where cones alone "
                     "determine the transitions; use --start scaled-field");
+  if (options.threads < 0)
+    throw Error(ErrorKind::Usage, "the number of threads must not be negative");
+  const ThreadCount threads(options.threads);
   Maker maker(mesh, options, record);
   for (const SeamlessMethod method :
        {SeamlessMethod::Field, SeamlessMethod::ScaledField, SeamlessMethod::Conformal}) {

@@ -24,6 +24,7 @@ struct SeamlessOptions {
   CrossFieldOptions field;
   // Vertices of the mesh; all others are regular, an empty list has no cones. Nothing: the field's.
   std::optional<std::vector<Cone>> cones;
+  int threads = 0;  // as SolveOptions has it
 };
 
 // mesh: connected, closed or bounded, any genus. Throws Error(Invalid) naming the cones around

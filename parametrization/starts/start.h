@@ -17,7 +17,8 @@ namespace majorant {
 // for spheres and disks only, where the cones determine all transitions. Automatic: the first of
 // these that can be untangled.
 enum class SeamlessMethod { Automatic, Field, ScaledField, Conformal };
-std::string_view name(SeamlessMethod method);  // "automatic", "field", "scaled-field", "conformal"
+// "automatic", "field", "scaled-field", "conformal".
+std::string_view method_name(SeamlessMethod method);
 
 struct Start {
   BezierMap map;  // of degree 1, of the surface cut open where it has seams, which hold to rounding

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "exact_polynomials.h"
-#include "majorant/framework/evaluator.h"
+#include "majorant/framework/thread_count.h"
 #include "support.h"
 
 namespace majorant {
@@ -44,10 +44,7 @@ class Injectivity : public testing::TestWithParam<int> {
       : mesh_(test::grid(3, 3, 0.2)),
         space_(std::make_shared<const BezierTriangleSpace>(mesh_.faces, 16, GetParam())),
         checker_(space_, test::rest_determinants(mesh_)),
-        x_(test::linear_map(*space_, test::flat(mesh_.positions))) {
-    set_threads(1);  // maps this small gain nothing from more
-  }
-  ~Injectivity() override { set_threads(before_); }
+        x_(test::linear_map(*space_, test::flat(mesh_.positions))) {}
 
   // Smallest exact determinant over a coarse lattice of every face.
   Rational sampled_minimum(const Vec& x, int m = 3) const {
@@ -61,7 +58,7 @@ class Injectivity : public testing::TestWithParam<int> {
     return lowest;
   }
 
-  int before_ = threads();
+  ThreadCount one_{1};  // maps this small gain nothing from more
   test::Mesh mesh_;
   std::shared_ptr<const BezierTriangleSpace> space_;
   LocalInjectivity checker_;
@@ -176,7 +173,7 @@ TEST_P(Injectivity, ThreadsDoNotChangeResults) {
   const Vec x = x_ + 0.1 / GetParam() * random.vector(x_.size()), d = random.vector(x_.size());
   const Vec bounds = checker_.lower_bounds(x);
   const StepBound one = checker_.max_step(x_, d, 1);
-  set_threads(2);
+  const ThreadCount threads(2);
   EXPECT_EQ(checker_.lower_bounds(x), bounds);
   const StepBound two = checker_.max_step(x_, d, 1);
   EXPECT_EQ(one.step, two.step);
@@ -208,22 +205,21 @@ TEST(InjectivityDepth, DeeperBisectionProvesMoreAndIsCounted) {
   corners << 1, 0, 0, 1, 0, 0;
   const Vec identity = test::linear_map(*space, corners);
   Random random(3);
-  const int before = threads();
-  set_threads(1);
+  const ThreadCount threads(1);
   int deeper = 0;
   for (int trial = 0; trial < 200; ++trial) {
     const Vec x = identity + 0.2 * random.vector(identity.size());
     const LocalInjectivity shallow(space, Vec::Ones(1), 0), deep(space, Vec::Ones(1), 6);
-    const bool a = shallow.check(x).feasible, b = deep.check(x).feasible;
+    const Verdict verdict = deep.check(x);
+    const bool a = shallow.check(x).feasible, b = verdict.feasible;
     EXPECT_TRUE(b || !a);
     deeper += b && !a;
-    ASSERT_EQ(deep.depth_counts().size(), 7u);
-    EXPECT_EQ(deep.depth_counts()[0], a ? 1 : 0);
+    ASSERT_EQ(verdict.proven.size(), 7u);
+    EXPECT_EQ(verdict.proven[0], a ? 1 : 0);
     long total = 0;
-    for (const long c : deep.depth_counts()) total += c;
+    for (const long c : verdict.proven) total += c;
     EXPECT_EQ(total, b ? 1 : 0);
   }
-  set_threads(before);
   EXPECT_GT(deeper, 5);
 }
 

@@ -34,7 +34,7 @@ std::vector<std::string> cells(const std::string& line) {
 }
 
 std::map<std::string, std::vector<std::string>> table_of_energies() {
-  std::ifstream page(std::string(MAJORANT_SOURCE_DIR) + "/docs/add_an_energy.md");
+  std::ifstream page(MAJORANT_SOURCE_DIR "/docs/add_an_energy.md");
   std::string line;
   while (std::getline(page, line) && line != "## Built-in energies") continue;
   std::map<std::string, std::vector<std::string>> rows;
@@ -61,7 +61,7 @@ std::string special_curvatures(const DensityTraits& traits) {
   std::string list;
   for (const Curvature c : {Curvature::Majorizer, Curvature::PaperMajorizer, Curvature::Reweighted})
     if (std::count(traits.curvatures.begin(), traits.curvatures.end(), c))
-      list += (list.empty() ? "" : ", ") + std::string(name(c));
+      list += (list.empty() ? "" : ", ") + std::string(curvature_name(c));
   return list.empty() ? "-" : list;
 }
 

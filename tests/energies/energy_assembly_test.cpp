@@ -6,6 +6,7 @@
 #include "energies/density_fixture.h"
 #include "majorant/framework/evaluator.h"
 #include "majorant/framework/internal/element_values.h"
+#include "majorant/framework/thread_count.h"
 
 namespace majorant {
 namespace {
@@ -97,12 +98,7 @@ auto difference(const F& f, const Vec& x, const Vec& d, double h) {
 }
 
 class Assembled : public testing::TestWithParam<int> {
- protected:
-  Assembled() { set_threads(1); }  // problems this small gain nothing from more
-  ~Assembled() override { set_threads(before_); }
-
- private:
-  int before_ = threads();
+  ThreadCount one_{1};  // problems this small gain nothing from more
 };
 
 void expect_consistent(const Fixture& s, const std::shared_ptr<const EnergyTerm>& term) {

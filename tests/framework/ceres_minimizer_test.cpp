@@ -1,6 +1,8 @@
 // Ceres on our Problem: the cases of all minimizers, options, scale, the last iteration.
 #include "majorant/framework/ceres_minimizer.h"
 
+#include <glog/logging.h>
+
 #include "framework/minimizer_cases.h"
 
 namespace majorant {
@@ -9,6 +11,7 @@ template <CeresOptions::Method method>
 struct CeresTraits {
   static constexpr bool kCertifiesPaths = false;
   static std::unique_ptr<Minimizer> make(int max_iterations) {
+    FLAGS_minloglevel = google::GLOG_FATAL;  // as programs do that want silence
     CeresOptions o;
     o.method = method;
     o.max_iterations = max_iterations;

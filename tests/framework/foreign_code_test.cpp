@@ -6,8 +6,11 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <new>
+#include <thread>
 #include <vector>
 
 #include "majorant/framework/linear_solver.h"
@@ -48,18 +51,53 @@ TEST(ForeignCode, HandlersSurviveMetis) {
   EXPECT_EQ(noticed, 2);
 }
 
+TEST(ForeignCode, RandomNumbersAreTheProgramsOwn) {
+  std::srand(7);
+  const int first = std::rand(), second = std::rand();
+  std::srand(7);
+  EXPECT_EQ(std::rand(), first);
+  const SparsePattern pattern = path_pattern(2000);
+  make_cholmod_solver(Factorization::Automatic, Ordering::Metis)->analyze(pattern);
+  EXPECT_EQ(std::rand(), second);
+}
+
 TEST(ForeignCode, SignalsWaitForTheEndOfTheCall) {
   struct sigaction mine {};
   mine.sa_handler = [](int) { ++noticed; };
   ASSERT_EQ(sigaction(SIGTERM, &mine, nullptr), 0);
   noticed = 0;
   {
-    const KeptSignals signals;
+    const MetisScope scope;
     std::signal(SIGTERM, SIG_DFL);  // as METIS does
     raise(SIGTERM);
     EXPECT_EQ(noticed, 0);
   }
   EXPECT_EQ(noticed, 1);
+}
+
+// Otherwise the second would keep METIS's handlers for the program's, and leave them.
+TEST(ForeignCode, OneThreadAtATimeIsInMetis) {
+  struct sigaction mine {};
+  mine.sa_handler = [](int) { ++noticed; };
+  ASSERT_EQ(sigaction(SIGTERM, &mine, nullptr), 0);
+  std::atomic<bool> second_is_in{false}, second_may_leave{false};
+  std::thread second;
+  {
+    const MetisScope scope;
+    std::signal(SIGTERM, SIG_DFL);  // as METIS does
+    second = std::thread([&] {
+      const MetisScope waiting;
+      second_is_in = true;
+      while (!second_may_leave) std::this_thread::yield();
+    });
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));  // in which it must not get in
+    EXPECT_FALSE(second_is_in);
+  }
+  second_may_leave = true;
+  second.join();
+  struct sigaction after {};
+  sigaction(SIGTERM, nullptr, &after);
+  EXPECT_EQ(after.sa_handler, mine.sa_handler);
 }
 
 #ifndef __SANITIZE_ADDRESS__  // which needs address space without limits
@@ -69,7 +107,7 @@ TEST(ForeignCode, SignalsWaitForTheEndOfTheCall) {
   const rlimit little{1 << 20, 1 << 20};
   setrlimit(RLIMIT_AS, &little);
   try {
-    require_blas_buffer();
+    require_blas();
   } catch (const std::bad_alloc&) {
     ::_exit(7);
   }

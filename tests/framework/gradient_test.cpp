@@ -3,6 +3,7 @@
 
 #include "framework/barrier_chain.h"
 #include "majorant/framework/evaluator.h"
+#include "majorant/framework/thread_count.h"
 
 namespace majorant {
 namespace {
@@ -56,11 +57,10 @@ TEST_P(Gradient, IsThatOfLinearizeToTheLastBitForAnyNumberOfThreads) {
   Random random(1);
   const Problem problem = random_problem(random, GetParam());
   const Vec y = random.vector(problem.size());
-  const int before = threads();
   Vec reference, hessian;
   const double energy = Evaluator(problem).linearize(y, Curvature::Exact, reference, hessian);
   for (int count = 1; count <= 4; ++count) {
-    set_threads(count);
+    const ThreadCount threads(count);
     Evaluator evaluator(problem);
     Vec g = Vec::Constant(3, 7);  // size and contents do not matter
     EXPECT_EQ(evaluator.gradient(y, g), energy);
@@ -68,7 +68,6 @@ TEST_P(Gradient, IsThatOfLinearizeToTheLastBitForAnyNumberOfThreads) {
     EXPECT_EQ(evaluator.gradient(y, g), energy) << "scratch is reused";
     EXPECT_EQ(g, reference);
   }
-  set_threads(before);
 }
 
 INSTANTIATE_TEST_SUITE_P(Blocks, Gradient, testing::Values(1, 2));

@@ -18,6 +18,7 @@
 #include "majorant/framework/evaluator.h"
 #include "majorant/framework/internal/problem_parts.h"
 #include "majorant/framework/minimizer.h"
+#include "majorant/framework/thread_count.h"
 
 namespace majorant::test {
 
@@ -217,18 +218,16 @@ TYPED_TEST_P(MinimizerCases, EnergiesThatEndAreNotMinima) {
 
 TYPED_TEST_P(MinimizerCases, DoesNotDependOnThreads) {
   const ChainProblem chain(3000);
-  const int before = threads();
   ASSERT_GT(ProblemParts::plan(chain.problem, chain.problem.terms().front()).chunk_count(), 16);
-  set_threads(1);
+  const ThreadCount alone(1);
   const SolveResult one = this->minimize(chain.problem, chain.start, {}, 15);
   ASSERT_EQ(one.iterations.size(), 15u);
   for (const int count : {2, 3}) {
-    set_threads(count);
+    const ThreadCount threads(count);
     const SolveResult r = this->minimize(chain.problem, chain.start, {}, 15);
     EXPECT_EQ(r.y, one.y) << count;
     EXPECT_EQ(r.energy, one.energy);
   }
-  set_threads(before);
 }
 
 TYPED_TEST_P(MinimizerCases, PrintsNothing) {

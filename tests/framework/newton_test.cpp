@@ -334,13 +334,13 @@ TEST(Newton, AnotherStateForgetsTheLastDecrement) {
 }
 
 TEST(Newton, StatusNames) {
-  EXPECT_EQ(name(Status::Converged), "converged");
-  EXPECT_EQ(name(Status::MaxIterations), "max_iterations");
-  EXPECT_EQ(name(Status::TimeLimit), "time_limit");
-  EXPECT_EQ(name(Status::Interrupted), "interrupted");
-  EXPECT_EQ(name(Status::Stalled), "stalled");
-  EXPECT_EQ(name(Status::Infeasible), "infeasible");
-  EXPECT_EQ(name(Status::Failed), "failed");
+  EXPECT_EQ(status_name(Status::Converged), "converged");
+  EXPECT_EQ(status_name(Status::MaxIterations), "max_iterations");
+  EXPECT_EQ(status_name(Status::TimeLimit), "time_limit");
+  EXPECT_EQ(status_name(Status::Interrupted), "interrupted");
+  EXPECT_EQ(status_name(Status::Stalled), "stalled");
+  EXPECT_EQ(status_name(Status::Infeasible), "infeasible");
+  EXPECT_EQ(status_name(Status::Failed), "failed");
 }
 
 }  // namespace

@@ -5,17 +5,17 @@
 #include <atomic>
 #include <new>
 
-#include "majorant/framework/evaluator.h"
+#include "majorant/framework/thread_count.h"
 
 namespace majorant {
 namespace {
 
 TEST(ParallelErrors, LeaveTheRegion) {
-  set_threads(4);
-  EXPECT_THROW(run_on_threads([] { throw std::bad_alloc(); }), std::bad_alloc);
+  const ThreadCount threads(4);
+  EXPECT_THROW(ThreadCount::run_on_each([] { throw std::bad_alloc(); }), std::bad_alloc);
   std::atomic<int> calls = 0;
-  run_on_threads([&] { ++calls; });
-  EXPECT_EQ(calls, threads());
+  ThreadCount::run_on_each([&] { ++calls; });
+  EXPECT_EQ(calls, ThreadCount::current());
 }
 
 TEST(ParallelErrors, TheRestIsSkipped) {

@@ -51,7 +51,7 @@ void expect_goes_on(const Advice& advice) {
 
 void expect_stop(const Advice& advice, Status status, const std::string& message) {
   ASSERT_TRUE(advice.stop.has_value());
-  EXPECT_EQ(name(advice.stop->status), name(status));
+  EXPECT_EQ(status_name(advice.stop->status), status_name(status));
   EXPECT_EQ(advice.stop->message, message);
 }
 

@@ -89,7 +89,7 @@ TEST(CutMap, ComesBackFromTheFile) {
     }
     EXPECT_EQ(again.seams().cones().size(), 8u);
     EXPECT_EQ(to_map_file(again).cone, file.cone);
-    const MapMeasures measures = measure(again, {{symmetric_dirichlet(), 1.0}});
+    const MapMeasures measures = measure_map(again, {{symmetric_dirichlet(), 1.0}});
     EXPECT_TRUE(measures.locally_injective);
     EXPECT_NEAR(measures.value, 4, 1e-12);
     EXPECT_LE(measures.seam_residual, 1e-14);
@@ -190,7 +190,7 @@ TEST(CutMap, SidesThatDoNotFitAreNamed) {
     // What is too little to be refused is measured.
     file.uv(point, 0) += 1e-6 - 0.01;
     const BezierMap map = seamless_map_of(file);
-    EXPECT_NEAR(measure(map, {{symmetric_dirichlet(), 1.0}}).seam_residual, 1e-6, 1e-9);
+    EXPECT_NEAR(measure_map(map, {{symmetric_dirichlet(), 1.0}}).seam_residual, 1e-6, 1e-9);
     const SeamMismatch worst = worst_seam_edge(map.space(), map.seams(), map.control_points());
     const SeamEdge edge = map.seams().edges()[static_cast<std::size_t>(worst.edge)];
     EXPECT_TRUE(edge.side / 3 == cell || edge.opposite / 3 == cell || degree == 1);

@@ -44,8 +44,11 @@ double DegreeSolver::constraint_residual() const {
   return residual;
 }
 
-std::vector<long> DegreeSolver::injectivity_depth_counts() const {
-  return add_counts(injectivity_->depth_counts(), depth_counts_);
+std::vector<long> DegreeSolver::proven() const {
+  std::vector<long> counts(at(std::clamp(depth_, 0, LocalInjectivity::kMaxDepth)) + 1);
+  add_counts(counts, stepper_.evaluator().counters().proven);
+  add_counts(counts, proven_inside_);
+  return counts;
 }
 
 void DegreeSolver::rebuild() {

@@ -53,7 +53,8 @@ class DegreeSolver {
   Index variables() const { return built_.problem.size(); }
   double constraint_residual() const;
   const RemedyUses& remedies() const { return uses_; }
-  std::vector<long> injectivity_depth_counts() const;
+  // Faces proven injective, by depth of bisection, in all checks so far.
+  std::vector<long> proven() const;
 
  private:
   // Where a run can come back to.
@@ -108,9 +109,9 @@ class DegreeSolver {
   DensityTerms terms_;
   int depth_;
   std::shared_ptr<const LocalInjectivity> injectivity_;
-  std::vector<long> depth_counts_;  // of checkers that are gone
-  Vec element_weight_;              // 1, or else for a while: softened, excluded
-  Vec x_;                           // unknowns of the domain, the map's first
+  std::vector<long> proven_inside_;  // by the solves along a barrier
+  Vec element_weight_;               // 1, or else for a while: softened, excluded
+  Vec x_;                            // unknowns of the domain, the map's first
   MapProblem built_;
   NewtonStepper stepper_;
   double began_at_ = 0;            // own energy at the start of the last descent

@@ -78,7 +78,6 @@ DegreeSolver::Effect DegreeSolver::deepen(RunRecord& record) {
   if (depth_ >= rules().deepest_bisection) return Effect::None;
   setup_.stop.poll();
   depth_ = std::min(depth_ + rules().bisections_deeper, rules().deepest_bisection);
-  depth_counts_ = injectivity_depth_counts();
   injectivity_ = std::make_shared<const LocalInjectivity>(space_, 2 * setup_.map.rest.measure,
                                                           depth_, setup_.stop);
   rebuild();
@@ -174,7 +173,7 @@ bool DegreeSolver::approach_with(double weight, RunRecord& record) {
     DegreeSolver inner(with, domain_, space_, x());
     const SolveResult result = inner.approach(rules().barrier_tolerance, record, Phase::Barrier);
     x_ = inner.x_;
-    depth_counts_ = add_counts(std::move(depth_counts_), inner.injectivity_depth_counts());
+    add_counts(proven_inside_, inner.proven());
     return result.status == Status::Converged || result.status == Status::Stalled;
   } catch (const Stopped&) {  // before it began
     return false;

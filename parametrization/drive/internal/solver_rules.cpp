@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/curvature_name.h"
 
@@ -14,10 +12,10 @@ void require_curvature(const DensityTerms& terms, Curvature asked) {
     if (term->supports(asked)) continue;
     std::vector<std::string_view> known;
     for (const Curvature c : kCurvatures)
-      if (term->supports(c)) known.push_back(name(c));
+      if (term->supports(c)) known.push_back(curvature_name(c));
     throw Error(ErrorKind::Usage,
                 fmt::format("energy '{}' has no curvature model '{}'; use one of {}", term->name(),
-                            name(asked), fmt::join(known, " ")));
+                            curvature_name(asked), fmt::join(known, " ")));
   }
 }
 
@@ -44,12 +42,6 @@ SolveResult stopped(SolveResult result, Directive why) {
 Vec soft_weights(const Vec& energy, const Vec& measure, double enormous) {
   if (!(energy.sum() >= enormous * measure.sum()) || !energy.allFinite()) return {};
   return energy.cwiseQuotient(measure).cwiseSqrt().cwiseInverse();
-}
-
-std::vector<long> add_counts(std::vector<long> a, const std::vector<long>& b) {
-  a.resize(std::max(a.size(), b.size()), 0);
-  for (std::size_t k = 0; k < b.size(); ++k) a[k] += b[k];
-  return a;
 }
 
 }  // namespace majorant

@@ -97,7 +97,4 @@ SolveResult stopped(SolveResult result, Directive why);
 // reweighted energy decreases sum A sqrt(density).
 Vec soft_weights(const Vec& energy, const Vec& measure, double enormous);
 
-// Entry by entry, of different lengths: elements certified by bisection depth.
-std::vector<long> add_counts(std::vector<long> a, const std::vector<long>& b);
-
 }  // namespace majorant

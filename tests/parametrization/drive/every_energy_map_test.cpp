@@ -2,7 +2,6 @@
 // degree, and independent of threads and units.
 #include <gtest/gtest.h>
 
-#include "majorant/framework/evaluator.h"
 #include "majorant/parametrization/drive/parametrize.h"
 #include "majorant/parametrization/starts/tutte.h"
 #include "mesh/obj_file.h"
@@ -62,15 +61,13 @@ TEST_P(EveryEnergy, ImprovesWithTheDegree) {
 
 TEST_P(EveryEnergy, DoesNotDependOnThreads) {
   const auto mesh = generated("creature");  // more than 16 chunks: two threads do work
-  const int threads_before = threads();
   ParametrizationOptions options = options_for(energy(), 2);
   std::vector<Vec> results;
   for (const int count : {1, 2}) {
-    set_threads(count);
+    options.solve.threads = count;
     RunRecord record(std::numeric_limits<double>::infinity(), 6, nullptr, {});
     results.push_back(parametrize(mesh, options, record).map->control_points());
   }
-  set_threads(threads_before);
   EXPECT_EQ(results[0], results[1]);
 }
 

@@ -87,7 +87,7 @@ TEST(ImproveMesh, LowersTheEnergyOfPlanarSurfaces) {
       for (const PlaneTriangulation& t : {jittered_grid(8, 0.3, seed), inserted_points(60, seed)}) {
         const auto mesh = placed(t);
         const BezierMap map = mapped(mesh, t, n, swirl_by(t.points.rows() > 70 ? 0.25 : 0.0005));
-        if (!measure(map, kEnergy).locally_injective) {  // thin triangles under a coarse swirl
+        if (!measure_map(map, kEnergy).locally_injective) {  // thin triangles under a coarse swirl
           ++left_out;
           continue;
         }
@@ -95,7 +95,7 @@ TEST(ImproveMesh, LowersTheEnergyOfPlanarSurfaces) {
         EXPECT_GT(improved.flips.performed, 5) << n;
         EXPECT_LE(improved.flips.performed, improved.flips.intended);
         expect_same_surface(map, improved.map);
-        const MapMeasures measures = measure(improved.map, kEnergy);
+        const MapMeasures measures = measure_map(improved.map, kEnergy);
         EXPECT_TRUE(measures.locally_injective);
         EXPECT_LT(measures.value, mean(map));
         RecordProperty("gain_" + std::to_string(n) + "_" + std::to_string(seed) + "_" +
@@ -150,7 +150,7 @@ TEST(ImproveMesh, KeepsRidges) {
     const ImprovedMap improved = improve_mesh(map, kEnergy);
     EXPECT_GT(improved.flips.performed, 0);
     expect_same_surface(map, improved.map);
-    EXPECT_TRUE(measure(improved.map, kEnergy).locally_injective);
+    EXPECT_TRUE(measure_map(improved.map, kEnergy).locally_injective);
     for (Index f = 0; f < mesh->face_count(); ++f) {
       double low = 1, high = 0;
       for (int k = 0; k < 3; ++k) {
@@ -192,7 +192,7 @@ TEST(ImproveMesh, SeamsFollowTheirEdges) {
   for (int n = 1; n <= 3; ++n) {
     const BezierMap plain = mapped(mesh, cut, n, swirl);
     const BezierMap map(mesh, plain.shared_space(), plain.control_points(), seams);
-    ASSERT_LT(measure(map, kEnergy).seam_residual, 1e-14);
+    ASSERT_LT(measure_map(map, kEnergy).seam_residual, 1e-14);
     const ImprovedMap improved = improve_mesh(map, kEnergy);
     EXPECT_GT(improved.flips.performed, 5);
     expect_same_surface(map, improved.map);
@@ -201,7 +201,7 @@ TEST(ImproveMesh, SeamsFollowTheirEdges) {
       EXPECT_LT(improved.map.mesh().opposite(edge.side), 0);
       EXPECT_LT(improved.map.mesh().opposite(edge.opposite), 0);
     }
-    const MapMeasures measures = measure(improved.map, kEnergy);
+    const MapMeasures measures = measure_map(improved.map, kEnergy);
     EXPECT_LT(measures.seam_residual, 1e-14);
     EXPECT_TRUE(measures.locally_injective);
     EXPECT_LT(measures.value, mean(map));

@@ -1,4 +1,4 @@
-// measure() against isometries, an independent Gauss rule and samples; the quadrature ladder.
+// measure_map() against isometries, an independent Gauss rule and samples; the quadrature ladder.
 #include "majorant/parametrization/maps/measure.h"
 
 #include <gtest/gtest.h>
@@ -82,7 +82,7 @@ TEST(Measure, AnIsometricFlatteningIsWorthFour) {
   const auto mesh = folded(uv);
   for (const int degree : {1, 2, 3, 5, 8}) {
     const BezierMap map = elevated_to(BezierMap::linear(mesh, uv), degree);
-    const MapMeasures m = measure(map, {{symmetric_dirichlet()}});
+    const MapMeasures m = measure_map(map, {{symmetric_dirichlet()}});
     EXPECT_NEAR(m.value, 4, 1e-11) << degree;
     EXPECT_NEAR(m.max_density, 4, 1e-10) << degree;
     EXPECT_NEAR(m.sigma_max, 1, 1e-11) << degree;
@@ -102,7 +102,7 @@ TEST(Measure, AnAffineMapIsWorthItsDensity) {
       BezierMap::linear(
           mesh, uv_of(*mesh, [](const Vector3& p) { return Vector2(2 * p.x(), 0.5 * p.y()); })),
       3);
-  const MapMeasures m = measure(map, {{symmetric_dirichlet()}});
+  const MapMeasures m = measure_map(map, {{symmetric_dirichlet()}});
   EXPECT_NEAR(m.value, 4 + 0.25 + 0.25 + 4, 1e-11);
   EXPECT_NEAR(m.sigma_max, 2, 1e-12);
   EXPECT_NEAR(m.sigma_min, 0.5, 1e-12);
@@ -115,7 +115,7 @@ TEST(Measure, AgreesWithAnIndependentRule) {
     // Moved by a fair part of the distance between control points.
     const BezierMap map =
         shaken(elevated_to(BezierMap::linear(patch, uv), degree), 0.055 / degree, 3);
-    const MapMeasures m = measure(map, {{symmetric_dirichlet()}});
+    const MapMeasures m = measure_map(map, {{symmetric_dirichlet()}});
     ASSERT_TRUE(m.locally_injective) << degree;
     EXPECT_GT(m.value, 4.1);  // far enough from an isometry to matter
     const double expected = gauss_mean(map, 40);
@@ -133,7 +133,7 @@ TEST(Measure, AgreesWithAnIndependentRule) {
 TEST(Measure, FaceValuesAddUpToTheValue) {
   const auto mesh = generated("cap");
   const BezierMap map = shaken(elevated_to(BezierMap::linear(mesh, tutte_map(*mesh)), 2), 1e-3, 4);
-  const MapMeasures m = measure(map, {{symmetric_dirichlet()}});
+  const MapMeasures m = measure_map(map, {{symmetric_dirichlet()}});
   const RestShapes rest = flat_triangles(mesh->positions(), mesh->faces());
   ASSERT_EQ(m.face_value.size(), mesh->face_count());
   EXPECT_NEAR(m.face_value.dot(rest.measure) / rest.measure.sum(), m.value, 1e-12 * m.value);
@@ -147,7 +147,7 @@ TEST(Measure, ExtremesAndBoundsHoldForSamples) {
   for (const int degree : {1, 2, 3, 5}) {
     const BezierMap map =
         shaken(elevated_to(BezierMap::linear(mesh, uv), degree), 0.04 / degree, 5);
-    const MapMeasures m = measure(map, {{symmetric_dirichlet()}});
+    const MapMeasures m = measure_map(map, {{symmetric_dirichlet()}});
     double low = INFINITY, high = 0, worst = 0;
     for (Index f = 0; f < mesh->face_count(); ++f) {
       for (int i = 0; i <= 8; ++i)
@@ -175,7 +175,7 @@ TEST(Measure, SeesAFlippedTriangle) {
   uv.segment<2>(2 * 5) << 0.9, 0.9;
   for (const int degree : {1, 3}) {
     const MapMeasures m =
-        measure(elevated_to(BezierMap::linear(mesh, uv), degree), {{symmetric_dirichlet()}});
+        measure_map(elevated_to(BezierMap::linear(mesh, uv), degree), {{symmetric_dirichlet()}});
     EXPECT_FALSE(m.locally_injective);
     EXPECT_LE(m.min_det.minCoeff(), 0);
     EXPECT_LT(m.sigma_min, 0);
@@ -195,7 +195,7 @@ TEST(Measure, SeesASmallFold) {
   x.segment<2>(2 * map.space().cells()(0, ix.edge(0)[1])) << -1e-4, 0.0;
   map = BezierMap(map.shared_mesh(), map.shared_space(), x);
   ASSERT_LT(map.jacobian(0, Barycentric(1, 0, 0)).determinant(), 0);
-  const MapMeasures m = measure(map, {{symmetric_dirichlet()}});
+  const MapMeasures m = measure_map(map, {{symmetric_dirichlet()}});
   EXPECT_FALSE(m.locally_injective);
   EXPECT_LE(m.min_det[0], 0);
 }
@@ -210,7 +210,7 @@ TEST(Measure, SeesADoubleCover) {
   }
   for (const int degree : {1, 2}) {
     const MapMeasures m =
-        measure(elevated_to(BezierMap::linear(mesh, uv), degree), {{symmetric_dirichlet()}});
+        measure_map(elevated_to(BezierMap::linear(mesh, uv), degree), {{symmetric_dirichlet()}});
     EXPECT_GT(m.min_det.minCoeff(), 0);
     EXPECT_FALSE(m.locally_injective);
   }
@@ -224,7 +224,7 @@ TEST(Measure, CountsBoundaryVerticesBeyondAFullTurn) {
       uv.segment<2>(2 * v) << std::cos(step * (v - 1)), std::sin(step * (v - 1));
     for (const int degree : {1, 3}) {
       const MapMeasures m =
-          measure(elevated_to(BezierMap::linear(mesh, uv), degree), {{symmetric_dirichlet()}});
+          measure_map(elevated_to(BezierMap::linear(mesh, uv), degree), {{symmetric_dirichlet()}});
       EXPECT_NEAR(m.max_boundary_angle, 7 * step, 1e-9);
       EXPECT_EQ(m.boundary_over_full_turn, 7 * step > 2 * kPi ? 1 : 0);
       EXPECT_TRUE(m.locally_injective);  // an interior matter

@@ -207,7 +207,7 @@ TEST(Parametrize, AResultThatFailsItsOwnProofSaysSo) {
       {energy_factory(invariant("dirichlet", [](const auto& x, const auto& y) { return x + y; },
                                 {Domain::Everywhere, Convexity::Convex}))}};
   const ParametrizationResult result = parametrize(generated("cap"), options);
-  EXPECT_EQ(name(result.status), name(Status::Failed));
+  EXPECT_EQ(status_name(result.status), status_name(Status::Failed));
   EXPECT_FALSE(result.measures.locally_injective);
   EXPECT_NE(result.message.find("fails its own proof: face "), std::string::npos) << result.message;
 }

@@ -32,7 +32,7 @@ RunWithTrace solve(const char* mesh, const char* energy, int n, BoundaryConditio
   RunWithTrace run{parametrize(generated(mesh), options, record), {}};
   run.trace = record.trace();
   EXPECT_TRUE(run.result.measures.locally_injective);
-  EXPECT_EQ(name(run.result.status), name(Status::Converged)) << run.result.message;
+  EXPECT_EQ(status_name(run.result.status), status_name(Status::Converged)) << run.result.message;
   return run;
 }
 

@@ -132,13 +132,13 @@ TEST(Stop, Measuring) {
   const auto mesh = surface(grid(5, bumpy));
   const BezierMap map = elevated_to(BezierMap::linear(mesh, initial_map(*mesh, MapOptions())), 3);
   const EnergySum energy{{symmetric_dirichlet()}};
-  const MapMeasures whole = measure(map, energy);
+  const MapMeasures whole = measure_map(map, energy);
   EXPECT_FALSE(whole.cut_short);
   const CountedStop never;
-  EXPECT_EQ(measure(map, energy, never.check()).value, whole.value);
+  EXPECT_EQ(measure_map(map, energy, never.check()).value, whole.value);
   for (long k = 1; k <= never.asked(); ++k) {
     const CountedStop stop(k);
-    const MapMeasures m = measure(map, energy, stop.check());
+    const MapMeasures m = measure_map(map, energy, stop.check());
     EXPECT_TRUE(m.cut_short);
     EXPECT_LE(stop.asked_after(), 1);
     EXPECT_NEAR(m.value, whole.value, 0.1 * whole.value);
@@ -163,7 +163,7 @@ TEST(Stop, FlipsOfEdges) {
     const CountedStop stop(k);
     const ImprovedMap improved = improve_mesh(map, energy, stop.check());
     EXPECT_LE(improved.flips.performed, all);
-    EXPECT_TRUE(measure(improved.map, energy).locally_injective);
+    EXPECT_TRUE(measure_map(improved.map, energy).locally_injective);
     EXPECT_EQ(stop.asked_after(), 0);
   }
 }

@@ -7,8 +7,10 @@
 #include <set>
 
 #include "framework/quadratic_term.h"
+#include "support.h"
 #include "majorant/framework/evaluator.h"
 #include "majorant/framework/internal/problem_parts.h"
+#include "majorant/framework/thread_count.h"
 
 namespace majorant {
 namespace {
@@ -104,12 +106,6 @@ TEST(ChunkPlan, Empty) {
   EXPECT_TRUE(plan.colours().empty());
 }
 
-class Threads : public testing::Test {
- protected:
-  void TearDown() override { set_threads(before_); }
-  int before_ = threads();
-};
-
 struct System {
   double f, value;
   Vec g, h;
@@ -117,8 +113,8 @@ struct System {
 };
 
 System evaluate(const Problem& problem, const Vec& y, int count) {
-  set_threads(count);
-  EXPECT_EQ(threads(), count);
+  const ThreadCount threads(count);
+  EXPECT_EQ(ThreadCount::current(), count);
   Evaluator evaluator(problem);
   System s;
   s.f = evaluator.linearize(y, Curvature::Exact, s.g, s.h);
@@ -126,7 +122,7 @@ System evaluate(const Problem& problem, const Vec& y, int count) {
   return s;
 }
 
-TEST_F(Threads, DoNotChangeABit) {
+TEST(Threads, DoNotChangeABit) {
   Random random(3);
   const test::Mesh mesh = test::grid(40, 40);
   const auto term = std::make_shared<const QuadraticTerm>(Stencils{mesh.faces, 2}, random);
@@ -150,7 +146,7 @@ Problem seam_problem(Random& random, const test::Mesh& mesh) {
   return ProblemBuilder(2 * count).add(term, 1.0).add(rows).build();
 }
 
-TEST_F(Threads, ChunksOfOneColourShareNoReducedUnknown) {
+TEST(Threads, ChunksOfOneColourShareNoReducedUnknown) {
   Random random(4);
   const test::Mesh mesh = test::grid(40, 40);
   const Problem problem = seam_problem(random, mesh);
@@ -173,7 +169,7 @@ TEST_F(Threads, ChunksOfOneColourShareNoReducedUnknown) {
   EXPECT_EQ(shared, 0) << "chunks assembled at the same time write the same unknowns: a data race";
 }
 
-TEST_F(Threads, DoNotChangeABitWithSeams) {
+TEST(Threads, DoNotChangeABitWithSeams) {
   Random random(5);
   const test::Mesh mesh = test::grid(40, 40);
   const Problem problem = seam_problem(random, mesh);
