@@ -20,6 +20,7 @@
 #include <variant>
 #include <vector>
 
+#include "majorant/energies/named_energies.h"
 #include "majorant/framework/evaluator.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/parametrization/drive/internal/parametrize_by.h"
@@ -126,7 +127,7 @@ void solve(const std::string& path, const Settings& settings) {
 int main(int argc, char** argv) {
   Settings settings;
   std::vector<std::string> changes;
-  std::string path;
+  std::string path, energy = "symmetric-dirichlet";
   bool bijective = false, fixed = false, list_only = false;
   int threads = 1;
   CLI::App app("One map with other solver rules.");
@@ -134,6 +135,7 @@ int main(int argc, char** argv) {
   app.add_option("--degree", settings.options.map.degree);
   app.add_option("--set", changes, "NAME=VALUE, repeatedly");
   app.add_option("--threads", threads);
+  app.add_option("--energy", energy, "a name, such as arap");
   app.add_flag("--bijective", bijective);
   app.add_flag("--fixed", fixed, "the boundary stays where the start has it");
   app.add_flag("--list", list_only, "names and values of the rules");
@@ -141,6 +143,9 @@ int main(int argc, char** argv) {
   if (bijective) settings.options.map.injectivity = MapInjectivity::Global;
   if (fixed) settings.options.map.boundary = BoundaryCondition::Fixed;
   try {
+    const NamedEnergy* found = find_energy(energy);
+    if (!found) throw std::invalid_argument(energy + ": no such energy");
+    settings.options.map.energy = {{found->make, 1.0}};
     for (const std::string& change : changes) set(change, settings);
     if (list_only) {
       list(settings);

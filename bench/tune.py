@@ -7,7 +7,7 @@ and the mean over the meshes (positive: higher). What cannot matter in a run (sc
 --bijective) is skipped. Exit code 0 unless a run fails.
 
 Sample runs:
-  bench/tune.py                                            (the table of docs/constants.md, degree 2)
+  bench/tune.py --degree 3                                 (the first table of docs/constants.md)
   bench/tune.py --bijective --degree 3 scaffold.share remedies.barrier_rounds
   bench/tune.py --values 1e-5,1e-3 --meshes '^spot_500$' stopping.stall_decrement
 """
@@ -54,6 +54,7 @@ HEADER = ['rule', 'value', 'iterations', 'remedies', 'stalled', 'energy, worst',
 def solve(options, mesh, changes):
     """The line that majorant_tune prints for a mesh."""
     command = [options.tune, mesh, '--degree', options.degree]
+    command += ['--energy', options.energy]
     command += ['--bijective'] * options.bijective + ['--fixed'] * options.fixed
     for change in changes:
         command += ['--set', change]
@@ -81,6 +82,7 @@ def parse_arguments():
     parser.add_argument('--values', help='instead of the usual ones, separated by commas')
     parser.add_argument('--meshes', default='_500$', metavar='REGEX', help='searched in the names')
     parser.add_argument('--degree', type=int, default=2)
+    parser.add_argument('--energy', default='symmetric-dirichlet')
     parser.add_argument('--bijective', action='store_true')
     parser.add_argument('--fixed', action='store_true')
     return parser.parse_args()
