@@ -22,6 +22,8 @@ struct BuiltinEnergy {
   D density;
   const char* summary;  // formula; where it is smallest, and how small
 };
+template <class D>
+BuiltinEnergy(D, const char*) -> BuiltinEnergy<D>;  // clang 14 does not deduce aggregates
 
 inline auto builtin_energies() {
   return std::tuple{
