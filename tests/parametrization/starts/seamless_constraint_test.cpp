@@ -338,7 +338,7 @@ TEST(SeamlessConstraint, ReducedHessiansArePositiveSemidefinite) {
       Vec g_free, h_free, g_held, h_held;
       Evaluator(free).linearize(h.x, Curvature::Projected, g_free, h_free);
       Evaluator(held).linearize(held.reduce(h.x), Curvature::Projected, g_held, h_held);
-      const Eigen::MatrixXd z = dense(held.elimination());
+      const Eigen::MatrixXd z = dense(ProblemParts::elimination(held));
       const Eigen::MatrixXd expected = z.transpose() * dense(free.pattern(), h_free) * z;
       const Eigen::MatrixXd reduced = dense(held.pattern(), h_held);
       const double scale = expected.cwiseAbs().maxCoeff();
