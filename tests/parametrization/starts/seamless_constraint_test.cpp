@@ -12,7 +12,7 @@
 #include "majorant/constraints/fixed_points.h"
 #include "majorant/energies/named_energies.h"
 #include "majorant/framework/evaluator.h"
-#include "majorant/framework/internal/elimination.h"
+#include "majorant/framework/internal/problem_parts.h"
 #include "majorant/parametrization/maps/internal/quadrature_ladder.h"
 #include "parametrization/maps/test_maps.h"
 #include "parametrization/starts/seamless_cases.h"
