@@ -1,5 +1,6 @@
 // The whole run: what pins, given starts, limits and boundary angles promise.
 #include <atomic>
+#include <filesystem>
 #include <map>
 
 #include "expected_error.h"

@@ -1,4 +1,6 @@
 // parametrize() from seamless starts: seams, cones, pins and boundaries hold at every degree.
+#include <filesystem>
+
 #include "expected_error.h"
 #include "majorant/constraints/local_injectivity.h"
 #include "majorant/io/read_mesh.h"

@@ -12,7 +12,7 @@
 #include "majorant/constraints/fixed_points.h"
 #include "majorant/energies/named_energies.h"
 #include "majorant/framework/evaluator.h"
-#include "majorant/framework/internal/elimination.h"
+#include "majorant/framework/internal/problem_parts.h"
 #include "majorant/parametrization/maps/internal/quadrature_ladder.h"
 #include "parametrization/maps/test_maps.h"
 #include "parametrization/starts/seamless_cases.h"
@@ -338,7 +338,7 @@ TEST(SeamlessConstraint, ReducedHessiansArePositiveSemidefinite) {
       Vec g_free, h_free, g_held, h_held;
       Evaluator(free).linearize(h.x, Curvature::Projected, g_free, h_free);
       Evaluator(held).linearize(held.reduce(h.x), Curvature::Projected, g_held, h_held);
-      const Eigen::MatrixXd z = dense(held.elimination());
+      const Eigen::MatrixXd z = dense(ProblemParts::elimination(held));
       const Eigen::MatrixXd expected = z.transpose() * dense(free.pattern(), h_free) * z;
       const Eigen::MatrixXd reduced = dense(held.pattern(), h_held);
       const double scale = expected.cwiseAbs().maxCoeff();
