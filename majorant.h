@@ -11,6 +11,7 @@
 #include "majorant/energies/make_energy.h"
 #include "majorant/energies/named_energies.h"
 #include "majorant/energies/spectral.h"
+#include "majorant/framework/derivative_check.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/run_record.h"
 #include "majorant/io/certified_file.h"

@@ -84,8 +84,11 @@ void MapRequest::add_to(CLI::App& verb) {
   verb.add_option("input", input, "mesh: .obj .off .ply .stl .vtu")->required();
   verb.add_option(
           "--degree", degree,
-          "polynomial degree, 1..8 (3, or 1 where all data outputs are without curves: .obj)")
-      ->check(CLI::Range(1, 8));
+          fmt::format(
+              "polynomial degree, 1..{} (3, or 1 where all data outputs are without curves: "
+              ".obj)",
+              BezierTriangleSpace::kMaxDegree))
+      ->check(CLI::Range(1, BezierTriangleSpace::kMaxDegree));
   verb.add_option("--energy", energy, "distortion: a name below, or a weighted sum");
   verb.add_option("--pins", pins, "hard point constraints, JSON")->type_name("FILE");
   verb.add_option("--handles", handles, "soft point constraints, JSON")->type_name("FILE");

@@ -14,7 +14,6 @@
 namespace majorant {
 namespace {
 
-constexpr double kAngleSumSlack = 1e-6;    // radians by which sums may miss what they should be
 constexpr Index kParallelElements = 2048;  // fewer are not worth waking threads for
 constexpr Index kPolledElements = 64;      // are tested between two polls
 constexpr double kTwoPi = 2 * std::numbers::pi;
@@ -148,11 +147,11 @@ Verdict AngleSums::check(VecIn x) const {
     const Index surface = vertex_of_[at(v)];
     total[surface] += sums[v];
     if (which_ == Vertices::Boundary && quarter_turns_[at(surface)] == 0)
-      hold(v, kTwoPi + kAngleSumSlack - sums[v]);
+      hold(v, kTwoPi + kTolerance - sums[v]);
   }
   for (Index v = 0; v < total.size() && which_ == Vertices::Interior; ++v) {
     const int turns = quarter_turns_[at(v)];
-    if (turns != 0) hold(v, kAngleSumSlack - std::abs(total[v] - turns * kTwoPi / 4));
+    if (turns != 0) hold(v, kTolerance - std::abs(total[v] - turns * kTwoPi / 4));
   }
   verdict.feasible = verdict.blocking.empty();
   return verdict;

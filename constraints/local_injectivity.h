@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "majorant/elements/bezier_triangle_space.h"
+#include "majorant/elements/proof_depth.h"
 #include "majorant/framework/feasibility.h"
 #include "majorant/framework/stop_check.h"
 #include "majorant/mesh/seams.h"
@@ -20,14 +21,14 @@ namespace majorant {
 
 class LocalInjectivity final : public FeasibilityChecker {
  public:
-  static constexpr int kDefaultDepth = 5;
-  static constexpr int kMaxDepth = 63;  // deeper is taken as this, less than 0 as 0
+  // Deeper is taken as this. Origin: 2^-63 of a triangle is below the rounding of its coordinates.
+  static constexpr int kMaxDepth = 63;
   // rest_det: #E determinants of the rest shapes (their measures over the reference measure), to
   // make margins dimensionless. Where they are not positive nothing is certified. stop: polled by
   // max_step() alone, which then throws Stopped. Throws std::invalid_argument for another number of
   // them.
   LocalInjectivity(std::shared_ptr<const ElementSpace> space, Vec rest_det,
-                   int max_depth = kDefaultDepth, StopCheck stop = {});
+                   int max_depth = ProofDepth::kStart, StopCheck stop = {});
 
   std::string_view name() const override { return "local injectivity"; }
   // margin: smallest certified det of the map. proven: max_depth + 1 entries.
@@ -52,7 +53,10 @@ Vec vertex_angle_sums(const BezierTriangleSpace& space, VecIn x);
 class AngleSums final : public FeasibilityChecker {
  public:
   enum class Vertices { Interior, Boundary };
-  // Interior: the sum is 2 pi, at cones their angle; Boundary: at most 2 pi. Tolerance 1e-6.
+  // Radians by which sums may miss what they should be. Origin: far above rounding, far below the
+  // quarter turn by which a wrong sum misses.
+  static constexpr double kTolerance = 1e-6;
+  // Interior: the sum is 2 pi, at cones their angle; Boundary: at most 2 pi; up to kTolerance.
   // seams: of the cut surface that `space` is over; null or default: no cuts, no cones.
   AngleSums(std::shared_ptr<const BezierTriangleSpace> space, Vertices which,
             std::shared_ptr<const Seams> seams = nullptr);

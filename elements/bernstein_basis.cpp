@@ -4,6 +4,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "majorant/elements/internal/rounding.h"
+
 namespace majorant {
 namespace {
 
@@ -14,7 +16,7 @@ double power(double x, int e) {
 }
 
 double exact(double integer) {
-  if (!(integer < 0x1p53))
+  if (!(integer < kExactIntegers))
     throw std::invalid_argument("BernsteinBasis: degree too high for exact weights");
   return integer;
 }

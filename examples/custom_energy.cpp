@@ -5,11 +5,7 @@
 //   example_custom_energy meshes/cap.obj cap.vtu
 #include <iostream>
 
-#include "majorant/energies/make_energy.h"
-#include "majorant/framework/derivative_check.h"
-#include "majorant/io/read_mesh.h"
-#include "majorant/io/vtu.h"
-#include "majorant/parametrization/drive/parametrize.h"
+#include "majorant/majorant.h"
 
 using namespace majorant;
 

@@ -31,7 +31,7 @@ struct CeresOptions {
   double parameter_tolerance = 1e-14;
   double scale = 1;  // Ceres minimizes scale * E; 1 / |E_0| makes gradient_tolerance relative
   int history = 20;  // pairs that L-BFGS keeps
-  StopCheck stop;    // ends a run between evaluations and chunks of elements
+  StopCheck stop{};  // ends a run between evaluations and chunks of elements
 };
 
 class CeresMinimizer final : public Minimizer {

@@ -4,9 +4,20 @@
 #include <cmath>
 #include <utility>
 
+#include "majorant/framework/internal/backtracking.h"
 #include "majorant/framework/internal/problem_parts.h"
 
 namespace majorant {
+namespace {
+
+// Of kResolution: an increase that is taken for rounding. Origin: well below what counts as a
+// change.
+constexpr double kRoundingPart = 0.25;
+// Where the minimum of the parabola lies between these multiples of the step, the step stays.
+// Origin: a quadratic loses 1/16 of its decrease at most there.
+constexpr double kWorthShortening = 0.8, kWorthGrowing = 1.25;
+
+}  // namespace
 
 LineSearch::LineSearch(Evaluator& evaluator, const LineSearchOptions& options, const Vec& y,
                        const Vec& p, double energy, double decrement, StopCheck stop)
@@ -17,20 +28,19 @@ LineSearch::LineSearch(Evaluator& evaluator, const LineSearchOptions& options, c
       stop_(std::move(stop)),
       energy_(energy),
       decrement_(decrement),
-      rounding_(decrement <= kResolution * std::abs(energy) ? 0.25 * kResolution * std::abs(energy)
-                                                            : 0.0),
+      rounding_(decrement <= kResolution * std::abs(energy)
+                    ? kRoundingPart * kResolution * std::abs(energy)
+                    : 0.0),
       x_(evaluator.problem().expand(y)) {
   ProblemParts::elimination(evaluator.problem()).expand_direction(p, d_);
 }
 
 LineSearch::Result LineSearch::find(double first) {
   bound_ = certified(std::max(1.0, first));
-  double s = bound_.step < first ? options_.boundary_fraction * bound_.step : first;
+  const double s = bound_.step < first ? options_.boundary_fraction * bound_.step : first;
   if (s < options_.smallest_step) return Result::Blocked;
-  while (!accept(s)) {
-    s *= 0.5;
-    if (s < options_.smallest_step) return Result::NoDecrease;
-  }
+  const auto attempt = [this](double step) { return accept(step) ? kTake : kHalve; };
+  if (!backtrack(s, {.smallest = options_.smallest_step}, attempt)) return Result::NoDecrease;
   improve();
   return Result::Accepted;
 }
@@ -62,16 +72,16 @@ bool LineSearch::accept(double s) {
 
 void LineSearch::improve() {
   if (rounding_ > 0) return;
-  for (int round = 0; round < 8; ++round) {
+  for (int round = 0; round < options_.most_improvements; ++round) {
     const double s = best_step_;
     const double curvature = (best_energy_ - energy_ + decrement_ * s) / (s * s);
     const double largest = options_.largest_growth * s;
     double target = curvature > 0 ? std::min(decrement_ / (2 * curvature), largest) : largest;
-    if (target > 1.25 * s) {
+    if (target > kWorthGrowing * s) {
       const double cap = certified(target).step;
       if (cap < target) target = options_.boundary_fraction * cap;
-      if (target <= 1.25 * s) return;
-    } else if (target > 0.8 * s) {
+      if (target <= kWorthGrowing * s) return;
+    } else if (target > kWorthShortening * s) {
       return;
     }
     if (!accept(target)) return;

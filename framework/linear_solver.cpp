@@ -3,6 +3,15 @@
 #include <cmath>
 
 namespace majorant {
+namespace {
+
+// Of a shift that was too small. Origin: linear_solver.h documents the series.
+constexpr double kShiftGrowth = 10;
+// Factorizations, the first without a shift. Origin: from 1e-14 up to 1e8 times the mean diagonal,
+// where the shift is all there is.
+constexpr int kMostShifts = 24;
+
+}  // namespace
 
 double mean_diagonal(const SparsePattern& pattern, const Vec& values) {
   double sum = 0;
@@ -17,12 +26,12 @@ ShiftedFactorization factorize_shifted(LinearSolver& solver, const SparsePattern
   const double diagonal = mean_diagonal(pattern, values);
   if (pattern.size > 0 && !std::isfinite(diagonal)) return result;
   double shift = 0;
-  for (int attempt = 0; attempt < 24; ++attempt) {
+  for (int attempt = 0; attempt < kMostShifts; ++attempt) {
     stop.poll();
     result.status = solver.factorize(values, shift);
     result.shift = shift;
     if (result.status != FactorStatus::NotPositiveDefinite) break;
-    shift = shift == 0 ? smallest_shift * diagonal : 10 * shift;
+    shift = shift == 0 ? smallest_shift * diagonal : kShiftGrowth * shift;
   }
   return result;
 }

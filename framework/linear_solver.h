@@ -44,6 +44,11 @@ std::unique_ptr<LinearSolver> make_eigen_ldlt_solver();
 // Mean of |H_ii|; values parallel to pattern.rows.
 double mean_diagonal(const SparsePattern& pattern, const Vec& values);
 
+// The first shift, of the mean diagonal, where a matrix is not positive definite. Origin: 100 unit
+// roundoffs, what the factorization of a singular matrix may be off; Newton's next matrix is
+// another one. Where the matrix stays, callers say why theirs is larger.
+inline constexpr double kSmallestShift = 1e-14;
+
 struct ShiftedFactorization {
   FactorStatus status = FactorStatus::NotPositiveDefinite;
   double shift = 0;  // the last one tried
@@ -53,7 +58,7 @@ struct ShiftedFactorization {
 // `pattern`; values parallel to pattern.rows. Diagonals that are not finite are
 // NotPositiveDefinite. Polls before every factorization: Stopped.
 ShiftedFactorization factorize_shifted(LinearSolver& solver, const SparsePattern& pattern,
-                                       const Vec& values, double smallest_shift,
+                                       const Vec& values, double smallest_shift = kSmallestShift,
                                        const StopCheck& stop = {});
 
 }  // namespace majorant

@@ -13,8 +13,19 @@
 namespace majorant {
 namespace {
 
-constexpr double kPolish = 1e-10;      // relative decrement below which rounding errors matter
-constexpr double kPolishShift = 1e-9;  // of the mean diagonal
+// Relative decrement below which rounding errors of the gradient matter. Origin: its square root,
+// 1e-5, is the relative distance to the minimum.
+constexpr double kPolish = 1e-10;
+// Of the mean diagonal. Origin: ten times kPolish, well above the rounding of the Hessian.
+constexpr double kPolishShift = 1e-9;
+// Part of the decrement below which a decrease says that the Hessian misleads. Origin: a quadratic
+// decreases by half of it.
+constexpr double kMisleading = 0.1;
+// Of the curvature along a rotation that is made up for. Origin: 1 would leave it singular.
+constexpr double kRotationShift = 1.5;
+// Steps without the exact Hessian after its k-th failure: 2^k, at most 2^kLongestPause. Origin:
+// in the long run, trying in vain costs a 32nd of the factorizations.
+constexpr int kLongestPause = 5;
 
 }  // namespace
 
@@ -58,7 +69,7 @@ void NewtonStepper::advance(Vec& y, double& energy, Step& step) {
   // cannot tell.
   if (step.outcome != Outcome::AtMinimum && r.curvature == Curvature::Exact &&
       relative_decrement_ > LineSearch::kResolution &&
-      r.relative_decrease < 0.1 * relative_decrement_)
+      r.relative_decrease < kMisleading * relative_decrement_)
     pause_exact();
 }
 
@@ -79,7 +90,7 @@ bool NewtonStepper::try_exact(const Vec& y, IterationRecord& record) {
   evaluator_.linearize(y, Curvature::Exact, gradient_, hessian_, stop_);
   record.seconds.assemble += watch.restart();
   const double size = y.squaredNorm();
-  record.shift = size > 0 ? 1.5 * std::max(0.0, -y.dot(gradient_)) / size : 0.0;
+  record.shift = size > 0 ? kRotationShift * std::max(0.0, -y.dot(gradient_)) / size : 0.0;
   if (relative_decrement_ <= kPolish)
     record.shift = std::max(record.shift,
                             kPolishShift * mean_diagonal(evaluator_.problem().pattern(), hessian_));
@@ -92,7 +103,9 @@ bool NewtonStepper::try_exact(const Vec& y, IterationRecord& record) {
   return false;
 }
 
-void NewtonStepper::pause_exact() { exact_pause_ = 1 << std::min(exact_failures_++, 5); }
+void NewtonStepper::pause_exact() {
+  exact_pause_ = 1 << std::min(exact_failures_++, kLongestPause);
+}
 
 bool NewtonStepper::factorize(const Vec& y, IterationRecord& record) {
   Stopwatch watch;
@@ -101,7 +114,7 @@ bool NewtonStepper::factorize(const Vec& y, IterationRecord& record) {
   record.seconds.assemble += watch.restart();
   if (!gradient_.allFinite()) return false;
   const ShiftedFactorization f =
-      factorize_shifted(*solver_, evaluator_.problem().pattern(), hessian_, 1e-14, stop_);
+      factorize_shifted(*solver_, evaluator_.problem().pattern(), hessian_, kSmallestShift, stop_);
   record.shift = f.shift;
   record.seconds.factorize += watch.restart();
   return f.status == FactorStatus::Ok;

@@ -20,7 +20,7 @@ struct NewtonOptions {
   Curvature curvature = Curvature::Projected;
   // Near a minimum (last -g.p <= exact_below * |E|) the exact Hessian is tried first, where all
   // terms support it and it is positive definite: the tail converges quadratically instead of
-  // linearly. 0 switches this off.
+  // linearly. 0 switches this off. Origin: bench/tune.py exact_below.
   double exact_below = 1e-4;
   StoppingRules stopping;
   LineSearchOptions line_search;

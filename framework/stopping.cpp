@@ -7,7 +7,8 @@
 namespace majorant {
 namespace {
 
-// Of the start's energy: about what is left of it after cancellation of terms of its size.
+// Of the start's energy: about what is left of it after cancellation of terms of its size. Origin:
+// 100 unit roundoffs.
 constexpr double kSmallestScale = 1e-14;
 
 }  // namespace

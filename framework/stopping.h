@@ -14,6 +14,7 @@
 // the same reports give the same advice.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -35,13 +36,21 @@ namespace majorant {
 //       problem has changed since, another try is left: it counts as idle
 // The decrement rule itself is applied inside a step, which it spares (Stepper::move_along).
 struct StoppingRules {
+  // Origin: bench/tune.py stopping.relative_decrease.
   double relative_decrease = 1e-6;
+  // Origin: -g.p is twice what is left, and that is 5 decreases where each step leaves 5/6.
   double tail_factor = 10;
+  // Origin: twice LineSearch::kResolution: no energy could tell what is left.
   double decrement = 1e-12;
+  // Origin: bench/tune.py stopping.stall_decrement.
   double stall_decrement = 1e-4;
+  // Origin: bench/tune.py stopping.stall_iterations.
   int stall_iterations = 3;
+  // Origin: bench/tune.py stopping.stall_step.
   double stall_step = 1e-3;
+  // Origin: bench/tune.py stopping.anchor_step.
   double anchor_step = 0.1;
+  // Origin: bounds the cost of a solve that nobody watches; parametrize() has no such limit.
   int max_iterations = 1000;
 };
 
@@ -51,7 +60,8 @@ struct StoppingRules {
 StoppingRules first_order_rules();
 
 // For a few steps inside an outer loop that moves on anyway: at most `steps`, ended by the first
-// one that decreases the energy by no more than `relative_decrease`.
+// one that decreases the energy by no more than `relative_decrease`, which may be kAnyDecrease.
+inline constexpr double kAnyDecrease = -std::numeric_limits<double>::infinity();
 StoppingRules brief_rules(int steps, double relative_decrease);
 
 struct Stop {

@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 
+#include "majorant/elements/proof_depth.h"
 #include "majorant/framework/error.h"
 #include "majorant/io/internal/cut_map.h"
 #include "majorant/io/internal/surface_match.h"
@@ -16,7 +17,6 @@
 namespace majorant {
 namespace {
 
-constexpr int kProofDepth = 16;  // of bisection in floating point; what is left is decided exactly
 // Angle sums are whole multiples of a quarter turn by continuity; their rounding is some 1e-14.
 constexpr double kWholeTurnTolerance = 1e-6;  // quarter turns
 constexpr double kFlatClose = 1e-9;  // of the surface's size: points are printed with ten digits
@@ -137,7 +137,7 @@ class MapProof::Judge {
         if (!is_violated) return;
         break;
       }
-      const PositivityProof proof = space.certify(c, x, kProofDepth);
+      const PositivityProof proof = space.certify(c, x, ProofDepth::kFinal);
       const double rounding = rounding_of_det(c);
       if (proof.result == Positivity::Certified && proof.lower_bound > rounding) continue;
       ExactPositivity exact =

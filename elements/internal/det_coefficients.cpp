@@ -13,7 +13,6 @@ namespace majorant {
 namespace {
 
 constexpr double kUnit = kUnitRoundoff<double>;
-constexpr double kExactIntegers = 0x1p53;  // doubles below are exact
 
 // Numbers that det J is expanded in: subtract(a, b) of control points, minor(a0, a1, b0, b1) =
 // a0 b1 - a1 b0, product(a, cofactor), and sum += weight * x. A number with the sum of the

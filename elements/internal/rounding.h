@@ -18,6 +18,9 @@ template <>
 inline constexpr double kUnitRoundoff<Quad> =
     0x1p-113;  // numeric_limits does not know it in ISO C++
 
+// Integers up to this are doubles.
+inline constexpr double kExactIntegers = 1 / kUnitRoundoff<double>;
+
 template <class Real>
 Real magnitude(Real a) {
   return a < 0 ? -a : a;

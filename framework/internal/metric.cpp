@@ -11,9 +11,9 @@
 namespace majorant {
 namespace {
 
-// Of the mean diagonal. Newton's method gets away with 1e-14, since its next matrix is another one;
-// a metric that stays would send every step down its near null space.
-constexpr double kSmallestShift = 1e-3;
+// The first shift, of the mean diagonal. Origin: not kSmallestShift, since a metric stays: it would
+// send every step down its near null space.
+constexpr double kMetricShift = 1e-3;
 
 bool same_z(const Elimination& a, const Elimination& b) {
   if (a.full_size() != b.full_size() || a.reduced_size() != b.reduced_size()) return false;
@@ -39,7 +39,7 @@ bool Metric::factorize(VecIn y, const StopCheck& stop) {
   evaluator_.linearize(y, curvature_, gradient_, hessian_, stop);
   seconds_.assemble = watch.restart();
   const ShiftedFactorization f =
-      factorize_shifted(*solver_, evaluator_.problem().pattern(), hessian_, kSmallestShift, stop);
+      factorize_shifted(*solver_, evaluator_.problem().pattern(), hessian_, kMetricShift, stop);
   shift_ = f.shift;
   seconds_.factorize = watch.restart();
   return f.status == FactorStatus::Ok;

@@ -12,11 +12,17 @@
 namespace majorant {
 namespace {
 
-constexpr double kFlat = 1e-9;  // of the mesh's size: deviation from a plane
-constexpr int kSteps = 10;      // towards the targets
+// Of the mesh's size: deviation from a plane. Origin: coordinates in files have ten digits.
+constexpr double kFlat = 1e-9;
+// Towards the targets. Origin: chosen so that a right angle is turned by 9 degrees at a time.
+constexpr int kSteps = 10;
+// Relative decrease that ends one. Origin: a thousand times the final one: they only lead there.
 constexpr double kStepTolerance = 1e-3;
-// Stiffness of the springs that pull pins, and how close (of the size) they must come to be held.
+// Stiffness of the springs that pull pins. Origin: from a hundred times the default of soft handles
+// to where the energy has three digits left beside them.
 constexpr double kFirstStiffness = 1e5, kStiffer = 100, kStiffest = 1e13;
+// Of the size: how close pins must come to be held. Origin: a jump of this length folds no triangle
+// larger than that.
 constexpr double kReached = 1e-6;
 
 Vector2 start_of(const BezierMap& map, Index vertex) {

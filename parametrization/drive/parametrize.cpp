@@ -12,7 +12,7 @@
 #include "majorant/framework/thread_count.h"
 #include "majorant/parametrization/drive/internal/degree_solver.h"
 #include "majorant/parametrization/drive/internal/normalized_start.h"
-#include "majorant/parametrization/drive/internal/solver_rules.h"
+#include "majorant/parametrization/drive/internal/parametrize_by.h"
 #include "majorant/parametrization/injectivity/global_injectivity.h"
 #include "majorant/parametrization/scaffold/internal/improve_mesh.h"
 #include "majorant/parametrization/starts/tutte.h"
@@ -56,12 +56,13 @@ void require_valid(const ParametrizationOptions& o) {
 // One degree after the other, from 1 (or, when asked, directly at the highest).
 class Run {
  public:
-  Run(const BezierMap& start, const ParametrizationOptions& options, RunRecord& record)
+  Run(const SolverRules& rules, const BezierMap& start, const ParametrizationOptions& options,
+      RunRecord& record)
       : options_(options),
         record_(record),
         start_(start, options.map),
         map_(start_.map()),
-        setup_{start_.specification(), options.solve, record.stop()} {}
+        setup_{start_.specification(), options.solve, record.stop(), rules} {}
 
   ParametrizationResult solve() {
     const double started = record_.seconds();
@@ -122,7 +123,8 @@ class Run {
     if (options_.map.injectivity == MapInjectivity::Local) return std::make_unique<PlainDomain>();
     try {
       return std::make_unique<ScaffoldedDomain>(
-          Scaffold(map_.shared_space(), map_.control_points()), options_.solve.scaffold_flips);
+          Scaffold(map_.shared_space(), map_.control_points()), options_.solve.scaffold_flips,
+          setup_.rules.scaffold);
     } catch (const Error& e) {
       throw Error(e.kind(),
                   fmt::format("{}: the start overlaps itself ({}); start from another map "
@@ -242,12 +244,17 @@ Vec initial_map(const SurfaceMesh& mesh, const MapOptions& asked, const StopChec
   return asked.initial ? *asked.initial : tutte_map(mesh, stop);
 }
 
-ParametrizationResult parametrize(const BezierMap& start, const ParametrizationOptions& options,
-                                  RunRecord& record) {
+ParametrizationResult parametrize_by(const SolverRules& rules, const BezierMap& start,
+                                     const ParametrizationOptions& options, RunRecord& record) {
   require_valid(options);
   if (start.degree() != 1) throw Error(ErrorKind::Usage, "a start must have degree 1");
   const ThreadCount threads(options.solve.threads);
-  return Run(start, options, record).solve();
+  return Run(rules, start, options, record).solve();
+}
+
+ParametrizationResult parametrize(const BezierMap& start, const ParametrizationOptions& options,
+                                  RunRecord& record) {
+  return parametrize_by(SolverRules{}, start, options, record);
 }
 
 ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,

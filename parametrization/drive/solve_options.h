@@ -2,6 +2,7 @@
 // them but for the path to it, which may lead to another local one.
 #pragma once
 
+#include "majorant/elements/proof_depth.h"
 #include "majorant/framework/curvature.h"
 
 namespace majorant {
@@ -19,9 +20,9 @@ struct SolveOptions {
   Curvature curvature = Curvature::Projected;
   double tolerance = 1e-6;  // relative energy decrease per iteration, StoppingRules
   Elevation elevation = Elevation::Incremental;
-  double elevation_tolerance = 1e-4;  // the degree is raised below this decrease
-  int quadrature_points = 0;          // lattice points per triangle; 0: our own rule
-  int injectivity_depth = 5;          // of bisection; deeper when a run is held back
+  double elevation_tolerance = 1e-4;           // the degree is raised below this decrease
+  int quadrature_points = 0;                   // lattice points per triangle; 0: our own rule
+  int injectivity_depth = ProofDepth::kStart;  // of bisection; deeper when a run is held back
   ScaffoldFlips scaffold_flips = ScaffoldFlips::Performed;  // of MapInjectivity::Global
   Triangles triangles = Triangles::Kept;
   int threads = 0;  // 0: as many as the caller has (thread_count.h); results do not depend on it

@@ -8,6 +8,7 @@
 
 #include "majorant/constraints/local_injectivity.h"
 #include "majorant/constraints/seamless_constraint.h"
+#include "majorant/elements/proof_depth.h"
 #include "majorant/framework/evaluator.h"
 #include "majorant/framework/internal/element_values.h"
 #include "majorant/parametrization/maps/internal/quadrature_ladder.h"
@@ -15,9 +16,11 @@
 namespace majorant {
 namespace {
 
-constexpr double kAgreement = 1e-6;  // of the total, spread over the elements
-constexpr int kProofDepth = 16;      // of bisection: proofs need not be cheap here
-constexpr int kSamples = 8;          // extremes are sampled at the points (i,j,k)/8
+// Of the total, spread over the elements. Origin: ten times finer than energies are compared.
+constexpr double kAgreement = 1e-6;
+// Extremes are sampled at the points (i,j,k)/8. Origin: 45 points a face; for reports alone, proofs
+// do not rely on them.
+constexpr int kSamples = 8;
 
 // A weighted sum of energies on the same rules.
 class Measured {
@@ -138,7 +141,7 @@ MapMeasures measure_normalized(const BezierMap& map, double scale, const EnergyS
       scale == 1 ? map : map.with(map.shared_space(), scale * map.control_points());
   measure_energy(scaled, rest, energy, stop, m);
   sample_extremes(scaled, rest, energy, stop, m);
-  m.min_det = LocalInjectivity(map.shared_space(), 2 * rest.measure, kProofDepth)
+  m.min_det = LocalInjectivity(map.shared_space(), 2 * rest.measure, ProofDepth::kFinal)
                   .lower_bounds(map.control_points());
   const bool interior_ok =
       AngleSums(map.shared_space(), AngleSums::Vertices::Interior, map.shared_seams())
@@ -151,7 +154,7 @@ MapMeasures measure_normalized(const BezierMap& map, double scale, const EnergyS
   for (const Index v : boundary_nodes(map.space(), map.seams())) {
     if (v >= map.space().vertex_count()) continue;
     m.max_boundary_angle = std::max(m.max_boundary_angle, sums[v]);
-    if (sums[v] > 2 * std::numbers::pi + 1e-6) ++m.boundary_over_full_turn;
+    if (sums[v] > 2 * std::numbers::pi + AngleSums::kTolerance) ++m.boundary_over_full_turn;
   }
   return m;
 }

@@ -21,7 +21,8 @@ namespace majorant {
 namespace {
 
 constexpr std::size_t kNamedCones = 5;  // in messages
-// Scaled fields leave few inverted triangles, and those nearly of the right sizes.
+// The eps to begin with. Origin: a tenth of kFirstEps, since scaled fields leave few inverted
+// triangles, and those nearly of the right sizes.
 constexpr double kScaledFirstEps = 0.01;
 
 // A surface cut through its cones, and the field that gave them.

@@ -14,8 +14,9 @@
 namespace majorant {
 namespace {
 
-// Angle sums may be off a multiple of 90 degrees by as much as a mismatch along edges allows.
-constexpr double kQuarterTurnTolerance = 1e-2;  // radians
+// Radians. Angle sums may be off a multiple of 90 degrees by as much as a mismatch along edges
+// allows. Origin: ten times kSeamTolerance.
+constexpr double kQuarterTurnTolerance = 1e-2;
 
 // A cut surface seen through the corner coordinates of its faces.
 class CornerView {

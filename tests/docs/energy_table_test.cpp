@@ -34,7 +34,7 @@ std::vector<std::string> cells(const std::string& line) {
 }
 
 std::map<std::string, std::vector<std::string>> table_of_energies() {
-  std::ifstream page(std::string(MAJORANT_SOURCE_DIR) + "/docs/add_an_energy.md");
+  std::ifstream page(MAJORANT_SOURCE_DIR "/docs/add_an_energy.md");
   std::string line;
   while (std::getline(page, line) && line != "## Built-in energies") continue;
   std::map<std::string, std::vector<std::string>> rows;

@@ -135,9 +135,10 @@ TEST(GradientFlow, TheScaleOfTheMetricHardlyMatters) {
   const ChainProblem chain(10);
   for (const double weight : {1e-6, 1.0, 1e6}) {
     GradientFlowOptions o;
+    const Problem metric = *dirichlet(chain.problem);
     TermState state;
     state.weight = weight;
-    o.metric = dirichlet(chain.problem)->with({state});
+    o.metric = metric.with({{metric.terms().front(), state}});
     o.stopping.decrement = 1e-14 / weight;
     const SolveResult r = GradientFlowMinimizer(o).minimize(chain.problem, chain.start, {});
     EXPECT_NEAR(r.energy, chain.best_energy(), 1e-8 * std::abs(chain.best_energy())) << weight;

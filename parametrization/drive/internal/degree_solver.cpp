@@ -1,7 +1,6 @@
 #include "majorant/parametrization/drive/internal/degree_solver.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -10,31 +9,6 @@
 #include "majorant/parametrization/drive/internal/solver_rules.h"
 
 namespace majorant {
-namespace {
-
-constexpr double kAnyDecrease = -std::numeric_limits<double>::infinity();
-constexpr int kNoLimit = std::numeric_limits<int>::max();
-
-constexpr double kExcludedWeight = 1e-6;  // method.md section 9
-constexpr int kExcludedIterations = 10;
-constexpr double kExcludedTolerance = 1e-3;
-constexpr int kStallRounds = 60;
-constexpr double kIsometry = 4;  // symmetric Dirichlet density
-constexpr double kBarrierTolerance = 1e-4;
-// Of the barrier to follow, relative to the energy.
-constexpr std::array kBarrierWeights{1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6};
-// A second time helps where the first did (creature, ARAP, degree 2, fixed boundary: 0.64 instead
-// of a stall), a third one has not been seen to.
-constexpr int kBarrierRounds = 3;
-constexpr double kWorthAnotherRound = 1e-4;  // of the energy
-
-void add_use(RemedyUses& uses, Remedy remedy, double gained) {
-  RemedyUse& use = uses[static_cast<std::size_t>(remedy)];
-  ++use.runs;
-  use.gained += gained;
-}
-
-}  // namespace
 
 DegreeSolver::DegreeSolver(const Setup& setup, MapDomain& domain,
                            std::shared_ptr<const BezierTriangleSpace> space, const Vec& x)
@@ -42,8 +16,9 @@ DegreeSolver::DegreeSolver(const Setup& setup, MapDomain& domain,
       domain_(domain),
       space_(std::move(space)),
       start_(x),
-      levels_(optimizer_ladder(space_->degree(), setup.solve.quadrature_points),
-              space_->element_count()),
+      levels_(
+          optimizer_ladder(space_->degree(), setup.solve.quadrature_points, setup.rules.quadrature),
+          space_->element_count()),
       terms_(energy_terms(setup.map, space_, levels_.rules())),
       depth_(setup.solve.injectivity_depth),
       injectivity_(std::make_shared<const LocalInjectivity>(space_, 2 * setup.map.rest.measure,
@@ -57,7 +32,7 @@ DegreeSolver::DegreeSolver(const Setup& setup, MapDomain& domain,
         setup.stop.poll();  // what follows is the analysis of its pattern
         return built;
       }()),
-      stepper_(built_.problem, newton_options(setup.solve.curvature, setup.stop)) {}
+      stepper_(built_.problem, newton_options(setup.solve.curvature, setup.rules, setup.stop)) {}
 
 DomainInput DegreeSolver::input() const {
   return {setup_.map, space_, start_, terms_, injectivity_, depth_, setup_.stop};
@@ -209,7 +184,7 @@ void DegreeSolver::soften(RunRecord& record) {
   bool softened = false;
   while (!test.before_step()) {
     const Vec weight = soft_weights(energy_by_face(setup_.map, terms_, levels_.of_faces(), x()),
-                                    setup_.map.rest.measure);
+                                    setup_.map.rest.measure, setup_.rules.soft_start);
     if (weight.size() == 0) break;
     element_weight_ = weight;
     softened = true;
@@ -226,186 +201,30 @@ void DegreeSolver::soften(RunRecord& record) {
 }
 
 SolveResult DegreeSolver::approach(double tolerance, RunRecord& record, Phase phase) {
-  StoppingRules rules;
-  rules.relative_decrease = tolerance;
+  StoppingRules rules = unlimited(tolerance);
   rules.stall_decrement = std::numeric_limits<double>::infinity();
-  rules.max_iterations = kNoLimit;
   return descend(rules, phase, record);
 }
 
-StoppingRules DegreeSolver::final_rules() const {
-  StoppingRules rules;
-  rules.relative_decrease = domain_.part_of_tolerance() * setup_.solve.tolerance;
-  rules.max_iterations = kNoLimit;
+// Ended by this decrease of one iteration, by no number of iterations but the run's.
+StoppingRules DegreeSolver::unlimited(double relative_decrease) const {
+  StoppingRules rules = setup_.rules.stopping;
+  rules.relative_decrease = relative_decrease;
+  rules.max_iterations = std::numeric_limits<int>::max();
   return rules;
 }
 
-SolveResult DegreeSolver::finish(RunRecord& record) { return exhaust(kRemedies, record); }
-
-// Runs again as long as a stall can be left or the quadrature be refined.
-SolveResult DegreeSolver::exhaust(std::span<const Remedy> remedies, RunRecord& record) {
-  SolveResult result = descend(final_rules(), Phase::Newton, record);
-  try {
-    for (int stalls = 0, refinements = 0;;) {
-      if (result.status == Status::Stalled && stalls++ < kStallRounds) {
-        if (!relieve(remedies, result, record)) return result;
-      } else if (result.status == Status::Converged && refinements++ < kAccuracyRounds &&
-                 refine_inaccurate()) {
-        result = descend(final_rules(), Phase::Newton, record);
-      } else {
-        return result;
-      }
-    }
-  } catch (const Stopped& stop) {
-    return stopped(std::move(result), stop.why());
-  }
-}
-
-// The first remedy that changes something, and the run after it. Whether there was one.
-bool DegreeSolver::relieve(std::span<const Remedy> remedies, SolveResult& result,
-                           RunRecord& record) {
-  for (const Remedy remedy : remedies) {
-    const double before = result.energy;
-    const Effect effect = apply(remedy, result, record);
-    if (was_stopped(result.status) || effect == Effect::Ended) return false;
-    if (effect == Effect::None) continue;
-    const double gained = before - result.energy;
-    result = descend(final_rules(), Phase::Newton, record);
-    add_use(uses_, remedy, gained + began_at_ - result.energy);
-    return true;
-  }
-  return false;
-}
-
-DegreeSolver::Effect DegreeSolver::apply(Remedy remedy, SolveResult& result, RunRecord& record) {
-  switch (remedy) {
-    case Remedy::Deepen:
-      return deepen(record);
-    case Remedy::Refine:
-      return refine(result.blocking, record);
-    case Remedy::Exclude:
-      return exclude(result, record);
-    case Remedy::FollowBarrier:
-      return follow_barrier(result, record);
-  }
-  return Effect::None;
-}
-
-// The certificate may be too coarse rather than the map too close to degenerate: bisect deeper.
-DegreeSolver::Effect DegreeSolver::deepen(RunRecord& record) {
-  if (depth_ >= kDeepestBisection) return Effect::None;
-  setup_.stop.poll();
-  depth_ = std::min(depth_ + kBisectionsDeeper, kDeepestBisection);
-  injectivity_ = std::make_shared<const LocalInjectivity>(space_, 2 * setup_.map.rest.measure,
-                                                          depth_, setup_.stop);
-  rebuild();
-  record.mark(Remedy::Deepen);
-  return Effect::GoOn;
-}
-
-DegreeSolver::Effect DegreeSolver::refine(const std::vector<Index>& blocking, RunRecord& record) {
-  std::vector<Index> faces;  // of the map; the domain looks after its own
-  for (const Index e : blocking)
-    if (e < space_->element_count()) faces.push_back(e);
-  if (!levels_.refine(faces)) return Effect::None;
-  apply_state();
-  record.mark(Remedy::Refine);
-  return Effect::GoOn;
+StoppingRules DegreeSolver::final_rules() const {
+  return unlimited(domain_.part_of_tolerance() * setup_.solve.tolerance);
 }
 
 // Refines the elements whose integrals are worst until the rest is within the bound.
 bool DegreeSolver::refine_inaccurate() {
   if (setup_.solve.quadrature_points > 0) return false;
-  const bool refined = levels_.refine_inaccurate(setup_.map, terms_, x(), setup_.stop);
+  const bool refined = levels_.refine_inaccurate(setup_.map, terms_, x(),
+                                                 setup_.rules.quadrature.error, setup_.stop);
   if (refined) apply_state();
   return refined;
-}
-
-// [MC20] Sec. 4.3: the blocking triangles lose their say for a few steps, not their positivity.
-DegreeSolver::Effect DegreeSolver::exclude(SolveResult& result, RunRecord& record) {
-  const SolveResult stalled = result;
-  for (const Index e : stalled.blocking)
-    if (e < element_weight_.size()) element_weight_[e] = kExcludedWeight;
-  if (element_weight_.minCoeff() == 1) return Effect::None;
-  record.mark(Remedy::Exclude);
-  const Place best = place();
-  apply_state();
-  StoppingRules rules;
-  rules.relative_decrease = kExcludedTolerance;
-  rules.max_iterations = kExcludedIterations;
-  descend(rules, Phase::Excluded, record);
-  element_weight_.setOnes();
-  apply_state();
-  rules.max_iterations = kNoLimit;
-  result = descend(rules, Phase::Newton, record);
-  if (result.energy < stalled.energy) return Effect::GoOn;
-  result = back_to(best, stalled, result.status);
-  add_use(uses_, Remedy::Exclude, 0);
-  return Effect::None;
-}
-
-// A way out that led nowhere, or was stopped before it led anywhere.
-SolveResult DegreeSolver::back_to(const Place& best, SolveResult stalled, Status way_out) {
-  return_to(best);
-  if (!was_stopped(way_out)) return stalled;
-  return stopped(std::move(stalled),
-                 way_out == Status::TimeLimit ? Directive::TimeLimit : Directive::Interrupt);
-}
-
-// Interior points: the energy plus mu times one whose barrier is strong, for falling mu, leads
-// around corners that a weak barrier, or none, ran into. The map's is symmetric Dirichlet, unless
-// that is in its energy; the surroundings bring their own.
-DegreeSolver::Effect DegreeSolver::follow_barrier(SolveResult& result, RunRecord& record) {
-  if (std::exchange(barrier_followed_, true)) return Effect::None;
-  Effect effect = Effect::None;
-  for (int round = 0; round < kBarrierRounds && result.status == Status::Stalled; ++round) {
-    const SolveResult stalled = result;
-    const Place best = place();
-    if (!step_aside(std::abs(stalled.energy) / kIsometry, record)) break;
-    effect = Effect::Ended;
-    result = exhaust(std::span(kRemedies).first(static_cast<std::size_t>(Remedy::FollowBarrier)),
-                     record);
-    // On the same rules, which may have become finer on the way.
-    const double before = own_energy(best.x), gained = before - own_energy(x_);
-    add_use(uses_, Remedy::FollowBarrier, std::max(gained, 0.0));
-    if (!(gained > 0)) result = back_to(best, stalled, result.status);
-    if (!(gained > kWorthAnotherRound * before)) break;
-  }
-  return effect;
-}
-
-// Along the barrier, from strong to weak; whether there is one to follow. unit: weight of the
-// symmetric Dirichlet energy that makes it as large as the energy.
-bool DegreeSolver::step_aside(double unit, RunRecord& record) {
-  const bool strong = barrier_of(setup_.map.energy) == Barrier::Strong;
-  bool followed = false;
-  for (const double mu : kBarrierWeights) {
-    if (!domain_.strengthen(mu) && strong) break;
-    if (!std::exchange(followed, true)) record.mark(Remedy::FollowBarrier);
-    if (!approach_with(strong ? 0 : mu * unit, record)) break;
-  }
-  if (!followed) return false;
-  domain_.strengthen(0);
-  rebuild();
-  return true;
-}
-
-// Minimizes with that much of the symmetric Dirichlet energy; whether to go on.
-bool DegreeSolver::approach_with(double weight, RunRecord& record) {
-  Setup with = setup_;
-  if (weight > 0) with.map.energy.push_back({symmetric_dirichlet(), weight});
-  with.solve.curvature = Curvature::Projected;
-  with.solve.injectivity_depth =
-      depth_;  // what only deep certificates prove is feasible there, too
-  try {
-    DegreeSolver inner(with, domain_, space_, x());
-    const SolveResult result = inner.approach(kBarrierTolerance, record, Phase::Barrier);
-    x_ = inner.x_;
-    add_counts(proven_inside_, inner.proven());
-    return result.status == Status::Converged || result.status == Status::Stalled;
-  } catch (const Stopped&) {  // before it began
-    return false;
-  }
 }
 
 }  // namespace majorant

@@ -18,6 +18,7 @@
 #include "majorant/framework/newton.h"
 #include "majorant/framework/run_record.h"
 #include "majorant/parametrization/drive/internal/map_domain.h"
+#include "majorant/parametrization/drive/internal/solver_rules.h"
 #include "majorant/parametrization/drive/solve_options.h"
 #include "majorant/parametrization/maps/internal/quadrature_levels.h"
 #include "majorant/parametrization/maps/map_problem.h"
@@ -30,6 +31,7 @@ class DegreeSolver {
     MapSpecification map;  // normalised
     SolveOptions solve;
     StopCheck stop;
+    SolverRules rules;
   };
 
   // x: start, 2 numbers per node of `space`, normalised, locally injective. setup and domain
@@ -82,7 +84,12 @@ class DegreeSolver {
                      SolveResult& result);
   Iteration iterate(SolveResult& result, double& energy, const Observer& observer);
   void soften(RunRecord& record);
+  bool refine_inaccurate();
+  StoppingRules unlimited(double relative_decrease) const;
+  StoppingRules final_rules() const;
 
+  // remedies.cpp
+  const RemedyRules& rules() const { return setup_.rules.remedies; }
   SolveResult exhaust(std::span<const Remedy> remedies, RunRecord& record);
   bool relieve(std::span<const Remedy> remedies, SolveResult& result, RunRecord& record);
   Effect apply(Remedy remedy, SolveResult& result, RunRecord& record);
@@ -92,8 +99,6 @@ class DegreeSolver {
   Effect follow_barrier(SolveResult& result, RunRecord& record);
   bool step_aside(double unit, RunRecord& record);
   bool approach_with(double weight, RunRecord& record);
-  bool refine_inaccurate();
-  StoppingRules final_rules() const;
   SolveResult back_to(const Place& best, SolveResult stalled, Status way_out);
 
   const Setup& setup_;

@@ -10,16 +10,6 @@
 namespace majorant {
 namespace {
 
-// lambda E_conf / E. [MC20] Sec. 6 has 1e-4: too weak a barrier where curves touch (scorpion_500 at
-// degree 3 stalls at 5.386 with 1e-4 and converges to 4.996 with 1e-3, own energies); elsewhere the
-// energy is 3e-5 to 2e-4 higher (docs/bijective.md).
-constexpr double kScaffoldShare = 1e-3;
-// A change of lambda below this part does not count: the stepper keeps what it has learned.
-constexpr double kSameLambda = 0.02;
-constexpr double kLeastEnergy = 1e-3;  // mean density: where the map's vanishes, the scaffold stays
-constexpr double kStillMoving = 1e-3;  // relative decrease above which the scaffold is relaxed
-constexpr int kRelaxSteps = 5;
-
 // Adds the time until it goes out of scope to a sum.
 class AddedSeconds {
  public:
@@ -39,8 +29,9 @@ MapProblem PlainDomain::build(const DomainInput& in, VecIn) {
   return map_problem(in.map, in.space, in.start, in.terms, in.injectivity);
 }
 
-ScaffoldedDomain::ScaffoldedDomain(Scaffold scaffold, ScaffoldFlips flips)
-    : scaffold_(std::move(scaffold)), mode_(flips), share_(kScaffoldShare) {}
+ScaffoldedDomain::ScaffoldedDomain(Scaffold scaffold, ScaffoldFlips flips,
+                                   const ScaffoldRules& rules)
+    : scaffold_(std::move(scaffold)), mode_(flips), rules_(rules), share_(rules.share) {}
 
 MapProblem ScaffoldedDomain::build(const DomainInput& in, VecIn x) {
   const AddedSeconds time(seconds_);
@@ -63,9 +54,9 @@ TermChanges ScaffoldedDomain::before_step(const MapProblem& built, VecIn x, cons
   double mean = 0;
   for (const TermId id : built.energies) mean += term_energy(built.problem, id, x, stop);
   TermState around = built.problem.state(*around_);
-  const double lambda = share_ * std::max(mean, kLeastEnergy) * around.weight /
+  const double lambda = share_ * std::max(mean, rules_.least_energy) * around.weight /
                         term_energy(built.problem, *around_, x, stop);
-  if (lambda_ && std::abs(lambda - *lambda_) <= kSameLambda * lambda) return {};
+  if (lambda_ && std::abs(lambda - *lambda_) <= rules_.same_lambda * lambda) return {};
   lambda_ = lambda;
   around.weight = lambda;
   around.element_rule = scaffold_.levels();
@@ -85,9 +76,10 @@ DomainChange ScaffoldedDomain::after_step(Vec& x, const StepResult& step, const 
   const bool grown = scaffold_.grow();
   FlipCounts counts = flip();
   const bool relaxed = grown || counts.performed > 0 ||
-                       step.record.relative_decrease > kStillMoving || step.record.step_bound < 1;
+                       step.record.relative_decrease > rules_.still_moving ||
+                       step.record.step_bound < 1;
   if (relaxed) {
-    scaffold_.relax(kRelaxSteps, in.depth, in.stop);
+    scaffold_.relax(rules_.relax_steps, in.depth, in.stop);
     const FlipCounts more = flip();
     counts.intended += more.intended;
     counts.performed += more.performed;
@@ -113,7 +105,7 @@ FlipCounts ScaffoldedDomain::flip() {
 }
 
 bool ScaffoldedDomain::strengthen(double weight) {
-  const double share = std::max(kScaffoldShare, weight);
+  const double share = std::max(rules_.share, weight);
   lambda_.reset();
   return std::exchange(share_, share) != share;
 }

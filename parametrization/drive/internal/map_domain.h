@@ -13,6 +13,7 @@
 #include <optional>
 
 #include "majorant/framework/stepper.h"
+#include "majorant/parametrization/drive/internal/solver_rules.h"
 #include "majorant/parametrization/drive/solve_options.h"
 #include "majorant/parametrization/maps/map_problem.h"
 #include "majorant/parametrization/scaffold/internal/scaffold.h"
@@ -77,11 +78,11 @@ class PlainDomain final : public MapDomain {
 };
 
 // [MC20] Sec. 6. Every iteration is one Newton step on
-//   E(map) + lambda E_conf(scaffold),   lambda = 1e-3 E(map) / E_conf(scaffold),
+//   E(map) + lambda E_conf(scaffold),   lambda = share E(map) / E_conf(scaffold),
 // then the scaffold's edges are flipped and its triangles relaxed with the image fixed.
 class ScaffoldedDomain final : public MapDomain {
  public:
-  ScaffoldedDomain(Scaffold scaffold, ScaffoldFlips flips);
+  ScaffoldedDomain(Scaffold scaffold, ScaffoldFlips flips, const ScaffoldRules& rules);
 
   Vec unknowns(VecIn map) const override { return scaffold_.joined(map); }
   MapProblem build(const DomainInput& input, VecIn x) override;
@@ -89,10 +90,7 @@ class ScaffoldedDomain final : public MapDomain {
   DomainChange after_step(Vec& x, const StepResult& step, const DomainInput& input) override;
   double foreign_energy(const Problem& problem, VecIn x) const override;
   bool strengthen(double weight) override;
-  // Its Newton steps never become exact (the image of a scaffolded map may not turn freely, so the
-  // exact Hessian is indefinite), and the small steps at the end add up: penguin_500 at degree 2
-  // ends 2e-5 above its minimum at a decrease of 1e-6.
-  double part_of_tolerance() const override { return 0.5; }
+  double part_of_tolerance() const override { return rules_.part_of_tolerance; }
   void elevate(const std::shared_ptr<const BezierTriangleSpace>& higher) override;
   std::optional<Scaffold> surroundings() const override { return scaffold_; }
   void restore(const std::optional<Scaffold>& scaffold) override;
@@ -105,6 +103,7 @@ class ScaffoldedDomain final : public MapDomain {
 
   Scaffold scaffold_;
   ScaffoldFlips mode_;
+  ScaffoldRules rules_;
   FlipCounts flips_;
   double share_;                  // lambda E_conf / E
   std::optional<TermId> around_;  // E_conf, in the last problem built

@@ -16,7 +16,11 @@ namespace majorant {
 namespace {
 
 // Extents of the surface beyond which the position of a free map is given up for its digits.
+// Origin: three of the sixteen digits are lost there.
 constexpr double kFarAway = 1000;
+// Of the largest coordinate: pins this close to where the start has their vertex are there. Origin:
+// targets in files have ten digits.
+constexpr double kPinned = 1e-9;
 
 // The optimizer works on a surface of size about 1: a power of two, so that scaling is exact.
 double normalizing_scale(const SurfaceMesh& mesh) {
@@ -78,7 +82,7 @@ std::vector<FixedPoint> place_handles(const SurfaceMesh& mesh, const std::vector
 // the solver moves along maps that satisfy the constraints.
 std::vector<FixedPoint> place_pins(const SurfaceMesh& mesh, const Seams& seams,
                                    const MapOptions& asked, const Vec& start) {
-  const double tolerance = 1e-9 * start.cwiseAbs().maxCoeff();
+  const double tolerance = kPinned * start.cwiseAbs().maxCoeff();
   std::vector<FixedPoint> points;
   for (const Pin& pin : asked.pins) {
     require_vertex(mesh, pin);

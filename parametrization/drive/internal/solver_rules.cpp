@@ -6,11 +6,6 @@
 #include "majorant/framework/internal/curvature_name.h"
 
 namespace majorant {
-namespace {
-
-constexpr double kSoftStart = 1e5;  // mean density
-
-}  // namespace
 
 void require_curvature(const DensityTerms& terms, Curvature asked) {
   for (const auto& term : terms) {
@@ -24,8 +19,11 @@ void require_curvature(const DensityTerms& terms, Curvature asked) {
   }
 }
 
-NewtonOptions newton_options(Curvature curvature, const StopCheck& stop) {
+NewtonOptions newton_options(Curvature curvature, const SolverRules& rules, const StopCheck& stop) {
   NewtonOptions options;
+  options.stopping = rules.stopping;
+  options.line_search = rules.line_search;
+  options.exact_below = rules.exact_below;
   options.curvature = curvature;
   options.stop = stop;
   return options;
@@ -41,8 +39,8 @@ SolveResult stopped(SolveResult result, Directive why) {
   return result;
 }
 
-Vec soft_weights(const Vec& energy, const Vec& measure) {
-  if (!(energy.sum() >= kSoftStart * measure.sum()) || !energy.allFinite()) return {};
+Vec soft_weights(const Vec& energy, const Vec& measure, double enormous) {
+  if (!(energy.sum() >= enormous * measure.sum()) || !energy.allFinite()) return {};
   return energy.cwiseQuotient(measure).cwiseSqrt().cwiseInverse();
 }
 

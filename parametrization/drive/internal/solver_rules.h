@@ -1,32 +1,100 @@
-// Rules of the solver of one degree (degree_solver.h): when it softens a start, how deep it
-// bisects, how often it refines.
+// The rules by which parametrize() solves, as a value: every number that decides when it ends, what
+// it does against stalls, how it keeps a scaffold in shape.
+//
+//   SolverRules rules;                     // those of parametrize()
+//   rules.scaffold.share = 1e-4;           // [MC20]'s
+//   parametrize_by(rules, start, options, record);   // parametrize_by.h
+//
+// Nobody but measurements sets them (bench/tune.cpp). What each is worth: docs/constants.md.
 #pragma once
 
+#include <array>
 #include <vector>
 
+#include "majorant/elements/proof_depth.h"
 #include "majorant/framework/newton.h"
+#include "majorant/parametrization/maps/internal/quadrature_ladder.h"
 #include "majorant/parametrization/maps/map_problem.h"
 
 namespace majorant {
 
-inline constexpr int kDeepestBisection = 13;  // when the depth asked for holds a run back
-inline constexpr int kBisectionsDeeper = 4;   // at a time
-inline constexpr int kAccuracyRounds = 3;     // of refining the quadrature of a finished run
+// Against stalls, in the order in which they are tried (remedies.cpp).
+struct RemedyRules {
+  // Bisection where the depth asked for holds a run back.
+  int deepest_bisection = ProofDepth::kDeepest;
+  // Levels at a time. Origin: two remedies lead from 5 to 13.
+  int bisections_deeper = 4;
+  // Weight of triangles that are excluded. Origin: method.md section 9.
+  double excluded_weight = 1e-6;
+  // Steps without them. Origin: bench/tune.py remedies.excluded_iterations.
+  int excluded_iterations = 10;
+  // Relative decrease that ends these steps early. Origin: a thousand times the final one: they
+  // only leave a corner.
+  double excluded_tolerance = 1e-3;
+  // Remedies of a degree. Origin: bench/tune.py remedies.stall_rounds.
+  int stall_rounds = 60;
+  // Of the barrier to follow, relative to the energy. Origin: bench/tune.py
+  // remedies.barrier_rounds, which leaves them out.
+  std::array<double, 6> barrier_weights{1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6};
+  // Relative decrease that ends a weight. Origin: bench/tune.py remedies.barrier_tolerance.
+  double barrier_tolerance = 1e-4;
+  // Ways along the barrier. Origin: a second one helps where the first did (creature, ARAP, degree
+  // 2, fixed boundary: 0.64 instead of a stall), a third one has not been seen to.
+  int barrier_rounds = 3;
+  // Of the energy, gained by a way along the barrier. Origin: a hundred times the final decrease.
+  double worth_another_round = 1e-4;
+};
+
+// The space around an image (map_domain.h).
+struct ScaffoldRules {
+  // lambda E_conf / E. Origin: [MC20] Sec. 6 has 1e-4: too weak a barrier where curves touch
+  // (scorpion_500 at degree 3 stalls at 5.386 with 1e-4 and converges to 4.996 with 1e-3, own
+  // energies); elsewhere the energy is 3e-5 to 2e-4 higher (docs/bijective.md).
+  double share = 1e-3;
+  // A change of lambda below this part does not count: the stepper keeps what it has learned.
+  // Origin: bench/tune.py scaffold.same_lambda.
+  double same_lambda = 0.02;
+  // Mean density: where the map's vanishes, the scaffold stays. Origin: a small part of the
+  // densities of maps that are not isometric, 4 and more where isometries do not have 0.
+  double least_energy = 1e-3;
+  // Relative decrease above which the scaffold is relaxed. Origin: bench/tune.py
+  // scaffold.still_moving.
+  double still_moving = 1e-3;
+  // Newton steps that relax it. Origin: bench/tune.py scaffold.relax_steps.
+  int relax_steps = 5;
+  // Of the tolerance asked for. Origin: Newton steps never become exact (the image of a scaffolded
+  // map may not turn freely, so the exact Hessian is indefinite), and the small steps at the end
+  // add up: penguin_500 at degree 2 ends 2e-5 above its minimum at a decrease of 1e-6.
+  double part_of_tolerance = 0.5;
+};
+
+struct SolverRules {
+  StoppingRules stopping;  // all but relative_decrease and max_iterations, which are asked for
+  LineSearchOptions line_search;
+  double exact_below = NewtonOptions().exact_below;
+  QuadratureRules quadrature;
+  // Times the quadrature of a finished run is refined. Origin: bench/tune.py accuracy_rounds.
+  int accuracy_rounds = 3;
+  // Mean density of a start beyond which it is softened. Origin: bench/tune.py soft_start.
+  double soft_start = 1e5;
+  RemedyRules remedies;
+  ScaffoldRules scaffold;
+};
 
 // Throws Error(Usage), listing what there is, when a term has no such curvature model.
 void require_curvature(const DensityTerms& terms, Curvature asked);
 
-NewtonOptions newton_options(Curvature curvature, const StopCheck& stop);
+NewtonOptions newton_options(Curvature curvature, const SolverRules& rules, const StopCheck& stop);
 
 // Whether a limit or Ctrl-C ended a solve.
 bool was_stopped(Status status);
 // `result` with what ended a run in the middle of something else.
 SolveResult stopped(SolveResult result, Directive why);
 
-// Weights of the faces for a step from a start of enormous energy (mean density 1e5 and more: a
-// Tutte map with nearly collapsed triangles); empty for others. energy, measure: #F. sqrt is
-// concave, so weights 1 / sqrt(density) give a linear majorizer of sqrt: each step on the
+// Weights of the faces for a step from a start of enormous energy (mean density `enormous` and
+// more: a Tutte map with nearly collapsed triangles); empty for others. energy, measure: #F. sqrt
+// is concave, so weights 1 / sqrt(density) give a linear majorizer of sqrt: each step on the
 // reweighted energy decreases sum A sqrt(density).
-Vec soft_weights(const Vec& energy, const Vec& measure);
+Vec soft_weights(const Vec& energy, const Vec& measure, double enormous);
 
 }  // namespace majorant

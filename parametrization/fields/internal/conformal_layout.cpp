@@ -13,9 +13,6 @@
 namespace majorant {
 namespace {
 
-// First shift tried when the least-squares system cannot be factorized, of its mean diagonal.
-constexpr double kSmallestShift = 1e-14;
-
 SurfaceMesh disk_of(const SurfaceMesh& mesh, const ConformalMetric& metric,
                     const std::vector<char>& is_cut) {
   const auto refuse = [&](const std::string& what) {
@@ -122,8 +119,8 @@ void improve(const SurfaceMesh& disk, const Points2& vectors, Points2& positions
   if (!weights.allFinite()) return;
   const auto solver = make_cholmod_solver();
   solver->analyze(laplacian.pattern());
-  if (factorize_shifted(*solver, laplacian.pattern(), laplacian.values(weights), kSmallestShift)
-          .status != FactorStatus::Ok)
+  if (factorize_shifted(*solver, laplacian.pattern(), laplacian.values(weights)).status !=
+      FactorStatus::Ok)
     return;
   Points2 residual = Points2::Zero(disk.vertex_count(), 2);
   for (Index h = 0; h < disk.half_edge_count(); ++h) {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "majorant/framework/error.h"
+#include "majorant/framework/internal/backtracking.h"
 #include "majorant/framework/linear_solver.h"
 #include "majorant/parametrization/fields/internal/conformal_energy.h"
 #include "majorant/parametrization/fields/internal/edge_laplacian.h"
@@ -25,8 +26,10 @@ constexpr int kMostSteps = 100;
 // Halvings of a step before it counts as none.
 constexpr int kMostTrials = 60;
 // First multiple of the mean diagonal that is added where the Hessian is singular, as it is around
-// broken triangles.
-constexpr double kSmallestShift = 1e-10;
+// broken triangles: there for several steps, so that 1e-14 would only be a detour.
+constexpr double kSingularShift = 1e-10;
+// A step is not shortened to less than this part by one secant.
+constexpr double kShortest = 0.1;
 // Largest change of a log factor in one step: beyond, what the Hessian says is worth nothing.
 constexpr double kLargestChange = 10;
 // A minimization that ends with a larger error of the angle sums (radians) is no start for the
@@ -138,7 +141,7 @@ class ConformalNewton {
       if (row_of_[v] >= 0) r[row_of_[v]] = -here_.gradient[static_cast<Index>(v)];
     Vec p = r;
     const auto factorization = factorize_shifted(
-        *solver_, laplacian_->pattern(), laplacian_->values(here_.hessian_weights), kSmallestShift);
+        *solver_, laplacian_->pattern(), laplacian_->values(here_.hessian_weights), kSingularShift);
     if (factorization.status == FactorStatus::Ok) solver_->solve(r, p);
     if (!p.allFinite() || p.dot(r) <= 0) p = r;
     Vec out = Vec::Zero(u_.size());
@@ -171,15 +174,15 @@ class ConformalNewton {
     if (angle_error() == 0) return false;
     const Vec p = direction();
     const double descent = -here_.gradient.dot(p);
-    double t = std::min(1.0, kLargestChange / p.cwiseAbs().maxCoeff());
-    for (int trial = 0; trial < kMostTrials; ++trial) {
+    const auto attempt = [&](double t) {
       const std::optional<double> slope = refusal(p, t);
-      if (!slope) return true;
-      if (angle_error() <= kPolishedAngle) return false;
+      if (!slope) return kTake;
+      if (angle_error() <= kPolishedAngle) return kGiveUp;
       // Towards the zero of phi' by the secant, from the safe side.
-      t *= std::clamp(0.9 * descent / (descent + *slope), 0.1, 0.9);
-    }
-    return false;
+      return std::clamp(kPartOfLimit * descent / (descent + *slope), kShortest, kPartOfLimit);
+    };
+    const double first = std::min(1.0, kLargestChange / p.cwiseAbs().maxCoeff());
+    return backtrack(first, {.most_trials = kMostTrials}, attempt).has_value();
   }
 
   ConformalEnergy energy_;

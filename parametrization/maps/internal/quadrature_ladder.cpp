@@ -3,15 +3,8 @@
 #include <algorithm>
 
 namespace majorant {
-namespace {
 
-constexpr double kCornerGuard = 1e-3;    // total weight of guard points, level 0
-constexpr double kBoundaryGuard = 3e-3;  // and above, where they also cover the edges
-constexpr int kClimbs = 4;               // levels above 0, each halves the subtriangles
-
-}  // namespace
-
-QuadratureLadder optimizer_ladder(int n, int lattice_points) {
+QuadratureLadder optimizer_ladder(int n, int lattice_points, const QuadratureRules& rules) {
   QuadratureLadder ladder;
   if (n == 1) {
     ladder.guarded = ladder.plain = {lattice_rule(1)};
@@ -25,11 +18,11 @@ QuadratureLadder optimizer_ladder(int n, int lattice_points) {
     first = lattice_rule(k);
   }
   ladder.plain = {first};
-  ladder.guarded = {guarded_rule(first, 1, kCornerGuard)};
-  for (int level = 1, pieces = 2; level <= kClimbs; ++level, pieces *= 2) {
+  ladder.guarded = {guarded_rule(first, 1, rules.corner_guard)};
+  for (int level = 1, pieces = 2; level <= rules.climbs; ++level, pieces *= 2) {
     ladder.plain.push_back(corner_graded_rule(radon_rule(), pieces * m, 2));
     ladder.guarded.push_back(
-        guarded_rule(ladder.plain.back(), std::min(pieces * n, 16), kBoundaryGuard));
+        guarded_rule(ladder.plain.back(), std::min(pieces * n, 16), rules.boundary_guard));
   }
   return ladder;
 }

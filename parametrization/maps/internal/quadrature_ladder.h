@@ -12,6 +12,20 @@
 
 namespace majorant {
 
+// How an optimizer integrates.
+struct QuadratureRules {
+  // Total weight of guard points at the corners, level 0. Origin: bench/tune.py
+  // quadrature.corner_guard.
+  double corner_guard = 1e-3;
+  // The same above, where they also cover the edges. Origin: bench/tune.py
+  // quadrature.boundary_guard.
+  double boundary_guard = 3e-3;
+  // Levels above 0, each halves the subtriangles. Origin: bench/tune.py quadrature.climbs.
+  int climbs = 4;
+  // Of the energy, all elements of a result together. Origin: bench/tune.py quadrature.error.
+  double error = 3e-5;
+};
+
 struct QuadratureLadder {
   std::vector<Quadrature> guarded;  // by level: what the optimizer minimizes
   std::vector<Quadrature> plain;    // by level: the same without guard points
@@ -20,7 +34,7 @@ struct QuadratureLadder {
 
 // Ladder for maps of degree n. lattice_points > 0 replaces level 0's interior rule by the lattice
 // (i) of method.md E5 with the smallest m such that m(m+1)/2 >= lattice_points.
-QuadratureLadder optimizer_ladder(int n, int lattice_points);
+QuadratureLadder optimizer_ladder(int n, int lattice_points, const QuadratureRules& rules = {});
 
 // Plain rules of growing accuracy for measuring: Radon on 2^2, 4^2, 8^2, ... subtriangles, graded
 // towards the corners at the end. One point for n = 1, where densities are constant.

@@ -4,11 +4,6 @@
 #include <numeric>
 
 namespace majorant {
-namespace {
-
-constexpr double kQuadratureError = 3e-5;  // of the energy, all elements together
-
-}  // namespace
 
 std::vector<Quadrature> QuadratureLevels::rules() const {
   std::vector<Quadrature> rules = ladder_.guarded;
@@ -28,7 +23,7 @@ bool QuadratureLevels::refine(const std::vector<Index>& faces) {
 }
 
 bool QuadratureLevels::refine_inaccurate(const MapSpecification& spec, const DensityTerms& terms,
-                                         VecIn x, const StopCheck& stop) {
+                                         VecIn x, double allowed, const StopCheck& stop) {
   if (ladder_.top() == 0) return false;
   const auto plain = [&](int above) {
     std::vector<RuleId> rules = level_;
@@ -43,7 +38,7 @@ bool QuadratureLevels::refine_inaccurate(const MapSpecification& spec, const Den
   double left = error.sum();
   std::vector<Index> worst;
   for (const Index f : order) {
-    if (left <= kQuadratureError * now.cwiseAbs().sum()) break;
+    if (left <= allowed * now.cwiseAbs().sum()) break;
     left -= error[f];
     worst.push_back(f);
   }

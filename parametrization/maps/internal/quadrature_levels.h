@@ -20,10 +20,10 @@ class QuadratureLevels {
 
   // One level finer, where there is one; whether any face has changed.
   bool refine(const std::vector<Index>& faces);
-  // Refines the faces whose integrals are worst, until the error of the rest is below 3e-5 of the
-  // energy. terms: on rules(). Throws Stopped, the levels unchanged.
+  // Refines the faces whose integrals are worst, until the error of the rest is below `allowed` of
+  // the energy. terms: on rules(). Throws Stopped, the levels unchanged.
   bool refine_inaccurate(const MapSpecification& spec, const DensityTerms& terms, VecIn x,
-                         const StopCheck& stop);
+                         double allowed, const StopCheck& stop);
 
  private:
   QuadratureLadder ladder_;

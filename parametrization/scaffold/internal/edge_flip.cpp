@@ -7,9 +7,9 @@
 #include <limits>
 #include <stdexcept>
 
-#include "majorant/constraints/local_injectivity.h"
 #include "majorant/elements/bernstein.h"
 #include "majorant/elements/bezier_triangle_space.h"
+#include "majorant/elements/proof_depth.h"
 #include "majorant/parametrization/scaffold/internal/moving_barrier.h"
 #include "majorant/parametrization/scaffold/internal/quadrilateral.h"
 
@@ -17,8 +17,6 @@ namespace majorant {
 namespace {
 
 constexpr double kSine = Quadrilateral::kRounding;
-// Contradicting wishes come to an end; Delaunay flips, of a few per face, always do.
-constexpr long kMostFlipsPerFace = 100;
 
 // What flips of one degree share.
 class FlipTables {
@@ -44,7 +42,7 @@ class FlipTables {
     Vec x(points.size());
     for (int l = 0; l < triangle_.nodes_per_element(); ++l)
       x.segment<2>(2 * triangle_.cells()(0, l)) = points.block<1, 2>(0, 2 * l);
-    return triangle_.certify(0, x, LocalInjectivity::kDefaultDepth).result == Positivity::Certified;
+    return triangle_.certify(0, x, ProofDepth::kStart).result == Positivity::Certified;
   }
 
  private:
@@ -237,7 +235,7 @@ FlipCounts make_delaunay(BezierMesh& mesh, std::vector<char>& is_fixed) {
 }
 
 FlipCounts flip_edges(BezierMesh& mesh, std::vector<char>& is_fixed, const FlipWish& wanted) {
-  return flip_while(mesh, is_fixed, kMostFlipsPerFace * mesh.face_count(), wanted);
+  return flip_while(mesh, is_fixed, Quadrilateral::kMostFlipsPerFace * mesh.face_count(), wanted);
 }
 
 }  // namespace majorant

@@ -8,6 +8,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "majorant/elements/proof_depth.h"
 #include "majorant/elements/rest_shapes.h"
 #include "majorant/parametrization/maps/internal/quadrature_ladder.h"
 #include "majorant/parametrization/scaffold/internal/pair_energy.h"
@@ -16,14 +17,17 @@
 namespace majorant {
 namespace {
 
-constexpr double kCoplanar = 1e-12;      // distance from a plane over the quadrilateral's size
-constexpr double kSine = 1e-8;           // sharper or flatter angles are not made
-constexpr double kCocircular = 1e-12;    // sine; unfolding rounds more than the plane does
-constexpr double kGain = 1e-9;           // of a pair's energy: less may come from unfinished Newton
-constexpr double kSameEnergy = 1e-12;    // of a pair's energy
-constexpr int kProofDepth = 16;          // of bisection: the map was certified with fewer
-constexpr long kMostFlipsPerFace = 100;  // gains of kGain end earlier
-constexpr std::size_t kRuleOfMaps = 1;   // of the measuring rules: good to 1e-5 on mild maps
+// Distance from a plane over the quadrilateral's size. Origin: some thousand unit roundoffs, what
+// coordinates of planes in general position are off.
+constexpr double kCoplanar = 1e-12;
+// Sharper or flatter angles are not made. Origin: square root of the unit roundoff.
+constexpr double kSine = 1e-8;
+// Of a pair's energy. Origin: less may come from unfinished Newton.
+constexpr double kGain = 1e-9;
+// Of a pair's energy. Origin: ten times what ends its minimization (pair_energy.cpp).
+constexpr double kSameEnergy = 1e-12;
+// Of the measuring rules. Origin: good to 1e-5 on mild maps.
+constexpr std::size_t kRuleOfMaps = 1;
 
 // A pair of faces on its own, as it is and with its other diagonal: vertices a, b, c, d are 0, 1,
 // 2, 3.
@@ -52,7 +56,8 @@ class Improver {
         is_queued_(mesh_.opposite.size(), 0) {
     for (Index f = 0; f < mesh_.face_count(); ++f) {
       input_face_.push_back(map.mesh().input_face(f));
-      if (map.space().certify(f, map.control_points(), kProofDepth).result != Positivity::Certified)
+      if (map.space().certify(f, map.control_points(), ProofDepth::kFinal).result !=
+          Positivity::Certified)
         throw std::invalid_argument(
             fmt::format("improve_mesh: face {} of the map is not injective", f));
     }
@@ -62,7 +67,8 @@ class Improver {
 
   // Pairs that share no face are tried together.
   ImprovedMap run(const StopCheck& stop) {
-    while (!queue_.empty() && flips_.performed < kMostFlipsPerFace * mesh_.face_count() &&
+    while (!queue_.empty() &&
+           flips_.performed < Quadrilateral::kMostFlipsPerFace * mesh_.face_count() &&
            stop() == Directive::Continue)
       try_pairs(next_pairs());
     if (flips_.performed == 0) return {map_, flips_};
@@ -98,7 +104,7 @@ class Improver {
     const std::optional<Quadrilateral> quad = unfolded(h);
     if (!quad || !quad->is_strictly_convex(kSine)) return std::nullopt;
     const Index o = mesh_.opposite[at(h)], here = corner_of(h), there = 3 + corner_of(o);
-    Trial t{h, !quad->wants_delaunay_flip(kCocircular), {}, {}};
+    Trial t{h, !quad->wants_delaunay_flip(Quadrilateral::kUnfoldedRounding), {}, {}};
     t.pair.degree = mesh_.degree;
     t.pair.faces.resize(2, 3);
     const auto set = [&](Index side, Index vertex) {

@@ -7,17 +7,24 @@
 #include <limits>
 
 #include "majorant/elements/bernstein.h"
+#include "majorant/framework/internal/backtracking.h"
 
 namespace majorant {
 namespace {
 
-constexpr int kMostSteps = 40;          // towards positive B_l; failing flips stop long before
-constexpr int kQualitySteps = 12;       // with all B_l positive; mostly two are enough
-constexpr double kGoodEnough = 1e-2;    // relative decrease of F below which steps stop to pay
-constexpr double kWidestGap = 0.1;      // min B - mu, relative to 1 - min B [TGRL13]
-constexpr double kSmallestGap = 1e-3;   // closer barriers make F too stiff to get any further
-constexpr double kArmijo = 1e-4;        // part of the predicted decrease that a step must achieve
-constexpr double kShortestStep = 1e-6;  // a shorter one is no progress
+// Towards positive B_l. Origin: bounds the cost; failing flips stop long before.
+constexpr int kMostSteps = 40;
+// With all B_l positive. Origin: mostly two are enough.
+constexpr int kQualitySteps = 12;
+// Relative decrease of F below which steps stop to pay. Origin: F only has to be good, not minimal;
+// a scaffold's triangles are relaxed anyhow.
+constexpr double kGoodEnough = 1e-2;
+// min B - mu, relative to 1 - min B. Origin: [TGRL13].
+constexpr double kWidestGap = 0.1;
+// The same, where it stays. Origin: closer barriers make F too stiff to get any further.
+constexpr double kSmallestGap = 1e-3;
+// Of Newton's. Origin: what a shorter one may gain is below kGoodEnough by far.
+constexpr double kShortestStep = 1e-6;
 
 double factorial(int k) { return k < 2 ? 1.0 : k * factorial(k - 1); }
 
@@ -226,15 +233,17 @@ double MovingBarrier::step(Points2& grid, double mu, Workspace& w) const {
   move(ahead, direction, 1);
   evaluate(ahead, w.bend);
   w.bend -= w.b + w.slope;
-  for (double t = 1; t > kShortestStep; t *= 0.5) {
+  double value = 0;
+  const auto attempt = [&](double t) {
     const Vec b = w.b + t * w.slope + (t * t) * w.bend;
-    const double value = objective(b, mu);
-    if (!(value <= w.model.value + kArmijo * t * descent)) continue;
-    move(grid, direction, t);
-    evaluate(grid, w.b);
-    return (w.model.value - value) / w.model.value;
-  }
-  return 0;
+    value = objective(b, mu);
+    return value <= w.model.value + kArmijo * t * descent ? kTake : kHalve;
+  };
+  const std::optional<double> t = backtrack(1, {.smallest = kShortestStep}, attempt);
+  if (!t) return 0;
+  move(grid, direction, *t);
+  evaluate(grid, w.b);
+  return (w.model.value - value) / w.model.value;
 }
 
 double MovingBarrier::minimize(Points2& grid) const {

@@ -19,13 +19,14 @@
 #include <array>
 #include <vector>
 
+#include "majorant/elements/bezier_triangle_space.h"
 #include "majorant/framework/types.h"
 
 namespace majorant {
 
 class MovingBarrier {
  public:
-  static constexpr int kMaxDegree = 8;
+  static constexpr int kMaxDegree = BezierTriangleSpace::kMaxDegree;
   // Tables are built once and shared. Throws std::out_of_range unless degree is 1..kMaxDegree.
   static const MovingBarrier& of_degree(int degree);
 

@@ -5,19 +5,21 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "majorant/constraints/local_injectivity.h"
+#include "majorant/elements/proof_depth.h"
 #include "majorant/framework/evaluator.h"
+#include "majorant/framework/internal/backtracking.h"
 #include "majorant/framework/internal/element_values.h"
 
 namespace majorant {
 namespace {
 
-constexpr int kMostSteps = 30;        // Newton's method needs 5 to 10
-constexpr double kConverged = 1e-13;  // of the energy: the predicted decrease that ends a pair
-constexpr double kPartOfStep = 0.9;   // of the largest injective step
-constexpr double kArmijo = 1e-4;      // part of the predicted decrease that a step must achieve
-constexpr int kHalvings = 20;         // of a step
-constexpr int kDepth = LocalInjectivity::kDefaultDepth;
+// Newton steps of a pair. Origin: three times what they need.
+constexpr int kMostSteps = 30;
+// Of the energy: the predicted decrease that ends a pair. Origin: a fifth of
+// LineSearch::kResolution, since a pair's energy is a sum of few terms.
+constexpr double kConverged = 1e-13;
+// Steps of a line search. Origin: the last one is a millionth of the first.
+constexpr int kMostTrials = 20;
 // Models that are never indefinite come first.
 constexpr Curvature kPreferred[] = {Curvature::Projected, Curvature::Majorizer,
                                     Curvature::PaperMajorizer, Curvature::Reweighted,
@@ -148,27 +150,28 @@ void PairEnergy::search(Vec& x, std::vector<Pair>& pairs) const {
     open.push_back(p);
   }
   for (const Index p : open) {
-    double step = 1 / kPartOfStep;
+    double step = 1 / kPartOfLimit;
     for (const Index f : {2 * p, 2 * p + 1})
-      step = std::min(step, space_->largest_step(f, x, direction, step, kDepth));
-    pairs[at(p)].step = kPartOfStep * step;
+      step = std::min(step, space_->largest_step(f, x, direction, step, ProofDepth::kStart));
+    pairs[at(p)].step = kPartOfLimit * step;
   }
-  for (int k = 0; k < kHalvings && !open.empty(); ++k) {
+  if (open.empty()) return;
+  const auto attempt = [&](double part) {  // of every pair's own step
     Vec trial = x;
     for (const Index p : open)
-      for_variables(p, [&](Index i, Index) { trial[i] += pairs[at(p)].step * direction[i]; });
+      for_variables(p,
+                    [&](Index i, Index) { trial[i] += part * pairs[at(p)].step * direction[i]; });
     const Vec value = values(trial);
     std::erase_if(open, [&](Index p) {
-      Pair& pair = pairs[at(p)];
-      const double limit = pair.value + kArmijo * pair.step * pair.descent;
-      if (!(value[2 * p] + value[2 * p + 1] <= limit)) {
-        pair.step *= 0.5;
-        return false;
-      }
+      const Pair& pair = pairs[at(p)];
+      const double limit = pair.value + kArmijo * (part * pair.step) * pair.descent;
+      if (!(value[2 * p] + value[2 * p + 1] <= limit)) return false;
       for_variables(p, [&](Index i, Index) { x[i] = trial[i]; });
       return true;
     });
-  }
+    return open.empty() ? kTake : kHalve;
+  };
+  backtrack(1, {.most_trials = kMostTrials}, attempt);
   for (const Index p : open) pairs[at(p)].active = false;
 }
 
@@ -186,7 +189,7 @@ void PairEnergy::minimize(Vec& x) const {
   }
   for (Index p = 0; p < pair_count(); ++p)
     for (const Index f : {2 * p, 2 * p + 1})
-      if (space_->certify(f, x, kDepth).result != Positivity::Certified)
+      if (space_->certify(f, x, ProofDepth::kStart).result != Positivity::Certified)
         for_variables(p, [&](Index i, Index) { x[i] = start[i]; });
 }
 

@@ -14,8 +14,15 @@
 namespace majorant {
 
 struct Quadrilateral {
-  // What differences and products of coordinates may add to the sine of an angle.
+  // What differences and products of coordinates may add to the sine of an angle. Origin: 32 unit
+  // roundoffs, more than the operations of wants_delaunay_flip() on one path.
   static constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
+  // The same where the corners come from unfolding two triangles in space. Origin: that rounds more
+  // than the plane does; 300 times kRounding leaves its distances room.
+  static constexpr double kUnfoldedRounding = 1e-12;
+  // Flips per face before giving up. Origin: Delaunay flips, of a few per face, always come to an
+  // end; this ends contradicting wishes.
+  static constexpr long kMostFlipsPerFace = 100;
 
   Vector2 a, d, b, c;
 

@@ -16,9 +16,13 @@
 namespace majorant {
 namespace {
 
-constexpr double kClearance = 0.25;  // of the frame's smaller extent: closer images make it grow
-constexpr double kEdgeWeight = 0.5;  // of the quadrature points on the edges of a triangle
-constexpr double kMargin = 1.0;  // a new frame's distance, in larger extents of what it encloses
+// Of the frame's smaller extent: closer images make it grow. Origin: a new frame begins at 1/3.
+constexpr double kClearance = 0.25;
+// Of the quadrature points on the edges of a triangle. Origin: as much as those inside.
+constexpr double kEdgeWeight = 0.5;
+// A new frame's distance, in larger extents of what it encloses. Origin: three times the size each
+// time, so that few are needed.
+constexpr double kMargin = 1.0;
 
 // `rule` scaled by 1 - kEdgeWeight, and `pieces` + 1 points on every edge sharing that weight.
 Quadrature with_edges(const Quadrature& rule, int pieces) {
@@ -200,7 +204,6 @@ void Scaffold::relax(int steps, int depth, const StopCheck& stop) {
   const double energy = stepper.evaluator().value(y);
   if (!std::isfinite(energy)) return;
   // However little a step gains: what it gains is room for the image's next one.
-  constexpr double kAnyDecrease = -std::numeric_limits<double>::infinity();
   const SolveResult relaxed = stepper.descend_from(y, energy, brief_rules(steps, kAnyDecrease));
   scatter(problem.expand(relaxed.y), own_->cells(), mesh_);
 }

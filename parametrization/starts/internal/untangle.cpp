@@ -12,11 +12,18 @@
 namespace majorant {
 namespace {
 
-constexpr int kPasses = 2;                // the second from where the first one got stuck
-constexpr int kRounds = 100;              // values of eps, each pass
-constexpr int kStepsPerRound = 10;        // Newton steps
-constexpr double kRoundTolerance = 1e-2;  // relative decrease that ends a round
-constexpr double kSmallestShrink = 0.1;   // sigma of [GKKPRS21]
+// Over the values of eps. Origin: the second one starts where the first got stuck, with a large eps
+// again.
+constexpr int kPasses = 2;
+// Values of eps, each pass. Origin: eps shrinks by half of kSmallestShrink at least, 0.95^100 is
+// 0.6 %.
+constexpr int kRounds = 100;
+// Newton steps. Origin: eps moves on anyway; bounds the cost of one value.
+constexpr int kStepsPerRound = 10;
+// Relative decrease that ends a round. Origin: an order below kSmallestShrink, by which eps moves.
+constexpr double kRoundTolerance = 1e-2;
+// Least part by which eps shrinks, sigma. Origin: [GKKPRS21].
+constexpr double kSmallestShrink = 0.1;
 
 class Untangler {
  public:

@@ -1,0 +1,161 @@
+// One map with other solver rules than parametrize() has, for measurements of what a rule is worth.
+//
+// Prints one line of JSON: the energy as measure() finds it, status, iterations, remedies that ran,
+// seconds of the optimization. bench/tune.py runs tables of variations.
+//
+// Sample runs:
+//   build/release/bench/majorant_tune --list
+//   build/release/bench/majorant_tune --degree 2 ../shared/data/public/disks/spot_500.obj
+//   build/release/bench/majorant_tune --bijective --set scaffold.share=1e-4 meshes/creature.obj
+#include <fmt/format.h>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <cstdio>
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "majorant/energies/named_energies.h"
+#include "majorant/framework/evaluator.h"
+#include "majorant/io/read_mesh.h"
+#include "majorant/parametrization/drive/internal/parametrize_by.h"
+
+using namespace majorant;
+
+namespace {
+
+struct Settings {
+  SolverRules rules;
+  ParametrizationOptions options;
+};
+
+struct Rule {
+  const char* name;
+  std::function<std::variant<double*, int*>(Settings&)> value;
+};
+
+const std::vector<Rule>& all_rules() {
+  static const std::vector<Rule> rules = {
+      {"accuracy_rounds", [](Settings& s) { return &s.rules.accuracy_rounds; }},
+      {"depth", [](Settings& s) { return &s.options.solve.injectivity_depth; }},
+      {"exact_below", [](Settings& s) { return &s.rules.exact_below; }},
+      {"line_search.armijo", [](Settings& s) { return &s.rules.line_search.armijo; }},
+      {"line_search.boundary_fraction",
+       [](Settings& s) { return &s.rules.line_search.boundary_fraction; }},
+      {"line_search.largest_growth",
+       [](Settings& s) { return &s.rules.line_search.largest_growth; }},
+      {"line_search.most_improvements",
+       [](Settings& s) { return &s.rules.line_search.most_improvements; }},
+      {"quadrature.boundary_guard", [](Settings& s) { return &s.rules.quadrature.boundary_guard; }},
+      {"quadrature.climbs", [](Settings& s) { return &s.rules.quadrature.climbs; }},
+      {"quadrature.corner_guard", [](Settings& s) { return &s.rules.quadrature.corner_guard; }},
+      {"quadrature.error", [](Settings& s) { return &s.rules.quadrature.error; }},
+      {"remedies.barrier_rounds", [](Settings& s) { return &s.rules.remedies.barrier_rounds; }},
+      {"remedies.barrier_tolerance",
+       [](Settings& s) { return &s.rules.remedies.barrier_tolerance; }},
+      {"remedies.bisections_deeper",
+       [](Settings& s) { return &s.rules.remedies.bisections_deeper; }},
+      {"deepest_bisection", [](Settings& s) { return &s.rules.remedies.deepest_bisection; }},
+      {"remedies.excluded_iterations",
+       [](Settings& s) { return &s.rules.remedies.excluded_iterations; }},
+      {"remedies.excluded_tolerance",
+       [](Settings& s) { return &s.rules.remedies.excluded_tolerance; }},
+      {"remedies.excluded_weight", [](Settings& s) { return &s.rules.remedies.excluded_weight; }},
+      {"remedies.stall_rounds", [](Settings& s) { return &s.rules.remedies.stall_rounds; }},
+      {"remedies.worth_another_round",
+       [](Settings& s) { return &s.rules.remedies.worth_another_round; }},
+      {"scaffold.least_energy", [](Settings& s) { return &s.rules.scaffold.least_energy; }},
+      {"scaffold.part_of_tolerance",
+       [](Settings& s) { return &s.rules.scaffold.part_of_tolerance; }},
+      {"scaffold.relax_steps", [](Settings& s) { return &s.rules.scaffold.relax_steps; }},
+      {"scaffold.same_lambda", [](Settings& s) { return &s.rules.scaffold.same_lambda; }},
+      {"scaffold.share", [](Settings& s) { return &s.rules.scaffold.share; }},
+      {"scaffold.still_moving", [](Settings& s) { return &s.rules.scaffold.still_moving; }},
+      {"soft_start", [](Settings& s) { return &s.rules.soft_start; }},
+      {"stopping.anchor_step", [](Settings& s) { return &s.rules.stopping.anchor_step; }},
+      {"stopping.decrement", [](Settings& s) { return &s.rules.stopping.decrement; }},
+      {"stopping.relative_decrease", [](Settings& s) { return &s.options.solve.tolerance; }},
+      {"stopping.stall_decrement", [](Settings& s) { return &s.rules.stopping.stall_decrement; }},
+      {"stopping.stall_iterations", [](Settings& s) { return &s.rules.stopping.stall_iterations; }},
+      {"stopping.stall_step", [](Settings& s) { return &s.rules.stopping.stall_step; }},
+      {"stopping.tail_factor", [](Settings& s) { return &s.rules.stopping.tail_factor; }},
+  };
+  return rules;
+}
+
+// asked: name=value. Throws std::invalid_argument for others.
+void set(const std::string& asked, Settings& settings) {
+  const std::size_t equals = asked.find('=');
+  if (equals == std::string::npos) throw std::invalid_argument(asked + ": not NAME=VALUE");
+  for (const Rule& rule : all_rules()) {
+    if (asked.substr(0, equals) != rule.name) continue;
+    const double value = std::stod(asked.substr(equals + 1));
+    std::visit([value](auto* to) { *to = static_cast<std::decay_t<decltype(*to)>>(value); },
+               rule.value(settings));
+    return;
+  }
+  throw std::invalid_argument(asked + ": no such rule, see --list");
+}
+
+void list(Settings& settings) {
+  for (const Rule& rule : all_rules())
+    std::visit([&](const auto* value) { fmt::print("{} {}\n", rule.name, *value); },
+               rule.value(settings));
+}
+
+void solve(const std::string& path, const Settings& settings) {
+  const auto mesh =
+      std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(read_mesh(path)));
+  RunRecord record;
+  const BezierMap start = BezierMap::linear(mesh, initial_map(*mesh, settings.options.map));
+  const ParametrizationResult r = parametrize_by(settings.rules, start, settings.options, record);
+  int remedies = 0;
+  for (const RemedyUse& use : r.remedies) remedies += use.runs;
+  fmt::print(
+      "{{\"energy\": {:.12g}, \"status\": \"{}\", \"iterations\": {}, \"remedies\": {}, "
+      "\"seconds\": {:.3g}}}\n",
+      r.measures.value, name(r.status), record.trace().size(), remedies, r.optimize_seconds);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Settings settings;
+  std::vector<std::string> changes;
+  std::string path, energy = "symmetric-dirichlet";
+  bool bijective = false, fixed = false, list_only = false;
+  int threads = 1;
+  CLI::App app("One map with other solver rules.");
+  app.add_option("mesh", path);
+  app.add_option("--degree", settings.options.map.degree);
+  app.add_option("--set", changes, "NAME=VALUE, repeatedly");
+  app.add_option("--threads", threads);
+  app.add_option("--energy", energy, "a name, such as arap");
+  app.add_flag("--bijective", bijective);
+  app.add_flag("--fixed", fixed, "the boundary stays where the start has it");
+  app.add_flag("--list", list_only, "names and values of the rules");
+  CLI11_PARSE(app, argc, argv);
+  if (bijective) settings.options.map.injectivity = MapInjectivity::Global;
+  if (fixed) settings.options.map.boundary = BoundaryCondition::Fixed;
+  try {
+    const NamedEnergy* found = find_energy(energy);
+    if (!found) throw std::invalid_argument(energy + ": no such energy");
+    settings.options.map.energy = {{found->make, 1.0}};
+    for (const std::string& change : changes) set(change, settings);
+    if (list_only) {
+      list(settings);
+    } else {
+      settings.options.solve.threads = threads;
+      solve(path, settings);
+    }
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "majorant_tune: {}\n", e.what());
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,110 @@
+#!/usr/bin/python3
+"""What a solver rule is worth: maps of the public disks with one rule changed at a time.
+
+The first row has the rules of parametrize(). The others: iterations and remedies of all meshes
+together, how many runs stalled, and the energy against the first row, in parts: the worst, the best
+and the mean over the meshes (positive: higher). What cannot matter in a run (scaffold.* without
+--bijective) is skipped. Exit code 0 unless a run fails.
+
+Sample runs:
+  bench/tune.py --degree 3                                 (the first table of docs/constants.md)
+  bench/tune.py --bijective --degree 3 scaffold.share remedies.barrier_rounds
+  bench/tune.py --values 1e-5,1e-3 --meshes '^spot_500$' stopping.stall_decrement
+"""
+import argparse
+import json
+import re
+import sys
+
+import common
+
+TUNE = common.ROOT / 'build/release/bench/majorant_tune'
+# The values that the tables try. Rules with none have an origin that needs no measurement.
+VALUES = {
+    'accuracy_rounds': '0,6',
+    'deepest_bisection': '5,9,20',
+    'depth': '3,9',
+    'exact_below': '0,1e-6,1e-2',
+    'line_search.boundary_fraction': '0.5,0.99',
+    'line_search.largest_growth': '2,16',
+    'line_search.most_improvements': '0,2',
+    'quadrature.boundary_guard': '3e-4,3e-2',
+    'quadrature.climbs': '2,6',
+    'quadrature.corner_guard': '1e-4,1e-2',
+    'quadrature.error': '3e-6,3e-4',
+    'remedies.barrier_rounds': '0,1',
+    'remedies.barrier_tolerance': '1e-3,1e-5',
+    'remedies.excluded_iterations': '3,30',
+    'remedies.stall_rounds': '0,10',
+    'scaffold.part_of_tolerance': '1,0.1',
+    'scaffold.relax_steps': '1,20',
+    'scaffold.same_lambda': '0,0.2',
+    'scaffold.share': '1e-4,1e-2',
+    'scaffold.still_moving': '1e-5,1e-1',
+    'soft_start': '1e3,1e300',
+    'stopping.anchor_step': '0.01,0.5',
+    'stopping.relative_decrease': '1e-4,1e-8',
+    'stopping.stall_decrement': '1e-6,1e-2',
+    'stopping.stall_iterations': '1,10',
+    'stopping.stall_step': '1e-5,1e-1',
+}
+HEADER = ['rule', 'value', 'iterations', 'remedies', 'stalled', 'energy, worst', 'best', 'mean']
+
+
+def solve(options, mesh, changes):
+    """The line that majorant_tune prints for a mesh."""
+    command = [options.tune, mesh, '--degree', options.degree]
+    command += ['--energy', options.energy]
+    command += ['--bijective'] * options.bijective + ['--fixed'] * options.fixed
+    for change in changes:
+        command += ['--set', change]
+    done = common.run(command, options.timeout)
+    if done.code != 0:
+        sys.exit('%s: exit %s, %s' % (' '.join(map(str, command)), done.code, done.stderr.strip()))
+    return json.loads(done.stdout)
+
+
+def row(name, value, runs, usual):
+    parts = [run['energy'] / base['energy'] - 1 for run, base in zip(runs, usual)]
+    cells = [name, value, sum(run['iterations'] for run in runs), sum(run['remedies'] for run in runs),
+             sum(run['status'] == 'stalled' for run in runs)]
+    if runs is usual:
+        return cells + ['-'] * 3
+    return cells + ['%+.0e' % part for part in (max(parts), min(parts), sum(parts) / len(parts))]
+
+
+def parse_arguments():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    common.add_options(parser)
+    parser.add_argument('rules', nargs='*', help='names of majorant_tune --list; all with values')
+    parser.add_argument('--tune', default=TUNE, help='the majorant_tune program')
+    parser.add_argument('--values', help='instead of the usual ones, separated by commas')
+    parser.add_argument('--meshes', default='_500$', metavar='REGEX', help='searched in the names')
+    parser.add_argument('--degree', type=int, default=2)
+    parser.add_argument('--energy', default='symmetric-dirichlet')
+    parser.add_argument('--bijective', action='store_true')
+    parser.add_argument('--fixed', action='store_true')
+    return parser.parse_args()
+
+
+def main():
+    options = parse_arguments()
+    folder = options.shared / 'data/public/disks'
+    meshes = sorted(path for path in folder.glob('*.obj') if re.search(options.meshes, path.stem))
+    if not meshes:
+        sys.exit('%s: no such meshes' % folder)
+    usual = [solve(options, mesh, []) for mesh in meshes]
+    print('\n'.join(common.markdown_table(HEADER, [row('as it is', '', usual, usual)])), flush=True)
+    for name in options.rules or VALUES:
+        if name.startswith('scaffold.') and not options.bijective:
+            continue
+        for value in (options.values or VALUES[name]).split(','):
+            runs = [solve(options, mesh, ['%s=%s' % (name, value)]) for mesh in meshes]
+            cells = row('`%s`' % name, value, runs, usual)
+            print('| %s |' % ' | '.join(map(str, cells)), flush=True)
+    return 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())

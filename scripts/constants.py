@@ -1,0 +1,156 @@
+#!/usr/bin/python3
+"""The numbers that decide results, with their origins: prints the tables of docs/constants.md.
+
+What counts: in ROOMS, every `constexpr` number kName, and every number with a default in a struct
+whose name ends in Rules or that is in OPTIONS. A value without a digit names another constant and
+does not count; neither do those in EXEMPT, which change no digit of a result. The comment in front
+of a declaration (it holds down to the next blank line or comment) or behind it says what the number
+is and, after `Origin:`, where it comes from.
+
+Fails (exit 1) on a constant without an origin and on an exemption that is not needed.
+
+Sample runs:
+  scripts/constants.py
+  scripts/constants.py --write        (into docs/constants.md, between its marks)
+"""
+import argparse
+import re
+import sys
+from collections import namedtuple
+from pathlib import Path
+
+ROOMS = ['framework', 'elements/proof_depth.h', 'energies', 'constraints', 'parametrization/maps',
+         'parametrization/starts', 'parametrization/scaffold', 'parametrization/drive']
+OPTIONS = ('LineSearchOptions', 'NewtonOptions')
+EXEMPT = {
+    'framework/energy_term.h kMaxSize': 'size of a chunk',
+    'framework/energy_term.h kAlign': 'alignment',
+    'framework/evaluator.cpp kParallelChunks': 'threads',
+    'framework/internal/backtracking.h kGiveUp': 'an answer',
+    'framework/internal/backtracking.h kHalve': 'an answer',
+    'framework/internal/backtracking.h kTake': 'an answer',
+    'framework/internal/foreign_code.cpp kBlasBuffer': 'memory',
+    'framework/run_record.h kGrace': 'seconds',
+    'framework/stop_check.h kPeriod': 'how often limits are looked at',
+    'energies/density.h kPacked': 'size of a table',
+    'energies/detail/contraction_kernel.h kMaxDirections': 'size of a table',
+    'energies/detail/contraction_kernel.h kWidest': 'size of a batch',
+    'energies/detail/isotropic.h kSmallestA': 'range of doubles',
+    'energies/quadratic_penalty.h kLongestRow': 'size of a table',
+    'constraints/local_injectivity.cpp kParallelElements': 'threads',
+    'constraints/local_injectivity.cpp kPolledElements': 'how often limits are looked at',
+    'constraints/local_injectivity.cpp kTwoPi': 'mathematics',
+    'parametrization/maps/map_objective.h kLargestFactor': 'range of doubles',
+    'parametrization/starts/make_seamless.cpp kNamedCones': 'length of a message',
+}
+PAGE = 'docs/constants.md'
+BEGIN, END = '<!-- begin: scripts/constants.py -->\n', '<!-- end: scripts/constants.py -->\n'
+
+NUMBER = r'(?:double|int|long|Index|std::size_t|std::array<(?:double|int), \d+>)'
+CONSTANT = re.compile(r'^\s*(?:inline |static )*constexpr ' + NUMBER + r' (k[A-Z].*)$')
+FIELD = re.compile(r'^\s+' + NUMBER + r' ([a-z]\w*(?: = |\{).*)$')
+STRUCT = re.compile(r'^struct (\w+Rules|' + '|'.join(OPTIONS) + r') \{$')
+ONE = re.compile(r'(\w+)\s*(?:=\s*([^,]+)|\{([^}]*)\})(?:,\s*|$)')
+
+Constant = namedtuple('Constant', 'file name value what origin')
+
+
+def statement(lines, k, first):
+    """The declaration that begins with `first` in line k, on one line: (text, comment behind it)."""
+    code, _, behind = first.partition('//')
+    while ';' not in code:
+        k += 1
+        code += ' ' + lines[k].strip()
+    return code.strip().rstrip(';'), behind.strip()
+
+
+def constants_of(text, file):
+    found, comment, struct, lines = [], [], None, text.splitlines()
+    after_comment = False
+    for k, line in enumerate(lines):
+        started = STRUCT.match(line)
+        if started or line.startswith('};'):
+            struct = started[1] if started else None
+        stripped = line.strip()
+        if stripped.startswith('//'):
+            comment = comment + [stripped[2:].strip()] if after_comment else [stripped[2:].strip()]
+            after_comment = True
+            continue
+        after_comment = False
+        if not stripped:
+            comment = []
+        match = CONSTANT.match(line) or (FIELD.match(line) if struct else None)
+        if not match:
+            continue
+        code, behind = statement(lines, k, match[1])
+        for name, value, braced in ONE.findall(code):
+            value = value or braced
+            if not re.search(r'(?<![A-Za-z_])\d', value):
+                continue
+            what, _, origin = (behind or ' '.join(comment)).partition('Origin:')
+            full = name if name.startswith('k') else '%s.%s' % (struct, name)
+            found.append(Constant(file, full, value.strip(), what.strip(), origin.strip()))
+    return found
+
+
+def all_constants(root):
+    found = []
+    for room in ROOMS:
+        place = root / room
+        paths = [place] if place.is_file() else sorted(p for p in place.rglob('*') if p.suffix in ('.h', '.cpp'))
+        for path in paths:
+            found += constants_of(path.read_text(), str(path.relative_to(root)))
+    return found
+
+
+def faults(found):
+    keys = {'%s %s' % (c.file, c.name) for c in found}
+    yield from ('%s: exempt without need' % key for key in sorted(set(EXEMPT) - keys))
+    for c in found:
+        if not c.origin and '%s %s' % (c.file, c.name) not in EXEMPT:
+            yield '%s: %s = %s has no origin' % (c.file, c.name, c.value)
+
+
+def tables(found):
+    """The Markdown between the marks of the page."""
+    out = []
+    counted = [c for c in found if '%s %s' % (c.file, c.name) not in EXEMPT]
+    for file in dict.fromkeys(c.file for c in counted):
+        out += ['### `%s`' % file, '', '| name | value | what | origin |', '|---|---|---|---|']
+        for c in counted:
+            if c.file == file:
+                cells = ['`%s`' % c.name, '`%s`' % c.value, c.what.rstrip('.') or 'formula at the struct', c.origin.rstrip('.')]
+                out.append('| %s |' % ' | '.join(cell.replace('|', '\\|') for cell in cells))
+        out.append('')
+    out.append('%d numbers. Not counted: %s.\n' % (len(counted), ', '.join(
+        '`%s` (%s)' % (key.split()[1], why) for key, why in EXEMPT.items())))
+    return '\n'.join(out)
+
+
+def page_parts(text):
+    """What is in front of the tables, the tables, what is behind."""
+    before, rest = text.split(BEGIN, 1)
+    inside, after = rest.split(END, 1)
+    return before, inside, after
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument('--root', type=Path, default=Path(__file__).resolve().parent.parent)
+    parser.add_argument('--write', action='store_true')
+    options = parser.parse_args()
+    found = all_constants(options.root)
+    text = tables(found)
+    if options.write:
+        before, _, after = page_parts((options.root / PAGE).read_text())
+        (options.root / PAGE).write_text(before + BEGIN + text + END + after)
+    else:
+        print(text)
+    wrong = list(faults(found))
+    for line in wrong:
+        print(line, file=sys.stderr)
+    return 1 if wrong else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())

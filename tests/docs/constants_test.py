@@ -1,0 +1,80 @@
+#!/usr/bin/python3
+"""docs/constants.md: every number that decides results has an origin, and the page says what the
+sources say."""
+import os
+import re
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+SOURCE = Path(os.environ['MAJORANT_SOURCE_DIR'])
+sys.path.insert(0, str(SOURCE / 'scripts'))
+import constants  # noqa: E402
+
+
+class TheSources(unittest.TestCase):
+    found = constants.all_constants(SOURCE)
+
+    def test_every_number_has_an_origin(self):
+        self.assertEqual(list(constants.faults(self.found)), [])
+        self.assertGreaterEqual(len(self.found), 100)
+
+    def test_the_page_is_what_the_script_writes(self):
+        _, tables, _ = constants.page_parts((SOURCE / constants.PAGE).read_text())
+        self.assertEqual(tables, constants.tables(self.found), 'run scripts/constants.py --write')
+
+    def test_commands_exist(self):
+        """Scripts of bench/ that origins name, and the rules that they can vary."""
+        names = set(re.findall(r'^ +\{"([\w.]+)",', (SOURCE / 'bench/tune.cpp').read_text(), re.M))
+        values = set(re.findall(r"^    '([\w.]+)': '", (SOURCE / 'bench/tune.py').read_text(), re.M))
+        self.assertGreaterEqual(len(names), 30)
+        self.assertLessEqual(values, names)
+        varied = 0
+        for c in self.found:
+            for script, rule in re.findall(r'bench/(\w+\.py) ?([\w.]*\w)?', c.origin):
+                self.assertTrue((SOURCE / 'bench' / script).exists(), c)
+                if script == 'tune.py':
+                    self.assertIn(rule, values, c)
+                    varied += 1
+        self.assertGreaterEqual(varied, 20)
+
+    def test_what_can_be_varied_has_the_names_of_the_rules(self):
+        """stopping.stall_step sets StoppingRules::stall_step, and so on."""
+        source = (SOURCE / 'bench/tune.cpp').read_text()
+        for name, member in re.findall(r'\{"([\w.]+)",\s*\[\]\(Settings& s\) \{ return &s\.([\w.]+); \}', source):
+            if member.startswith('rules.') and '.' in name:
+                self.assertEqual('rules.' + name, member)
+
+
+class PlantedFaults(unittest.TestCase):
+    def parse(self, text):
+        return constants.constants_of(text, 'framework/x.cpp')
+
+    def test_comments(self):
+        found = self.parse('// Of a thing. Origin: [MC20].\nconstexpr double kA = 1e-3, kB = 2;\n'
+                           'constexpr int kC = 3;  // Things. Origin: two and one.\n\nconstexpr int kD = 4;\n')
+        self.assertEqual([(c.name, c.value, c.what, c.origin) for c in found],
+                         [('kA', '1e-3', 'Of a thing.', '[MC20].'), ('kB', '2', 'Of a thing.', '[MC20].'),
+                          ('kC', '3', 'Things.', 'two and one.'), ('kD', '4', '', '')])
+
+    def test_structs(self):
+        text = 'struct %s {\n  // Origin: here.\n  double a = 1;\n  std::array<double, 2> b{1, 2};\n  int n = kC;\n};\n'
+        self.assertEqual([c.name for c in self.parse(text % 'NewRules')], ['NewRules.a', 'NewRules.b'])
+        self.assertEqual(self.parse(text % 'NewRecord'), [])
+
+    def test_without_an_origin(self):
+        for text in 'constexpr double kA = 1;  // of a thing\n', 'struct MyRules {\n  int a = 1;\n};\n':
+            found = self.parse(text)
+            self.assertEqual(len(found), 1)
+            self.assertTrue(any('framework/x.cpp' in fault for fault in constants.faults(found)), text)
+
+    def test_the_script_fails(self):
+        done = subprocess.run([sys.executable, SOURCE / 'scripts/constants.py', '--root', SOURCE / 'scripts'],
+                              capture_output=True, text=True)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn('exempt without need', done.stderr)
+
+
+if __name__ == '__main__':
+    unittest.main()
