@@ -54,8 +54,8 @@ TEST(ConcurrentSolves, GiveTheBitsOfOneAfterTheOther) {
   for (const auto& [a, b] : {std::pair(2, 3), std::pair(4, 1)}) {
     SCOPED_TRACE(testing::Message() << a << " and " << b << " threads");
     Vec x, y;
-    std::thread one([&] { x = bijective(a); });
-    std::thread other([&] { y = seamless(b); });
+    std::thread one([&x, a = a] { x = bijective(a); });
+    std::thread other([&y, b = b] { y = seamless(b); });
     one.join();
     other.join();
     EXPECT_EQ(x, first);
