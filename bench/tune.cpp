@@ -21,7 +21,6 @@
 #include <vector>
 
 #include "majorant/energies/named_energies.h"
-#include "majorant/framework/evaluator.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/parametrization/drive/internal/parametrize_by.h"
 
