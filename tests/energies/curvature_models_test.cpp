@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include "energies/density_fixture.h"
-#include "majorant/energies/densities/symmetric_dirichlet.h"
 
 namespace majorant {
 namespace {
@@ -135,7 +134,7 @@ TEST(CurvatureModels, ModelsAreOrdered) {
 TEST(CurvatureModels, PaperMajorizerIsEquationA1) {
   const Jacobians jacobians = test::injective_jacobians();
   const test::Triangles t(jacobians.size());
-  const auto term = make_energy(t.space, t.rest, symmetric_dirichlet_density(), {lattice_rule(1)});
+  const auto term = test::baseline("symmetric-dirichlet")(t.space, t.rest, {lattice_rule(1)});
   const auto models = test::point_models(*term, jacobians, Curvature::PaperMajorizer);
   Eigen::Matrix<double, 2, 4> p, q;
   p << 0.5, 0, 0, 0.5, 0, -0.5, 0.5, 0;  // alpha = P x, beta = Q x

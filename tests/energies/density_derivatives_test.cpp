@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "energies/density_fixture.h"
-#include "majorant/energies/densities/symmetric_dirichlet.h"
 
 namespace majorant {
 namespace {
@@ -28,11 +27,11 @@ double spectral_tolerance(const Eigen::Matrix2d& j) {
   return invariant_tolerance(j) + quotient + limit;
 }
 
-template <class Density, class Direct, class Tolerance>
-void expect_derivatives(const Density& density, const Direct& direct, const Jacobians& jacobians,
+template <class Direct, class Tolerance>
+void expect_derivatives(const EnergyFactory& make, const Direct& direct, const Jacobians& jacobians,
                         const Tolerance& tolerance, double value_offset = 0) {
   const test::Triangles t(jacobians.size());
-  const auto term = make_energy(t.space, t.rest, density, {lattice_rule(1)});
+  const auto term = make(t.space, t.rest, {lattice_rule(1)});
   const auto models = test::point_models(*term, jacobians, Curvature::Exact);
   for (std::size_t e = 0; e < jacobians.size(); ++e) {
     const PointModel o = test::oracle(direct, jacobians[e]);
@@ -49,23 +48,24 @@ void expect_derivatives(const Density& density, const Direct& direct, const Jaco
 }
 
 TEST(DensityDerivatives, SymmetricDirichlet) {
-  expect_derivatives(symmetric_dirichlet_density(), test::direct_symmetric_dirichlet,
+  expect_derivatives(test::baseline("symmetric-dirichlet"), test::direct_symmetric_dirichlet,
                      test::injective_jacobians(), invariant_tolerance);
 }
 
 TEST(DensityDerivatives, SymmetricDirichletFromSingularValues) {
-  expect_derivatives(test::spectral_symmetric_dirichlet(), test::direct_symmetric_dirichlet,
-                     test::injective_jacobians(), spectral_tolerance);
+  expect_derivatives(energy_factory(test::spectral_symmetric_dirichlet()),
+                     test::direct_symmetric_dirichlet, test::injective_jacobians(),
+                     spectral_tolerance);
 }
 
 TEST(DensityDerivatives, Mips) {
-  expect_derivatives(test::mips(), test::direct_mips, test::injective_jacobians(),
+  expect_derivatives(energy_factory(test::mips()), test::direct_mips, test::injective_jacobians(),
                      invariant_tolerance);
 }
 
 TEST(DensityDerivatives, MipsFromSingularValues) {
-  expect_derivatives(test::spectral_mips(), test::direct_mips, test::injective_jacobians(),
-                     spectral_tolerance);
+  expect_derivatives(energy_factory(test::spectral_mips()), test::direct_mips,
+                     test::injective_jacobians(), spectral_tolerance);
 }
 
 // |J|^2 - 4 A + 2: smooth but at A = 0, where the curvature 4 / A of the second term takes over.
@@ -80,7 +80,7 @@ TEST(DensityDerivatives, Arap) {
   Jacobians jacobians;
   for (const Eigen::Matrix2d& j : test::all_jacobians())
     if (j.norm() < 100 && test::norm_alpha(j) > 1e-4) jacobians.push_back(j);
-  expect_derivatives(test::arap(), test::direct_arap, jacobians, tolerance, 1.0);
+  expect_derivatives(energy_factory(test::arap()), test::direct_arap, jacobians, tolerance, 1.0);
 }
 
 // At a similarity both forms are exact up to rounding: no guard shifts them.
@@ -90,20 +90,21 @@ TEST(DensityDerivatives, SimilaritiesAreExact) {
     for (const double angle : {0.0, 0.7, 2.5})
       similar.push_back(
           test::from_parts(scale * Vector2(std::cos(angle), std::sin(angle)), Vector2(0, 0)));
-  expect_derivatives(symmetric_dirichlet_density(), test::direct_symmetric_dirichlet, similar,
-                     [](const auto&) { return 1e-14; });
+  expect_derivatives(test::baseline("symmetric-dirichlet"), test::direct_symmetric_dirichlet,
+                     similar, [](const auto&) { return 1e-14; });
   Jacobians exactly_similar{Eigen::Matrix2d::Identity(), 0.5 * Eigen::Matrix2d::Identity()};
   exactly_similar.push_back(test::from_parts(Vector2(0.75, -1.5), Vector2(0, 0)));
-  expect_derivatives(test::spectral_symmetric_dirichlet(), test::direct_symmetric_dirichlet,
-                     exactly_similar, [](const auto&) { return 1e-14; });
-  expect_derivatives(test::spectral_mips(), test::direct_mips, exactly_similar,
+  expect_derivatives(energy_factory(test::spectral_symmetric_dirichlet()),
+                     test::direct_symmetric_dirichlet, exactly_similar,
+                     [](const auto&) { return 1e-14; });
+  expect_derivatives(energy_factory(test::spectral_mips()), test::direct_mips, exactly_similar,
                      [](const auto&) { return 1e-14; });
 }
 
 TEST(DensityDerivatives, SpectralAndInvariantFormsAgree) {
   const Jacobians jacobians = test::injective_jacobians();
   const test::Triangles t(jacobians.size());
-  const auto a = make_energy(t.space, t.rest, symmetric_dirichlet_density(), {lattice_rule(1)});
+  const auto a = test::baseline("symmetric-dirichlet")(t.space, t.rest, {lattice_rule(1)});
   const auto b =
       make_energy(t.space, t.rest, test::spectral_symmetric_dirichlet(), {lattice_rule(1)});
   for (const Curvature c : {Curvature::Exact, Curvature::Projected, Curvature::Majorizer}) {
@@ -127,7 +128,7 @@ TEST(DensityDerivatives, InstructionSetsAgree) {
        {jacobians.size(), std::size_t(131), std::size_t(13), std::size_t(1)}) {
     jacobians.resize(count);
     const test::Triangles t(count);
-    const auto here = make_energy(t.space, t.rest, symmetric_dirichlet_density(), {radon_rule()});
+    const auto here = test::baseline("symmetric-dirichlet")(t.space, t.rest, {radon_rule()});
     const auto best = symmetric_dirichlet()(t.space, t.rest, {radon_rule()});
     EXPECT_EQ(here->name(), best->name());
     for (const Curvature c : {Curvature::Exact, Curvature::Projected, Curvature::PaperMajorizer}) {

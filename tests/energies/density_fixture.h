@@ -8,9 +8,11 @@
 #include <memory>
 #include <numbers>
 #include <numeric>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "majorant/energies/internal/instruction_sets.h"
 #include "majorant/energies/make_energy.h"
 #include "majorant/energies/named_energies.h"
 #include "support.h"
@@ -104,6 +106,13 @@ inline ElementModels element_models(const EnergyTerm& term, VecIn x, Curvature c
     }
   }
   return out;
+}
+
+// A built-in energy with kernels of the baseline instruction set.
+inline EnergyFactory baseline(const std::string& name) {
+  for (const NamedEnergy& e : named_energies(InstructionSet::Baseline))
+    if (e.name == name) return e.make;
+  throw std::invalid_argument(name);
 }
 
 // Models by J; `term` lives on Triangles.

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include "energies/density_fixture.h"
-#include "majorant/energies/densities/symmetric_dirichlet.h"
 
 namespace majorant {
 namespace {
@@ -22,7 +21,7 @@ std::vector<std::shared_ptr<const EnergyTerm>> barriers(std::size_t count) {
   const test::Triangles t(count);
   const std::vector<Quadrature> rule{lattice_rule(1)};
   return {symmetric_dirichlet()(t.space, t.rest, rule),
-          make_energy(t.space, t.rest, symmetric_dirichlet_density(), rule),
+          test::baseline("symmetric-dirichlet")(t.space, t.rest, rule),
           make_energy(t.space, t.rest, test::spectral_symmetric_dirichlet(), rule),
           make_energy(t.space, t.rest, test::mips(), rule),
           make_energy(t.space, t.rest, test::spectral_mips(), rule)};

@@ -3,15 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "energies/builtin_formulas.h"
-#include "majorant/energies/internal/builtin_densities.h"
 
 namespace majorant {
-
-// What named_energies.cpp chooses from.
-#ifdef __x86_64__
-DensityKernels builtin_kernels_avx2(int index);
-DensityKernels builtin_kernels_avx512(int index);
-#endif
 
 namespace {
 
@@ -138,21 +131,6 @@ TEST(JetOracle, Isometries) {
 
 // ---- Instruction sets ----
 
-struct InstructionSet {
-  const char* name;
-  DensityKernels (*kernels)(int index);
-};
-
-std::vector<InstructionSet> available() {
-  std::vector<InstructionSet> sets;
-#ifdef __x86_64__
-  const auto machine = xsimd::available_architectures();
-  if (machine.fma3_avx2) sets.push_back({"avx2", builtin_kernels_avx2});
-  if (machine.avx512bw) sets.push_back({"avx512", builtin_kernels_avx512});
-#endif
-  return sets;
-}
-
 // Values, gradients and curvatures of `b` against `a`, for one term of each.
 void expect_same(const EnergyTerm& a, const EnergyTerm& b, const Jacobians& jacobians) {
   for (const Curvature c : kCurvatures) {
@@ -171,32 +149,23 @@ void expect_same(const EnergyTerm& a, const EnergyTerm& b, const Jacobians& jaco
   }
 }
 
-template <std::size_t K = 0>
-void compare_densities(const Jacobians& jacobians, int* compared) {
-  if constexpr (K < std::tuple_size_v<BuiltinEnergies>) {
-    constexpr int index = static_cast<int>(K);
-    const auto make = [] { return std::get<K>(builtin_energies()).density; };
-    const test::Triangles t(jacobians.size());
-    const std::vector<Quadrature> rule{lattice_rule(1)};
-    const auto baseline = make_energy(t.space, t.rest, make(), rule);  // this file's
-    SCOPED_TRACE(std::string(baseline->name()));
-    expect_same(*baseline, *on_triangles(std::string(baseline->name()), t), jacobians);
-    for (const InstructionSet& set : available()) {
-      SCOPED_TRACE(set.name);
-      expect_same(*baseline, *make_energy(t.space, t.rest, make(), rule, set.kernels(index)),
-                  jacobians);
-      ++*compared;
-    }
-    compare_densities<K + 1>(jacobians, compared);
-  }
-}
-
 // Counts that no vector width divides, so that tails are seen too.
 TEST(JetOracle, InstructionSetsAgree) {
+  const std::vector<InstructionSet> sets = instruction_sets();
+  EXPECT_EQ(sets.front(), InstructionSet::Baseline);
   for (const int count : {1, 3, 7, 9, 131}) {
-    int compared = 0;
-    compare_densities(test::generic_jacobians(false, count), &compared);
-    EXPECT_EQ(compared, static_cast<int>(named_energies().size() * available().size()));
+    const Jacobians jacobians = test::generic_jacobians(false, count);
+    const test::Triangles t(jacobians.size());
+    const std::vector<Quadrature> rule{lattice_rule(1)};
+    for (const NamedEnergy& chosen : named_energies()) {
+      SCOPED_TRACE(testing::Message() << chosen.name << ", " << count);
+      const auto baseline = test::baseline(chosen.name)(t.space, t.rest, rule);
+      expect_same(*baseline, *chosen.make(t.space, t.rest, rule), jacobians);
+      for (const InstructionSet set : sets)
+        for (const NamedEnergy& energy : named_energies(set))
+          if (energy.name == chosen.name)
+            expect_same(*baseline, *energy.make(t.space, t.rest, rule), jacobians);
+    }
   }
 }
 

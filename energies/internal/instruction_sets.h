@@ -1,0 +1,21 @@
+// The built-in energies for one instruction set each. named_energies.h offers the widest that the
+// machine runs; what compares them, or wants the same bits on every machine, chooses.
+//
+//   for (const InstructionSet set : instruction_sets())
+//     for (const NamedEnergy& energy : named_energies(set)) ...
+#pragma once
+
+#include <vector>
+
+#include "majorant/energies/named_energies.h"
+
+namespace majorant {
+
+enum class InstructionSet { Baseline, Avx2, Avx512 };
+
+std::vector<InstructionSet> instruction_sets();  // of this machine, the widest last
+
+// In the order of named_energies(); `set` must be one of instruction_sets().
+std::vector<NamedEnergy> named_energies(InstructionSet set);
+
+}  // namespace majorant
