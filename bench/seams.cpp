@@ -26,6 +26,7 @@
 #include "majorant/framework/newton.h"
 #include "majorant/framework/thread_count.h"
 #include "majorant/parametrization/maps/internal/quadrature_ladder.h"
+#include "parametrization/maps/test_maps.h"
 #include "parametrization/starts/seamless_cases.h"
 
 using namespace majorant;

@@ -118,7 +118,7 @@ void solve(const std::string& path, const Settings& settings) {
   fmt::print(
       "{{\"energy\": {:.12g}, \"status\": \"{}\", \"iterations\": {}, \"remedies\": {}, "
       "\"seconds\": {:.3g}}}\n",
-      r.measures.value, name(r.status), record.trace().size(), remedies, r.optimize_seconds);
+      r.measures.value, status_name(r.status), record.trace().size(), remedies, r.optimize_seconds);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "majorant/constraints/seamless_constraint.h"
+#include "majorant/framework/error.h"
 #include "majorant/parametrization/drive/parametrize.h"
 #include "majorant/parametrization/maps/measure.h"
 #include "parametrization/scaffold/bezier_mesh_helpers.h"

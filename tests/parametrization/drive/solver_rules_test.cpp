@@ -39,7 +39,7 @@ TEST(SolverRules, WithoutRemediesARunStaysWhereItStalls) {
   SolverRules rules;
   rules.remedies.stall_rounds = 0;
   const RunByRules run = solve_cap(rules);
-  EXPECT_EQ(name(run.result.status), name(Status::Stalled));
+  EXPECT_EQ(status_name(run.result.status), status_name(Status::Stalled));
   EXPECT_EQ(run.remedies(), 0);
 }
 
