@@ -51,7 +51,7 @@ const std::vector<Rule>& all_rules() {
       {"line_search.most_improvements",
        [](Settings& s) { return &s.rules.line_search.most_improvements; }},
       {"quadrature.boundary_guard", [](Settings& s) { return &s.rules.quadrature.boundary_guard; }},
-      {"quadrature.climbs", [](Settings& s) { return &s.rules.quadrature.climbs; }},
+      {"quadrature.refinements", [](Settings& s) { return &s.rules.quadrature.refinements; }},
       {"quadrature.corner_guard", [](Settings& s) { return &s.rules.quadrature.corner_guard; }},
       {"quadrature.error", [](Settings& s) { return &s.rules.quadrature.error; }},
       {"remedies.barrier_rounds", [](Settings& s) { return &s.rules.remedies.barrier_rounds; }},

@@ -29,7 +29,7 @@ VALUES = {
     'line_search.largest_growth': '2,16',
     'line_search.most_improvements': '0,2',
     'quadrature.boundary_guard': '3e-4,3e-2',
-    'quadrature.climbs': '2,6',
+    'quadrature.refinements': '2,6',
     'quadrature.corner_guard': '1e-4,1e-2',
     'quadrature.error': '3e-6,3e-4',
     'remedies.barrier_rounds': '0,1',

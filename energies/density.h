@@ -17,9 +17,9 @@
 #include <string_view>
 #include <utility>
 
+#include "majorant/energies/detail/contraction.h"
 #include "majorant/energies/detail/dual2.h"
 #include "majorant/energies/detail/isotropic.h"
-#include "majorant/energies/detail/point_model.h"
 #include "majorant/energies/detail/small_matrix.h"
 
 namespace majorant {

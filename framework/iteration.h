@@ -1,7 +1,7 @@
 // What one step of an iterative solver reports, and how a whole solve may end.
 //
-//   StepResult step = stepper.step(y, energy);
-//   if (step.outcome == StepResult::Outcome::Moved) print(step.record.energy);
+//     StepResult step = stepper.step(y, energy);
+//     if (step.outcome == StepResult::Outcome::Moved) print(step.record.energy);
 //
 // Values only: no solver. Who decides from them whether to go on is StoppingTest (stopping.h).
 #pragma once

@@ -1,14 +1,14 @@
 // An optimization problem: minimize sum_k w_k E_k(x) subject to A x = b, inside a feasible set.
 //
 //   ProblemBuilder builder(2 * space->node_count());
-//   TermId id = builder.add(energy, 1.0);     // shared_ptr<const EnergyTerm>
+//   const TermId id = builder.add(energy, 1.0);   // shared_ptr<const EnergyTerm>
 //   builder.add(FixedPoints({{0, {0, 0}}}));  // Constraint: eliminated, holds exactly
 //   // FeasibilityChecker: held by the line search
 //   builder.add(std::make_shared<LocalInjectivity>(space, 2 * rest.measure));
 //   Problem problem = builder.build();
 //   SolveResult r = NewtonMinimizer().minimize(problem, problem.reduce(x), observer);
 //
-//   problem = problem.with({{id, TermState{.weight = 2}}});  // everything else the same
+//   Problem other = problem.with({{id, TermState{.weight = 2}}});  // everything else the same
 //
 // A Problem is immutable and cheap to copy. Solvers see the reduced unknowns y of x = Z y + c.
 #pragma once
@@ -70,8 +70,8 @@ class Problem {
 class ProblemBuilder {
  public:
   // What add() of a term returns: its id, or the builder again where nobody asks for it.
-  //   const TermId energy = builder.add(term, 1.0);
-  //   const Problem problem = ProblemBuilder(size).add(term, 1.0).add(pins).build();
+  //     const TermId energy = builder.add(term, 1.0);
+  //     const Problem problem = ProblemBuilder(size).add(term, 1.0).add(pins).build();
   class AddedTerm {
    public:
     AddedTerm(ProblemBuilder& builder, TermId id) : builder_(builder), id_(id) {}

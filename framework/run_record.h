@@ -1,5 +1,5 @@
-// The one owner of what spans a whole run: trace over degrees and rebuilt problems, counters, time
-// limit, interruption.
+// The one owner of what spans a whole run: trace over degrees and rebuilt problems, time limit,
+// interruption.
 #pragma once
 
 #include <algorithm>

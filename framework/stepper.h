@@ -1,12 +1,12 @@
 // One step of a descent method, and the loop around it that all methods share.
 //
-//   NewtonStepper stepper(problem, options);
-//   SolveResult result = stepper.minimize(y0, StoppingRules{});
+//     NewtonStepper stepper(problem, options);
+//     SolveResult result = stepper.minimize(y0, StoppingRules{});
 //
 // A method derives from Stepper, computes gradient and direction in advance() and leaves the rest
 // to move_along(). Outer loops that change the problem between steps call step() and ask a
-// StoppingTest themselves. Not for methods that bring a line search of
-// their own (ceres_minimizer.h).
+// StoppingTest themselves. Not for methods that bring a line search of their own
+// (ceres_minimizer.h).
 #pragma once
 
 #include <utility>

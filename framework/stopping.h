@@ -1,13 +1,13 @@
 // Why a descent ends: the stopping rules as a value, and the test that applies them step by step.
 //
-//   StoppingTest test(rules, energy);
-//   while (!(stop = test.before_step())) {
-//     const StepResult step = stepper.step(y, energy);
-//     const Advice advice = test.after(step);
-//     if ((stop = advice.stop)) break;
-//     if (advice.polish) stepper.polish();
-//     if (advice.anchor) best = y;
-//   }
+//     StoppingTest test(rules, energy);
+//     while (!(stop = test.before_step())) {
+//       const StepResult step = stepper.step(y, energy);
+//       const Advice advice = test.after(step);
+//       if ((stop = advice.stop)) break;
+//       if (advice.polish) stepper.polish();
+//       if (advice.anchor) best = y;
+//     }
 //
 // That loop exists: Stepper::minimize(). The test is for loops that change the problem between
 // steps. It sees reports of steps only, no solver and no unknowns, and decides nothing at random:
@@ -33,7 +33,7 @@ namespace majorant {
 //       the last point reached where the certified step was at least anchor_step: what follows it
 //       led into a corner
 //     no step decreases the energy: Converged or Stalled by the same bound on -g.p; where the
-//       problem has changed since, another try is left: it counts as idle
+//       problem has changed since, another try is left, after stall_iterations idle ones the last
 // The decrement rule itself is applied inside a step, which it spares (Stepper::move_along).
 struct StoppingRules {
   // Origin: bench/tune.py stopping.relative_decrease.

@@ -20,8 +20,8 @@ enum class Phase {
   Excluded,   // without the elements that block
   Barrier,    // the energy and a part of one whose barrier is strong
 };
-std::string_view phase_name(
-    Phase phase);  // "newton", "entry", "soft-start", ... as reports have it
+// "newton", "entry", "soft-start", ... as reports have it.
+std::string_view phase_name(Phase phase);
 
 // What is tried when a run is held at the limit of the feasible set, in this order.
 enum class Remedy {

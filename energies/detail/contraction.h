@@ -32,6 +32,15 @@ struct ChunkView {
   int rest_rows_per_point;  // 0: constant
 };
 
+// What a density says about one Jacobian.
+// Value, gradient and packed lower triangle of the curvature by N coordinates of J.
+template <class T, int N>
+struct PointModel {
+  T f;
+  T g[N];
+  T k[N * (N + 1) / 2];  // entry (i, j), i >= j, at i (i + 1) / 2 + j
+};
+
 // Kernels of one density. `density` is the object they were made for.
 struct DensityKernels {
   int rows, dims;  // of the Jacobian: M by D

@@ -19,7 +19,6 @@
 #include <xsimd/xsimd.hpp>
 
 #include "majorant/energies/detail/contraction.h"
-#include "majorant/energies/detail/point_model.h"
 
 namespace majorant::kernel {
 

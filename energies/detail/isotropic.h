@@ -16,8 +16,8 @@
 #include <cmath>
 #include <limits>
 
+#include "majorant/energies/detail/contraction.h"
 #include "majorant/energies/detail/dual2.h"
-#include "majorant/energies/detail/point_model.h"
 #include "majorant/energies/traits.h"
 #include "majorant/framework/curvature.h"
 

@@ -40,6 +40,8 @@ void require_valid(const ParametrizationOptions& o) {
   require_valid(o.map);
   if (!(o.solve.tolerance > 0) || !std::isfinite(o.solve.tolerance))
     refuse("the tolerance must be a positive number");
+  if (!(o.solve.elevation_tolerance >= 0)) refuse("the elevation tolerance must not be negative");
+  if (o.solve.injectivity_depth < 0) refuse("the depth of certificates must not be negative");
   if (o.solve.threads < 0) refuse("the number of threads must not be negative");
   if (o.solve.quadrature_points < 0) refuse("the number of quadrature points must not be negative");
   if (o.map.injectivity == MapInjectivity::Global &&

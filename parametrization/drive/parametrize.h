@@ -48,7 +48,7 @@ struct ParametrizationResult {
   RemedyUses remedies{};                // against stalls, at the last degree
   std::optional<BezierMesh> scaffold;   // around the map, model units; of MapInjectivity::Global
   double initialize_seconds = 0, optimize_seconds = 0, measure_seconds = 0;
-  double scaffold_seconds = 0;  // of optimize_seconds: the scaffold kept in shape, problems rebuilt
+  double scaffold_seconds = 0;  // of these: the scaffold kept in shape, its problems made
 };
 
 // The start that is asked for: Tutte's map or the given one, u, v per vertex. Throws

@@ -3,8 +3,7 @@
 // angles at its vertices.
 //
 //   CrossField field = smoothest_cross_field(*mesh);
-//   std::vector<char> is_cut = cut_graph(*mesh, cone_vertices(field));
-//   comb(*mesh, is_cut, field);          // turns are 0 but across the cut
+//   comb(*mesh, is_cut, field);   // turns are 0 but across the cut, which leads through the cones
 //
 // The branches of a face are numbered 0..3 counterclockwise; `angle` is branch 0. All of this is
 // intrinsic: rotating or scaling the mesh changes nothing but rounding.

@@ -101,6 +101,18 @@ TEST(Stopping, ASmallStepBeforeAChangeOfTheProblemIsNoSignOfAMinimum) {
               "relative decrease");
 }
 
+TEST(Stopping, AStepThatIsHeldHasFurtherTriesWhereTheProblemChanges) {
+  for (const auto outcome : {StepResult::Outcome::Blocked, StepResult::Outcome::NoDecrease}) {
+    StepResult held = moved(0, 1e-2);
+    held.outcome = outcome;
+    StoppingTest test(rules(), 100);
+    for (int k = 0; k < 3; ++k) expect_goes_on(test.after(held, Since::ProblemChanged));
+    expect_stop(test.after(held, Since::ProblemChanged), Status::Stalled, "no further decrease");
+    StoppingTest same(rules(), 100);
+    expect_stop(same.after(held), Status::Stalled, "no further decrease");
+  }
+}
+
 TEST(Stopping, IdleStepsInARowStallFarFromAMinimumAndReturnToTheAnchor) {
   StoppingTest test(rules(), 100);
   EXPECT_FALSE(test.after(moved(9e-7, 1e-2)).anchor);

@@ -65,7 +65,7 @@ void DegreeSolver::apply_state() {
 
 // Whether the domain has states that follow x; the stepper does not know them yet.
 bool DegreeSolver::follow() {
-  TermChanges changes = domain_.before_step(built_, x_, setup_.stop);
+  TermChanges changes = domain_.before_step(built_, x_);
   if (changes.empty()) return false;
   built_.problem = built_.problem.with(std::move(changes));
   return true;

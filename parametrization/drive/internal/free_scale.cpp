@@ -12,7 +12,7 @@
 namespace majorant {
 namespace {
 
-// Where the start has them, two vertices are at different places.
+// Points without a target are where the start has them: two vertices at different places.
 bool at_one_place(const Pin& a, const Pin& b) {
   return a.vertex == b.vertex || (a.target && b.target && *a.target == *b.target);
 }
@@ -46,7 +46,11 @@ bool collapses(const MapOptions& asked, const BezierTriangleSpace& space, const 
 }
 
 void require_scale(const MapOptions& asked, const BezierMap& start) {
-  if (!collapses(asked, start.space(), start.seams())) return;
+  MapOptions placed = asked;  // a target may be where the start has the other vertex
+  for (auto* points : {&placed.pins, &placed.handles})
+    for (Pin& p : *points)
+      p.target = p.target.value_or(start.control_points().segment<2>(2 * p.vertex));
+  if (!collapses(placed, start.space(), start.seams())) return;
   throw Error(ErrorKind::Usage,
               fmt::format("{}: the energy {} is smallest for a map shrunk to a point, and nothing "
                           "holds the scale; fix the boundary, hold two points at different places, "

@@ -49,13 +49,13 @@ MapProblem ScaffoldedDomain::build(const DomainInput& in, VecIn x) {
   return {builder.build(), std::move(energies)};
 }
 
-TermChanges ScaffoldedDomain::before_step(const MapProblem& built, VecIn x, const StopCheck& stop) {
+TermChanges ScaffoldedDomain::before_step(const MapProblem& built, VecIn x) {
   const AddedSeconds time(seconds_);
   double mean = 0;
-  for (const TermId id : built.energies) mean += term_energy(built.problem, id, x, stop);
+  for (const TermId id : built.energies) mean += term_energy(built.problem, id, x);
   TermState around = built.problem.state(*around_);
   const double lambda = share_ * std::max(mean, rules_.least_energy) * around.weight /
-                        term_energy(built.problem, *around_, x, stop);
+                        term_energy(built.problem, *around_, x);
   if (lambda_ && std::abs(lambda - *lambda_) <= rules_.same_lambda * lambda) return {};
   lambda_ = lambda;
   around.weight = lambda;

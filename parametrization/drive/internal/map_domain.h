@@ -1,10 +1,8 @@
 // Where the map of one degree is optimized: on its own nodes (PlainDomain), or with the space
 // around its image as a part of the problem (ScaffoldedDomain), which keeps it free of overlaps.
 //
-//   std::unique_ptr<MapDomain> domain = std::make_unique<PlainDomain>();
-//   DomainProblem built = domain->build({spec, space, start, terms, injectivity, depth, stop}, x);
-//   ... a step on built.problem ...
-//   if (domain->after_step(x, step) == DomainChange::Structure) built = domain->build(...);
+//   PlainDomain domain;
+//   DegreeSolver solver(setup, domain, map.shared_space(), map.control_points());
 //
 // Internal to parametrize(). A domain lives as long as a run: it is elevated with the map.
 #pragma once
@@ -46,8 +44,9 @@ class MapDomain {
   virtual Vec unknowns(VecIn map) const = 0;
   virtual MapProblem build(const DomainInput& input, VecIn x) = 0;
 
-  // States that follow the unknowns x of the last problem built; empty: as they are.
-  virtual TermChanges before_step(const MapProblem&, VecIn /*x*/, const StopCheck&) { return {}; }
+  // States that follow the unknowns x of the last problem built; empty: as they are. Not stopped:
+  // coming back to a place after a stop needs it, too.
+  virtual TermChanges before_step(const MapProblem&, VecIn /*x*/) { return {}; }
   // The surroundings are adapted to x, which was reached by `step` or could not be left.
   virtual DomainChange after_step(Vec& /*x*/, const StepResult& /*step*/, const DomainInput&) {
     return DomainChange::None;
@@ -86,7 +85,7 @@ class ScaffoldedDomain final : public MapDomain {
 
   Vec unknowns(VecIn map) const override { return scaffold_.joined(map); }
   MapProblem build(const DomainInput& input, VecIn x) override;
-  TermChanges before_step(const MapProblem& built, VecIn x, const StopCheck& stop) override;
+  TermChanges before_step(const MapProblem& built, VecIn x) override;
   DomainChange after_step(Vec& x, const StepResult& step, const DomainInput& input) override;
   double foreign_energy(const Problem& problem, VecIn x) const override;
   bool strengthen(double weight) override;

@@ -19,7 +19,7 @@ QuadratureLadder optimizer_ladder(int n, int lattice_points, const QuadratureRul
   }
   ladder.plain = {first};
   ladder.guarded = {guarded_rule(first, 1, rules.corner_guard)};
-  for (int level = 1, pieces = 2; level <= rules.climbs; ++level, pieces *= 2) {
+  for (int level = 1, pieces = 2; level <= rules.refinements; ++level, pieces *= 2) {
     ladder.plain.push_back(corner_graded_rule(radon_rule(), pieces * m, 2));
     ladder.guarded.push_back(
         guarded_rule(ladder.plain.back(), std::min(pieces * n, 16), rules.boundary_guard));

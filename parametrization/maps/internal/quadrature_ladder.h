@@ -20,8 +20,8 @@ struct QuadratureRules {
   // The same above, where they also cover the edges. Origin: bench/tune.py
   // quadrature.boundary_guard.
   double boundary_guard = 3e-3;
-  // Levels above 0, each halves the subtriangles. Origin: bench/tune.py quadrature.climbs.
-  int climbs = 4;
+  // Levels above 0, each halves the subtriangles. Origin: bench/tune.py quadrature.refinements.
+  int refinements = 4;
   // Of the energy, all elements of a result together. Origin: bench/tune.py quadrature.error.
   double error = 3e-5;
 };

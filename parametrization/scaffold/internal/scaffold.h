@@ -39,7 +39,7 @@ class Scaffold {
   // Every triangle is measured against a unit equilateral one.
   RestShapes rest() const;
   // E_conf of the triangles, on rules that get finer; levels() says which face uses which, and
-  // refine() makes faces climb that block a step: their rule does not see why.
+  // refine() gives finer rules to faces that block a step: their rule does not see why.
   std::shared_ptr<const DensityTerm> energy_term() const;
   const std::vector<RuleId>& levels() const { return levels_; }
   void refine(const std::vector<Index>& faces);

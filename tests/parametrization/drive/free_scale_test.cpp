@@ -64,6 +64,10 @@ TEST(FreeScale, OnePlaceDoesNotHoldIt) {
   refusal(options);
   options.map.handles = {{0, Vector2(1, 2)}, {15, Vector2(1, 2)}};  // both pulled to one point
   refusal(options);
+  options.map.handles = {{0, {}}};
+  options.map.handles.push_back(
+      {15, Vector2(initial_map(*surface(grid(3, bumpy)), options.map).head<2>())});
+  refusal(options);  // pulled to where the first one stays
 }
 
 TEST(FreeScale, WhatHoldsIt) {
