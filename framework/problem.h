@@ -7,7 +7,6 @@
 //   builder.add(std::make_shared<LocalInjectivity>(space, 2 * rest.measure));
 //   Problem problem = builder.build();
 //   SolveResult r = NewtonMinimizer().minimize(problem, problem.reduce(x), observer);
-//
 //   Problem other = problem.with({{id, TermState{.weight = 2}}});  // everything else the same
 //
 // A Problem is immutable and cheap to copy. Solvers see the reduced unknowns y of x = Z y + c.

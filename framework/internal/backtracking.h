@@ -1,8 +1,8 @@
 // Shortening of a step until it is good enough: the loop of all searches along a line.
 //
-//   const auto good = [&](double s) { return value(s) <= value(0) + kArmijo * s * slope; };
-//   const auto next = [&](double s) { return good(s) ? kTake : kHalve; };
-//   std::optional<double> s = backtrack(1, {.smallest = 1e-6}, next);
+//     const auto good = [&](double s) { return value(s) <= value(0) + kArmijo * s * slope; };
+//     const auto next = [&](double s) { return good(s) ? kTake : kHalve; };
+//     std::optional<double> s = backtrack(1, {.smallest = 1e-6}, next);
 //
 // Not for growing a step: LineSearch (line_search.h) does that.
 #pragma once

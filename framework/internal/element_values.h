@@ -1,7 +1,7 @@
 // Values of a term element by element, outside of any problem: who contributes how much.
 //
-//   const ChunkPlan plan(term->stencils(), state.element_rule);
-//   const Vec values = element_values(*term, state, plan, x);
+//   const ChunkPlan plan(energy->stencils(), {});   // all elements on the first rule
+//   const Vec values = element_values(*energy, {}, plan, x);
 #pragma once
 
 #include "majorant/framework/energy_term.h"

@@ -1,8 +1,8 @@
 // Wall-clock time of pieces of work.
 //
-//   Stopwatch watch;
-//   assemble();   record.seconds.assemble = watch.restart();
-//   factorize();  record.seconds.factorize = watch.restart();
+//     Stopwatch watch;
+//     assemble();   record.seconds.assemble = watch.restart();
+//     factorize();  record.seconds.factorize = watch.restart();
 #pragma once
 
 #include <chrono>

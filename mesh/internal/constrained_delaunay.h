@@ -1,7 +1,7 @@
 // CGAL's constrained Delaunay triangulation of points in the plane, with what its users note on
 // vertices and faces. Constraints that cross throw Intersection_of_constraints_exception.
 //
-//   using Delaunay = internal::ConstrainedDelaunay<Index, FaceMark>;
+//     using Delaunay = internal::ConstrainedDelaunay<Index, FaceMark>;
 //
 // For .cpp files that are compiled with -frounding-math only; not installed.
 #pragma once

@@ -114,8 +114,9 @@ def compile_text(text, *flags):
 
 
 def headers():
-    """Of the rooms and of the command."""
-    return sorted(path for room in include_graph.FLOOR for path in (SOURCE / room).glob('*.h'))
+    """Of the rooms, internal ones included, and of the command."""
+    folders = [SOURCE, *(SOURCE / room / part for room in include_graph.FLOOR for part in ('.', 'internal', 'detail'))]
+    return sorted(path.resolve() for folder in folders for path in folder.glob('*.h'))
 
 
 class Example:

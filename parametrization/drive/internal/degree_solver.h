@@ -1,10 +1,10 @@
 // The optimization at one degree: Newton on a fixed space, on whatever domain, with quadrature that
 // is refined where it must be and the remedies for stalls at the limit of the feasible set.
 //
-//   DegreeSolver solver(setup, domain, map.shared_space(), map.control_points());
-//   solver.soften_start(record);
-//   SolveResult solved = solver.finish(record);
-//   map = map.with(map.shared_space(), solver.x());
+//     DegreeSolver solver(setup, domain, map.shared_space(), map.control_points());
+//     solver.soften_start(record);
+//     SolveResult solved = solver.finish(record);
+//     map = map.with(map.shared_space(), solver.x());
 //
 // Internal to parametrize(). Coordinates are normalised (see NormalizedStart). Whatever is stopped,
 // x() is the best point reached, and the domain's surroundings belong to it.

@@ -1,8 +1,8 @@
 // Where the map of one degree is optimized: on its own nodes (PlainDomain), or with the space
 // around its image as a part of the problem (ScaffoldedDomain), which keeps it free of overlaps.
 //
-//   PlainDomain domain;
-//   DegreeSolver solver(setup, domain, map.shared_space(), map.control_points());
+//     PlainDomain domain;
+//     DegreeSolver solver(setup, domain, map.shared_space(), map.control_points());
 //
 // Internal to parametrize(). A domain lives as long as a run: it is elevated with the map.
 #pragma once
@@ -77,7 +77,7 @@ class PlainDomain final : public MapDomain {
 };
 
 // [MC20] Sec. 6. Every iteration is one Newton step on
-//   E(map) + lambda E_conf(scaffold),   lambda = share E(map) / E_conf(scaffold),
+//     E(map) + lambda E_conf(scaffold),   lambda = share E(map) / E_conf(scaffold),
 // then the scaffold's edges are flipped and its triangles relaxed with the image fixed.
 class ScaffoldedDomain final : public MapDomain {
  public:

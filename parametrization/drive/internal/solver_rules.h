@@ -3,7 +3,7 @@
 //
 //   SolverRules rules;                     // those of parametrize()
 //   rules.scaffold.share = 1e-4;           // [MC20]'s
-//   parametrize_by(rules, start, options, record);   // parametrize_by.h
+//   parametrize_by(rules, map, options, record);   // parametrize_by.h
 //
 // Nobody but measurements sets them (bench/tune.cpp). What each is worth: docs/constants.md.
 #pragma once
