@@ -7,10 +7,10 @@
 #include <set>
 
 #include "framework/quadratic_term.h"
-#include "support.h"
 #include "majorant/framework/evaluator.h"
 #include "majorant/framework/internal/problem_parts.h"
 #include "majorant/framework/thread_count.h"
+#include "support.h"
 
 namespace majorant {
 namespace {
