@@ -2,6 +2,7 @@
 #include "majorant/mesh/internal/cut_graph.h"
 
 #include <algorithm>
+#include <random>
 
 #include "expected_error.h"
 #include "mesh/surfaces_of_any_genus.h"

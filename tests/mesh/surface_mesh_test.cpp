@@ -2,6 +2,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <numeric>
+#include <random>
 #include <set>
 
 #include "counted_stop.h"

@@ -3,6 +3,7 @@
 
 #include <Eigen/LU>
 #include <map>
+#include <random>
 #include <set>
 
 #include "parametrization/scaffold/bezier_mesh_helpers.h"

@@ -2,6 +2,7 @@
 #include "majorant/parametrization/scaffold/internal/scaffold.h"
 
 #include <algorithm>
+#include <random>
 #include <set>
 
 #include "expected_error.h"

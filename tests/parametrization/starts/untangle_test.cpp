@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "expected_error.h"
 #include "majorant/constraints/local_injectivity.h"
 #include "majorant/parametrization/starts/make_seamless.h"
@@ -91,16 +93,18 @@ TEST(Untangle, LeavesInjectiveMapsAlone) {
   EXPECT_LE((result.x - square.identity).cwiseAbs().maxCoeff(), 1e-15);
 }
 
-// A boundary that runs clockwise admits no injective map.
+// A boundary that runs clockwise admits no injective map. The mirror image of one is found, where
+// the energy is smallest: later rounds take no steps (11 in all, of 2000 that are allowed).
 TEST(Untangle, ImpossibleBoundary) {
   Square square(4);
   square.spec.boundary = BoundaryCondition::Fixed;
-  Vec mirrored = square.identity;
+  Vec mirrored = square.shuffled(1);
   for (Index v = 0; v < square.mesh.vertex_count(); ++v) mirrored[2 * v] *= -1;
   const UntangleResult result = untangle(square.spec, square.space, mirrored, RunRecord());
-  EXPECT_FALSE(result.inverted.empty());
+  EXPECT_EQ(static_cast<Index>(result.inverted.size()), square.mesh.face_count());
   EXPECT_TRUE(result.x.allFinite());
-  EXPECT_LE(result.iterations, 2000);
+  EXPECT_GT(result.iterations, 0);
+  EXPECT_LT(result.iterations, 100);
 }
 
 TEST(Untangle, EndsWithItsTime) {
