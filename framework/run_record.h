@@ -35,6 +35,16 @@ class RunRecord {
         progress_(std::move(progress)) {}
   // Ended by `stop` alone, without grace.
   explicit RunRecord(const StopCheck& stop) : stop_(stop), start_stop_(stop) {}
+  // Of one part of the run that is solved by itself, perhaps on another thread: the same limits
+  // (iterations count from 0), a trace of its own.
+  RunRecord part(Progress progress = {}) const {
+    RunRecord part;
+    part.max_iterations_ = max_iterations_;
+    part.progress_ = std::move(progress);
+    part.stop_ = stop_;
+    part.start_stop_ = start_stop_;
+    return part;
+  }
 
   // Observer for a solve at one degree.
   Observer observer(int degree, Phase phase = Phase::Newton) {
@@ -55,6 +65,7 @@ class RunRecord {
   int iterations_left() const { return max_iterations_ - static_cast<int>(trace_.size()); }
   double seconds() const { return seconds_since(start_); }
   const std::vector<TraceEntry>& trace() const { return trace_; }
+  const Progress& progress() const { return progress_; }
 
  private:
   using Clock = std::chrono::steady_clock;

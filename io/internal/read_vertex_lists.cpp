@@ -17,7 +17,7 @@ namespace {
 
 using nlohmann::json;
 
-// {KEY: [{"vertex": 0, ...}, ...], "index_base": 0}
+// {KEY: [entry, ...], "index_base": 0}, entries that name vertices
 class VertexList {
  public:
   // example: a file that is right.
@@ -32,11 +32,20 @@ class VertexList {
     list_ = std::move(document[key_]);
   }
 
-  // entry, vertex (0-based) for each in turn.
   template <class Action>
   void for_each(const Action& action) {
-    for (position_ = 0; position_ < list_.size(); ++position_)
-      action(list_[position_], read_vertex(list_[position_]));
+    for (position_ = 0; position_ < list_.size(); ++position_) action(list_[position_]);
+  }
+  // The number 0-based.
+  Index vertex(const json& number) const {
+    if (!number.is_number_integer()) fail_here("a vertex is not an integer");
+    const bool is_huge = number.is_number_unsigned() &&
+                         number.get<std::uint64_t>() > std::numeric_limits<Index>::max();
+    const long long vertex = is_huge ? -1 : number.get<long long>();
+    if (vertex < base_ || vertex - base_ >= vertex_count_)
+      fail_here(fmt::format("vertex {} out of range {}..{}", number.dump(), base_,
+                            base_ + vertex_count_ - 1));
+    return static_cast<Index>(vertex - base_);
   }
   [[noreturn]] void fail_here(std::string_view problem) const {
     fail(fmt::format("{}[{}]: {}; correct the file", key_, position_, problem));
@@ -70,19 +79,6 @@ class VertexList {
     return entry->get<long long>();
   }
 
-  Index read_vertex(const json& entry) const {
-    if (!entry.is_object() || !entry.contains("vertex")) fail_here("an entry needs \"vertex\"");
-    const json& vertex = entry["vertex"];
-    if (!vertex.is_number_integer()) fail_here("\"vertex\" is not an integer");
-    const bool is_huge = vertex.is_number_unsigned() &&
-                         vertex.get<std::uint64_t>() > std::numeric_limits<Index>::max();
-    const long long number = is_huge ? -1 : vertex.get<long long>();
-    if (number < base_ || number - base_ >= vertex_count_)
-      fail_here(fmt::format("vertex {} out of range {}..{}", vertex.dump(), base_,
-                            base_ + vertex_count_ - 1));
-    return static_cast<Index>(number - base_);
-  }
-
   [[noreturn]] void fail(std::string_view problem) const {
     throw Error(ErrorKind::Unreadable, fmt::format("{}: {}", path_, problem));
   }
@@ -101,7 +97,9 @@ std::vector<Entry> read_once(VertexList& list, std::string_view what, const Read
                              const Same& same) {
   std::vector<Entry> entries;
   std::unordered_map<Index, std::size_t> known;  // vertex -> place in `entries`
-  list.for_each([&](const json& item, Index vertex) {
+  list.for_each([&](const json& item) {
+    if (!item.is_object() || !item.contains("vertex")) list.fail_here("an entry needs \"vertex\"");
+    const Index vertex = list.vertex(item["vertex"]);
     const Entry entry = read(item, vertex);
     const auto [place, is_new] = known.try_emplace(vertex, entries.size());
     if (is_new)
@@ -158,6 +156,17 @@ std::vector<Cone> read_cones(const std::string& path, Index vertex_count) {
   return read_once<Cone>(list, "angles", read, [](const Cone& a, const Cone& b) {
     return a.quarter_turns == b.quarter_turns;
   });
+}
+
+std::vector<std::array<Index, 2>> read_seams(const std::string& path, Index vertex_count) {
+  VertexList list(path, "edges", "{\"edges\": [[0, 1], [1, 2]]}", vertex_count);
+  std::vector<std::array<Index, 2>> edges;
+  list.for_each([&](const json& item) {
+    if (!item.is_array() || item.size() != 2) list.fail_here("an edge is two vertices");
+    edges.push_back({list.vertex(item[0]), list.vertex(item[1])});
+    if (edges.back()[0] == edges.back()[1]) list.fail_here("the two vertices are the same");
+  });
+  return edges;
 }
 
 }  // namespace majorant

@@ -1,13 +1,15 @@
-// What users say of single vertices, in JSON files: pins and handles (where they are to go), cones
-// (the angles around them).
+// What users say of vertices, in JSON files: pins and handles (where they are to go), cones (the
+// angles around them), seams (edges along which a surface is to be cut).
 //
 //     {"handles": [{"vertex": 12, "target": [0.1, 0.2]}, {"vertex": 3, "target": "initial"}]}
 //     {"cones": [{"vertex": 12, "quarter_turns": 3}, {"vertex": 3, "index": -0.25}]}
+//     {"edges": [[12, 13], [13, 40]]}
 //
 // Vertices count from 0; "index_base": 1 at the top says they count from 1. Other keys are
 // comments.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,5 +33,9 @@ std::vector<Handle> read_handles(const std::string& path, Index vertex_count);
 // The cones in the order of the file; quarter turns = 4 - 4 index, at least 1. Throws
 // Error(Unreadable) likewise.
 std::vector<Cone> read_cones(const std::string& path, Index vertex_count);
+
+// The edges in the order of the file, 0-based; whether the mesh has them is not known here. Throws
+// Error(Unreadable) likewise.
+std::vector<std::array<Index, 2>> read_seams(const std::string& path, Index vertex_count);
 
 }  // namespace majorant

@@ -1,0 +1,71 @@
+#include "majorant/io/atlas_file.h"
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+
+namespace majorant {
+namespace {
+
+// Rows of one array of all charts, one chart below the other; none where a chart has none.
+template <class Array>
+Array stacked(const std::vector<MapFile>& charts, Array MapFile::*array) {
+  Eigen::Index rows = 0;
+  for (const MapFile& chart : charts) {
+    if ((chart.*array).rows() == 0) return {};
+    rows += (chart.*array).rows();
+  }
+  Array all(rows, (charts.front().*array).cols());
+  rows = 0;
+  for (const MapFile& chart : charts) {
+    all.middleRows(rows, (chart.*array).rows()) = chart.*array;
+    rows += (chart.*array).rows();
+  }
+  return all;
+}
+
+// Row k of the result is row order[k].
+template <class Array>
+void reorder(Array& array, const std::vector<Index>& order) {
+  if (array.rows() > 0) array = Array(array(order, Eigen::all));
+}
+
+}  // namespace
+
+MapFile joined(const std::vector<MapFile>& charts) {
+  if (charts.empty()) throw std::invalid_argument("joined: no charts");
+  MapFile all;
+  all.degree = charts.front().degree;
+  for (const MapFile& chart : charts)
+    if (chart.degree != all.degree) throw std::invalid_argument("joined: different degrees");
+  all.points = stacked(charts, &MapFile::points);
+  all.uv = stacked(charts, &MapFile::uv);
+  all.cells = stacked(charts, &MapFile::cells);
+  all.input_vertex = stacked(charts, &MapFile::input_vertex);
+  all.input_face = stacked(charts, &MapFile::input_face);
+  all.distortion = stacked(charts, &MapFile::distortion);
+  all.min_det = stacked(charts, &MapFile::min_det);
+  all.chart.resize(all.cells.rows());
+  Eigen::Index cell = 0;
+  Index point = 0;
+  for (std::size_t k = 0; k < charts.size(); ++k) {
+    const Eigen::Index cells = charts[k].cells.rows();
+    all.cells.middleRows(cell, cells).array() += point;
+    all.chart.segment(cell, cells).setConstant(static_cast<int>(k));
+    cell += cells;
+    point += static_cast<Index>(charts[k].points.rows());
+  }
+  std::vector<Index> order(static_cast<std::size_t>(all.cells.rows()));
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) {
+    return all.input_face[a] < all.input_face[b];
+  });
+  reorder(all.cells, order);
+  reorder(all.input_face, order);
+  reorder(all.distortion, order);
+  reorder(all.min_det, order);
+  reorder(all.chart, order);
+  return all;
+}
+
+}  // namespace majorant

@@ -1,0 +1,123 @@
+#include "majorant/parametrization/atlas/internal/chart_solver.h"
+
+#include <cmath>
+#include <utility>
+
+#include "majorant/framework/error.h"
+#include "majorant/parametrization/atlas/internal/texture_start.h"
+#include "majorant/parametrization/injectivity/global_injectivity.h"
+
+namespace majorant {
+namespace {
+
+bool is_injective(const BezierMap& map) {
+  return check_boundary(map).result == Injectivity::Proven;
+}
+
+bool is_limit(Status status) {
+  return status == Status::TimeLimit || status == Status::Interrupted ||
+         status == Status::MaxIterations;
+}
+
+Status status_of(Directive why) {
+  return why == Directive::Interrupt ? Status::Interrupted : Status::TimeLimit;
+}
+
+}  // namespace
+
+ChartSolver::ChartSolver(std::shared_ptr<const SurfaceMesh> mesh,
+                         const ParametrizationOptions& options, TextureStart texture)
+    : mesh_(std::move(mesh)), options_(options), texture_(texture) {}
+
+Chart ChartSolver::solve(RunRecord& record) {
+  chart_.is_pinned = !options_.map.pins.empty();
+  if (texture_ == TextureStart::Tried) try_texture(record);
+  if (!is_done_) try_tutte(record);
+  if (!is_done_) keep_start(record);
+  to_area_of_surface();
+  chart_.stretch = measure_stretch(*chart_.map);
+  chart_.trace = record.trace();
+  return std::move(chart_);
+}
+
+void ChartSolver::try_texture(RunRecord& record) {
+  chart_.start = ChartStart::Anew;
+  const std::optional<PreparedTexture> prepared = texture_start(mesh_, record);
+  if (!prepared) return;
+  if (attempt(prepared->uv, MapInjectivity::Local, record) ||
+      (is_injective(BezierMap::linear(mesh_, prepared->uv)) &&
+       attempt(prepared->uv, MapInjectivity::Global, record)))
+    chart_.start = prepared->start;
+}
+
+void ChartSolver::try_tutte(RunRecord& record) {
+  if (!attempt(tutte(), MapInjectivity::Local, record))
+    attempt(tutte(), MapInjectivity::Global, record);
+}
+
+// Made even where the run is to end: every chart needs a map.
+const Vec& ChartSolver::tutte() {
+  MapOptions asked;
+  asked.injectivity = MapInjectivity::Global;
+  if (!tutte_) tutte_ = initial_map(*mesh_, asked);
+  return *tutte_;
+}
+
+// True where it ends with an injective map, which is the chart's then.
+bool ChartSolver::attempt(const Vec& start, MapInjectivity injectivity, RunRecord& record) {
+  if (record.directive() != Directive::Continue) return false;
+  ParametrizationOptions options = options_;
+  options.map.injectivity = injectivity;
+  options.map.initial.reset();
+  ParametrizationResult result;
+  try {
+    result = parametrize(BezierMap::linear(mesh_, start), options, record);
+  } catch (const Stopped&) {
+    return false;
+  } catch (const Error& e) {
+    if (e.kind() != ErrorKind::Infeasible || chart_.is_pinned) throw;
+    chart_.message = e.what();
+    return false;
+  }
+  const bool has_map = result.map && result.status != Status::Failed;
+  if (!has_map || !is_injective(*result.map)) {
+    chart_.message = result.message;
+    return false;
+  }
+  chart_.map = std::move(result.map);
+  chart_.status = result.status;
+  chart_.message = result.message;
+  chart_.measures = std::move(result.measures);
+  return is_done_ = true;
+}
+
+void ChartSolver::keep_start(const RunRecord& record) {
+  if (chart_.is_pinned)
+    throw Error(ErrorKind::Infeasible,
+                mesh_->file() + ": no map without overlaps that meets the pins was found");
+  BezierMap map = BezierMap::linear(mesh_, tutte());
+  while (map.degree() < options_.map.degree) map = map.elevated();
+  chart_.measures = measure_map(map, options_.map.energy, record.stop());
+  const Directive why = record.directive();
+  chart_.status = why == Directive::Continue ? Status::Stalled : status_of(why);
+  if (!chart_.measures.locally_injective || !is_injective(map)) {
+    chart_.status = Status::Failed;
+    chart_.message = "no injective map of the chart was found";
+  }
+  chart_.map = std::move(map);
+}
+
+// Where the energy does not say how large the chart is, the surface does.
+void ChartSolver::to_area_of_surface() {
+  if (free_scale_of(options_.map.energy) != FreeScale::Arbitrary || chart_.is_pinned) return;
+  const Stretch stretch = measure_stretch(*chart_.map);
+  const double scale = std::sqrt(stretch.surface_area / stretch.image_area);
+  BezierMap scaled = chart_.map->with(chart_.map->shared_space(),
+                                      Vec(scale * chart_.map->control_points()));
+  MapMeasures measures = measure_map(scaled, options_.map.energy);
+  if (!measures.locally_injective || !is_injective(scaled)) return;
+  chart_.map = std::move(scaled);
+  chart_.measures = std::move(measures);
+}
+
+}  // namespace majorant

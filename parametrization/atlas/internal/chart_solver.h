@@ -1,0 +1,48 @@
+// One chart: a disk, possibly with holes, mapped without overlaps whatever it takes.
+//
+//   ChartSolver solver(piece_mesh, options, TextureStart::Tried);
+//   RunRecord record;
+//   Chart chart = solver.solve(record);    // chart.map is there, and proven injective
+//
+// What is tried, until the image is proven to be free of overlaps: the file's texture coordinates
+// (untangled if need be) and Tutte's map as starts, each first without a scaffold, which most
+// charts do not need and which costs several times as much, then with one. Last, Tutte's map as it
+// is. Overlaps are looked for after the solve: of a free boundary only the boundary tells.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "majorant/parametrization/atlas/unwrap.h"
+
+namespace majorant {
+
+enum class TextureStart { Tried, Ignored };
+
+class ChartSolver {
+ public:
+  // mesh: planar (SurfaceMesh::require_planar). options: vertices are those of the mesh. Both
+  // outlive this.
+  ChartSolver(std::shared_ptr<const SurfaceMesh> mesh, const ParametrizationOptions& options,
+              TextureStart texture);
+
+  // All but `faces`. Throws Error(Infeasible) where pins cannot be met, Error(Usage) for options.
+  Chart solve(RunRecord& record);
+
+ private:
+  void try_texture(RunRecord& record);
+  void try_tutte(RunRecord& record);
+  bool attempt(const Vec& start, MapInjectivity injectivity, RunRecord& record);
+  void keep_start(const RunRecord& record);
+  void to_area_of_surface();
+  const Vec& tutte();
+
+  std::shared_ptr<const SurfaceMesh> mesh_;
+  const ParametrizationOptions& options_;
+  TextureStart texture_;
+  std::optional<Vec> tutte_;
+  Chart chart_;
+  bool is_done_ = false;
+};
+
+}  // namespace majorant

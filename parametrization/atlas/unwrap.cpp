@@ -1,0 +1,181 @@
+#include "majorant/parametrization/atlas/unwrap.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <numeric>
+#include <utility>
+
+#include "majorant/framework/thread_count.h"
+#include "majorant/parametrization/atlas/internal/chart_solver.h"
+
+namespace majorant {
+namespace {
+
+// Faces from which on a chart has all threads for itself. Origin: below, loops over elements are
+// too short for more than one thread to pay.
+constexpr Index kLargeChart = 5000;
+
+// A piece of the cut surface and what is asked of it.
+struct Task {
+  std::shared_ptr<const SurfaceMesh> mesh;
+  std::vector<Index> faces;  // of the surface
+  ParametrizationOptions options;
+};
+
+class Unwrapping {
+ public:
+  Unwrapping(const std::shared_ptr<const SurfaceMesh>& surface, const UnwrapOptions& options,
+             RunRecord& record)
+      : surface_(*surface), options_(options), record_(record) {}
+
+  Atlas solve() {
+    const ThreadCount threads(options_.chart.solve.threads);
+    const double started = record_.seconds();
+    atlas_.cuts = choose_cuts(surface_, options_.cuts, record_.start_stop());
+    make_tasks();
+    atlas_.initialize_seconds = record_.seconds() - started;
+    solve_charts();
+    atlas_.optimize_seconds = record_.seconds() - started - atlas_.initialize_seconds;
+    if (options_.packing) place_charts();
+    atlas_.packing_seconds =
+        record_.seconds() - started - atlas_.initialize_seconds - atlas_.optimize_seconds;
+    return std::move(atlas_);
+  }
+
+ private:
+  void make_tasks() {
+    std::vector<Index> surface_vertex;
+    const SurfaceMesh cut = surface_.cut_along(atlas_.cuts.is_cut, &surface_vertex);
+    for (SurfacePiece& piece : cut.split(record_.start_stop())) {
+      Task& task = tasks_.emplace_back();
+      task.options = options_.chart;
+      task.options.solve.threads = 0;
+      task.options.map.pins = points_on(piece, surface_vertex, options_.chart.map.pins);
+      task.options.map.handles = points_on(piece, surface_vertex, options_.chart.map.handles);
+      task.options.map.face_weight = weights_on(piece);
+      task.mesh = std::move(piece.mesh);
+      task.faces = std::move(piece.face);  // faces keep their numbers where the surface is cut
+    }
+  }
+
+  // Every copy of a vertex is held.
+  static std::vector<Pin> points_on(const SurfacePiece& piece,
+                                    const std::vector<Index>& surface_vertex,
+                                    const std::vector<Pin>& points) {
+    std::vector<Pin> out;
+    if (points.empty()) return out;
+    for (std::size_t v = 0; v < piece.vertex.size(); ++v)
+      for (const Pin& p : points)
+        if (surface_vertex[at(piece.vertex[v])] == p.vertex)
+          out.push_back({static_cast<Index>(v), p.target});
+    return out;
+  }
+
+  Vec weights_on(const SurfacePiece& piece) const {
+    const Vec& all = options_.chart.map.face_weight;
+    return all.size() == 0 ? Vec() : Vec(all(piece.face));
+  }
+
+  void solve_charts() {
+    atlas_.charts.resize(tasks_.size());
+    std::vector<std::size_t> order(tasks_.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return tasks_[a].mesh->face_count() > tasks_[b].mesh->face_count();
+    });
+    std::size_t large = 0;
+    while (large < order.size() && tasks_[order[large]].mesh->face_count() >= kLargeChart)
+      solve_chart(order[large++], record_.progress());
+    std::atomic<std::size_t> next = large;
+    std::mutex failing;
+    std::exception_ptr failure;
+    std::size_t failed = tasks_.size();  // the first in the order of charts is thrown
+    ThreadCount::run_on_each([&] {
+      const ThreadCount alone(1);
+      for (std::size_t k = next++; k < order.size(); k = next++) try {
+          solve_chart(order[k], {});
+        } catch (...) {
+          const std::lock_guard lock(failing);
+          if (order[k] < failed) failure = std::current_exception();
+          failed = std::min(failed, order[k]);
+        }
+    });
+    if (failure) std::rethrow_exception(failure);
+  }
+
+  void solve_chart(std::size_t k, const RunRecord::Progress& progress) {
+    const Task& task = tasks_[k];
+    RunRecord record = record_.part(progress);
+    const bool is_textured = options_.cuts.method == CutMethod::Texture;
+    Chart chart = ChartSolver(task.mesh, task.options,
+                              is_textured ? TextureStart::Tried : TextureStart::Ignored)
+                      .solve(record);
+    chart.faces = task.faces;
+    atlas_.charts[k] = std::move(chart);
+  }
+
+  void place_charts() {
+    std::vector<BezierMap> maps = maps_of(atlas_);
+    PackOptions packing = *options_.packing;
+    packing.fixed.clear();
+    for (const Chart& chart : atlas_.charts) packing.fixed.push_back(chart.is_pinned);
+    atlas_.packing = pack(maps, packing, record_.start_stop());
+    for (std::size_t k = 0; k < maps.size(); ++k)
+      atlas_.charts[k].map = atlas_.packing->charts[k];
+  }
+
+  const SurfaceMesh& surface_;
+  const UnwrapOptions& options_;
+  RunRecord& record_;
+  std::vector<Task> tasks_;
+  Atlas atlas_;
+};
+
+}  // namespace
+
+std::vector<BezierMap> maps_of(const Atlas& atlas) {
+  std::vector<BezierMap> maps;
+  for (const Chart& chart : atlas.charts) maps.push_back(*chart.map);
+  return maps;
+}
+
+std::string_view start_name(ChartStart start) {
+  constexpr std::array<std::string_view, 4> kNames = {"tutte", "texture", "untangled", "anew"};
+  return kNames[static_cast<std::size_t>(start)];
+}
+
+Status Atlas::status() const {
+  // What is worse than what.
+  constexpr std::array kOrder = {Status::Converged,   Status::Stalled,    Status::MaxIterations,
+                                 Status::TimeLimit,   Status::Interrupted, Status::Infeasible,
+                                 Status::Failed};
+  const auto rank = [&](Status s) { return std::find(kOrder.begin(), kOrder.end(), s); };
+  auto worst = kOrder.begin();
+  for (const Chart& chart : charts) worst = std::max(worst, rank(chart.status));
+  return *worst;
+}
+
+double Atlas::value() const {
+  double sum = 0, area = 0;
+  for (const Chart& chart : charts) {
+    sum += chart.stretch.surface_area * chart.measures.value;
+    area += chart.stretch.surface_area;
+  }
+  return sum / area;
+}
+
+Stretch Atlas::stretch() const {
+  Stretch all;
+  for (const Chart& chart : charts) all = all.joined(chart.stretch);
+  return all;
+}
+
+Atlas unwrap(const std::shared_ptr<const SurfaceMesh>& surface, const UnwrapOptions& options,
+             RunRecord& record) {
+  return Unwrapping(surface, options, record).solve();
+}
+
+}  // namespace majorant

@@ -1,0 +1,79 @@
+// From any surface to one layout: every component opened, every chart mapped without overlaps, all
+// of them packed into one square.
+//
+//   const RepairedSurface surface = repair(read_mesh(path));
+//   RunRecord record;
+//   const Atlas atlas = unwrap(surface.mesh, {}, record);
+//   for (const Chart& chart : atlas.charts) chart.map->evaluate(0, {1, 0, 0});
+//
+// Cuts (choose_cuts.h) -> pieces, each a disk or a disk with holes -> one map a piece, injective as
+// a whole -> packing (pack.h). Charts are solved at the same time, and independently: each is what
+// parametrize() gives for its piece alone, whatever the number of threads.
+//
+// Every chart has a valid map in the end: where a solve does not end with one, the chart keeps the
+// best valid map there was, the start if need be, and its status says so.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "majorant/framework/run_record.h"
+#include "majorant/parametrization/atlas/stretch.h"
+#include "majorant/parametrization/cuts/choose_cuts.h"
+#include "majorant/parametrization/drive/parametrize.h"
+#include "majorant/parametrization/packing/pack.h"
+
+namespace majorant {
+
+// Where the map of a chart came from. Tutte: tutte_map(). Texture: the file's coordinates, turned
+// and mirrored as they lie. Untangled: those, after triangles were turned over. Anew: Tutte's,
+// because the file's coordinates overlap or have no area, or could not be untangled.
+enum class ChartStart { Tutte, Texture, Untangled, Anew };
+std::string_view start_name(ChartStart start);  // "tutte", "texture", "untangled", "anew"
+
+struct Chart {
+  std::vector<Index> faces;      // of the surface, by face of the map
+  std::optional<BezierMap> map;  // always there; model units, injective
+  Status status = Status::Failed;
+  std::string message;  // why the solve ended
+  ChartStart start = ChartStart::Tutte;
+  MapMeasures measures;
+  Stretch stretch;
+  bool is_pinned = false;  // stays where its pins put it
+  std::vector<TraceEntry> trace;
+};
+
+struct UnwrapOptions {
+  // Of every chart: degree, energy, ... Vertices of pins and handles are those of the surface; the
+  // injectivity is always Global, `initial` is not looked at.
+  ParametrizationOptions chart;
+  CutOptions cuts;
+  std::optional<PackOptions> packing = PackOptions();  // none: charts stay where the solver has them
+};
+
+struct Atlas {
+  SurfaceCuts cuts;
+  std::vector<Chart> charts;       // in the order of their first faces
+  std::optional<Packing> packing;  // of their maps, which are in place
+  double initialize_seconds = 0, optimize_seconds = 0, packing_seconds = 0;
+
+  // The worst of the charts: Converged only if all are.
+  Status status() const;
+  // Mean of the energy over the surface.
+  double value() const;
+  Stretch stretch() const;
+};
+
+// surface: any number of components (repair.h). Throws Error(Usage) as parametrize() for options,
+// Error as choose_cuts(), Error(Infeasible) for a chart whose pins cannot be met; Stopped before
+// there is a cut.
+Atlas unwrap(const std::shared_ptr<const SurfaceMesh>& surface, const UnwrapOptions& options,
+             RunRecord& record);
+
+// Of its charts, where they are now.
+std::vector<BezierMap> maps_of(const Atlas& atlas);
+
+}  // namespace majorant
