@@ -64,13 +64,6 @@ bool orientable(const TriangleList& list, const std::vector<HalfEdge>& edges) {
 
 }  // namespace
 
-std::string face_place(const PolygonMesh& input, Index polygon) {
-  const auto p = at(polygon);
-  if (p < input.polygon_lines.size())
-    return fmt::format("{}:{}: face {}", input.file, input.polygon_lines[p], polygon + 1);
-  return fmt::format("{}: face {}", input.file, polygon + 1);
-}
-
 void require_usable_coordinates(const PolygonMesh& input) {
   double largest = 0, shortest = std::numeric_limits<double>::infinity();
   Index where = 0;
@@ -94,7 +87,7 @@ void require_usable_coordinates(const PolygonMesh& input) {
                        shortest, largest));
 }
 
-void require_proper_faces(const PolygonMesh& input, const TriangleList& list,
+void require_proper_faces(const PolygonMesh& input, const TriangleList& list, Shapes shapes,
                           const StopCheck& stop) {
   std::set<std::array<Index, 3>> seen;
   for (std::size_t t = 0; t < list.triangles.size(); ++t) {
@@ -106,7 +99,7 @@ void require_proper_faces(const PolygonMesh& input, const TriangleList& list,
     const Vector3 a = position(input, f[1]) - position(input, f[0]),
                   b = position(input, f[2]) - position(input, f[0]);
     const double longest = std::max({a.norm(), b.norm(), (a - b).norm()});
-    if (!((a / longest).cross(b / longest).norm() > kDegenerateHeight))
+    if (shapes == Shapes::Proper && !((a / longest).cross(b / longest).norm() > kDegenerateHeight))
       refuse(place, fmt::format("zero area (vertices {}, {}, {}); collapse it or move a vertex",
                                 f[0] + 1, f[1] + 1, f[2] + 1));
     std::sort(f.begin(), f.end());
