@@ -85,6 +85,11 @@ class SurfaceMesh {
   // vertex of the result, which may fall into several pieces.
   SurfaceMesh cut_along(const std::vector<char>& is_cut, std::vector<Index>* surface_vertex) const;
 
+  // The surface of these faces alone (ascending numbers, whole components): faces and vertices in
+  // the order they have here. surface_vertex as above.
+  SurfaceMesh with_components(const std::vector<Index>& faces,
+                              std::vector<Index>* surface_vertex) const;
+
   // Other faces over the same vertices (#F by 3, counterclockwise; manifold, connected and using
   // every vertex, which is the caller's promise), with the polygon of the file that each belongs
   // to. Texture coordinates, which are those of other corners, are left out.
