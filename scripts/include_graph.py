@@ -20,7 +20,7 @@ FLOORS = [
     ['framework'],
     ['elements', 'mesh'],
     ['energies', 'constraints', 'parametrization/fields'],
-    ['parametrization/maps'],
+    ['parametrization/maps', 'parametrization/cuts'],
     ['parametrization/injectivity', 'parametrization/starts', 'parametrization/scaffold'],
     ['parametrization/drive', 'io'],
     ['apps'],

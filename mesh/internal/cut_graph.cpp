@@ -17,12 +17,12 @@ namespace {
 
 class CutGraph {
  public:
-  CutGraph(const SurfaceMesh& mesh, const std::vector<Index>& through)
+  CutGraph(const SurfaceMesh& mesh, const std::vector<Index>& through, const Vec& edge_cost)
       : mesh_(mesh),
         is_terminal_(at(mesh.vertex_count()), 0),
         is_boundary_(mesh.boundary_flags()),
         leaving_(at(mesh.vertex_count())),
-        length_(mesh.half_edge_count()),
+        length_(edge_cost),
         is_cut_(at(mesh.half_edge_count()), 0) {
     for (const Index v : through) {
       if (v < 0 || v >= mesh.vertex_count())
@@ -31,10 +31,8 @@ class CutGraph {
             fmt::format("{}: cut: there is no vertex {} (counting from 0)", mesh.file(), v));
       if (!is_boundary_[at(v)]) is_terminal_[at(v)] = 1;
     }
-    for (Index h = 0; h < mesh.half_edge_count(); ++h) {
-      length_[h] = mesh.edge_length(h);
+    for (Index h = 0; h < mesh.half_edge_count(); ++h)
       if (mesh.opposite(h) >= 0) leaving_[at(mesh.from_vertex(h))].push_back(h);
-    }
   }
 
   std::vector<char> find(const StopCheck& stop) {
@@ -42,7 +40,7 @@ class CutGraph {
     stop.poll();
     keep_longest_uncut();
     prune_cut(mesh_, is_terminal_, is_cut_);
-    shorten_cut(mesh_, is_terminal_, is_cut_, stop);
+    shorten_cut(mesh_, is_terminal_, length_, is_cut_, stop);
     make_slit();
     return std::move(is_cut_);
   }
@@ -111,16 +109,27 @@ class CutGraph {
   const SurfaceMesh& mesh_;
   std::vector<char> is_terminal_, is_boundary_;
   std::vector<std::vector<Index>> leaving_;  // per vertex, half-edges of interior edges
-  Vec length_;
+  const Vec& length_;  // 3 #F
   std::vector<char> is_cut_;
   std::vector<double> distance_;
 };
 
 }  // namespace
 
+Vec edge_lengths(const SurfaceMesh& mesh) {
+  Vec length(mesh.half_edge_count());
+  for (Index h = 0; h < mesh.half_edge_count(); ++h) length[h] = mesh.edge_length(h);
+  return length;
+}
+
 std::vector<char> cut_graph(const SurfaceMesh& mesh, const std::vector<Index>& through,
                             const StopCheck& stop) {
-  return CutGraph(mesh, through).find(stop);
+  return cut_graph(mesh, through, edge_lengths(mesh), stop);
+}
+
+std::vector<char> cut_graph(const SurfaceMesh& mesh, const std::vector<Index>& through,
+                            const Vec& edge_cost, const StopCheck& stop) {
+  return CutGraph(mesh, through, edge_cost).find(stop);
 }
 
 }  // namespace majorant

@@ -16,20 +16,19 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 
 class Shortening {
  public:
-  Shortening(const SurfaceMesh& mesh, const std::vector<char>& is_terminal,
+  Shortening(const SurfaceMesh& mesh, const std::vector<char>& is_terminal, const Vec& edge_cost,
              std::vector<char>& is_cut)
       : mesh_(mesh),
         is_terminal_(is_terminal),
         is_cut_(is_cut),
         is_boundary_(mesh.boundary_flags()),
         leaving_(at(mesh.vertex_count())),
-        length_(mesh.half_edge_count()),
+        length_(edge_cost),
         cuts_at_(at(mesh.vertex_count()), 0),
         distance_(at(mesh.vertex_count()), kFar),
         entered_(at(mesh.vertex_count()), -1),
         side_(at(mesh.half_edge_count()), kNoSide) {
     for (Index h = 0; h < mesh.half_edge_count(); ++h) {
-      length_[h] = mesh.edge_length(h);
       if (mesh.opposite(h) >= 0) leaving_[at(mesh.from_vertex(h))].push_back(h);
       if (is_cut[at(h)]) ++cuts_at_[at(mesh.from_vertex(h))];
     }
@@ -190,7 +189,7 @@ class Shortening {
   std::vector<char>& is_cut_;
   std::vector<char> is_boundary_;
   std::vector<std::vector<Index>> leaving_;  // per vertex, half-edges of interior edges
-  Vec length_;
+  const Vec& length_;             // 3 #F
   std::vector<int> cuts_at_;      // per vertex, cut edges
   std::vector<double> distance_;  // from where the search starts
   std::vector<Index> entered_;    // half-edge over which a vertex was reached
@@ -202,13 +201,14 @@ class Shortening {
 }  // namespace
 
 void shorten_cut(const SurfaceMesh& mesh, const std::vector<char>& is_terminal,
-                 std::vector<char>& is_cut, const StopCheck& stop) {
-  Shortening(mesh, is_terminal, is_cut).run(stop);
+                 const Vec& edge_cost, std::vector<char>& is_cut, const StopCheck& stop) {
+  Shortening(mesh, is_terminal, edge_cost, is_cut).run(stop);
 }
 
 void prune_cut(const SurfaceMesh& mesh, const std::vector<char>& is_terminal,
                std::vector<char>& is_cut) {
-  Shortening cut(mesh, is_terminal, is_cut);
+  const Vec no_cost;
+  Shortening cut(mesh, is_terminal, no_cost, is_cut);
   for (Index v = 0; v < mesh.vertex_count(); ++v) cut.prune_from(v);
 }
 

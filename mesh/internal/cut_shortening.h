@@ -11,10 +11,10 @@ namespace majorant {
 // cut. A chain is a path of the cut between terminals, boundary vertices and vertices where three
 // or more cuts meet. Glued along one chain the disk becomes an annulus, and any path between its
 // two boundaries makes a disk of it again: the chain is replaced by the shortest one, as long as
-// that is shorter. Ends where no chain can be replaced, or after a fixed number of sweeps. Throws
+// that costs less (edge_cost: 3 #F, positive). Ends where no chain can be replaced, or after a fixed number of sweeps. Throws
 // Stopped.
 void shorten_cut(const SurfaceMesh& mesh, const std::vector<char>& is_terminal,
-                 std::vector<char>& is_cut, const StopCheck& stop);
+                 const Vec& edge_cost, std::vector<char>& is_cut, const StopCheck& stop);
 
 // Takes back cuts that end neither at a terminal nor at the boundary.
 void prune_cut(const SurfaceMesh& mesh, const std::vector<char>& is_terminal,

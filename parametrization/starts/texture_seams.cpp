@@ -9,6 +9,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/mesh/half_edge.h"
+#include "majorant/mesh/internal/texture_borders.h"
 #include "majorant/parametrization/starts/internal/cut_surface.h"
 
 namespace majorant {
@@ -155,22 +156,7 @@ std::vector<char> texture_cuts(const SurfaceMesh& mesh) {
                 mesh.file() +
                     ": not every face corner has texture coordinates; use `majorant "
                     "seamless` to make a seamless map");
-  const auto id = [&](Index corner) {
-    return mesh.texcoord_ids()(face_of(corner), corner_of(corner));
-  };
-  const auto value = [&](Index corner) {
-    return Vector2(mesh.corner_texcoords().row(face_of(corner)).segment<2>(2 * corner_of(corner)));
-  };
-  std::vector<char> by_id(at(mesh.half_edge_count()), 0), by_value = by_id;
-  bool any_shared = false;
-  for (Index h = 0; h < mesh.half_edge_count(); ++h) {
-    const Index o = mesh.opposite(h);
-    if (o < 0) continue;
-    by_id[at(h)] = id(h) != id(next(o)) || id(next(h)) != id(o);
-    by_value[at(h)] = value(h) != value(next(o)) || value(next(h)) != value(o);
-    any_shared = any_shared || !by_id[at(h)];
-  }
-  return any_shared ? by_id : by_value;
+  return texture_borders(mesh);
 }
 
 Start seamless_from_corners(const SurfaceMesh& mesh, const std::vector<char>& is_cut,

@@ -1,0 +1,24 @@
+#include "majorant/mesh/internal/texture_borders.h"
+
+namespace majorant {
+
+std::vector<char> texture_borders(const SurfaceMesh& mesh) {
+  const auto id = [&](Index corner) {
+    return mesh.texcoord_ids()(face_of(corner), corner_of(corner));
+  };
+  const auto value = [&](Index corner) {
+    return Vector2(mesh.corner_texcoords().row(face_of(corner)).segment<2>(2 * corner_of(corner)));
+  };
+  std::vector<char> by_id(at(mesh.half_edge_count()), 0), by_value = by_id;
+  bool any_shared = false;
+  for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+    const Index o = mesh.opposite(h);
+    if (o < 0) continue;
+    by_id[at(h)] = id(h) != id(next(o)) || id(next(h)) != id(o);
+    by_value[at(h)] = value(h) != value(next(o)) || value(next(h)) != value(o);
+    any_shared = any_shared || !by_id[at(h)];
+  }
+  return any_shared ? by_id : by_value;
+}
+
+}  // namespace majorant

@@ -1,0 +1,69 @@
+// Where to cut a surface so that every piece can be mapped onto the plane: as little as possible,
+// and where it helps most.
+//
+//   SurfaceMesh mesh = SurfaceMesh::from_polygons(read_mesh("spot.obj"), {}, Components::Any);
+//   SurfaceCuts cuts = choose_cuts(mesh, {});
+//   SurfaceMesh open = mesh.cut_along(cuts.is_cut, nullptr);   // disks, some with holes
+//
+// Not for seamless maps, whose cuts go through all cones (mesh/internal/cut_graph.h).
+//
+// The rule of CutMethod::Automatic is told in docs/atlas.md, "Where to cut".
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "majorant/mesh/surface_mesh.h"
+
+namespace majorant {
+
+enum class CutMethod {
+  Automatic,  // where distortion is saved; one piece per component
+  Texture,    // along the islands of the file's texture coordinates
+  Sharp,      // along edges with a dihedral angle above sharp_angle, closed to pieces
+  Given,      // along CutOptions::edges and nothing else
+};
+
+struct CutOptions {
+  CutMethod method = CutMethod::Automatic;
+  // Automatic: the stretch [SSGH01] that a piece may have before more is cut, estimated, in the
+  // mean of squares; 1 is an isometry.
+  double max_stretch = 1.02;
+  double sharp_angle = 40;  // Sharp: degrees between the normals of two faces
+  // Given: vertices of the file from 0, two for every edge.
+  std::vector<std::array<Index, 2>> edges;
+  std::vector<char> given;  // 3 #F flags, one side is enough, or empty: cut in any case
+};
+
+// Of one component of the surface.
+struct ComponentCuts {
+  Index first_face = 0, faces = 0;
+  Index genus = 0, boundary_loops = 0;  // before it is cut
+  Index pieces = 1;
+  double length = 0;   // of its cuts, model units
+  Index terminals = 0;  // Automatic: vertices that the cut was led to
+  // Automatic: of the mean square stretch, what a free boundary leaves at best; else 0.
+  double estimated_stretch = 0;
+};
+
+struct SurfaceCuts {
+  std::vector<char> is_cut;  // 3 #F, both half-edges of an edge or none; no edge of the boundary
+  double length = 0;         // model units, every edge once
+  Index edges = 0;
+  // Texture, Sharp, Given: the part of it that no rule asked for, which opens pieces that would be
+  // closed or have handles.
+  double added_length = 0;
+  Index added_edges = 0;
+  std::vector<ComponentCuts> components;  // in the order of their first faces
+};
+
+// mesh: any number of components. Every piece of mesh.cut_along(is_cut) is bounded and of genus 0.
+// Edges inside polygons of the file are cut only where nothing else is possible.
+//
+// Throws Error(Usage) for a stretch or an angle out of range and for a pair of `edges` that is no
+// edge of the file, naming it; Error(Unsupported) for Texture where a corner has no texture
+// coordinate; std::invalid_argument for flags of the wrong size; Stopped.
+SurfaceCuts choose_cuts(const SurfaceMesh& mesh, const CutOptions& options,
+                        const StopCheck& stop = {});
+
+}  // namespace majorant

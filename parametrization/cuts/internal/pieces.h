@@ -1,0 +1,24 @@
+// The pieces that a cut leaves, and how those are opened that are not planar yet.
+#pragma once
+
+#include <vector>
+
+#include "majorant/mesh/surface_mesh.h"
+
+namespace majorant {
+
+// Faces of every connected component, ascending; components in the order of their first faces.
+std::vector<std::vector<Index>> component_faces(const std::vector<Index>& opposites);
+
+// Genus of a connected surface.
+Index genus(const SurfaceMesh& mesh);
+
+// Whether the surface, which is connected, is a disk with or without holes.
+bool is_planar(const SurfaceMesh& mesh);
+
+// Cuts pieces that are closed or have handles along planar_cut. is_cut: 3 #F flags, both sides of an
+// edge or none; edge_cost: 3 #F.
+void open_pieces(const SurfaceMesh& mesh, const Vec& edge_cost, std::vector<char>& is_cut,
+                 const StopCheck& stop);
+
+}  // namespace majorant
