@@ -36,6 +36,7 @@ struct CommonOptions {
 // may throw Error.
 using Action = std::function<int()>;
 void add_parametrize(CLI::App& app, Action* run);
+void add_unwrap(CLI::App& app, Action* run);
 void add_seamless(CLI::App& app, Action* run);
 void add_deform(CLI::App& app, Action* run);
 void add_check(CLI::App& app, Action* run);

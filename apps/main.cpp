@@ -71,6 +71,7 @@ int run(int argc, char** argv) {
       "            5 invalid result, 6 internal error.");
   Action action;
   add_parametrize(app, &action);
+  add_unwrap(app, &action);
   add_seamless(app, &action);
   add_deform(app, &action);
   add_check(app, &action);

@@ -43,15 +43,6 @@ std::vector<Pin> on_cut_surface(const std::vector<Pin>& points, const Seams& sea
   return out;
 }
 
-void read_constrained_points(const MapRequest& request, MapInput& in) {
-  for (const auto& [path, points] : {std::pair(&request.pins, &in.options.map.pins),
-                                     std::pair(&request.handles, &in.options.map.handles)}) {
-    if (path->empty()) continue;
-    *points = read_points(*path, in.polygons, *in.mesh);
-    if (in.start) *points = on_cut_surface(*points, in.start->map.seams());
-  }
-}
-
 Vec read_weights(const std::string& path, const PolygonMesh& polygons, const SurfaceMesh& mesh) {
   const Vec of_polygon = read_face_weights(path, static_cast<Index>(polygons.polygons.size()));
   Vec weights(mesh.face_count());
@@ -127,21 +118,31 @@ Json MapRequest::to_json() const {
 
 std::vector<std::string> MapRequest::inputs() const { return {input, pins, handles, weights}; }
 
-MapInput read_input(const MapRequest& request, const StopCheck& stop,
-                    const StartMaker& make_start) {
-  MapInput in;
-  in.options.map.energy = parse_energy(request.energy);
-  unless_stopped("reading " + request.input, [&] {
-    in.polygons = read_mesh(request.input, stop);
-    in.mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(in.polygons, stop));
-  });
-  ParametrizationOptions& options = in.options;
+ParametrizationOptions read_options(const MapRequest& request, const PolygonMesh& polygons,
+                                    const SurfaceMesh& mesh) {
+  ParametrizationOptions options;
+  options.map.energy = parse_energy(request.energy);
   options.map.degree = request.degree;
   options.solve.curvature = find_curvature(request.curvature);
   if (request.boundary == "fixed") options.map.boundary = BoundaryCondition::Fixed;
   if (request.boundary_angles) options.map.boundary_angles = BoundaryAngles::AtMostFullTurn;
   options.solve.quadrature_points = request.quadrature;
   options.map.handle_weight = request.soft;
+  if (!request.pins.empty()) options.map.pins = read_points(request.pins, polygons, mesh);
+  if (!request.handles.empty()) options.map.handles = read_points(request.handles, polygons, mesh);
+  if (!request.weights.empty())
+    options.map.face_weight = read_weights(request.weights, polygons, mesh);
+  return options;
+}
+
+MapInput read_input(const MapRequest& request, const StopCheck& stop,
+                    const StartMaker& make_start) {
+  MapInput in;
+  parse_energy(request.energy);  // before any work
+  unless_stopped("reading " + request.input, [&] {
+    in.polygons = read_mesh(request.input, stop);
+    in.mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(in.polygons, stop));
+  });
   if (make_start)
     in.start = unless_stopped("making the start of " + request.input,
                               [&] { return make_start(in.polygons, *in.mesh); });
@@ -151,10 +152,10 @@ MapInput read_input(const MapRequest& request, const StopCheck& stop,
     in.mesh->require_planar();
   else
     in.mesh->require_disk();
-  if (request.init == "input" && !request.seamless) options.map.initial = texture_map(*in.mesh);
-  read_constrained_points(request, in);
-  if (!request.weights.empty())
-    options.map.face_weight = read_weights(request.weights, in.polygons, *in.mesh);
+  in.options = read_options(request, in.polygons, *in.mesh);
+  for (std::vector<Pin>* points : {&in.options.map.pins, &in.options.map.handles})
+    if (in.start) *points = on_cut_surface(*points, in.start->map.seams());
+  if (request.init == "input" && !request.seamless) in.options.map.initial = texture_map(*in.mesh);
   require_scale(request, in);
   return in;
 }

@@ -49,6 +49,11 @@ Index used_vertex(const std::string& path, const SurfaceMesh& mesh, Index input_
 // empty: that of the texture coordinates if `request` is seamless, else a map of a disk. Throws
 // Error as the readers and starts do; Error(Unsupported) when a mesh should be a disk and is not,
 // Error(Usage) for energies that collapse, Error(Invalid) when stopped.
+// The options alone, of any surface of the file, cut or not: energy, degree, curvature, points and
+// weights. Throws as above.
+ParametrizationOptions read_options(const MapRequest& request, const PolygonMesh& polygons,
+                                    const SurfaceMesh& mesh);
+
 using StartMaker = std::function<Start(const PolygonMesh&, const SurfaceMesh&)>;
 MapInput read_input(const MapRequest& request, const StopCheck& stop,
                     const StartMaker& make_start = {});

@@ -11,12 +11,6 @@
 namespace majorant::app {
 
 void SolveRequest::add_to(CLI::App& verb, std::string& curvature) {
-  std::vector<std::string> curvatures;
-  for (const Curvature c : kCurvatures) curvatures.emplace_back(curvature_name(c));
-  verb.add_option("--curvature", curvature, "second-order model (projected)")
-      ->check(CLI::IsMember(curvatures));
-  verb.add_option("--elevation", elevation, "how the degree is reached")
-      ->check(CLI::IsMember({"incremental", "direct"}));
   verb.add_flag("--bijective", bijective, "keep the image free of overlaps");
   verb.add_flag("--no-flips", no_flips, "with --bijective: leave the scaffold's edges, to compare");
   verb.add_option("--write-scaffold", scaffold_file,
@@ -24,6 +18,16 @@ void SolveRequest::add_to(CLI::App& verb, std::string& curvature) {
       ->type_name("FILE");
   verb.add_flag("--improve-mesh", improve_mesh,
                 "flip edges inside flat parts of the surface where that lowers the energy");
+  add_limits_to(verb, curvature);
+}
+
+void SolveRequest::add_limits_to(CLI::App& verb, std::string& curvature) {
+  std::vector<std::string> curvatures;
+  for (const Curvature c : kCurvatures) curvatures.emplace_back(curvature_name(c));
+  verb.add_option("--curvature", curvature, "second-order model (projected)")
+      ->check(CLI::IsMember(curvatures));
+  verb.add_option("--elevation", elevation, "how the degree is reached")
+      ->check(CLI::IsMember({"incremental", "direct"}));
   verb.add_option("--tolerance", tolerance, "relative energy decrease to stop at (1e-6)")
       ->check(positive_number());
   verb.add_option("--max-iterations", max_iterations, "(1000)")->check(non_negative_number());

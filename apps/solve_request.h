@@ -21,6 +21,7 @@ struct SolveRequest {
 
   // Adds --curvature, which a MapRequest holds, too.
   void add_to(CLI::App& verb, std::string& curvature);
+  void add_limits_to(CLI::App& verb, std::string& curvature);  // what any solve can be told
   // Before any work. Throws Error(Usage) for options that do not go together.
   void require_usable(const OutputRequest& outputs, const MapRequest& map) const;
   void apply(ParametrizationOptions& options) const;

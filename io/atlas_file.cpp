@@ -57,9 +57,8 @@ MapFile joined(const std::vector<MapFile>& charts) {
   }
   std::vector<Index> order(static_cast<std::size_t>(all.cells.rows()));
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) {
-    return all.input_face[a] < all.input_face[b];
-  });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](Index a, Index b) { return all.input_face[a] < all.input_face[b]; });
   reorder(all.cells, order);
   reorder(all.input_face, order);
   reorder(all.distortion, order);

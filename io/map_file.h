@@ -27,6 +27,7 @@ struct MapFile {
   Vec min_det;                   // #F, certified lower bound of det J; may be empty
   Eigen::VectorXi cone;          // #N, quarter turns at cones (every copy), else 0; may be empty
   Cells seam_edges;              // #F by 3, edges 01, 12, 20: chain + 1, 0 for none; may be empty
+  Eigen::VectorXi chart;         // #F, piece of an atlas, 0-based; may be empty
   std::string claims;            // JSON object, what the file promises; may be empty
 };
 

@@ -227,40 +227,12 @@ std::vector<SurfacePiece> SurfaceMesh::split(const StopCheck& stop) const {
 
 SurfaceMesh SurfaceMesh::with_components(const std::vector<Index>& faces,
                                          std::vector<Index>* surface_vertex) const {
-  const auto count = static_cast<Index>(faces.size());
-  std::vector<Index> number(at(vertex_count()), -1), kept;
-  for (const Index f : faces)
-    for (int k = 0; k < 3; ++k) number[at(faces_(f, k))] = 0;
-  for (Index v = 0; v < vertex_count(); ++v) {
-    if (number[at(v)] < 0) continue;
-    number[at(v)] = static_cast<Index>(kept.size());
-    kept.push_back(v);
-  }
-  SurfaceMesh out;
-  out.file_ = file_;
-  out.faces_.resize(count, 3);
-  if (corner_texcoords_.rows() > 0) {
-    out.corner_texcoords_.resize(count, 6);
-    out.texcoord_ids_.resize(count, 3);
-  }
-  for (Index i = 0; i < count; ++i) {
-    const Index f = faces[at(i)];
-    for (int k = 0; k < 3; ++k) out.faces_(i, k) = number[at(faces_(f, k))];
-    out.input_face_.push_back(input_face(f));
-    if (corner_texcoords_.rows() == 0) continue;
-    out.corner_texcoords_.row(i) = corner_texcoords_.row(f);
-    out.texcoord_ids_.row(i) = texcoord_ids_.row(f);
-  }
-  out.positions_.resize(static_cast<Index>(kept.size()), 3);
-  out.vertex_of_input_.assign(vertex_of_input_.size(), -1);
-  for (std::size_t v = kept.size(); v-- > 0;) {  // of several copies the first is found
-    out.positions_.row(static_cast<Index>(v)) = positions_.row(kept[v]);
-    out.vertex_of_input_[at(input_vertex(kept[v]))] = static_cast<Index>(v);
-  }
-  for (const Index v : kept) out.input_vertex_.push_back(input_vertex(v));
-  out.build_connectivity();
-  if (surface_vertex) *surface_vertex = std::move(kept);
-  return out;
+  for (SurfacePiece& piece : split())
+    if (piece.face == faces) {
+      if (surface_vertex) *surface_vertex = std::move(piece.vertex);
+      return *piece.mesh;
+    }
+  throw std::invalid_argument("with_components: no component");
 }
 
 SurfaceMesh SurfaceMesh::with_faces(const Cells& faces, std::vector<Index> input_face) const {

@@ -19,8 +19,8 @@ struct AtlasSquare {
 // Moves the maps of all charts at one scale: the packing's square becomes the unit square, without
 // a packing the common box of the charts, its larger side 1. Division rounds; where that turns a
 // triangle over, lets charts touch or come closer than the packing promises, the next power of two
-// is the size instead, which rounds nothing but the shift. None, and the atlas as it was, where that
-// does not help. Measures stay those in model units.
+// is the size instead, which rounds nothing but the shift. None, and the atlas as it was, where
+// that does not help. Measures stay those in model units.
 std::optional<AtlasSquare> into_unit_square(Atlas& atlas, const StopCheck& stop = {});
 
 }  // namespace majorant

@@ -121,10 +121,9 @@ class Unwrapping {
     std::vector<BezierMap> maps = maps_of(atlas_);
     PackOptions packing = *options_.packing;
     packing.fixed.clear();
-    for (const Chart& chart : atlas_.charts) packing.fixed.push_back(chart.is_pinned);
+    for (const Chart& chart : atlas_.charts) packing.fixed.push_back(!chart.pins.empty());
     atlas_.packing = pack(maps, packing, record_.start_stop());
-    for (std::size_t k = 0; k < maps.size(); ++k)
-      atlas_.charts[k].map = atlas_.packing->charts[k];
+    for (std::size_t k = 0; k < maps.size(); ++k) atlas_.charts[k].map = atlas_.packing->charts[k];
   }
 
   const SurfaceMesh& surface_;
@@ -149,8 +148,8 @@ std::string_view start_name(ChartStart start) {
 
 Status Atlas::status() const {
   // What is worse than what.
-  constexpr std::array kOrder = {Status::Converged,   Status::Stalled,    Status::MaxIterations,
-                                 Status::TimeLimit,   Status::Interrupted, Status::Infeasible,
+  constexpr std::array kOrder = {Status::Converged, Status::Stalled,     Status::MaxIterations,
+                                 Status::TimeLimit, Status::Interrupted, Status::Infeasible,
                                  Status::Failed};
   const auto rank = [&](Status s) { return std::find(kOrder.begin(), kOrder.end(), s); };
   auto worst = kOrder.begin();

@@ -42,7 +42,7 @@ struct Chart {
   ChartStart start = ChartStart::Tutte;
   MapMeasures measures;
   Stretch stretch;
-  bool is_pinned = false;  // stays where its pins put it
+  std::vector<Pin> pins;  // vertices of the map's mesh; with pins it stays where they put it
   std::vector<TraceEntry> trace;
 };
 
@@ -51,7 +51,8 @@ struct UnwrapOptions {
   // injectivity is always Global, `initial` is not looked at.
   ParametrizationOptions chart;
   CutOptions cuts;
-  std::optional<PackOptions> packing = PackOptions();  // none: charts stay where the solver has them
+  std::optional<PackOptions> packing =
+      PackOptions();  // none: charts stay where the solver has them
 };
 
 struct Atlas {

@@ -30,7 +30,7 @@ ChartSolver::ChartSolver(std::shared_ptr<const SurfaceMesh> mesh,
     : mesh_(std::move(mesh)), options_(options), texture_(texture) {}
 
 Chart ChartSolver::solve(RunRecord& record) {
-  chart_.is_pinned = !options_.map.pins.empty();
+  chart_.pins = options_.map.pins;
   if (texture_ == TextureStart::Tried) try_texture(record);
   if (!is_done_) try_tutte(record);
   if (!is_done_) keep_start(record);
@@ -75,7 +75,7 @@ bool ChartSolver::attempt(const Vec& start, MapInjectivity injectivity, RunRecor
   } catch (const Stopped&) {
     return false;
   } catch (const Error& e) {
-    if (e.kind() != ErrorKind::Infeasible || chart_.is_pinned) throw;
+    if (e.kind() != ErrorKind::Infeasible || !chart_.pins.empty()) throw;
     chart_.message = e.what();
     return false;
   }
@@ -92,7 +92,7 @@ bool ChartSolver::attempt(const Vec& start, MapInjectivity injectivity, RunRecor
 }
 
 void ChartSolver::keep_start(const RunRecord& record) {
-  if (chart_.is_pinned)
+  if (!chart_.pins.empty())
     throw Error(ErrorKind::Infeasible,
                 mesh_->file() + ": no map without overlaps that meets the pins was found");
   BezierMap map = BezierMap::linear(mesh_, tutte());
@@ -109,11 +109,11 @@ void ChartSolver::keep_start(const RunRecord& record) {
 
 // Where the energy does not say how large the chart is, the surface does.
 void ChartSolver::to_area_of_surface() {
-  if (free_scale_of(options_.map.energy) != FreeScale::Arbitrary || chart_.is_pinned) return;
+  if (free_scale_of(options_.map.energy) != FreeScale::Arbitrary || !chart_.pins.empty()) return;
   const Stretch stretch = measure_stretch(*chart_.map);
   const double scale = std::sqrt(stretch.surface_area / stretch.image_area);
-  BezierMap scaled = chart_.map->with(chart_.map->shared_space(),
-                                      Vec(scale * chart_.map->control_points()));
+  BezierMap scaled =
+      chart_.map->with(chart_.map->shared_space(), Vec(scale * chart_.map->control_points()));
   MapMeasures measures = measure_map(scaled, options_.map.energy);
   if (!measures.locally_injective || !is_injective(scaled)) return;
   chart_.map = std::move(scaled);

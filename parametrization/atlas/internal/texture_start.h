@@ -10,7 +10,7 @@
 namespace majorant {
 
 struct PreparedTexture {
-  Vec uv;            // u, v per vertex; every triangle positively oriented, area that of the surface
+  Vec uv;  // u, v per vertex; every triangle positively oriented, area that of the surface
   ChartStart start;  // Texture or Untangled
 };
 

@@ -1,0 +1,91 @@
+// majorant unwrap IN -o OUT...: any mesh to a layout of charts without overlaps.
+#include <CLI/App.hpp>
+#include <memory>
+
+#include "apps/atlas_result.h"
+#include "apps/energy_option.h"
+#include "apps/process.h"
+#include "apps/progress.h"
+#include "apps/solve_request.h"
+#include "apps/unless_stopped.h"
+#include "apps/unwrap_request.h"
+#include "majorant/framework/thread_count.h"
+#include "majorant/io/read_mesh.h"
+
+namespace majorant::app {
+namespace {
+
+struct Request {
+  CommonOptions common;
+  MapRequest map;
+  OutputRequest outputs;
+  SolveRequest solve;
+  UnwrapRequest unwrap;
+};
+
+Json options_of(const Request& request) {
+  Json options = request.map.to_json();
+  options.update(request.solve.to_json());
+  options.update(request.unwrap.to_json());
+  for (const char* other :
+       {"boundary", "init", "seamless", "bijective", "no_flips", "write_scaffold", "improve_mesh"})
+    options.erase(other);
+  return options;
+}
+
+void require_usable(Request& request) {
+  request.outputs.require_usable(request.map);
+  if (request.map.degree == 0) request.map.degree = 1;
+  require_writable(request.common, {{request.outputs.files, {".vtu", ".obj", ".svg", ".json"}}},
+                   {request.map.input, request.map.pins, request.map.handles, request.map.weights,
+                    request.unwrap.seams_file()});
+}
+
+int unwrap_file(Request request) {
+  const auto start = std::chrono::steady_clock::now();
+  RunRecord record = request.solve.make_record(request.common);
+  require_usable(request);
+  const ThreadCount threads(start_threads(request.common.threads));
+  PolygonMesh polygons;
+  RepairedSurface surface;
+  UnwrapOptions options;
+  unless_stopped("reading " + request.map.input, [&] {
+    polygons = read_mesh(request.map.input, record.start_stop());
+    surface = request.unwrap.repaired(polygons, record.start_stop());
+    options = request.unwrap.options(polygons, surface);
+    options.chart = read_options(request.map, polygons, *surface.mesh);
+  });
+  request.solve.apply(options.chart);
+  const double read_seconds = record.seconds();
+  Atlas atlas = unless_stopped("cutting " + request.map.input,
+                               [&] { return unwrap(surface.mesh, options, record); });
+  finish_progress(request.common);
+  std::optional<AtlasSquare> square;
+  if (request.outputs.normalize) square = into_unit_square(atlas);
+  if (request.outputs.normalize && !square)
+    throw Error(ErrorKind::Invalid,
+                request.map.input +
+                    ": in the unit square its smallest triangles are too small for doubles; leave "
+                    "out --normalize");
+  return write_atlas({request.common, request.outputs, request.map, polygons, surface, atlas,
+                      square, record, options_of(request), start, read_seconds});
+}
+
+}  // namespace
+
+void add_unwrap(CLI::App& app, Action* run) {
+  auto request = std::make_shared<Request>();
+  CLI::App& verb = *app.add_subcommand(
+      "unwrap", "cut any mesh into charts and lay them side by side, without overlaps");
+  request->map.add_to(verb);
+  request->outputs.add_to(verb);
+  request->unwrap.add_to(verb);
+  request->solve.add_limits_to(verb, request->map.curvature);
+  request->common.add_to(verb);
+  verb.footer(
+      energy_help() +
+      "Example: majorant unwrap bunny.obj -o unwrapped.obj --normalize --report bunny.json");
+  verb.callback([request, run] { *run = [request] { return unwrap_file(*request); }; });
+}
+
+}  // namespace majorant::app

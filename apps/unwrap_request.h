@@ -1,0 +1,36 @@
+// What the user can say of a layout: where to cut, how to repair, how to pack.
+//
+//   UnwrapRequest request;
+//   request.add_to(verb);
+//   const RepairedSurface surface = request.repaired(polygons, stop);
+//   UnwrapOptions options = request.options(polygons, surface);
+#pragma once
+
+#include <CLI/App.hpp>
+#include <optional>
+#include <string>
+
+#include "apps/report.h"
+#include "majorant/mesh/repair.h"
+#include "majorant/parametrization/atlas/unwrap.h"
+
+namespace majorant::app {
+
+struct UnwrapRequest {
+  std::string seams = "auto";
+  std::optional<double> weld, max_stretch;
+  double padding = 4, resolution = 1024;
+  bool no_pack = false, strict = false;
+
+  void add_to(CLI::App& verb);
+  // --seams names a file to read; empty where it is one of the words.
+  std::string seams_file() const;
+  // The surface of the file. Throws Error(Unsupported) where --strict refuses what was repaired.
+  RepairedSurface repaired(const PolygonMesh& polygons, const StopCheck& stop) const;
+  // Of cuts and packing; `chart` is left as it is. Throws Error(Usage) for seams that make no sense
+  // and as read_seams.
+  UnwrapOptions options(const PolygonMesh& polygons, const RepairedSurface& surface) const;
+  Json to_json() const;  // for reports and claims
+};
+
+}  // namespace majorant::app
