@@ -8,6 +8,9 @@
 
 namespace majorant {
 
+// Whether a triangle has a height over its longest edge that is more than rounding.
+bool has_area(const Vector3& a, const Vector3& b, const Vector3& c);
+
 // Each throws Error(Unsupported) with "file: place: what; remedy".
 void require_usable_coordinates(const PolygonMesh& input);  // precision
 void require_proper_faces(const PolygonMesh& input, const TriangleList& list, Shapes shapes,

@@ -164,6 +164,7 @@ class Gluing {
           }
         }
       if (!cut.empty()) cut_open(component);
+      if (!cut.empty()) ++sheets_.one_sided;
       turn_the_fewer(component);
     }
     for (Index f = 0; f < face_count(); ++f)
@@ -279,11 +280,17 @@ class Gluing {
       number[at(first[at(v)])] = static_cast<Index>(sheets_.vertex.size());
       sheets_.vertex.push_back(v);
     }
+    std::vector<char> is_explained(at(given), 0);
+    for (const auto* edges : {&sheets_.split_edges, &sheets_.cut_edges})
+      for (const Index h : *edges) is_explained[at(from(h))] = is_explained[at(to(h))] = 1;
+    for (const auto* faces : {&sheets_.repeated, &sheets_.duplicates})
+      for (const Index f : *faces)
+        for (Index k = 0; k < 3; ++k) is_explained[at(triangles_(f, k))] = 1;
     for (Index h = 0; h < half_edge_count(); ++h) {
       if (number[at(copy_[at(h)])] >= 0) continue;
       number[at(copy_[at(h)])] = static_cast<Index>(sheets_.vertex.size());
       sheets_.vertex.push_back(from(h));
-      sheets_.split_vertices.push_back(from(h));
+      if (!is_explained[at(from(h))]) sheets_.split_vertices.push_back(from(h));
     }
     auto& split = sheets_.split_vertices;
     std::sort(split.begin(), split.end());

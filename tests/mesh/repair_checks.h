@@ -82,9 +82,8 @@ inline void expect_repaired(const PolygonMesh& input, const RepairedSurface& out
     EXPECT_LT(out.repairs[r - 1].kind, out.repairs[r].kind);
   for (const Repair& r : out.repairs) {
     EXPECT_GT(r.count, 0);
-    EXPECT_EQ(r.places.size(), r.kind == RepairKind::MovedToOrigin
-                                   ? 0
-                                   : std::min(at(r.count), kNamedPlaces));
+    EXPECT_EQ(r.places.size(),
+              r.kind == RepairKind::MovedToOrigin ? 0 : std::min(at(r.count), kNamedPlaces));
   }
 }
 
