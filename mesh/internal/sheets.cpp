@@ -171,8 +171,37 @@ class Gluing {
       if (is_turned_[at(f)]) sheets_.turned.push_back(f);
   }
 
-  // Turning a face exchanges which of its edges are cut: done while that makes the cut shorter.
+  double cut_length(const std::vector<Index>& component) const {
+    double sum = 0;
+    for (const Index f : component)
+      for (Index h = 3 * f; h < 3 * f + 3; ++h)
+        if (opposite_[at(h)] > h && disagrees(h)) sum += length(h);
+    return sum;
+  }
+
+  // The shorter cut of two: of the component as it was oriented, and of faces as they were given,
+  // each shortened.
   void cut_open(const std::vector<Index>& component) {
+    shorten_cut(component);
+    const double length_oriented = cut_length(component);
+    std::vector<char> oriented;
+    for (const Index f : component) {
+      oriented.push_back(is_turned_[at(f)]);
+      is_turned_[at(f)] = 0;
+    }
+    shorten_cut(component);
+    if (cut_length(component) > (1 + kShorter) * length_oriented)
+      for (std::size_t k = 0; k < component.size(); ++k) is_turned_[at(component[k])] = oriented[k];
+    for (const Index f : component)
+      for (Index h = 3 * f; h < 3 * f + 3; ++h)
+        if (opposite_[at(h)] >= 0 && disagrees(h)) {
+          sheets_.cut_edges.push_back(std::min(h, opposite_[at(h)]));
+          open(h);
+        }
+  }
+
+  // Turning a face exchanges which of its edges are cut: done while that makes the cut shorter.
+  void shorten_cut(const std::vector<Index>& component) {
     std::vector<Index> left(component.rbegin(), component.rend());
     while (!left.empty()) {
       stop_.poll_at(left.size());
@@ -187,12 +216,6 @@ class Gluing {
       for (Index h = 3 * f; h < 3 * f + 3; ++h)
         if (opposite_[at(h)] >= 0) left.push_back(face_of(opposite_[at(h)]));
     }
-    for (const Index f : component)
-      for (Index h = 3 * f; h < 3 * f + 3; ++h)
-        if (opposite_[at(h)] >= 0 && disagrees(h)) {
-          sheets_.cut_edges.push_back(std::min(h, opposite_[at(h)]));
-          open(h);
-        }
   }
 
   void turn_the_fewer(const std::vector<Index>& component) {
