@@ -10,6 +10,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/mesh/half_edge.h"
+#include "majorant/mesh/internal/place_text.h"
 #include "majorant/mesh/internal/regularize.h"
 #include "majorant/mesh/internal/sheets.h"
 #include "majorant/mesh/internal/triangle_list.h"
@@ -38,8 +39,8 @@ const KindText& text_of(RepairKind kind) {
        "vertices split, a copy for every sheet", "vertex"},
       {"turned_face", "face turned to agree with its neighbours",
        "faces turned to agree with their neighbours", "face"},
-      {"cut_edge", "edge of a surface with one side cut", "edges of a surface with one side cut",
-       "edge"},
+      {"cut_edge", "edge cut, where faces cannot agree on a side",
+       "edges cut, where faces cannot agree on a side", "edge"},
       {"regularized_face", "face with no or nearly no area measured against a needle",
        "faces with no or nearly no area measured against needles", "face"},
       {"moved_to_origin", "mesh moved to the origin for the run",
@@ -88,9 +89,11 @@ class Repairing {
       for (Index& v : polygon) v = welded_[at(v)];
     sheets_ =
         make_sheets(given_, list_.polygon, polygons, input_.positions, options_.orientation, stop_);
+    out_.one_sided = sheets_.one_sided;
     turn_corners();
     build();
     find_given_cuts();
+    for (const Index v : coincident_vertices(input_)) out_.coincident_left += welded_[at(v)] == v;
     note_all();
     return std::move(out_);
   }
@@ -221,16 +224,9 @@ std::string_view name_of(RepairKind kind) { return text_of(kind).name; }
 
 std::string describe(const Repair& repair) {
   const KindText& text = text_of(repair.kind);
-  std::string line = fmt::format("{} {}", repair.count, repair.count == 1 ? text.one : text.many);
-  if (repair.places.empty()) return line;
-  constexpr std::size_t kShown = 5;
-  line += fmt::format(" ({}", text.place);
-  for (std::size_t k = 0; k < std::min(kShown, repair.places.size()); ++k) {
-    const auto& [a, b] = repair.places[k];
-    line += b < 0 ? fmt::format("{} {}", k > 0 ? "," : "", a + 1)
-                  : fmt::format("{} ({}, {})", k > 0 ? "," : "", a + 1, b + 1);
-  }
-  return line + (at(repair.count) > kShown ? ", ...)" : ")");
+  const std::string line =
+      fmt::format("{} {}", repair.count, repair.count == 1 ? text.one : text.many);
+  return line + place_text(text.place, repair.count, repair.places);
 }
 
 RepairedSurface repair(const PolygonMesh& input, const RepairOptions& options,

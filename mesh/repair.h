@@ -10,18 +10,22 @@
 // mesh refused rather than repaired calls that, or refuses repairs that are not empty.
 //
 //     welded              vertices at one place become one, the first of them: of a file in which no
-//                         face shares a vertex with another (STL, soups), else only on request
+//                         face shares a vertex with another (STL, soups), else only on request;
+//                         never two corners of one face
 //     repeated_vertex     a face that has a vertex twice is a piece of its own; its corners are
 //                         three vertices nevertheless
 //     duplicate_face      of faces with the same vertices, turned over or not, the first stays in the
 //                         surface; the second ones make a surface of their own, and so on
 //     split_edge          an edge with more than two faces is open on all its sides, unless two of
 //                         them hang together around both its ends: these stay together
-//     split_vertex        a vertex gets a copy for every further fan of faces; the first fan keeps it
+//     split_vertex        a vertex gets a copy for every further fan of faces; the first fan keeps it.
+//                         Counted where sheets merely touch, not where they meet in a split or cut
+//                         edge or a face named above
 //     turned_face         within a component the fewer faces are turned (of equally many, those
 //                         that disagree with its first face). Their corners run 0, 2, 1
 //     cut_edge            a component that has only one side (Moebius strip, Klein bottle) is cut
-//                         where faces disagree, along short edges
+//                         where faces disagree, along short edges; where orientation is AsGiven, all
+//                         edges whose faces disagree
 //     regularized_face    a face without area, or a needle (kNeedleHeight), is measured against a
 //                         rest triangle of the same longest edge L and the height kNeedleHeight L.
 //                         One whose corners are at one place: equilateral, of kNeedleHeight times the
@@ -104,6 +108,9 @@ struct RepairedSurface {
   Cells polygon_corner;
   std::vector<char> given_cuts;  // 3 #F, both sides of an edge: texture seams that were welded
   std::vector<Repair> repairs;   // one per kind, in the order above; empty: nothing was wrong
+  Index one_sided = 0;           // components that cut_edge opened
+  // Vertices that lie exactly where a smaller one does and were not welded to it.
+  Index coincident_left = 0;
 };
 
 // Throws Error(Unsupported) for a mesh without faces; Stopped. O(n log n).

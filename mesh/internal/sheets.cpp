@@ -164,14 +164,44 @@ class Gluing {
           }
         }
       if (!cut.empty()) cut_open(component);
+      if (!cut.empty()) ++sheets_.one_sided;
       turn_the_fewer(component);
     }
     for (Index f = 0; f < face_count(); ++f)
       if (is_turned_[at(f)]) sheets_.turned.push_back(f);
   }
 
-  // Turning a face exchanges which of its edges are cut: done while that makes the cut shorter.
+  double cut_length(const std::vector<Index>& component) const {
+    double sum = 0;
+    for (const Index f : component)
+      for (Index h = 3 * f; h < 3 * f + 3; ++h)
+        if (opposite_[at(h)] > h && disagrees(h)) sum += length(h);
+    return sum;
+  }
+
+  // The shorter cut of two: of the component as it was oriented, and of faces as they were given,
+  // each shortened.
   void cut_open(const std::vector<Index>& component) {
+    shorten_cut(component);
+    const double length_oriented = cut_length(component);
+    std::vector<char> oriented;
+    for (const Index f : component) {
+      oriented.push_back(is_turned_[at(f)]);
+      is_turned_[at(f)] = 0;
+    }
+    shorten_cut(component);
+    if (cut_length(component) > (1 + kShorter) * length_oriented)
+      for (std::size_t k = 0; k < component.size(); ++k) is_turned_[at(component[k])] = oriented[k];
+    for (const Index f : component)
+      for (Index h = 3 * f; h < 3 * f + 3; ++h)
+        if (opposite_[at(h)] >= 0 && disagrees(h)) {
+          sheets_.cut_edges.push_back(std::min(h, opposite_[at(h)]));
+          open(h);
+        }
+  }
+
+  // Turning a face exchanges which of its edges are cut: done while that makes the cut shorter.
+  void shorten_cut(const std::vector<Index>& component) {
     std::vector<Index> left(component.rbegin(), component.rend());
     while (!left.empty()) {
       stop_.poll_at(left.size());
@@ -186,12 +216,6 @@ class Gluing {
       for (Index h = 3 * f; h < 3 * f + 3; ++h)
         if (opposite_[at(h)] >= 0) left.push_back(face_of(opposite_[at(h)]));
     }
-    for (const Index f : component)
-      for (Index h = 3 * f; h < 3 * f + 3; ++h)
-        if (opposite_[at(h)] >= 0 && disagrees(h)) {
-          sheets_.cut_edges.push_back(std::min(h, opposite_[at(h)]));
-          open(h);
-        }
   }
 
   void turn_the_fewer(const std::vector<Index>& component) {
@@ -279,11 +303,17 @@ class Gluing {
       number[at(first[at(v)])] = static_cast<Index>(sheets_.vertex.size());
       sheets_.vertex.push_back(v);
     }
+    std::vector<char> is_explained(at(given), 0);
+    for (const auto* edges : {&sheets_.split_edges, &sheets_.cut_edges})
+      for (const Index h : *edges) is_explained[at(from(h))] = is_explained[at(to(h))] = 1;
+    for (const auto* faces : {&sheets_.repeated, &sheets_.duplicates})
+      for (const Index f : *faces)
+        for (Index k = 0; k < 3; ++k) is_explained[at(triangles_(f, k))] = 1;
     for (Index h = 0; h < half_edge_count(); ++h) {
       if (number[at(copy_[at(h)])] >= 0) continue;
       number[at(copy_[at(h)])] = static_cast<Index>(sheets_.vertex.size());
       sheets_.vertex.push_back(from(h));
-      sheets_.split_vertices.push_back(from(h));
+      if (!is_explained[at(from(h))]) sheets_.split_vertices.push_back(from(h));
     }
     auto& split = sheets_.split_vertices;
     std::sort(split.begin(), split.end());

@@ -17,7 +17,10 @@ struct Sheets {
   // Half-edges and faces of the triangles as they were given; one half-edge for an edge.
   std::vector<Index> repeated, duplicates, turned;  // faces
   std::vector<Index> split_edges, cut_edges;        // half-edges
-  std::vector<Index> split_vertices;                // given vertices, ascending
+  Index one_sided = 0;                              // components that were cut for that
+  // Given vertices, ascending, where sheets merely touch: not those that have copies because of an
+  // edge or a face above.
+  std::vector<Index> split_vertices;
 };
 
 // triangles: #F by 3 vertices of `positions`; polygon: of the file, by triangle.
