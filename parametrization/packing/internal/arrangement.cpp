@@ -4,21 +4,23 @@
 #include <cmath>
 
 namespace majorant {
+namespace {
+
+// A square that does not do whatever the packer: of less area, or narrower than a parcel.
+double too_small(const PackingJob& job) {
+  double side = std::sqrt(job.area);
+  for (std::size_t k = 0; k < job.parcels.size(); ++k) {
+    const Vector2& size = job.parcels[k].size;
+    side = std::max(side, job.fixed[k] ? (*job.fixed[k] + size).maxCoeff() : size.minCoeff());
+  }
+  return side * (1 - 1e-12);
+}
+
+}  // namespace
 
 std::optional<Arrangement> smallest_square(const PackingJob& job, const StripPacker& strip,
-                                           int tries) {
-  // Origin: from a fill of 1 to one of 1e-5, beyond which the gaps fill the square.
-  constexpr double kGrowth = 1.25;
-  constexpr int kMostGrowths = 26;
-  double area = 0, low = 0;
-  for (std::size_t k = 0; k < job.parcels.size(); ++k) {
-    const Parcel& parcel = job.parcels[k];
-    area += parcel.area;
-    const Vector2 corner = job.fixed[k] ? Vector2(*job.fixed[k] + parcel.size) : parcel.size;
-    low = std::max(low, job.fixed[k] ? corner.maxCoeff() : corner.minCoeff());
-  }
-  low = std::max(low, std::sqrt(area));
-
+                                           const SquareSearch& search) {
+  constexpr double kLargest = 1e3;  // Origin: at a fill of 1e-6 it is the gaps that fill the square
   std::optional<Arrangement> best;
   const auto fits = [&](double side) {
     job.stop.poll();
@@ -27,12 +29,19 @@ std::optional<Arrangement> smallest_square(const PackingJob& job, const StripPac
     if (!best || side < best->side) best = Arrangement{std::move(packed->spots), side};
     return true;
   };
-  double high = low;
-  for (int k = 0; !fits(high); ++k, high *= kGrowth) {
-    if (k == kMostGrowths) return {};
-    low = high;
+  const double least = too_small(job);
+  double low = least, high = std::max(search.guess, least);
+  if (fits(high)) {
+    for (low = high / search.factor; low > least && fits(low); low /= search.factor) high = low;
+    low = std::max(low, least);
+  } else {
+    do {
+      low = high;
+      high *= search.factor;
+      if (high > kLargest * least) return {};
+    } while (!fits(high));
   }
-  for (int k = 0; k < tries && low < high; ++k) {
+  for (int k = 0; k < search.tries && low < high; ++k) {
     const double middle = std::sqrt(low * high);
     (fits(middle) ? high : low) = middle;
   }

@@ -1,16 +1,14 @@
 // Where parcels are put in a square, whoever finds it; and how the smallest square is looked for.
 //
 //   const auto strip = [&](double width) { return skyline_strip(job, width); };
-//   const std::optional<Arrangement> best = smallest_square(job, strip, 24);
+//   const auto best = smallest_square(job, strip, {.guess = 2, .factor = 1.1, .tries = 4});
 #pragma once
 
-#include <array>
 #include <functional>
 #include <optional>
 #include <vector>
 
-#include "majorant/framework/stop_check.h"
-#include "majorant/parametrization/packing/internal/parcel.h"
+#include "majorant/parametrization/packing/internal/packing_job.h"
 
 namespace majorant {
 
@@ -39,15 +37,6 @@ inline Vector2 size_after(const Parcel& parcel, int quarters) {
   return quarters & 1 ? Vector2(parcel.size.y(), parcel.size.x()) : parcel.size;
 }
 
-// What every packer is given.
-struct PackingJob {
-  std::vector<Parcel> parcels;
-  // Of those that stay where they are: relative to the corner of the square; else none.
-  std::vector<std::optional<Vector2>> fixed;
-  double gap = 0;  // of any two, as a part of the square's side
-  StopCheck stop;
-};
-
 // All parcels between x = 0 and `width` and above y = 0, `height` being the top of the highest, at
 // least gap * width apart.
 struct Strip {
@@ -61,10 +50,15 @@ struct Arrangement {
   double side = 0;  // of the square; the parcels are gap * side apart
 };
 
-// Bisects over the side, `tries` times, after at most some dozen to find one that is large enough;
-// packers are not monotonous, so it is a small square, not the smallest. None: no square is large
-// enough, because the gaps grow with it.
+// Grows or shrinks the square from `guess` by `factor` until it has sizes that do and do not do,
+// then bisects `tries` times: packers are not monotonous, so this is a small square, not the
+// smallest. None: no square is large enough, because the gaps grow with it.
+struct SquareSearch {
+  double guess;
+  double factor;
+  int tries;
+};
 std::optional<Arrangement> smallest_square(const PackingJob& job, const StripPacker& strip,
-                                           int tries);
+                                           const SquareSearch& search);
 
 }  // namespace majorant
