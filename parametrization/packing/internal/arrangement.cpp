@@ -38,7 +38,7 @@ std::optional<Arrangement> smallest_square(const PackingJob& job, const StripPac
     do {
       low = high;
       high *= search.factor;
-      if (high > kLargest * least) return {};
+      if (high > std::min(search.most, kLargest * least)) return {};
     } while (!fits(high));
   }
   for (int k = 0; k < search.tries && low < high; ++k) {

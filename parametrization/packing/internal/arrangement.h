@@ -5,6 +5,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -57,6 +58,7 @@ struct SquareSearch {
   double guess;
   double factor;
   int tries;
+  double most = std::numeric_limits<double>::infinity();  // larger squares are of no use
 };
 std::optional<Arrangement> smallest_square(const PackingJob& job, const StripPacker& strip,
                                            const SquareSearch& search);

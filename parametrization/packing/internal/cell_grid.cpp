@@ -5,47 +5,60 @@
 
 namespace majorant {
 
-CellGrid::CellGrid(int cells, int margin)
+CellGrid::CellGrid(int cells, int margin, int longest)
     : cells_(cells),
       margin_(margin),
-      level_count_(std::bit_width(static_cast<unsigned>(cells + 2 * margin))),
+      level_count_(std::bit_width(static_cast<unsigned>(std::min(longest, cells + 2 * margin)))),
       words_(at((cells + 2 * margin) / 64 + 3)),
       levels_(at(cells) * at(level_count_) * words_, 0),
       widest_(at(cells), cells + 2 * margin) {}
 
 void CellGrid::take(const CellRuns& runs, int column, int row) {
-  int last = -1;
-  for (const CellRun& run : runs) {
-    const int j = run.row + row;
-    if (j < 0 || j >= cells_) continue;
-    if (last >= 0 && last != j) update(last);
-    last = j;
-    const int begin = std::max(run.begin + column, 0), end = std::min(run.end + column, cells_);
-    for (int i = begin + margin_; i < end + margin_; ++i)
-      level(j, 0)[at(i / 64)] |= Word{1} << (i % 64);
+  for (std::size_t k = 0; k < runs.size();) {
+    const int j = runs[k].row + row;
+    int begin = cells_ + margin_, end = margin_;
+    for (; k < runs.size() && runs[k].row + row == j; ++k) {
+      const int from = std::max(runs[k].begin + column, 0) + margin_,
+                to = std::min(runs[k].end + column, cells_) + margin_;
+      if (j < 0 || j >= cells_) continue;
+      for (int i = from; i < to; ++i) level(j, 0)[at(i / 64)] |= Word{1} << (i % 64);
+      begin = std::min(begin, from);
+      end = std::max(end, to);
+    }
+    if (begin < end) update(j, begin, end);
   }
-  if (last >= 0) update(last);
 }
 
-void CellGrid::update(int row) {
+void CellGrid::update(int row, int begin, int end) {
   for (int k = 1; k < level_count_; ++k) {
     const Word* from = level(row, k - 1);
     Word* to = level(row, k);
-    const std::size_t skip = at((1 << (k - 1)) / 64);
-    const int shift = (1 << (k - 1)) % 64;
+    const int ahead = 1 << (k - 1), shift = ahead % 64;
+    const std::size_t skip = at(ahead / 64);
     const auto word = [&](std::size_t w) { return w < words_ ? from[w] : 0; };
-    for (std::size_t w = 0; w < words_; ++w) {
+    for (std::size_t w = at(std::max(begin - 2 * ahead, 0) / 64); w <= at(end / 64); ++w) {
       const Word high = shift == 0 ? 0 : word(w + skip + 1) << (64 - shift);
       to[w] = from[w] | word(w + skip) >> shift | high;
     }
   }
-  int free = 0, widest = 0;
-  for (int i = 0; i < cells_ + 2 * margin_; ++i) {
-    const bool taken = level(row, 0)[at(i / 64)] >> (i % 64) & 1;
-    free = taken ? 0 : free + 1;
+  widest_[at(row)] = widest(row);
+}
+
+int CellGrid::widest(int row) const {
+  int widest = 0, free = 0;
+  const int end = cells_ + 2 * margin_;
+  for (int i = 0; i < end;) {
+    const Word rest = level(row, 0)[at(i / 64)] >> (i % 64);
+    const int zeros = std::min({std::countr_zero(rest), 64 - i % 64, end - i});
+    i += zeros;
+    free += zeros;
     widest = std::max(widest, free);
+    if (zeros == 0) {
+      i += std::countr_one(rest);
+      free = 0;
+    }
   }
-  widest_[at(row)] = widest;
+  return widest;
 }
 
 bool CellGrid::wide_enough(const CellRuns& runs, int row) const {

@@ -1,6 +1,6 @@
 // A square grid of cells that are free or taken, and where a set of cells fits into it.
 //
-//   CellGrid grid(2048, 10);
+//   CellGrid grid(2048, 10, 500);
 //   grid.take({{0, 5, 9}}, 100, 200);                        // row 200, columns 105 to 108
 //   const auto place = grid.lowest_place(runs, 0, 500, 900);
 //
@@ -19,8 +19,9 @@ namespace majorant {
 
 class CellGrid {
  public:
-  // Cells by cells; runs may reach `margin` cells beyond, where all is free.
-  CellGrid(int cells, int margin);
+  // Cells by cells; runs may reach `margin` cells beyond, where all is free, and be `longest` cells
+  // long where they are tested.
+  CellGrid(int cells, int margin, int longest);
 
   // The runs, moved by (column, row), are taken.
   void take(const CellRuns& runs, int column, int row);
@@ -39,7 +40,8 @@ class CellGrid {
   Word* level(int row, int k) {
     return levels_.data() + (at(row) * at(level_count_) + at(k)) * words_;
   }
-  void update(int row);  // what follows from level 0
+  void update(int row, int begin, int end);  // what follows from level 0, changed there
+  int widest(int row) const;
   bool wide_enough(const CellRuns& runs, int row) const;
   bool block(const CellRun& run, int row, std::vector<Word>& blocked) const;
 

@@ -39,7 +39,8 @@ class RasterPacker {
         width_(width),
         cell_(width / cells),
         gap_(job.gap * width),
-        grid_(cells, static_cast<int>(std::ceil(gap_ / cell_ + reach() / cell_)) + 2),
+        margin_(static_cast<int>(std::ceil((gap_ + reach()) / cell_)) + 2),
+        grid_(cells, margin_, longest() + 2 * margin_),
         strip_{std::vector<Spot>(job.parcels.size()), 0} {}
 
   std::optional<Strip> pack() {
@@ -61,6 +62,12 @@ class RasterPacker {
     double reach = 0;
     for (const Parcel& parcel : job_.parcels) reach = std::max(reach, parcel.outline.reach);
     return reach;
+  }
+
+  int longest() const {
+    double longest = 0;
+    for (const Parcel& parcel : job_.parcels) longest = std::max(longest, parcel.size.maxCoeff());
+    return static_cast<int>(std::min(std::ceil(longest / cell_), double(cells_)));
   }
 
   std::vector<std::size_t> largest_first() const {
@@ -119,6 +126,7 @@ class RasterPacker {
   const PackingJob& job_;
   int cells_;
   double width_, cell_, gap_;
+  int margin_;  // cells around parcels
   CellGrid grid_;
   std::map<std::pair<int, int>, int> first_rows_;
   Strip strip_;
