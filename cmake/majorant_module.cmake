@@ -68,6 +68,6 @@ function(majorant_install_package)
   install(FILES ${PROJECT_BINARY_DIR}/majorantConfig.cmake
                 ${PROJECT_BINARY_DIR}/majorantConfigVersion.cmake
                 cmake/FindCHOLMOD.cmake cmake/FindOpenMeshCore.cmake
-                cmake/FindXsimdHeaders.cmake
+                cmake/FindNest2D.cmake cmake/FindXsimdHeaders.cmake
           DESTINATION ${destination})
 endfunction()

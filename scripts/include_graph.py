@@ -22,7 +22,7 @@ FLOORS = [
     ['energies', 'constraints', 'parametrization/fields'],
     ['parametrization/maps', 'parametrization/cuts'],
     ['parametrization/injectivity', 'parametrization/starts', 'parametrization/scaffold'],
-    ['parametrization/drive', 'io'],
+    ['parametrization/packing', 'parametrization/drive', 'io'],
     ['apps'],
     ['apps/compare'],
 ]

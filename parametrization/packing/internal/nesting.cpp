@@ -1,0 +1,101 @@
+#include "majorant/parametrization/packing/internal/nesting.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <libnest2d/libnest2d.hpp>
+#include <numbers>
+#include <vector>
+
+#include "majorant/parametrization/packing/internal/outer_polygon.h"
+
+namespace majorant {
+namespace {
+
+// Of the polygons that are nested. Origin: no-fit polygons cost the product of their corners.
+constexpr std::size_t kCorners = 24;
+// Integers along the square. Origin: Clipper takes products in 64 bits for coordinates below 2^30,
+// and items start outside of the square.
+constexpr double kIntegers = 0x1p26;
+// Added to the gap, in those integers. Origin: every corner is rounded once as it is scaled, once
+// as it is offset, and so is the other polygon's.
+constexpr int kRounding = 4;
+
+libnest2d::Item item_of(const Parcel& parcel, double scale) {
+  // The outer loop is the one that encloses the most; it runs counterclockwise.
+  const auto area = [](const std::vector<Vector2>& loop) {
+    double twice = 0;
+    for (std::size_t k = 0; k < loop.size(); ++k)
+      twice += cross(loop[k] - loop[0], loop[(k + 1) % loop.size()] - loop[0]);
+    return twice;
+  };
+  const auto outer =
+      std::max_element(parcel.outline.loops.begin(), parcel.outline.loops.end(),
+                       [&](const auto& a, const auto& b) { return area(a) < area(b); });
+  ClipperLib::Path path;
+  for (const Vector2& p : outer_polygon(*outer, kCorners))
+    path.emplace_back(std::llround(p.x() * scale), std::llround(p.y() * scale));
+  std::reverse(path.begin(), path.end());
+  path.push_back(path.front());
+  return libnest2d::Item(std::move(path));
+}
+
+// The lower left corner of the parcel's box after the turn about the origin.
+Vector2 turned_corner(const Vector2& size, int quarters) {
+  return {quarters == 1   ? -size.y()
+          : quarters == 2 ? -size.x()
+                          : 0.0,
+          quarters == 2   ? -size.y()
+          : quarters == 3 ? -size.x()
+                          : 0.0};
+}
+
+}  // namespace
+
+std::optional<Strip> nested_strip(const PackingJob& job, double width) {
+  const double scale = kIntegers / width;
+  double reach = 0;
+  std::vector<libnest2d::Item> items;
+  for (std::size_t k = 0; k < job.parcels.size(); ++k) {
+    if (job.fixed[k]) return {};
+    reach = std::max(reach, job.parcels[k].outline.reach);
+    items.push_back(item_of(job.parcels[k], scale));
+  }
+  const auto gap =
+      static_cast<libnest2d::Coord>(std::ceil((job.gap * width + 2 * reach) * scale) + kRounding);
+  const auto side = static_cast<libnest2d::Coord>(kIntegers) + gap;
+  libnest2d::NfpPlacer::Config config;
+  config.parallel = false;
+  const libnest2d::NestConfig<> nesting(config);
+  const libnest2d::NestControl control([&] {
+    return job.stop() != Directive::Continue ||
+           std::any_of(items.begin(), items.end(), [](const auto& i) { return i.binId() > 0; });
+  });
+  try {
+    libnest2d::nest(items, libnest2d::Box(libnest2d::Point(0, 0), libnest2d::Point(side, side)),
+                    gap, nesting, control);
+  } catch (const std::exception&) {  // of polygons it does not like; others may nest the next size
+    return {};
+  }
+  job.stop.poll();
+
+  Strip strip;
+  Vector2 low = Vector2::Constant(width), high = -low;
+  for (std::size_t k = 0; k < items.size(); ++k) {
+    if (items[k].binId() != 0) return {};
+    const double turns = static_cast<double>(items[k].rotation()) * 2 / std::numbers::pi;
+    const int quarters = static_cast<int>(std::lround(turns)) & 3;
+    const Vector2 moved(static_cast<double>(items[k].translation().X),
+                        static_cast<double>(items[k].translation().Y));
+    const Parcel& parcel = job.parcels[k];
+    strip.spots.push_back({quarters, moved / scale + turned_corner(parcel.size, quarters)});
+    low = low.cwiseMin(strip.spots[k].low);
+    high = high.cwiseMax(strip.spots[k].low + size_after(parcel, quarters));
+  }
+  for (Spot& spot : strip.spots) spot.low -= low;
+  if ((high - low).x() > width) return {};
+  strip.height = (high - low).y();
+  return strip;
+}
+
+}  // namespace majorant

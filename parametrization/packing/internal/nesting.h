@@ -1,0 +1,18 @@
+// libnest2d: polygons slid along each other, by no-fit polygons.
+//
+//   const std::optional<Strip> nested = nested_strip(job, width);
+//
+// Better than the raster for some layouts of few parcels, and quadratic in their number. Its
+// results are positions of polygons around the outlines, holes closed; it may overlap them without
+// a word, so nothing is to be believed before it is proven. One thread, no clock: the same result
+// every time.
+#pragma once
+
+#include "majorant/parametrization/packing/internal/arrangement.h"
+
+namespace majorant {
+
+// None where some do not fit, where libnest2d gives up, or where parcels are fixed.
+std::optional<Strip> nested_strip(const PackingJob& job, double width);
+
+}  // namespace majorant

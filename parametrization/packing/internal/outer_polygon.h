@@ -1,0 +1,18 @@
+// A simple polygon with few corners around another one.
+//
+//   const std::vector<Vector2> around = outer_polygon(parcel.outline.loops[0], 32);
+#pragma once
+
+#include <vector>
+
+#include "majorant/framework/types.h"
+
+namespace majorant {
+
+// Contains the simple, counterclockwise polygon, up to the rounding of new corners, and is simple
+// and counterclockwise. Bays are bridged and short sides extended away, whatever adds the least
+// area, until `corners` (>= 3) are left or nothing can be done without crossing another side.
+// O(#points^2).
+std::vector<Vector2> outer_polygon(std::vector<Vector2> points, std::size_t corners);
+
+}  // namespace majorant

@@ -1,0 +1,24 @@
+// The cells of a grid that an outline may meet, or come closer to than a given distance.
+//
+//   const CellRuns cells = cells_of(parcel, 2, {0, 0}, 0.01, 0.04);   // half turned, on a grid of
+//                                                                     // 0.01, as far as 0.04
+#pragma once
+
+#include <vector>
+
+#include "majorant/parametrization/packing/internal/parcel.h"
+
+namespace majorant {
+
+struct CellRun {
+  int row, begin, end;  // cells [begin, end) of a row; numbers may be negative
+};
+using CellRuns = std::vector<CellRun>;  // by row, then by column
+
+// Cell (i, j) is [i, i + 1] x [j, j + 1] times `cell`. The parcel is turned by `quarters` and its
+// box put at `low`. Every cell of which a point is within `distance` of the parcel is there, its
+// outline's reach and rounding included.
+CellRuns cells_of(const Parcel& parcel, int quarters, const Vector2& low, double cell,
+                  double distance);
+
+}  // namespace majorant

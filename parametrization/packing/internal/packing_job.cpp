@@ -1,0 +1,39 @@
+#include "majorant/parametrization/packing/internal/packing_job.h"
+
+#include <cmath>
+#include <limits>
+
+#include "majorant/parametrization/packing/internal/layout_unit.h"
+
+namespace majorant {
+namespace {
+
+// Curves are followed by polygons this close, as a part of the square root of the charts' area.
+// Origin: a twentieth of 4 pixels in 1024.
+constexpr double kReach = 2e-4;
+
+}  // namespace
+
+PackingJob packing_job(const std::vector<BezierMap>& charts, const std::vector<Freedom>& freedom,
+                       double gap, const StopCheck& stop) {
+  PackingJob job;
+  job.stop = stop;
+  job.gap = gap;
+  job.unit = layout_unit(charts);
+  for (const BezierMap& chart : charts) job.area += chart_area(chart, job.unit);
+  const double reach = kReach * std::sqrt(job.area);
+  Vector2 corner = Vector2::Constant(std::numeric_limits<double>::infinity());
+  for (std::size_t k = 0; k < charts.size(); ++k) {
+    stop.poll();
+    job.parcels.push_back(parcel_of(charts[k], job.unit, reach,
+                                    freedom[k] == Freedom::Any ? Turn::Tightest : Turn::None));
+    if (freedom[k] == Freedom::None) corner = corner.cwiseMin(job.parcels[k].low);
+  }
+  if (corner.allFinite()) job.corner = corner;
+  job.fixed.resize(charts.size());
+  for (std::size_t k = 0; k < charts.size(); ++k)
+    if (freedom[k] == Freedom::None) job.fixed[k] = job.parcels[k].low - job.corner;
+  return job;
+}
+
+}  // namespace majorant

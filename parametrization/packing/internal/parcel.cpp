@@ -1,0 +1,189 @@
+#include "majorant/parametrization/packing/internal/parcel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "majorant/parametrization/injectivity/boundary_loops.h"
+
+namespace majorant {
+namespace {
+
+// A box that is smaller by less than this is not worth a turn. Origin: far above the rounding of
+// areas, far below what shows in a fill ratio.
+constexpr double kWorthTurning = 1e-6;
+
+// Corners of the convex hull, counterclockwise, collinear ones left out (Andrew's monotone chain).
+std::vector<Vector2> convex_hull(std::vector<Vector2> points) {
+  std::sort(points.begin(), points.end(), [](const Vector2& p, const Vector2& q) {
+    return p.x() < q.x() || (p.x() == q.x() && p.y() < q.y());
+  });
+  std::vector<Vector2> hull;
+  const auto chain = [&](auto first, auto last) {
+    const std::size_t base = hull.size();
+    for (; first != last; ++first) {
+      while (hull.size() >= base + 2 &&
+             cross(hull.back() - hull[hull.size() - 2], *first - hull.back()) <= 0)
+        hull.pop_back();
+      hull.push_back(*first);
+    }
+    hull.pop_back();
+  };
+  chain(points.begin(), points.end());
+  chain(points.rbegin(), points.rend());
+  return hull;
+}
+
+struct Extent {
+  double width, height;
+  double area() const { return width * height; }
+};
+
+// Of the hull, seen along the unit vector d, by the four corners farthest in its directions.
+class Calipers {
+ public:
+  explicit Calipers(const std::vector<Vector2>& hull) : hull_(hull) {}
+
+  // Directions must be asked for in the order in which the hull's edges turn.
+  Extent along(const Vector2& d) {
+    const Vector2 n(-d.y(), d.x());
+    const Vector2 directions[4] = {d, n, -d, -n};
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (!started_ && k > 0) tip_[k] = tip_[k - 1];
+      for (std::size_t steps = 0; steps < hull_.size(); ++steps) {
+        const std::size_t next = (tip_[k] + 1) % hull_.size();
+        if (directions[k].dot(hull_[next] - hull_[tip_[k]]) < 0) break;
+        tip_[k] = next;
+      }
+    }
+    started_ = true;
+    return {d.dot(hull_[tip_[0]] - hull_[tip_[2]]), n.dot(hull_[tip_[1]] - hull_[tip_[3]])};
+  }
+
+ private:
+  const std::vector<Vector2>& hull_;
+  std::size_t tip_[4] = {0, 0, 0, 0};
+  bool started_ = false;
+};
+
+// The direction that shall become the x axis: along the longer side of the smallest box, which has
+// an edge of the hull on one of its sides.
+Vector2 tightest_direction(const std::vector<Vector2>& points) {
+  const std::vector<Vector2> hull = convex_hull(points);
+  const auto [left, right] = std::minmax_element(
+      points.begin(), points.end(), [](const auto& p, const auto& q) { return p.x() < q.x(); });
+  const auto [bottom, top] = std::minmax_element(
+      points.begin(), points.end(), [](const auto& p, const auto& q) { return p.y() < q.y(); });
+  Extent best{right->x() - left->x(), top->y() - bottom->y()};
+  Vector2 direction = Vector2::UnitX();
+  if (hull.size() >= 3) {
+    Calipers calipers(hull);
+    double least = best.area() * (1 - kWorthTurning);
+    for (std::size_t k = 0; k < hull.size(); ++k) {
+      const Vector2 d = (hull[(k + 1) % hull.size()] - hull[k]).normalized();
+      const Extent extent = calipers.along(d);
+      if (!(extent.area() < least)) continue;
+      least = extent.area();
+      best = extent;
+      direction = d;
+    }
+  }
+  return best.width >= best.height ? direction : Vector2(-direction.y(), direction.x());
+}
+
+// Half the integral of c x c' dt over the curves, which for Bernstein coefficients is a sum of
+// c_i x (c_{j+1} - c_j) with the weights C(n,i) C(n-1,j) / (2 C(2n-1,i+j)).
+double enclosed_area(const BoundaryLoops& boundary) {
+  const auto binomial = [](int n, int k) {
+    double value = 1;
+    for (int i = 1; i <= k; ++i) value = value * (n - k + i) / i;
+    return value;
+  };
+  double twice = 0;
+  const Vector2 origin = boundary.curves.front().front();
+  for (const PlanarCurve& curve : boundary.curves) {
+    const int n = curve.degree;
+    const auto& p = curve.control_points;
+    for (int i = 0; i <= n; ++i)
+      for (int j = 0; j < n; ++j)
+        twice += binomial(n, i) * binomial(n - 1, j) / (2 * binomial(2 * n - 1, i + j)) *
+                 cross(p[at(i)] - origin, p[at(j + 1)] - p[at(j)]);
+  }
+  return twice / 2;
+}
+
+// Appends points of the curve, without its last, such that it is within `reach` of their polygon;
+// returns within which reach it is. A piece is as close to its chord as its control points are.
+double append_points(const std::vector<Vector2>& curve, double reach, int depth,
+                     std::vector<Vector2>& points) {
+  constexpr int kDepth = 12;  // Origin: 4096 pieces; each cut takes the distance to a quarter
+  const Vector2 chord = curve.back() - curve.front();
+  const double squared = chord.squaredNorm();
+  double farthest = 0;
+  for (std::size_t k = 1; k + 1 < curve.size(); ++k) {
+    const Vector2 p = curve[k] - curve.front();
+    const double t = squared > 0 ? std::clamp(p.dot(chord) / squared, 0.0, 1.0) : 0;
+    farthest = std::max(farthest, (p - t * chord).norm());
+  }
+  if (farthest <= reach || depth == kDepth) {
+    points.push_back(curve.front());
+    return farthest;
+  }
+  std::vector<Vector2> left{curve.front()}, right = curve;
+  for (std::size_t level = 1; level < curve.size(); ++level) {
+    for (std::size_t k = 0; k + level < curve.size(); ++k) right[k] = (right[k] + right[k + 1]) / 2;
+    left.push_back(right.front());
+  }
+  const double of_left = append_points(left, reach, depth + 1, points);
+  return std::max(of_left, append_points(right, reach, depth + 1, points));
+}
+
+BoundaryLoops boundary_in_units(const BezierMap& chart, double unit) {
+  BoundaryLoops boundary = boundary_loops(chart);
+  for (PlanarCurve& curve : boundary.curves)
+    for (int k = 0; k <= curve.degree; ++k) curve.control_points[at(k)] /= unit;
+  return boundary;
+}
+
+}  // namespace
+
+double chart_area(const BezierMap& chart, double unit) {
+  return enclosed_area(boundary_in_units(chart, unit));
+}
+
+Parcel parcel_of(const BezierMap& chart, double unit, double reach, Turn turn) {
+  const auto nodes = chart.control_points().reshaped(2, chart.space().node_count());
+  const BoundaryLoops boundary = boundary_in_units(chart, unit);
+  std::vector<Vector2> rim;
+  for (const PlanarCurve& curve : boundary.curves)
+    rim.insert(rim.end(), curve.control_points.begin(),
+               curve.control_points.begin() + curve.degree + 1);
+
+  Parcel parcel;
+  if (turn == Turn::Tightest) {
+    const Vector2 d = tightest_direction(rim);
+    parcel.cosine = d.x();
+    parcel.sine = -d.y();
+  }
+  Eigen::Matrix2d R;
+  R << parcel.cosine, -parcel.sine, parcel.sine, parcel.cosine;
+  const Eigen::Matrix2Xd turned = R * nodes / unit;
+  parcel.low = turned.rowwise().minCoeff();
+  parcel.size = turned.rowwise().maxCoeff() - parcel.low;
+  parcel.area = enclosed_area(boundary);
+  for (const BoundaryLoop& loop : boundary.loops) {
+    std::vector<Vector2>& points = parcel.outline.loops.emplace_back();
+    for (Index k = loop.first; k < loop.last; ++k) {
+      const PlanarCurve& curve = boundary.curves[at(k)];
+      std::vector<Vector2> moved;
+      for (int i = 0; i <= curve.degree; ++i)
+        moved.push_back(R * curve.control_points[at(i)] - parcel.low);
+      Outline& outline = parcel.outline;
+      outline.reach = std::max(outline.reach, append_points(moved, reach, 0, points));
+    }
+  }
+  return parcel;
+}
+
+}  // namespace majorant

@@ -1,0 +1,19 @@
+// Outlines on a grid: every parcel at the lowest place where its cells and those around it, as far
+// as the gap reaches, are free; bays and holes of others included. Quarter turns are tried.
+//
+//   const std::optional<Strip> strip = raster_strip(job, 2048, width);
+//
+// Large parcels first. A cell belongs to a parcel if the outline may meet it; the parcel that is
+// placed is tested with all cells that its outline, grown by the gap, may meet: so the distance
+// holds for the outlines, not only for their cells. Cost: #parcels * cells of their boxes, and once
+// #cells of the grid for each size of parcels, 64 cells at a time.
+#pragma once
+
+#include "majorant/parametrization/packing/internal/arrangement.h"
+
+namespace majorant {
+
+// cells: of the strip's width, the others being as large.
+std::optional<Strip> raster_strip(const PackingJob& job, int cells, double width);
+
+}  // namespace majorant

@@ -1,0 +1,13 @@
+// Boxes on shelves: every parcel's box at the lowest place that the boxes before it leave open from
+// above ([Jyl10] Sec. 2.4). What any better packer must beat; O(#parcels * #steps
+// of the line).
+#pragma once
+
+#include "majorant/parametrization/packing/internal/arrangement.h"
+
+namespace majorant {
+
+// The lower of two: boxes upright, boxes lying.
+std::optional<Strip> skyline_strip(const PackingJob& job, double width);
+
+}  // namespace majorant

@@ -1,0 +1,181 @@
+#include "majorant/parametrization/packing/pack.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
+
+#include "majorant/framework/error.h"
+#include "majorant/parametrization/packing/internal/arrangement.h"
+#include "majorant/parametrization/packing/internal/chart_motion.h"
+#include "majorant/parametrization/packing/internal/nesting.h"
+#include "majorant/parametrization/packing/internal/packing_job.h"
+#include "majorant/parametrization/packing/internal/raster.h"
+#include "majorant/parametrization/packing/internal/skyline.h"
+#include "majorant/parametrization/packing/proven_distance.h"
+
+namespace majorant {
+namespace {
+
+// Charts do not touch, whatever padding was asked for: as a part of the side. Origin: a thousandth
+// of a pixel, and a billion roundings.
+constexpr double kLeastGap = 1e-6;
+// Gaps are made larger than asked for by this. Origin: far above what rounding and the turns of
+// moved_chart() take, far below a pixel.
+constexpr double kGapMargin = 1e-5;
+// Origin: the side to within 1e-4 or so, and a fraction of a second for 10,000 boxes.
+constexpr int kSkylineTries = 14;
+
+// Cells of the raster along the side. Origin: bench/packing.cpp, twice as many gain less than 0.01
+// of fill for few charts, and 0.02 to 0.04 for many.
+constexpr int kCoarseCells = 1024, kFineCells = 2048;
+constexpr std::size_t kFew = 200;
+// More than these are not nested. Origin: bench/packing.cpp, seconds.
+constexpr std::size_t kMostNested = 40;
+// Of raster and nesting, after the square is known to within 8 %. Origin: the side to 0.5 %.
+constexpr int kTries = 4;
+
+struct Candidate {
+  PackMethod method;
+  Arrangement arrangement;
+};
+
+class Packer {
+ public:
+  Packer(const std::vector<BezierMap>& charts, const PackOptions& options, const StopCheck& stop)
+      : charts_(charts),
+        options_(options),
+        stop_(stop),
+        least_distance_(std::max(options.padding_pixels / options.resolution, kLeastGap)),
+        freedom_(charts.size(), Freedom::Any) {
+    for (std::size_t k = 0; k < options.fixed.size(); ++k)
+      if (options.fixed[k]) freedom_[k] = Freedom::None;
+  }
+
+  // Starts over with less freedom for charts whose smallest faces rounding turns over.
+  Packing pack() {
+    for (;;) {
+      const std::vector<Freedom> freedom = freedom_;
+      const PackingJob job =
+          packing_job(charts_, freedom_, least_distance_ * (1 + kGapMargin), stop_);
+      std::vector<Candidate> candidates = arrange(job);
+      if (candidates.empty())
+        throw Error(ErrorKind::Unsupported,
+                    fmt::format("packing: no square holds {} charts that are {} of its side apart; "
+                                "less padding or a higher resolution would do",
+                                charts_.size(), least_distance_));
+      std::stable_sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
+        return a.arrangement.side < b.arrangement.side;
+      });
+      for (const Candidate& candidate : candidates) {
+        if (std::optional<Packing> packing = realized(job, candidate)) return std::move(*packing);
+        if (freedom_ != freedom) break;
+      }
+      if (freedom_ == freedom)
+        throw Error(ErrorKind::Unsupported,
+                    "packing: charts cannot be moved apart, because rounding would turn their "
+                    "smallest faces over, or those held in place leave no room");
+    }
+  }
+
+ private:
+  std::vector<Candidate> arrange(const PackingJob& job) const {
+    std::vector<Candidate> candidates;
+    const auto add = [&](PackMethod method, std::optional<Arrangement> found) {
+      if (found) candidates.push_back({method, std::move(*found)});
+    };
+    const auto skyline = [&](double width) { return skyline_strip(job, width); };
+    add(PackMethod::Skyline,
+        smallest_square(job, skyline, {1.5 * std::sqrt(job.area), 1.25, kSkylineTries}));
+    if (candidates.empty()) return candidates;
+    const double of_boxes = candidates[0].arrangement.side;
+    const int cells = charts_.size() > kFew ? kFineCells : kCoarseCells;
+    const auto raster = [&](double width) { return raster_strip(job, cells, width); };
+    add(PackMethod::Raster, smallest_square(job, raster, {0.9 * of_boxes, 1.08, kTries}));
+    if (charts_.size() > kMostNested || charts_.size() < 2) return candidates;
+    const double best = std::min(of_boxes, candidates.back().arrangement.side);
+    const auto nesting = [&](double width) { return nested_strip(job, width); };
+    add(PackMethod::Nesting, smallest_square(job, nesting, {0.97 * best, 1.08, kTries, best}));
+    return candidates;
+  }
+
+  // None where the proof fails, or a chart does not bear to be moved: freedom_ says so then.
+  std::optional<Packing> realized(const PackingJob& job, const Candidate& candidate) {
+    Packing packing;
+    packing.method = candidate.method;
+    for (std::size_t k = 0; k < charts_.size(); ++k) {
+      const std::optional<MovedChart> moved =
+          freedom_[k] == Freedom::None
+              ? MovedChart{charts_[k], {}}
+              : moved_chart(charts_[k], placement_of(job, k, candidate.arrangement.spots[k]),
+                            stop_);
+      if (!moved) {
+        freedom_[k] = freedom_[k] == Freedom::Any ? Freedom::QuarterTurns : Freedom::None;
+        continue;
+      }
+      packing.charts.push_back(moved->map);
+      packing.placements.push_back(moved->placement);
+    }
+    if (packing.charts.size() < charts_.size()) return {};
+    frame(packing);
+    const double relative = job.unit / packing.side;
+    packing.fill = job.area * relative * relative;
+    const double needed = least_distance_ * packing.side * (1 + kGapMargin / 2);
+    packing.distance = proven_distance(packing.charts, needed, options_.fixed, stop_);
+    if (packing.distance < needed) return {};
+    return packing;
+  }
+
+  static Placement placement_of(const PackingJob& job, std::size_t chart, const Spot& spot) {
+    const Parcel& parcel = job.parcels[chart];
+    Placement p;
+    const double c = parcel.cosine, s = parcel.sine;
+    const std::pair<double, double> turns[4] = {{c, s}, {-s, c}, {-c, -s}, {s, -c}};
+    std::tie(p.cosine, p.sine) = turns[spot.quarters & 3];
+    // Where the origin of the turned chart comes to lie.
+    p.translation = job.unit * (quarter_turned(-parcel.low, spot.quarters, parcel.size) + spot.low +
+                                job.corner);
+    return p;
+  }
+
+  static void frame(Packing& packing) {
+    Vector2 low = packing.charts[0].control_points().head<2>(), high = low;
+    for (const BezierMap& chart : packing.charts) {
+      const auto nodes = chart.control_points().reshaped(2, chart.space().node_count());
+      low = low.cwiseMin(nodes.rowwise().minCoeff());
+      high = high.cwiseMax(nodes.rowwise().maxCoeff());
+    }
+    packing.origin = low;
+    packing.side = (high - low).maxCoeff();
+  }
+
+  const std::vector<BezierMap>& charts_;
+  const PackOptions& options_;
+  const StopCheck& stop_;
+  const double least_distance_;  // as a part of the side
+  std::vector<Freedom> freedom_;
+};
+
+}  // namespace
+
+std::string_view name_of(PackMethod method) {
+  constexpr std::string_view kNames[] = {"skyline", "raster", "nesting"};
+  return kNames[static_cast<std::size_t>(method)];
+}
+
+Packing pack(const std::vector<BezierMap>& charts, const PackOptions& options,
+             const StopCheck& stop) {
+  if (!(options.padding_pixels >= 0) || !std::isfinite(options.padding_pixels) ||
+      !(options.resolution > 0))
+    throw std::invalid_argument("pack: padding must not be negative, resolution be positive");
+  if (!options.fixed.empty() && options.fixed.size() != charts.size())
+    throw std::invalid_argument("pack: one flag a chart");
+  if (charts.empty()) return {};
+  return Packer(charts, options, stop).pack();
+}
+
+}  // namespace majorant

@@ -1,0 +1,65 @@
+// Charts side by side in one square, as small as it gets: none is scaled, none overlaps another.
+//
+//   std::vector<BezierMap> charts{map, map, map};     // as they came out of the solver
+//   const Packing packing = pack(charts, {.padding_pixels = 4, .resolution = 1024});
+//   for (const BezierMap& chart : packing.charts)     // in a texture: between 0 and 1
+//     texture.push_back((chart.evaluate(0, {1, 0, 0}) - packing.origin) / packing.side);
+//
+// Every chart is turned until its smallest box lies straight, then placed by the outline of its
+// curved image: at rest in the holes and bays of others, too. Three ways are taken and the smallest
+// square wins: shelves of boxes (a skyline), which any number of charts survives; a raster of
+// outlines; and for few charts libnest2d, which slides polygons along each other. What they say is
+// not believed: the distances are proven on the digits returned (proven_distance.h), and det J > 0
+// again for every chart that was moved.
+//
+// Not for one chart alone that shall stay as it is; not for charts whose own image overlaps, of
+// which nothing is said here (global_injectivity.h).
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "majorant/framework/stop_check.h"
+#include "majorant/parametrization/maps/bezier_map.h"
+
+namespace majorant {
+
+struct PackOptions {
+  // Any two charts are at least padding_pixels / resolution of the square's side apart.
+  double padding_pixels = 4;  // >= 0
+  double resolution = 1024;   // pixels along the side, > 0
+  // One flag a chart (empty: none): it stays where it is, to the bit. The square's lower left
+  // corner is that of their common box. Nothing is promised of the distance of two of them.
+  std::vector<char> fixed = {};
+};
+
+// uv -> (cosine u - sine v, sine u + cosine v) + translation, computed in extended precision and
+// rounded once.
+struct Placement {
+  double cosine = 1, sine = 0;
+  Vector2 translation = Vector2::Zero();
+};
+
+enum class PackMethod { Skyline, Raster, Nesting };
+
+// "skyline", "raster", "nesting".
+std::string_view name_of(PackMethod method);
+
+struct Packing {
+  std::vector<BezierMap> charts;      // in the order given; their digits are final
+  std::vector<Placement> placements;  // of each
+  Vector2 origin = Vector2::Zero();   // lower left corner of the square, model units
+  double side = 0;                    // of the square that contains all control points
+  double fill = 0;                    // area of the charts / side^2
+  double distance = 0;                // proven: of any two charts, not both fixed, at least this
+  PackMethod method = PackMethod::Skyline;
+};
+
+// The same bits for any number of threads; no clock is asked. charts: each one component with a
+// boundary, det J > 0. Throws Error(Unsupported) where the padding leaves no room for that many
+// charts, or fixed ones none for what cannot be moved; std::invalid_argument for options out of
+// range; Stopped.
+Packing pack(const std::vector<BezierMap>& charts, const PackOptions& options = {},
+             const StopCheck& stop = {});
+
+}  // namespace majorant

@@ -1,0 +1,27 @@
+// How far apart are charts in the plane, at least? A proof, rounding included.
+//
+//   const double apart = proven_distance(packing.charts, 4.0 / 1024 * packing.side);
+//   if (apart < 4.0 / 1024 * packing.side) say("only {}\n", apart);
+//
+// The images of two charts are as far apart as their boundaries, unless one lies inside of the
+// other. A boundary curve is closer to its chord than the farthest of its control points; chords
+// are compared in double with their rounding bounded, curves cut until that says enough. Charts
+// inside of others are found by winding numbers; in a hole of another a chart is outside of it.
+#pragma once
+
+#include <vector>
+
+#include "majorant/framework/stop_check.h"
+#include "majorant/parametrization/maps/bezier_map.h"
+
+namespace majorant {
+
+// A lower bound of the distance of any two charts, not more than `at_least` (>= 0; where charts are
+// farther apart nothing is looked at); within a part in a thousand of the distance or of
+// `at_least`, unless rounding hides it: 0 where charts overlap, touch, or cannot be told apart.
+// charts: det J > 0 is assumed. fixed: flags; pairs of two fixed charts are left out (empty: none).
+// O(#boundary edges log #boundary edges) for layouts. Throws Stopped.
+double proven_distance(const std::vector<BezierMap>& charts, double at_least,
+                       const std::vector<char>& fixed = {}, const StopCheck& stop = {});
+
+}  // namespace majorant
