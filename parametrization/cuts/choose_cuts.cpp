@@ -1,16 +1,17 @@
 #include "majorant/parametrization/cuts/choose_cuts.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <stdexcept>
 
 #include "majorant/framework/error.h"
-#include "majorant/mesh/internal/cut_graph.h"
 #include "majorant/mesh/internal/texture_borders.h"
+#include "majorant/parametrization/cuts/internal/automatic_cut.h"
 #include "majorant/parametrization/cuts/internal/edge_costs.h"
+#include "majorant/parametrization/cuts/internal/flattening_strain.h"
 #include "majorant/parametrization/cuts/internal/given_edges.h"
 #include "majorant/parametrization/cuts/internal/pieces.h"
-#include "majorant/parametrization/fields/cross_field.h"
 
 namespace majorant {
 namespace {
@@ -40,16 +41,20 @@ std::vector<char> asked_cuts(const SurfaceMesh& mesh, const CutOptions& options)
   return is_cut;
 }
 
-// Cuts one component, `part`, whose faces have these numbers in the whole.
-void cut_automatically(const SurfaceMesh& part, const std::vector<Index>& faces,
-                       std::vector<char>& is_cut, ComponentCuts& facts, const StopCheck& stop) {
-  CrossFieldOptions field;
-  field.stop = stop;
-  const std::vector<Index> cones = cone_vertices(smoothest_cross_field(part, field));
-  const std::vector<char> more = cut_graph(part, cones, cut_costs(part), stop);
-  for (Index h = 0; h < part.half_edge_count(); ++h)
-    if (more[at(h)]) is_cut[at(3 * faces[at(face_of(h))] + corner_of(h))] = 1;
-  facts.terminals = static_cast<Index>(cones.size());
+// Cuts the pieces that are left so far, each to one chart.
+void cut_automatically(const SurfaceMesh& mesh, double max_stretch,
+                       const std::vector<Index>& component, SurfaceCuts& cuts,
+                       const StopCheck& stop) {
+  const SurfaceMesh cut = mesh.cut_along(cuts.is_cut, nullptr);
+  for (const std::vector<Index>& faces : component_faces(cut.opposites())) {
+    const SurfaceMesh piece = cut.with_components(faces, nullptr);
+    const AutomaticCut more = automatic_cut(piece, cut_costs(piece), max_stretch, stop);
+    for (Index h = 0; h < piece.half_edge_count(); ++h)
+      if (more.is_cut[at(h)]) cuts.is_cut[at(3 * faces[at(face_of(h))] + corner_of(h))] = 1;
+    ComponentCuts& facts = cuts.components[at(component[at(faces.front())])];
+    facts.terminals += static_cast<Index>(more.ends.size());
+    facts.estimated_stretch = std::max(facts.estimated_stretch, stretch_of_strain(more.strain));
+  }
 }
 
 // Lengths and counts, from the flags.
@@ -94,11 +99,12 @@ SurfaceCuts choose_cuts(const SurfaceMesh& mesh, const CutOptions& options,
     facts.faces = part.face_count();
     facts.genus = genus(part);
     facts.boundary_loops = part.topology().boundary_loops;
-    if (options.method == CutMethod::Automatic)
-      cut_automatically(part, faces, out.is_cut, facts, stop);
     out.components.push_back(facts);
   }
-  if (options.method == CutMethod::Automatic) asked = out.is_cut;
+  if (options.method == CutMethod::Automatic) {
+    cut_automatically(mesh, options.max_stretch, face_components(mesh.opposites()), out, stop);
+    asked = out.is_cut;
+  }
   open_pieces(mesh, cut_costs(mesh), out.is_cut, stop);
   add_up(mesh, asked, components, out);
   return out;

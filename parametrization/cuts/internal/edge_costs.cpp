@@ -10,9 +10,9 @@ namespace {
 
 // Degrees: edges below the first are not sharp, those above the second fully. Origin: a smooth
 // surface of some 1000 faces bends by up to 30 degrees at its edges, a box by 90.
-constexpr double kSharpFrom = 30, kSharpTo = 60;
+constexpr double kSharpFrom = 40, kSharpTo = 70;
 // Of its length, what a sharp edge costs. Origin: a seam along it may be twice as long.
-constexpr double kSharpCost = 0.5;
+constexpr double kSharpCost = 0.75;
 // Of its length, what an edge inside a polygon costs. Origin: more than any way around.
 constexpr double kInnerCost = 1e6;
 // Of the mean length, what no edge is below: no way is free. Origin: far below any usable edge.

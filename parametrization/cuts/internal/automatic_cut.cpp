@@ -1,0 +1,193 @@
+#include "majorant/parametrization/cuts/internal/automatic_cut.h"
+
+#include <algorithm>
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "majorant/framework/error.h"
+#include "majorant/mesh/internal/cut_graph.h"
+#include "majorant/parametrization/cuts/internal/cut_tree.h"
+#include "majorant/parametrization/cuts/internal/flattening_strain.h"
+#include "majorant/parametrization/fields/cross_field.h"
+
+namespace majorant {
+namespace {
+
+// Lengths of cuts are meant in square roots of the surface's area.
+
+// Cones are made cheaper by kCheaperCones, kMostFields - 1 times, where all of them leave too much
+// strain and more of them would save kWorth of it per length. Origin: closed meshes of the public
+// set; from the second field on the gain is mostly that of noise.
+constexpr int kMostFields = 3;
+constexpr double kCheaperCones = 0.3;
+constexpr double kWorth = 0.01;
+// What a cut that leaves no curvature at all may be longer than the shortest one. Origin: a box,
+// a tin and a square tube are unfolded whole.
+constexpr double kDevelopableWorth = 1;
+constexpr double kCurved = 1e-3;  // radians: an angle defect. Origin: files with 4 digits are flat
+// Cuts are routed anew through the ends and the cones that are left as long as they become shorter.
+constexpr int kMostRoutes = 3;
+// How many twigs a cut is divided into: one for each two edges of a small mesh, and such that one
+// solve for each takes as long on all large ones.
+constexpr Index kMostTwigs = 150, kFewestTwigs = 40, kTwigSolves = 600000;
+// Corrections of the limit where the estimate of what twigs are worth was too low.
+constexpr int kMostCorrections = 3;
+// Without a field: as many vertices of the largest angle defects. Origin: as many as fields have.
+constexpr std::size_t kMostDefects = 40;
+
+class Cutter {
+ public:
+  Cutter(const SurfaceMesh& mesh, const Vec& edge_cost, double limit, const StopCheck& stop)
+      : mesh_(mesh),
+        cost_(edge_cost),
+        limit_(limit),
+        unit_(std::sqrt(mesh.area())),
+        stop_(stop),
+        defect_(angle_defects(mesh)) {}
+
+  AutomaticCut run() const {
+    std::vector<Index> cones;
+    const AutomaticCut full = through_cones(cones);
+    AutomaticCut best = peeled(full, cones);
+    for (int k = 0; k < kMostRoutes; ++k) {
+      AutomaticCut next = peeled_route(best.ends, best);
+      next = peeled_route(cones_on(next, cones), next);
+      if (!(cost(next) < cost(best))) break;
+      best = std::move(next);
+    }
+    return developed(best);
+  }
+
+ private:
+  static Vec angle_defects(const SurfaceMesh& mesh) {
+    Vec defect = Vec::Constant(mesh.vertex_count(), 2 * std::numbers::pi);
+    for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+      const Vector3 p = mesh.positions().row(mesh.from_vertex(h));
+      const Vector3 a = mesh.positions().row(mesh.to_vertex(h)).transpose() - p;
+      const Vector3 b = mesh.positions().row(mesh.from_vertex(previous(h))).transpose() - p;
+      defect[mesh.from_vertex(h)] -= std::atan2(a.cross(b).norm(), a.dot(b));
+    }
+    for (const auto& loop : mesh.boundary_loops())
+      for (const Index v : loop) defect[v] = 0;
+    return defect;
+  }
+
+  double cost(const AutomaticCut& cut) const {
+    double sum = 0;
+    for (Index h = 0; h < mesh_.half_edge_count(); ++h)
+      if (cut.is_cut[at(h)]) sum += 0.5 * cost_[h];
+    return sum / unit_;
+  }
+  double strain(const std::vector<char>& is_cut) const {
+    return FlatteningStrain(mesh_.cut_along(is_cut, nullptr), -1, stop_).strain();
+  }
+  AutomaticCut routed(const std::vector<Index>& terminals) const {
+    AutomaticCut cut{cut_graph(mesh_, terminals, cost_, stop_), 0, terminals};
+    cut.strain = strain(cut.is_cut);
+    return cut;
+  }
+
+  std::vector<Index> cones(double cone_cost) const {
+    CrossFieldOptions field;
+    field.cone_cost = cone_cost;
+    field.stop = stop_;
+    try {
+      return cone_vertices(smoothest_cross_field(mesh_, field));
+    } catch (const Error&) {  // too coarse
+      std::vector<Index> most(at(mesh_.vertex_count()));
+      for (Index v = 0; v < mesh_.vertex_count(); ++v) most[at(v)] = v;
+      std::stable_sort(most.begin(), most.end(), [&](Index a, Index b) {
+        return std::abs(defect_[a]) > std::abs(defect_[b]);
+      });
+      most.resize(std::min(most.size(), kMostDefects));
+      return most;
+    }
+  }
+
+  // The cut through so many cones that the strain is below the limit, or more are not worth it.
+  AutomaticCut through_cones(std::vector<Index>& terminals) const {
+    double cone_cost = CrossFieldOptions{}.cone_cost;
+    terminals = cones(cone_cost);
+    AutomaticCut cut = routed(terminals);
+    for (int k = 1; k < kMostFields && cut.strain > limit_; ++k) {
+      cone_cost *= kCheaperCones;
+      std::vector<Index> more = cones(cone_cost);
+      AutomaticCut longer = routed(more);
+      if (!(cut.strain - longer.strain > kWorth * (cost(longer) - cost(cut)))) break;
+      cut = std::move(longer);
+      terminals = std::move(more);
+    }
+    return cut;
+  }
+
+  AutomaticCut peeled(const AutomaticCut& full, const std::vector<Index>& terminals) const {
+    std::vector<char> is_terminal(at(mesh_.vertex_count()), 0);
+    for (const Index v : terminals) is_terminal[at(v)] = 1;
+    const Index twigs = std::clamp(kTwigSolves / mesh_.vertex_count(), kFewestTwigs, kMostTwigs);
+    const CutTree whole(mesh_, full.is_cut, is_terminal, cost_, twigs, stop_);
+    const double limit = std::max(limit_, full.strain);
+    double aim = limit;
+    for (int k = 0; k < kMostCorrections && aim > full.strain; ++k) {
+      CutTree tree = whole;
+      tree.peel(full.strain, aim);
+      AutomaticCut cut{tree.is_cut(), strain(tree.is_cut()), tree.ends()};
+      if (cut.strain <= limit) return cut;
+      aim -= 1.5 * (cut.strain - limit);
+    }
+    return {full.is_cut, full.strain, whole.ends()};
+  }
+
+  // `best`, or what a cut through these vertices leads to, if that is shorter.
+  AutomaticCut peeled_route(const std::vector<Index>& terminals, const AutomaticCut& best) const {
+    const AutomaticCut full = routed(terminals);
+    if (full.strain > std::max(limit_, best.strain)) return best;
+    AutomaticCut cut = peeled(full, terminals);
+    return cost(cut) < cost(best) ? cut : best;
+  }
+
+  std::vector<Index> cones_on(const AutomaticCut& cut, const std::vector<Index>& cones) const {
+    std::vector<char> is_met(at(mesh_.vertex_count()), 0);
+    for (Index h = 0; h < mesh_.half_edge_count(); ++h)
+      if (cut.is_cut[at(h)]) is_met[at(mesh_.from_vertex(h))] = 1;
+    std::vector<Index> on = cut.ends;
+    for (const Index v : cones)
+      if (is_met[at(v)]) on.push_back(v);
+    return on;
+  }
+
+  // The cut through all vertices that are not flat, if that is worth it, else `best`.
+  AutomaticCut developed(const AutomaticCut& best) const {
+    const double most = cost(best) + kDevelopableWorth;
+    Vec cheapest = Vec::Constant(mesh_.vertex_count(), most * unit_);
+    for (Index h = 0; h < mesh_.half_edge_count(); ++h)
+      for (const Index v : {mesh_.from_vertex(h), mesh_.to_vertex(h)})
+        cheapest[v] = std::min(cheapest[v], cost_[h]);
+    std::vector<Index> curved;
+    double least = 0;
+    for (Index v = 0; v < mesh_.vertex_count(); ++v)
+      if (std::abs(defect_[v]) > kCurved) {
+        curved.push_back(v);
+        least += 0.5 * cheapest[v];
+      }
+    if (least > most * unit_) return best;
+    const AutomaticCut cut = routed(curved);
+    return cost(cut) <= most && cut.strain < best.strain ? cut : best;
+  }
+
+  const SurfaceMesh& mesh_;
+  const Vec& cost_;
+  const double limit_, unit_;
+  const StopCheck& stop_;
+  const Vec defect_;
+};
+
+}  // namespace
+
+AutomaticCut automatic_cut(const SurfaceMesh& mesh, const Vec& edge_cost, double max_stretch,
+                           const StopCheck& stop) {
+  return Cutter(mesh, edge_cost, strain_of_stretch(max_stretch), stop).run();
+}
+
+}  // namespace majorant

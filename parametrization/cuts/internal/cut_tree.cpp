@@ -1,0 +1,278 @@
+#include "majorant/parametrization/cuts/internal/cut_tree.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "majorant/parametrization/cuts/internal/flattening_strain.h"
+#include "majorant/parametrization/cuts/internal/pieces.h"
+
+namespace majorant {
+namespace {
+
+// Of the diagonal of G, what is added to it. Origin: far below what a twig is worth, far above the
+// rounding of G, whose rows are nearly the same at neighbouring twigs.
+constexpr double kSoftness = 1e-9;
+
+}  // namespace
+
+CutTree::CutTree(const SurfaceMesh& mesh, const std::vector<char>& is_cut,
+                 const std::vector<char>& is_terminal, const Vec& edge_cost, Index twigs,
+                 const StopCheck& stop)
+    : mesh_(mesh),
+      cost_(edge_cost),
+      is_cut_(is_cut),
+      is_root_cut_(is_cut.size(), 0),
+      node_(at(mesh.vertex_count())),
+      root_(mesh.vertex_count() + static_cast<Index>(mesh.boundary_loops().size())) {
+  contract_loops();
+  find_root();
+  double cost = 0;
+  for (Index h = 0; h < mesh.half_edge_count(); ++h)
+    if (is_cut_[at(h)] && !is_root_cut_[at(h)]) cost += 0.5 * cost_[h];
+  grow(is_terminal, cost / twigs);
+  if (!twigs_.empty()) hold(stop);
+}
+
+void CutTree::contract_loops() {
+  for (Index v = 0; v < mesh_.vertex_count(); ++v) node_[at(v)] = v;
+  const auto& loops = mesh_.boundary_loops();
+  for (std::size_t l = 0; l < loops.size(); ++l)
+    for (const Index v : loops[l]) node_[at(v)] = mesh_.vertex_count() + static_cast<Index>(l);
+}
+
+CutTree::Edges CutTree::cut_edges() const {
+  Edges leaving(at(root_) + 1);
+  for (Index h = 0; h < mesh_.half_edge_count(); ++h)
+    if (is_cut_[at(h)] && !is_root_cut_[at(h)])
+      leaving[at(node_[at(mesh_.from_vertex(h))])].push_back(h);
+  return leaving;
+}
+
+void CutTree::find_root() {
+  const auto& loops = mesh_.boundary_loops();
+  if (genus(mesh_) > 0) {
+    put_into_root(cycles());
+  } else if (loops.empty()) {
+    put_into_root(middle_edges());
+  } else {
+    std::size_t longest = 0;
+    double most = -1;
+    for (std::size_t l = 0; l < loops.size(); ++l) {
+      double length = 0;
+      for (std::size_t i = 0; i < loops[l].size(); ++i)
+        length += (mesh_.positions().row(loops[l][i]) -
+                   mesh_.positions().row(loops[l][(i + 1) % loops[l].size()]))
+                      .norm();
+      if (length > most) most = length, longest = l;
+    }
+    for (const Index v : loops[longest]) node_[at(v)] = root_;
+    for (Index h = 0; h < mesh_.half_edge_count() && outer_ < 0; ++h)
+      if (node_[at(mesh_.from_vertex(h))] == root_) outer_ = h;
+  }
+}
+
+void CutTree::put_into_root(const std::vector<Index>& half_edges) {
+  std::vector<char> in_root(at(root_) + 1, 0);
+  for (const Index h : half_edges) {
+    is_root_cut_[at(h)] = is_root_cut_[at(mesh_.opposite(h))] = 1;
+    for (const Index v : {mesh_.from_vertex(h), mesh_.to_vertex(h)}) in_root[at(node_[at(v)])] = 1;
+  }
+  if (!half_edges.empty()) outer_ = half_edges.front();
+  for (Index& node : node_)
+    if (in_root[at(node)]) node = root_;
+}
+
+// Two edges in the middle of the longest path of a cut that is a tree.
+std::vector<Index> CutTree::middle_edges() const {
+  const Edges leaving = cut_edges();
+  std::vector<Index> entered;
+  const auto farthest_from = [&](Index start) {
+    entered.assign(leaving.size(), -1);
+    std::vector<std::pair<Index, double>> stack{{start, 0}};
+    std::pair<Index, double> farthest = stack[0];
+    while (!stack.empty()) {
+      const auto [v, distance] = stack.back();
+      stack.pop_back();
+      if (distance > farthest.second) farthest = {v, distance};
+      for (const Index h : leaving[at(v)]) {
+        if (entered[at(v)] >= 0 && h == mesh_.opposite(entered[at(v)])) continue;
+        entered[at(mesh_.to_vertex(h))] = h;
+        stack.emplace_back(mesh_.to_vertex(h), distance + cost_[h]);
+      }
+    }
+    return farthest;
+  };
+  Index some = 0;
+  while (leaving[at(some)].empty()) ++some;
+  const auto [end, length] = farthest_from(farthest_from(some).first);
+  double distance = 0;
+  Index h = entered[at(end)];
+  for (Index before = entered[at(mesh_.from_vertex(h))]; before >= 0;
+       before = entered[at(mesh_.from_vertex(h))]) {
+    distance += cost_[h];
+    if (2 * distance >= length || entered[at(mesh_.from_vertex(before))] < 0) return {before, h};
+    h = before;
+  }
+  return {h};  // not of a cut that opens the surface
+}
+
+// What is left of the cut when everything is taken away that ends somewhere.
+std::vector<Index> CutTree::cycles() const {
+  const Edges leaving = cut_edges();
+  std::vector<std::size_t> degree(leaving.size());
+  std::vector<Index> ends;
+  std::vector<char> kept = is_cut_;
+  for (std::size_t n = 0; n < leaving.size(); ++n)
+    if ((degree[n] = leaving[n].size()) == 1) ends.push_back(static_cast<Index>(n));
+  while (!ends.empty()) {
+    const Index n = ends.back();
+    ends.pop_back();
+    for (const Index h : leaving[at(n)]) {
+      if (!kept[at(h)]) continue;
+      kept[at(h)] = kept[at(mesh_.opposite(h))] = 0;
+      const Index m = node_[at(mesh_.to_vertex(h))];
+      if (--degree[at(m)] == 1) ends.push_back(m);
+    }
+  }
+  std::vector<Index> edges;
+  for (Index h = 0; h < mesh_.half_edge_count(); ++h)
+    if (kept[at(h)] && h < mesh_.opposite(h)) edges.push_back(h);
+  return edges;
+}
+
+void CutTree::grow(const std::vector<char>& is_terminal, double length) {
+  const Edges leaving = cut_edges();
+  std::vector<std::pair<Index, Index>> starts;  // half-edge, twig below
+  for (const Index h : leaving[at(root_)]) starts.emplace_back(h, -1);
+  while (!starts.empty()) {
+    auto [h, parent] = starts.back();
+    starts.pop_back();
+    const auto number = static_cast<Index>(twigs_.size());
+    Twig twig;
+    twig.parent = parent;
+    Index node = -1;
+    for (;;) {
+      twig.half_edges.push_back(h);
+      twig.cost += cost_[h];
+      node = node_[at(mesh_.to_vertex(h))];
+      const std::vector<Index>& on = leaving[at(node)];
+      if (twig.cost >= length || on.size() != 2 || node >= mesh_.vertex_count() ||
+          is_terminal[at(node)])
+        break;
+      h = on[on[0] == mesh_.opposite(h) ? 1 : 0];
+    }
+    for (const Index g : leaving[at(node)])
+      if (g != mesh_.opposite(h)) starts.emplace_back(g, number);
+    if (parent >= 0) ++twigs_[at(parent)].children;
+    twigs_.push_back(std::move(twig));
+  }
+}
+
+void CutTree::hold(const StopCheck& stop) {
+  const SurfaceMesh base = mesh_.cut_along(is_root_cut_, nullptr);
+  const FlatteningStrain sheet(base, base.from_vertex(outer_), stop);
+  std::vector<FlatteningStrain::Functional> held;
+  std::vector<Vec> responses;
+  const auto add = [&](Twig& twig, const FlatteningStrain::Functional& functional) {
+    stop.poll();
+    Vec response = sheet.response(functional);
+    if (response.size() == 0) return;
+    held.push_back(functional);
+    responses.push_back(std::move(response));
+    ++twig.rows;
+  };
+  for (Twig& twig : twigs_) {
+    twig.first_row = static_cast<Index>(held.size());
+    const Index h = mesh_.opposite(twig.half_edges.back());
+    add(twig, {{base.from_vertex(h), 1}});
+    if (node_[at(mesh_.from_vertex(h))] < mesh_.vertex_count())
+      add(twig, {{base.to_vertex(next(h)), 1}, {base.to_vertex(next(mesh_.opposite(h))), -1}});
+  }
+  const auto count = static_cast<Index>(held.size());
+  Eigen::MatrixXd g(count, count);
+  Vec values(count);
+  for (Index i = 0; i < count; ++i) {
+    values[i] = sheet.apply(held[at(i)], sheet.chi());
+    for (Index k = 0; k < count; ++k) g(i, k) = sheet.apply(held[at(i)], responses[at(k)]);
+  }
+  const Vec scale = g.diagonal().cwiseMax(std::numeric_limits<double>::min()).cwiseSqrt().cwiseInverse();
+  g = (scale.asDiagonal() * g * scale.asDiagonal()).eval();
+  g.diagonal().array() += kSoftness;
+  precision_ = scale.asDiagonal() * Eigen::MatrixXd(g.ldlt().solve(Eigen::MatrixXd::Identity(count, count))) * scale.asDiagonal();
+  pull_ = precision_ * values;
+}
+
+// The twigs from this one, an end, down to the next place where others hang on.
+std::vector<Index> CutTree::peelable(Index twig) const {
+  std::vector<Index> path{twig};
+  for (Index t = twigs_[at(twig)].parent; t >= 0 && twigs_[at(t)].children == 1;
+       t = twigs_[at(t)].parent)
+    path.push_back(t);
+  return path;
+}
+
+std::vector<Index> CutTree::rows_of(const std::vector<Index>& twigs) const {
+  std::vector<Index> rows;
+  for (const Index t : twigs)
+    for (Index r = 0; r < twigs_[at(t)].rows; ++r) rows.push_back(twigs_[at(t)].first_row + r);
+  return rows;
+}
+
+double CutTree::added_strain(const std::vector<Index>& rows) const {
+  const Vec x = pull_(rows);
+  return x.dot(precision_(rows, rows).ldlt().solve(x));
+}
+
+void CutTree::let_go(const std::vector<Index>& twigs) {
+  const std::vector<Index> rows = rows_of(twigs);
+  const Eigen::MatrixXd columns = precision_(Eigen::all, rows);
+  const auto block = Eigen::MatrixXd(precision_(rows, rows)).ldlt();
+  pull_ -= columns * block.solve(Vec(pull_(rows)));
+  precision_ -= columns * block.solve(columns.transpose());
+  for (const Index t : twigs) {
+    twigs_[at(t)].peeled = true;
+    if (const Index p = twigs_[at(t)].parent; p >= 0) --twigs_[at(p)].children;
+    for (const Index h : twigs_[at(t)].half_edges)
+      is_cut_[at(h)] = is_cut_[at(mesh_.opposite(h))] = 0;
+  }
+}
+
+double CutTree::peel(double strain, double limit) {
+  for (;;) {
+    std::vector<Index> best;
+    double least = std::numeric_limits<double>::infinity(), best_added = 0;
+    for (std::size_t t = 0; t < twigs_.size(); ++t) {
+      if (twigs_[t].peeled || twigs_[t].children > 0) continue;
+      const std::vector<Index> path = peelable(static_cast<Index>(t));
+      for (std::size_t count = 1;; count = std::min(2 * count, path.size())) {
+        const std::vector<Index> part(path.begin(), path.begin() + static_cast<long>(count));
+        const double added = added_strain(rows_of(part));
+        double cost = 0;
+        for (const Index p : part) cost += twigs_[at(p)].cost;
+        if (strain + added <= limit && added < least * cost) {
+          least = added / cost;
+          best = part;
+          best_added = added;
+        }
+        if (count == path.size()) break;
+      }
+    }
+    if (best.empty()) return strain;
+    let_go(best);
+    strain += best_added;
+  }
+}
+
+std::vector<Index> CutTree::ends() const {
+  std::vector<Index> ends;
+  for (const Twig& twig : twigs_) {
+    const Index v = mesh_.to_vertex(twig.half_edges.back());
+    if (!twig.peeled && twig.children == 0 && node_[at(v)] < mesh_.vertex_count())
+      ends.push_back(v);
+  }
+  return ends;
+}
+
+}  // namespace majorant

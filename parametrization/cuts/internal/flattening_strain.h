@@ -1,0 +1,66 @@
+// How much a piece of a surface is distorted in the plane, at best: estimated by one linear solve,
+// without a map.
+//
+//   const FlatteningStrain sheet(piece);
+//   const double energy = 4 + 4 * sheet.strain();   // about, symmetric Dirichlet, degree 1
+//   const double stretch = stretch_of_strain(sheet.strain());
+//
+// Near an isometry the singular values of a map are 1 + e_1 and 1 + e_2, and the symmetric Dirichlet
+// energy is 4 + 4 (e_1^2 + e_2^2) but for higher orders: that of a thin elastic sheet without
+// lateral contraction. What presses a sheet with Gauss curvature K flat is given by its stress
+// function chi [LL86] Sec. 14,
+//     Laplace Laplace chi = K,   chi = 0 and d chi / dn = 0 on the boundary, which is free,
+// and then  mean |e|^2 = int K chi / area.  Along a loop around a hole chi is a constant such that
+// the image closes up: K includes what the loop would have to turn.
+//
+// Discrete: L the cotangent Laplacian (all rows, columns of the unknowns), M the areas of vertices,
+// L^T M^-1 L chi = angle defects. Exact for no curvature; far from an isometry too large, but still
+// larger where more is wrong. Whether the image overlaps itself is not seen.
+#pragma once
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "majorant/framework/linear_solver.h"
+#include "majorant/framework/stop_check.h"
+#include "majorant/mesh/surface_mesh.h"
+
+namespace majorant {
+
+class FlatteningStrain {
+ public:
+  // piece: connected, with a boundary. outer: a vertex of the loop around the image, -1: of the
+  // longest one. Stopped.
+  explicit FlatteningStrain(const SurfaceMesh& piece, Index outer = -1, const StopCheck& stop = {});
+
+  // mean |e|^2; +inf where the mesh spoils the system.
+  double strain() const { return strain_; }
+
+  // A sum of factors times chi at vertices.
+  using Functional = std::vector<std::pair<Index, double>>;
+  double apply(const Functional& functional, const Vec& chi) const;
+  const Vec& chi() const { return chi_; }  // by unknown, for apply()
+  // What chi becomes when the curvature is `functional`. Empty if that is 0 for all chi.
+  Vec response(const Functional& functional) const;
+
+ private:
+  void measure(const SurfaceMesh& piece);
+  void number_unknowns(const SurfaceMesh& piece, Index outer);
+  void factorize(const SurfaceMesh& piece, const StopCheck& stop);
+
+  Vec area_, load_;         // #V
+  Vec cotangent_;           // 3 #F: of the angle opposite the half-edge
+  std::vector<Index> row_;  // #V: unknown, -1 on the outer loop
+  Index unknowns_ = 0;
+  std::unique_ptr<SparsePattern> pattern_;
+  std::unique_ptr<LinearSolver> solver_;
+  Vec chi_;
+  double strain_ = 0;
+};
+
+// The mean square stretch of a map [SSGH01] with that strain, to the order in which it is known.
+double stretch_of_strain(double strain);
+double strain_of_stretch(double stretch);
+
+}  // namespace majorant
