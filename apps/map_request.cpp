@@ -7,6 +7,8 @@
 #include "apps/energy_option.h"
 #include "apps/number_check.h"
 #include "apps/outputs.h"
+#include "apps/streams.h"
+#include "apps/suggestion.h"
 #include "apps/unless_stopped.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/curvature_name.h"
@@ -104,9 +106,9 @@ void MapRequest::add_to(CLI::App& verb) {
 
 void MapRequest::add_start_to(CLI::App& verb) {
   verb.add_option("--boundary", boundary, "free, or fixed where the initial map has it")
-      ->check(CLI::IsMember({"free", "fixed"}));
+      ->check(one_of({"free", "fixed"}));
   verb.add_option("--init", init, "tutte, or input: the file's texture coordinates")
-      ->check(CLI::IsMember({"tutte", "input"}));
+      ->check(one_of({"tutte", "input"}));
 }
 
 void MapRequest::choose_degree(const std::vector<std::string>& outputs) {
@@ -133,6 +135,7 @@ MapInput read_input(const MapRequest& request, const StopCheck& stop,
   in.options.map.energy = parse_energy(request.energy);
   unless_stopped("reading " + request.input, [&] {
     in.polygons = read_mesh(request.input, stop);
+    say_warnings(in.polygons.warnings);
     in.mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(in.polygons, stop));
   });
   ParametrizationOptions& options = in.options;

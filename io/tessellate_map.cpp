@@ -104,6 +104,7 @@ class PolygonTransfer {
     result_.positions = pieces_.positions();
     result_.texcoords = pieces_.texcoords();
     result_.normals = input_.normals;
+    if (!input_.colors.empty()) add_colors();
     auto directive = input_.directives.begin();
     for (std::size_t face = 0; face < input_.polygons.size(); ++face) {
       while (directive != input_.directives.end() && at(directive->first) <= face)
@@ -115,6 +116,24 @@ class PolygonTransfer {
   }
 
  private:
+  // Cells that share a new vertex on their edge interpolate the same colours there.
+  void add_colors() {
+    result_.colors = input_.colors;
+    result_.colors.resize(result_.positions.size());
+    for (Index c = 0; c < pieces_.cell_count(); ++c) {
+      const auto& points = pieces_.points(c);
+      for (std::size_t p = 3; p < points.size(); ++p) {
+        Vector3 color = Vector3::Zero();
+        for (std::size_t k = 0; k < 3; ++k) {
+          const double weight = points[p].xi[static_cast<Index>(k)];
+          // Not of corners that the edge does not have: they may be without colour.
+          if (weight != 0) color += weight * input_.colors[at(points[k].v)];
+        }
+        result_.colors[at(points[p].v)] = color;
+      }
+    }
+  }
+
   void keep_directive(const std::string& text) {
     result_.directives.emplace_back(static_cast<Index>(result_.polygons.size()), text);
   }
@@ -125,9 +144,19 @@ class PolygonTransfer {
       for (const Index c : faces_.cells[face]) add_pieces(face, c);
       return;
     }
-    result_.polygons.push_back(input_.polygons[face]);
-    result_.polygon_texcoords.push_back(texcoords);
-    if (has_normals()) result_.polygon_normals.push_back(input_.polygon_normals[face]);
+    const auto keep = [is_turned = is_turned(face)](std::vector<Index> list) {
+      if (is_turned) std::reverse(list.begin(), list.end());
+      return list;
+    };
+    result_.polygons.push_back(keep(input_.polygons[face]));
+    result_.polygon_texcoords.push_back(keep(texcoords));
+    if (has_normals()) result_.polygon_normals.push_back(keep(input_.polygon_normals[face]));
+  }
+
+  // Whether the map has the face with the other side up: its cells run backwards around it.
+  bool is_turned(std::size_t face) const {
+    const auto& [a, b, c] = faces_.corners[at(faces_.cells[face].front())];
+    return (a < b) + (b < c) + (c < a) == 1;
   }
 
   // Empty if the polygon cannot stay as it is.
