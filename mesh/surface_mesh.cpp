@@ -12,40 +12,10 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/mesh/internal/mesh_validation.h"
+#include "majorant/mesh/internal/triangle_list.h"
 
 namespace majorant {
 namespace {
-
-// Of polygon p of the file.
-std::vector<std::array<int, 3>> triangles_of(const PolygonMesh& input, std::size_t p,
-                                             const StopCheck& stop) {
-  const auto& polygon = input.polygons[p];
-  if (polygon.size() == 3) return {{0, 1, 2}};
-  std::vector<Vector3> corners;
-  for (const Index v : polygon) corners.push_back(input.positions[at(v)]);
-  try {
-    return triangulate_polygon(corners, stop);
-  } catch (const Error& e) {
-    throw Error(e.kind(),
-                fmt::format("{}: {}", face_place(input, static_cast<Index>(p)), e.what()));
-  }
-}
-
-TriangleList triangulate(const PolygonMesh& input, const StopCheck& stop) {
-  TriangleList list;
-  for (std::size_t p = 0; p < input.polygons.size(); ++p) {
-    stop.poll_at(p);
-    const auto& polygon = input.polygons[p];
-    for (const auto& t : triangles_of(input, p, stop)) {
-      std::array<Index, 3> f{};
-      for (std::size_t k = 0; k < 3; ++k) f[k] = polygon[at(t[k])];
-      list.triangles.push_back(f);
-      list.polygon.push_back(static_cast<Index>(p));
-      list.corners.push_back(t);
-    }
-  }
-  return list;
-}
 
 // Every edge has at most two faces that run against each other, every vertex one fan of them.
 OpenMesh::TriConnectivity half_edge_structure(const Cells& faces, Index vertex_count,
@@ -85,46 +55,48 @@ std::vector<std::vector<Index>> boundary_loops_of(const OpenMesh::TriConnectivit
 }  // namespace
 
 SurfaceMesh SurfaceMesh::from_polygons(const PolygonMesh& input, const StopCheck& stop,
-                                       Components components) {
-  const TriangleList list = triangulate(input, stop);
-  require_proper_faces(input, list, stop);
-  require_usable_coordinates(input);
+                                       Components components, Shapes shapes) {
+  const TriangleList list = triangulate(input, Crossing::Refused, stop);
+  require_proper_faces(input, list, shapes, stop);
+  if (shapes == Shapes::Proper) require_usable_coordinates(input);
   stop.poll();
   require_manifold_edges(input, list);
   stop.poll();
   if (components == Components::One) require_one_component(input, list);
   stop.poll();
 
-  SurfaceMesh mesh;
-  mesh.file_ = input.file;
-  mesh.input_face_ = list.polygon;
-  mesh.vertex_of_input_.assign(input.positions.size(), -1);
+  SurfaceParts parts;
+  parts.file = input.file;
+  parts.input_face = list.polygon;
+  std::vector<Index> number(input.positions.size(), -1);
   for (const auto& t : list.triangles)
-    for (const Index v : t) mesh.vertex_of_input_[at(v)] = 0;
+    for (const Index v : t) number[at(v)] = 0;
   for (std::size_t v = 0; v < input.positions.size(); ++v) {
-    if (mesh.vertex_of_input_[v] < 0) continue;
-    mesh.vertex_of_input_[v] = static_cast<Index>(mesh.input_vertex_.size());
-    mesh.input_vertex_.push_back(static_cast<Index>(v));
+    if (number[v] < 0) continue;
+    number[v] = static_cast<Index>(parts.input_vertex.size());
+    parts.input_vertex.push_back(static_cast<Index>(v));
   }
-  mesh.positions_.resize(static_cast<Index>(mesh.input_vertex_.size()), 3);
-  for (Index v = 0; v < mesh.vertex_count(); ++v)
-    mesh.positions_.row(v) = input.positions[at(mesh.input_vertex(v))];
-  const bool textured = !input.polygon_texcoords.empty() &&
-                        std::none_of(input.polygon_texcoords.begin(), input.polygon_texcoords.end(),
-                                     [](const auto& t) { return t.empty(); });
-  mesh.faces_.resize(static_cast<Index>(list.triangles.size()), 3);
-  if (textured) mesh.corner_texcoords_.resize(mesh.faces_.rows(), 6);
-  if (textured) mesh.texcoord_ids_.resize(mesh.faces_.rows(), 3);
-  for (Index f = 0; f < mesh.face_count(); ++f)
-    for (Index k = 0; k < 3; ++k) {
-      const auto t = at(f), c = at(k);
-      mesh.faces_(f, k) = mesh.vertex_of_input_[at(list.triangles[t][c])];
-      if (!textured) continue;
-      const auto& corners = input.polygon_texcoords[at(list.polygon[t])];
-      const Index vt = corners[at(list.corners[t][c])];
-      mesh.texcoord_ids_(f, k) = vt;
-      mesh.corner_texcoords_.row(f).segment<2>(2 * k) = input.texcoords[at(vt)];
-    }
+  parts.positions.resize(static_cast<Index>(parts.input_vertex.size()), 3);
+  for (Index v = 0; v < parts.positions.rows(); ++v)
+    parts.positions.row(v) = input.positions[at(parts.input_vertex[at(v)])];
+  parts.faces.resize(static_cast<Index>(list.triangles.size()), 3);
+  for (Index f = 0; f < parts.faces.rows(); ++f)
+    for (Index k = 0; k < 3; ++k) parts.faces(f, k) = number[at(list.triangles[at(f)][at(k)])];
+  place_texcoords(input, list, parts);
+  return from_parts(std::move(parts), stop);
+}
+
+SurfaceMesh SurfaceMesh::from_parts(SurfaceParts parts, const StopCheck& stop) {
+  SurfaceMesh mesh;
+  mesh.file_ = std::move(parts.file);
+  mesh.origin_ = parts.origin;
+  mesh.positions_ = std::move(parts.positions);
+  mesh.faces_ = std::move(parts.faces);
+  mesh.input_vertex_ = std::move(parts.input_vertex);
+  mesh.input_face_ = std::move(parts.input_face);
+  mesh.corner_texcoords_ = std::move(parts.corner_texcoords);
+  mesh.texcoord_ids_ = std::move(parts.texcoord_ids);
+  mesh.rest_triangles_ = std::move(parts.rest_triangles);
   mesh.build_connectivity(stop);
   return mesh;
 }
@@ -132,6 +104,8 @@ SurfaceMesh SurfaceMesh::from_polygons(const PolygonMesh& input, const StopCheck
 // The faces are edge-manifold and oriented by now. Where OpenMesh refuses a face it says so on a
 // stream of the whole process: what it would refuse is found before.
 void SurfaceMesh::build_connectivity(const StopCheck& stop) {
+  for (Index v = 0; v < vertex_count(); ++v) vertex_of_input_.emplace_back(input_vertex(v), v);
+  std::sort(vertex_of_input_.begin(), vertex_of_input_.end());
   opposite_ = opposite_half_edges(faces_);
   stop.poll();
   if (const Index v = find_touching_vertex(faces_, opposite_); v >= 0)
@@ -146,7 +120,13 @@ void SurfaceMesh::build_connectivity(const StopCheck& stop) {
       component.empty() ? 0 : *std::max_element(component.begin(), component.end()) + 1;
   topology_ = {vertex_count(), static_cast<Index>(kernel.n_edges()), face_count(), components,
                static_cast<Index>(boundary_loops_.size())};
+  auto rest = rest_triangles_.begin();
   for (Index f = 0; f < face_count(); ++f) {
+    if (rest != rest_triangles_.end() && rest->face == f) {
+      const auto& c = rest++->corners;
+      area_ += 0.5 * cross(c[1] - c[0], c[2] - c[0]);
+      continue;
+    }
     const Vector3 a = positions_.row(faces_(f, 1)) - positions_.row(faces_(f, 0));
     const Vector3 b = positions_.row(faces_(f, 2)) - positions_.row(faces_(f, 0));
     area_ += 0.5 * a.cross(b).norm();
@@ -162,18 +142,19 @@ std::vector<char> SurfaceMesh::boundary_flags() const {
 
 SurfaceMesh SurfaceMesh::cut_along(const std::vector<char>& is_cut,
                                    std::vector<Index>* surface_vertex) const {
-  SurfaceMesh out;
-  out.file_ = file_;
-  out.input_face_ = input_face_;
-  out.corner_texcoords_ = corner_texcoords_;
-  out.texcoord_ids_ = texcoord_ids_;
-  out.faces_ = Cells::Constant(face_count(), 3, -1);
-  out.vertex_of_input_ = vertex_of_input_;
-  out.input_vertex_ = input_vertex_;
+  SurfaceParts out;
+  out.file = file_;
+  out.origin = origin_;
+  out.input_face = input_face_;
+  out.corner_texcoords = corner_texcoords_;
+  out.texcoord_ids = texcoord_ids_;
+  out.rest_triangles = rest_triangles_;
+  out.faces = Cells::Constant(face_count(), 3, -1);
+  out.input_vertex = input_vertex_;
   std::vector<Index> copy_of(at(vertex_count()));
   std::iota(copy_of.begin(), copy_of.end(), 0);
   std::vector<char> met(copy_of.size(), 0);
-  const auto copy = [&](Index h) -> Index& { return out.faces_(face_of(h), corner_of(h)); };
+  const auto copy = [&](Index h) -> Index& { return out.faces(face_of(h), corner_of(h)); };
   // The corner of the next face around a vertex, across the half-edge that leaves or enters it.
   const auto crossed = [&](Index h) { return is_cut[at(h)] ? -1 : opposite(h); };
   for (Index c = 0; c < half_edge_count(); ++c) {
@@ -183,7 +164,7 @@ SurfaceMesh SurfaceMesh::cut_along(const std::vector<char>& is_cut,
     if (met[at(v)]) {
       number = static_cast<Index>(copy_of.size());
       copy_of.push_back(v);
-      out.input_vertex_.push_back(input_vertex(v));
+      out.input_vertex.push_back(input_vertex(v));
     }
     met[at(v)] = 1;
     for (Index h = c; h >= 0 && copy(h) < 0;) {
@@ -197,24 +178,67 @@ SurfaceMesh SurfaceMesh::cut_along(const std::vector<char>& is_cut,
       h = crossed(corner);
     }
   }
-  out.positions_.resize(static_cast<Index>(copy_of.size()), 3);
+  out.positions.resize(static_cast<Index>(copy_of.size()), 3);
   for (std::size_t v = 0; v < copy_of.size(); ++v)
-    out.positions_.row(static_cast<Index>(v)) = positions_.row(copy_of[v]);
-  out.build_connectivity();
+    out.positions.row(static_cast<Index>(v)) = positions_.row(copy_of[v]);
   if (surface_vertex) *surface_vertex = std::move(copy_of);
-  return out;
+  return from_parts(std::move(out));
+}
+
+std::vector<SurfacePiece> SurfaceMesh::split(const StopCheck& stop) const {
+  const std::vector<Index> component = face_components(opposite_);
+  std::vector<SurfacePiece> pieces(at(topology_.components));
+  std::vector<Index> number(at(vertex_count()), -1);  // within its piece, which is one
+  for (Index f = 0; f < face_count(); ++f) pieces[at(component[at(f)])].face.push_back(f);
+  auto rest = rest_triangles_;
+  std::stable_sort(rest.begin(), rest.end(), [&](const RestTriangle& a, const RestTriangle& b) {
+    return component[at(a.face)] < component[at(b.face)];
+  });
+  auto next_rest = rest.begin();
+  for (SurfacePiece& piece : pieces) {
+    stop.poll();
+    const auto count = static_cast<Index>(piece.face.size());
+    for (const Index f : piece.face)
+      for (Index k = 0; k < 3; ++k) piece.vertex.push_back(faces_(f, k));
+    std::sort(piece.vertex.begin(), piece.vertex.end());
+    piece.vertex.erase(std::unique(piece.vertex.begin(), piece.vertex.end()), piece.vertex.end());
+    SurfaceParts parts;
+    parts.file = file_;
+    parts.origin = origin_;
+    for (std::size_t v = 0; v < piece.vertex.size(); ++v) {
+      number[at(piece.vertex[v])] = static_cast<Index>(v);
+      parts.input_vertex.push_back(input_vertex(piece.vertex[v]));
+    }
+    parts.positions = positions_(piece.vertex, Eigen::all);
+    parts.faces = faces_(piece.face, Eigen::all);
+    for (Index& v : parts.faces.reshaped()) v = number[at(v)];
+    for (const Index f : piece.face) parts.input_face.push_back(input_face(f));
+    if (corner_texcoords_.rows() > 0) {
+      parts.corner_texcoords = corner_texcoords_(piece.face, Eigen::all);
+      parts.texcoord_ids = texcoord_ids_(piece.face, Eigen::all);
+    }
+    for (Index f = 0; f < count && next_rest != rest.end(); ++f)
+      if (next_rest->face == piece.face[at(f)])
+        parts.rest_triangles.push_back({f, next_rest++->corners});
+    piece.mesh = std::make_shared<const SurfaceMesh>(from_parts(std::move(parts)));
+  }
+  return pieces;
 }
 
 SurfaceMesh SurfaceMesh::with_faces(const Cells& faces, std::vector<Index> input_face) const {
-  SurfaceMesh out;
-  out.file_ = file_;
-  out.positions_ = positions_;
-  out.faces_ = faces;
-  out.input_vertex_ = input_vertex_;
-  out.input_face_ = std::move(input_face);
-  out.vertex_of_input_ = vertex_of_input_;
-  out.build_connectivity();
-  return out;
+  SurfaceParts out;
+  out.file = file_;
+  out.origin = origin_;
+  out.positions = positions_;
+  out.faces = faces;
+  out.input_vertex = input_vertex_;
+  out.input_face = std::move(input_face);
+  return from_parts(std::move(out));
+}
+
+Vector3 SurfaceMesh::input_position(Index v) const {
+  const Vector3 here = positions_.row(v);
+  return origin_.isZero(0) ? here : Vector3(here + origin_);
 }
 
 void SurfaceMesh::require_disk() const {
@@ -243,8 +267,9 @@ void SurfaceMesh::require_planar() const {
 }
 
 Index SurfaceMesh::find_input_vertex(Index input) const {
-  if (input < 0 || at(input) >= vertex_of_input_.size()) return -1;
-  return vertex_of_input_[at(input)];
+  const auto found = std::lower_bound(vertex_of_input_.begin(), vertex_of_input_.end(),
+                                      std::pair<Index, Index>(input, -1));
+  return found != vertex_of_input_.end() && found->first == input ? found->second : -1;
 }
 
 }  // namespace majorant

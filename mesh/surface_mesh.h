@@ -8,11 +8,17 @@
 // Polygons are triangulated, unreferenced vertices left out; input_vertex() and input_face() lead
 // back to the file. Immutable.
 //
+// from_polygons() refuses what is not like that; repair() (repair.h) makes it so. What repair()
+// made may have several components, faces without an area, which are measured by rest_triangles(),
+// and an origin of its own.
+//
 // Half-edge 3 f + k runs from corner k of face f to its corner k + 1 (mod 3): see half_edge.h.
 #pragma once
 
 #include <array>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "majorant/framework/stop_check.h"
@@ -34,11 +40,43 @@ struct Topology {
 // be the layout of an atlas.
 enum class Components { One, Any };
 
+// Whether faces may be without an area, and coordinates without the digits that edges need: what is
+// solved must be Proper, of what is judged only the image counts. Corners are three vertices
+// always.
+enum class Shapes { Proper, Any };
+
+// What stands for the shape of a face that has no area, or hardly one: a triangle in the plane, in
+// model units, counterclockwise. Maps are measured against it
+// (parametrization/maps/rest_shapes_of.h).
+struct RestTriangle {
+  Index face;
+  std::array<Vector2, 3> corners;
+};
+
+// What a SurfaceMesh is made of, by those who know that it is one: see its members of these names.
+struct SurfaceParts {
+  std::string file;
+  Vector3 origin = Vector3::Zero();
+  Points3 positions;
+  Cells faces;
+  std::vector<Index> input_vertex, input_face;
+  CornerPoints corner_texcoords;  // or no rows
+  Cells texcoord_ids;             // or no rows
+  std::vector<RestTriangle> rest_triangles;
+};
+
+struct SurfacePiece;
+
 class SurfaceMesh {
  public:
   // Throws Error(Unsupported) naming file, place and remedy for the first defect found; Stopped.
   static SurfaceMesh from_polygons(const PolygonMesh& input, const StopCheck& stop = {},
-                                   Components components = Components::One);
+                                   Components components = Components::One,
+                                   Shapes shapes = Shapes::Proper);
+  // Any number of components, every vertex used. Throws std::invalid_argument where an edge has
+  // more than two faces or two that run the same way, Error(Unsupported) where sheets touch in a
+  // vertex.
+  static SurfaceMesh from_parts(SurfaceParts parts, const StopCheck& stop = {});
 
   // Throws Error(Unsupported) unless the surface is a disk (connected, one boundary loop, Euler
   // characteristic 1).
@@ -48,13 +86,18 @@ class SurfaceMesh {
 
   const std::string& file() const { return file_; }
   const Points3& positions() const { return positions_; }  // #V by 3, model units
-  const Cells& faces() const { return faces_; }            // #F by 3, counterclockwise
+  // Where the file has it: positions() are those of the file minus an origin, zero unless repair()
+  // chose one so that the difference is exact.
+  Vector3 input_position(Index v) const;
+  const Vector3& origin() const { return origin_; }
+  const Cells& faces() const { return faces_; }  // #F by 3, counterclockwise
   Index vertex_count() const { return static_cast<Index>(positions_.rows()); }
   Index face_count() const { return static_cast<Index>(faces_.rows()); }
   // Index in the file of a vertex, and of the polygon that a face belongs to.
   Index input_vertex(Index v) const { return input_vertex_[at(v)]; }
   Index input_face(Index f) const { return input_face_[at(f)]; }
-  // Vertex of this mesh for a vertex of the file, -1 when no face uses it.
+  // Vertex of this mesh for a vertex of the file (of several copies the first), -1 when no face
+  // uses it. O(log #V).
   Index find_input_vertex(Index input) const;
 
   Index half_edge_count() const { return 3 * face_count(); }
@@ -72,7 +115,9 @@ class SurfaceMesh {
   const std::vector<std::vector<Index>>& boundary_loops() const { return boundary_loops_; }
   std::vector<char> boundary_flags() const;  // #V: 1 on the boundary
   const Topology& topology() const { return topology_; }
-  double area() const { return area_; }
+  double area() const { return area_; }  // faces with a rest triangle: of that
+  // Of the faces that have one, ordered by face; empty unless repair() made some.
+  const std::vector<RestTriangle>& rest_triangles() const { return rest_triangles_; }
 
   // Texture coordinates per face corner (#F by 6: u, v of each corner), empty unless every corner
   // of the file has one, and their numbers in the file (#F by 3).
@@ -85,6 +130,10 @@ class SurfaceMesh {
   // vertex of the result, which may fall into several pieces.
   SurfaceMesh cut_along(const std::vector<char>& is_cut, std::vector<Index>* surface_vertex) const;
 
+  // The connected components (across edges), ordered by their first faces; faces and vertices of
+  // each in the order they have here. A connected mesh is its own only piece.
+  std::vector<SurfacePiece> split(const StopCheck& stop = {}) const;
+
   // Other faces over the same vertices (#F by 3, counterclockwise; manifold, connected and using
   // every vertex, which is the caller's promise), with the polygon of the file that each belongs
   // to. Texture coordinates, which are those of other corners, are left out.
@@ -95,14 +144,23 @@ class SurfaceMesh {
   void build_connectivity(const StopCheck& stop = {});
 
   std::string file_;
+  Vector3 origin_ = Vector3::Zero();
   Points3 positions_;
   Cells faces_;
-  std::vector<Index> input_vertex_, input_face_, vertex_of_input_, opposite_;
+  std::vector<Index> input_vertex_, input_face_, opposite_;
+  std::vector<std::pair<Index, Index>> vertex_of_input_;  // (input, vertex), sorted
   std::vector<std::vector<Index>> boundary_loops_;
   Topology topology_;
   double area_ = 0;
   CornerPoints corner_texcoords_;
   Cells texcoord_ids_;
+  std::vector<RestTriangle> rest_triangles_;
+};
+
+// A connected component of a mesh.
+struct SurfacePiece {
+  std::shared_ptr<const SurfaceMesh> mesh;
+  std::vector<Index> face, vertex;  // of the mesh that was split, by those of the piece
 };
 
 // Triangles (local corner numbers) of a simple polygon, n - 2 of them, by ear clipping in its mean

@@ -45,7 +45,7 @@ SurfaceMesh weld(const MapFile& file, const std::string& name) {
       polygons.polygons.back().push_back(v);
     }
   }
-  return SurfaceMesh::from_polygons(polygons, {}, Components::Any);
+  return SurfaceMesh::from_polygons(polygons, {}, Components::Any, Shapes::Any);
 }
 
 // Nearest numbers of quarter turns, 0 at the boundary of the uncut surface.

@@ -64,11 +64,10 @@ bool orientable(const TriangleList& list, const std::vector<HalfEdge>& edges) {
 
 }  // namespace
 
-std::string face_place(const PolygonMesh& input, Index polygon) {
-  const auto p = at(polygon);
-  if (p < input.polygon_lines.size())
-    return fmt::format("{}:{}: face {}", input.file, input.polygon_lines[p], polygon + 1);
-  return fmt::format("{}: face {}", input.file, polygon + 1);
+bool has_area(const Vector3& a, const Vector3& b, const Vector3& c) {
+  const Vector3 u = b - a, v = c - a;
+  const double longest = std::max({u.norm(), v.norm(), (u - v).norm()});
+  return (u / longest).cross(v / longest).norm() > kDegenerateHeight;
 }
 
 void require_usable_coordinates(const PolygonMesh& input) {
@@ -94,7 +93,7 @@ void require_usable_coordinates(const PolygonMesh& input) {
                        shortest, largest));
 }
 
-void require_proper_faces(const PolygonMesh& input, const TriangleList& list,
+void require_proper_faces(const PolygonMesh& input, const TriangleList& list, Shapes shapes,
                           const StopCheck& stop) {
   std::set<std::array<Index, 3>> seen;
   for (std::size_t t = 0; t < list.triangles.size(); ++t) {
@@ -103,10 +102,8 @@ void require_proper_faces(const PolygonMesh& input, const TriangleList& list,
     const std::string place = face_place(input, list.polygon[t]);
     if (f[0] == f[1] || f[1] == f[2] || f[2] == f[0])
       refuse(place, "a vertex occurs twice; remove the face");
-    const Vector3 a = position(input, f[1]) - position(input, f[0]),
-                  b = position(input, f[2]) - position(input, f[0]);
-    const double longest = std::max({a.norm(), b.norm(), (a - b).norm()});
-    if (!((a / longest).cross(b / longest).norm() > kDegenerateHeight))
+    if (shapes == Shapes::Proper &&
+        !has_area(position(input, f[0]), position(input, f[1]), position(input, f[2])))
       refuse(place, fmt::format("zero area (vertices {}, {}, {}); collapse it or move a vertex",
                                 f[0] + 1, f[1] + 1, f[2] + 1));
     std::sort(f.begin(), f.end());

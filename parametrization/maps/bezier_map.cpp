@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "majorant/elements/rest_shapes.h"
+#include "majorant/parametrization/maps/rest_shapes_of.h"
 
 namespace majorant {
 
@@ -41,7 +41,7 @@ Eigen::Matrix2d BezierMap::jacobian(Index face, const Barycentric& xi) const {
   const Eigen::MatrixX2d g = bernstein_gradients(degree(), xi);
   Eigen::Matrix2d j = Eigen::Matrix2d::Zero();
   for (Index k = 0; k < g.rows(); ++k) j += x_.segment<2>(2 * space_->cells()(face, k)) * g.row(k);
-  return j * flat_triangles(mesh_->positions(), mesh_->faces().row(face)).inverse_of(0);
+  return j * rest_shape(*mesh_, face).inverse_of(0);
 }
 
 std::pair<double, double> BezierMap::singular_values(Index face, const Barycentric& xi) const {

@@ -12,6 +12,7 @@
 #include "majorant/framework/evaluator.h"
 #include "majorant/framework/internal/element_values.h"
 #include "majorant/parametrization/maps/internal/quadrature_ladder.h"
+#include "majorant/parametrization/maps/rest_shapes_of.h"
 
 namespace majorant {
 namespace {
@@ -136,7 +137,7 @@ MapMeasures measure_map(const BezierMap& map, const EnergySum& energy, const Sto
 MapMeasures measure_normalized(const BezierMap& map, double scale, const EnergySum& energy,
                                const StopCheck& stop) {
   MapMeasures m;
-  const RestShapes rest = flat_triangles(map.mesh().positions(), map.mesh().faces());
+  const RestShapes rest = rest_shapes(map.mesh());
   const BezierMap scaled =
       scale == 1 ? map : map.with(map.shared_space(), scale * map.control_points());
   measure_energy(scaled, rest, energy, stop, m);

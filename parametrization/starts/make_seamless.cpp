@@ -13,6 +13,7 @@
 #include "majorant/framework/thread_count.h"
 #include "majorant/mesh/internal/cut_graph.h"
 #include "majorant/parametrization/fields/internal/conformal_metric.h"
+#include "majorant/parametrization/maps/rest_shapes_of.h"
 #include "majorant/parametrization/starts/internal/field_integration.h"
 #include "majorant/parametrization/starts/internal/untangle.h"
 #include "majorant/parametrization/starts/texture_seams.h"
@@ -97,7 +98,7 @@ class Maker {
     out.method = method;
     MapSpecification spec;
     spec.seams = out.map.shared_seams();
-    spec.rest = flat_triangles(out.map.mesh().positions(), out.map.mesh().faces());
+    spec.rest = rest_shapes(out.map.mesh());
     record_.start_stop().poll();
     Defects found = defects(out.map, spec);
     out.inverted = static_cast<Index>(found.faces.size());

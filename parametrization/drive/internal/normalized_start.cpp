@@ -10,6 +10,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/elimination.h"
 #include "majorant/parametrization/drive/internal/free_scale.h"
+#include "majorant/parametrization/maps/rest_shapes_of.h"
 #include "majorant/parametrization/starts/texture_seams.h"
 
 namespace majorant {
@@ -111,7 +112,7 @@ std::vector<FixedPoint> place_pins(const SurfaceMesh& mesh, const Seams& seams,
 void require_injective(const BezierMap& map, const MapOptions& asked) {
   const char* remedy =
       asked.initial ? "leave out --init input, or use `majorant unwrap`" : "use `majorant unwrap`";
-  const RestShapes rest = flat_triangles(map.mesh().positions(), map.mesh().faces());
+  const RestShapes rest = rest_shapes(map.mesh());
   const Verdict faces =
       LocalInjectivity(map.shared_space(), 2 * rest.measure).check(map.control_points());
   if (!faces.feasible)
@@ -196,7 +197,7 @@ NormalizedStart::NormalizedStart(const BezierMap& given, const MapOptions& asked
   const BezierMap start = spec.aligned.empty() ? given : aligned_map(given, spec.aligned);
   moved_ = largest_distance(given.control_points(), start.control_points());
   require_injective(start, asked);
-  spec.rest = flat_triangles(start.mesh().positions() * scale_, start.mesh().faces());
+  spec.rest = rest_shapes(start.mesh(), scale_);
   spec.seams = start.shared_seams();
   spec.pins = place_pins(start.mesh(), start.seams(), asked, start.control_points());
   spec.handles =

@@ -1,0 +1,177 @@
+#include "majorant/mesh/defects.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <utility>
+
+#include "majorant/mesh/half_edge.h"
+#include "majorant/mesh/internal/mesh_validation.h"
+#include "majorant/mesh/internal/place_text.h"
+#include "majorant/mesh/internal/t_junctions.h"
+#include "majorant/mesh/internal/weld.h"
+#include "majorant/mesh/repair.h"
+
+namespace majorant {
+namespace {
+
+using Places = std::vector<std::array<Index, 2>>;
+
+struct KindText {
+  std::string_view name, one, many, place;
+};
+
+const KindText& text_of(DefectKind kind) {
+  static constexpr std::array<KindText, 13> kTexts = {{
+      {"soup", "soup: no face shares a vertex with another", "soups", ""},
+      {"repeated_vertex", "face has a vertex twice", "faces have a vertex twice", "face"},
+      {"duplicate_face", "face has the vertices of another", "faces have the vertices of others",
+       "face"},
+      {"non_manifold_edge", "edge has more than two faces", "edges have more than two faces",
+       "edge"},
+      {"non_manifold_vertex", "vertex is where sheets of the surface touch",
+       "vertices are where sheets of the surface touch", "vertex"},
+      {"inconsistent_face", "face is oriented against its neighbours",
+       "faces are oriented against their neighbours", "face"},
+      {"one_sided", "component has one side only", "components have one side only",
+       "cut along edge"},
+      {"zero_area", "face has no area", "faces have no area", "face"},
+      {"needle", "face is a needle", "faces are needles", "face"},
+      {"far_from_origin", "mesh is far from the origin for its size", "meshes", ""},
+      {"coincident_vertices", "vertex is exactly where another one is",
+       "vertices are exactly where others are", "vertex"},
+      {"t_junction", "vertex lies on the inside of a boundary edge",
+       "vertices lie on the inside of boundary edges", "vertex"},
+      {"isolated_vertex", "vertex has no face", "vertices have no face", "vertex"},
+  }};
+  return kTexts[static_cast<std::size_t>(kind)];
+}
+
+class Finding {
+ public:
+  Finding(const PolygonMesh& input, const StopCheck& stop)
+      : input_(input), stop_(stop), repaired_(repair(input, {}, stop)) {}
+
+  MeshDefects find() {
+    if (is_soup(input_)) note(DefectKind::Soup, 1, {});
+    take(RepairKind::RepeatedVertex, DefectKind::RepeatedVertex);
+    take(RepairKind::DuplicateFace, DefectKind::DuplicateFace);
+    take(RepairKind::SplitEdge, DefectKind::NonManifoldEdge);
+    take(RepairKind::SplitVertex, DefectKind::NonManifoldVertex);
+    take(RepairKind::TurnedFace, DefectKind::InconsistentFace);
+    note(DefectKind::OneSided, repaired_.one_sided, places_of(RepairKind::CutEdge));
+    judge_shapes();
+    take(RepairKind::MovedToOrigin, DefectKind::FarFromOrigin);
+    note(DefectKind::CoincidentVertices, vertices(left_unwelded()));
+    Places junctions;
+    for (const TJunction& j : find_t_junctions(*repaired_.mesh, stop_))
+      junctions.push_back({repaired_.mesh->input_vertex(j.vertex), -1});
+    junctions.erase(std::unique(junctions.begin(), junctions.end()), junctions.end());
+    note(DefectKind::TJunction, std::move(junctions));
+    note(DefectKind::IsolatedVertex, vertices(isolated()));
+    list_components();
+    return std::move(found_);
+  }
+
+ private:
+  void note(DefectKind kind, Index count, Places places) {
+    if (count > 0) found_.defects.push_back({kind, count, std::move(places)});
+  }
+  void note(DefectKind kind, Places places) {
+    const auto count = static_cast<Index>(places.size());
+    if (places.size() > kNamedPlaces) places.resize(kNamedPlaces);
+    note(kind, count, std::move(places));
+  }
+  void take(RepairKind from, DefectKind kind) {
+    for (const Repair& r : repaired_.repairs)
+      if (r.kind == from) note(kind, r.count, r.places);
+  }
+  Places places_of(RepairKind kind) const {
+    for (const Repair& r : repaired_.repairs)
+      if (r.kind == kind) return r.places;
+    return {};
+  }
+  static Places vertices(const std::vector<Index>& vertices) {
+    Places places;
+    for (const Index v : vertices) places.push_back({v, -1});
+    return places;
+  }
+
+  void judge_shapes() {
+    const SurfaceMesh& mesh = *repaired_.mesh;
+    Places zero, needles;
+    for (const RestTriangle& t : mesh.rest_triangles()) {
+      Places& places = has_area(mesh.positions().row(mesh.faces()(t.face, 0)),
+                                mesh.positions().row(mesh.faces()(t.face, 1)),
+                                mesh.positions().row(mesh.faces()(t.face, 2)))
+                           ? needles
+                           : zero;
+      if (places.empty() || places.back()[0] != mesh.input_face(t.face))
+        places.push_back({mesh.input_face(t.face), -1});
+    }
+    note(DefectKind::ZeroArea, std::move(zero));
+    note(DefectKind::Needle, std::move(needles));
+  }
+
+  std::vector<Index> left_unwelded() const {
+    if (is_soup(input_)) return {};
+    return coincident_vertices(input_);
+  }
+
+  std::vector<Index> isolated() const {
+    std::vector<char> is_used(input_.positions.size(), 0);
+    for (const auto& polygon : input_.polygons)
+      for (const Index v : polygon) is_used[at(v)] = 1;
+    std::vector<Index> isolated;
+    for (std::size_t v = 0; v < is_used.size(); ++v)
+      if (!is_used[v]) isolated.push_back(static_cast<Index>(v));
+    return isolated;
+  }
+
+  void list_components() {
+    const SurfaceMesh& mesh = *repaired_.mesh;
+    const std::vector<Index> component = face_components(mesh.opposites());
+    found_.components.assign(at(mesh.topology().components), {-1, 0, 0, 0});
+    const auto shape = [&](Index face) -> ComponentShape& {
+      return found_.components[at(component[at(face)])];
+    };
+    std::vector<Index> face_at(at(mesh.vertex_count()), -1);
+    for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+      ComponentShape& c = shape(face_of(h));
+      if (c.faces == 0) c.first_face = mesh.input_face(face_of(h));
+      if (h % 3 == 0) {
+        ++c.faces;
+        ++c.euler_characteristic;
+      }
+      if (mesh.opposite(h) < h) --c.euler_characteristic;  // every edge once
+      Index& f = face_at[at(mesh.from_vertex(h))];
+      if (f < 0) ++c.euler_characteristic;
+      f = face_of(h);
+    }
+    for (const auto& loop : mesh.boundary_loops())
+      ++shape(face_at[at(loop.front())]).boundary_loops;
+  }
+
+  const PolygonMesh& input_;
+  const StopCheck& stop_;
+  RepairedSurface repaired_;
+  MeshDefects found_;
+};
+
+}  // namespace
+
+std::string_view name_of(DefectKind kind) { return text_of(kind).name; }
+
+std::string describe(const Defect& defect) {
+  const KindText& text = text_of(defect.kind);
+  const std::string line =
+      fmt::format("{} {}", defect.count, defect.count == 1 ? text.one : text.many);
+  return line + place_text(text.place, defect.count, defect.places);
+}
+
+MeshDefects find_defects(const PolygonMesh& input, const StopCheck& stop) {
+  return Finding(input, stop).find();
+}
+
+}  // namespace majorant

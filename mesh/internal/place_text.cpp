@@ -1,0 +1,23 @@
+#include "majorant/mesh/internal/place_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace majorant {
+
+std::string place_text(std::string_view of_what, Index count,
+                       const std::vector<std::array<Index, 2>>& places) {
+  if (places.empty()) return {};
+  constexpr std::size_t kShown = 5;
+  const std::size_t shown = std::min(kShown, places.size());
+  std::string text = fmt::format(" ({}", of_what);
+  for (std::size_t k = 0; k < shown; ++k) {
+    const auto& [a, b] = places[k];
+    text += b < 0 ? fmt::format(" {}", a + 1) : fmt::format(" ({}, {})", a + 1, b + 1);
+    if (k + 1 < shown) text += ",";
+  }
+  return text + (at(count) > shown ? ", ...)" : ")");
+}
+
+}  // namespace majorant

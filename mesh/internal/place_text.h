@@ -1,0 +1,17 @@
+// Lines that name the first few of many places.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "majorant/framework/types.h"
+
+namespace majorant {
+
+// " (face 7, 9, ...)" of the first of `count` places, numbers from 1; nothing where there are none.
+std::string place_text(std::string_view of_what, Index count,
+                       const std::vector<std::array<Index, 2>>& places);
+
+}  // namespace majorant

@@ -1,0 +1,13 @@
+// Rest triangles of faces without area and of needles: repair.h says which, and why.
+#pragma once
+
+#include <vector>
+
+#include "majorant/mesh/surface_mesh.h"
+
+namespace majorant {
+
+// Of faces #F by 3 over positions #V by 3, ordered by face; nothing for others.
+std::vector<RestTriangle> regularized_faces(const Points3& positions, const Cells& faces);
+
+}  // namespace majorant

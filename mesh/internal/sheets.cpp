@@ -1,0 +1,327 @@
+#include "majorant/mesh/internal/sheets.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <utility>
+
+#include "majorant/mesh/half_edge.h"
+#include "majorant/mesh/internal/union_find.h"
+
+namespace majorant {
+namespace {
+
+// For every list its rank among the lists of the same vertices, in any order.
+std::vector<Index> ranks(std::vector<std::vector<Index>> lists) {
+  std::vector<Index> order(lists.size());
+  std::iota(order.begin(), order.end(), 0);
+  for (auto& list : lists) std::sort(list.begin(), list.end());
+  std::stable_sort(order.begin(), order.end(),
+                   [&](Index a, Index b) { return lists[at(a)] < lists[at(b)]; });
+  std::vector<Index> rank(lists.size(), 0);
+  for (std::size_t k = 1; k < order.size(); ++k)
+    if (lists[at(order[k])] == lists[at(order[k - 1])])
+      rank[at(order[k])] = rank[at(order[k - 1])] + 1;
+  return rank;
+}
+
+class Gluing {
+ public:
+  Gluing(const Cells& triangles, const std::vector<Vector3>& positions, const StopCheck& stop)
+      : triangles_(triangles),
+        positions_(positions),
+        stop_(stop),
+        opposite_(at(3 * face_count()), -1),
+        is_turned_(at(face_count()), 0),
+        layer_(at(face_count()), 0) {}
+
+  Sheets make(const std::vector<Index>& polygon, const std::vector<std::vector<Index>>& polygons,
+              Orientation orientation) {
+    find_layers(polygon, polygons);
+    stop_.poll();
+    glue();
+    stop_.poll();
+    if (orientation == Orientation::MadeConsistent)
+      orient();
+    else
+      open_disagreeing();
+    stop_.poll();
+    number_corners();
+    while (part_shared_edges()) {
+      stop_.poll();
+      number_corners();
+    }
+    note_split_edges();
+    return finished();
+  }
+
+ private:
+  Index face_count() const { return static_cast<Index>(triangles_.rows()); }
+  Index half_edge_count() const { return 3 * face_count(); }
+  Index from(Index h) const { return from_vertex(triangles_, h); }
+  Index to(Index h) const { return to_vertex(triangles_, h); }
+  // As given, both sides of an edge run against each other.
+  bool agrees(Index h) const { return from(h) != from(opposite_[at(h)]); }
+  void join(Index h, Index o) {
+    opposite_[at(h)] = o;
+    opposite_[at(o)] = h;
+  }
+  void open(Index h) {
+    if (opposite_[at(h)] >= 0) opposite_[at(opposite_[at(h)])] = -1;
+    opposite_[at(h)] = -1;
+  }
+  double length(Index h) const { return (positions_[at(to(h))] - positions_[at(from(h))]).norm(); }
+
+  // Faces of one layer are glued to each other: of duplicates, the second ones are the second
+  // layer. Layer -1 is glued to nothing.
+  void find_layers(const std::vector<Index>& polygon,
+                   const std::vector<std::vector<Index>>& polygons) {
+    std::vector<std::vector<Index>> corners;
+    for (Index f = 0; f < face_count(); ++f)
+      corners.push_back({triangles_(f, 0), triangles_(f, 1), triangles_(f, 2)});
+    const std::vector<Index> of_triangle = ranks(std::move(corners)), of_polygon = ranks(polygons);
+    for (Index f = 0; f < face_count(); ++f) {
+      const auto t = triangles_.row(f);
+      if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) {
+        layer_[at(f)] = -1;
+        sheets_.repeated.push_back(f);
+        continue;
+      }
+      layer_[at(f)] = std::max(of_triangle[at(f)], of_polygon[at(polygon[at(f)])]);
+      if (layer_[at(f)] > 0) sheets_.duplicates.push_back(f);
+    }
+  }
+
+  struct Side {
+    Index low, high, layer, half_edge;
+    bool same_edge(const Side& s) const {
+      return low == s.low && high == s.high && layer == s.layer;
+    }
+  };
+
+  // Calls group(first, last) for the sides of every edge of every layer; ends: h -> its two ends.
+  template <class Ends, class Group>
+  void for_edges(const Ends& ends, const Group& group) const {
+    std::vector<Side> sides;
+    sides.reserve(opposite_.size());
+    for (Index h = 0; h < half_edge_count(); ++h) {
+      if (layer_[at(face_of(h))] < 0) continue;
+      const auto [a, b] = ends(h);
+      sides.push_back({std::min(a, b), std::max(a, b), layer_[at(face_of(h))], h});
+    }
+    std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+      return std::tie(a.low, a.high, a.layer, a.half_edge) <
+             std::tie(b.low, b.high, b.layer, b.half_edge);
+    });
+    for (std::size_t k = 0, end = 0; k < sides.size(); k = end) {
+      while (end < sides.size() && sides[end].same_edge(sides[k])) ++end;
+      group(&sides[k], sides.data() + end);
+    }
+  }
+
+  void glue() {
+    for_edges([&](Index h) { return std::pair(from(h), to(h)); },
+              [&](const Side* first, const Side* last) {
+                if (last - first == 2) join(first[0].half_edge, first[1].half_edge);
+                if (last - first > 2)
+                  for (const Side* s = first; s < last; ++s) crowded_.push_back(s->half_edge);
+              });
+  }
+
+  void open_disagreeing() {
+    for (Index h = 0; h < half_edge_count(); ++h)
+      if (opposite_[at(h)] > h && !agrees(h)) {
+        sheets_.cut_edges.push_back(h);
+        open(h);
+      }
+  }
+
+  bool disagrees(Index h) const {
+    return agrees(h) == (is_turned_[at(face_of(h))] != is_turned_[at(face_of(opposite_[at(h)]))]);
+  }
+
+  // Every component as its first face is, breadth first: where fronts that disagree meet, a surface
+  // with one side is cut.
+  void orient() {
+    std::vector<char> seen(at(face_count()), 0);
+    std::vector<Index> component;
+    for (Index start = 0; start < face_count(); ++start) {
+      if (seen[at(start)]) continue;
+      component = {start};
+      seen[at(start)] = 1;
+      std::vector<Index> cut;
+      for (std::size_t k = 0; k < component.size(); ++k)
+        for (Index h = 3 * component[k]; h < 3 * component[k] + 3; ++h) {
+          const Index o = opposite_[at(h)];
+          if (o < 0) continue;
+          if (!seen[at(face_of(o))]) {
+            seen[at(face_of(o))] = 1;
+            is_turned_[at(face_of(o))] =
+                agrees(h) ? is_turned_[at(component[k])] : !is_turned_[at(component[k])];
+            component.push_back(face_of(o));
+          } else if (o > h && disagrees(h)) {
+            cut.push_back(h);
+          }
+        }
+      if (!cut.empty()) cut_open(component);
+      if (!cut.empty()) ++sheets_.one_sided;
+      turn_the_fewer(component);
+    }
+    for (Index f = 0; f < face_count(); ++f)
+      if (is_turned_[at(f)]) sheets_.turned.push_back(f);
+  }
+
+  // Turning a face exchanges which of its edges are cut: done while that makes the cut shorter.
+  void cut_open(const std::vector<Index>& component) {
+    std::vector<Index> left(component.rbegin(), component.rend());
+    while (!left.empty()) {
+      stop_.poll_at(left.size());
+      const Index f = left.back();
+      left.pop_back();
+      double cut = 0, uncut = 0;
+      for (Index h = 3 * f; h < 3 * f + 3; ++h)
+        if (opposite_[at(h)] >= 0 && face_of(opposite_[at(h)]) != f)
+          (disagrees(h) ? cut : uncut) += length(h);
+      if (!(cut > (1 + kShorter) * uncut)) continue;
+      is_turned_[at(f)] ^= 1;
+      for (Index h = 3 * f; h < 3 * f + 3; ++h)
+        if (opposite_[at(h)] >= 0) left.push_back(face_of(opposite_[at(h)]));
+    }
+    for (const Index f : component)
+      for (Index h = 3 * f; h < 3 * f + 3; ++h)
+        if (opposite_[at(h)] >= 0 && disagrees(h)) {
+          sheets_.cut_edges.push_back(std::min(h, opposite_[at(h)]));
+          open(h);
+        }
+  }
+
+  void turn_the_fewer(const std::vector<Index>& component) {
+    const auto turned = std::count_if(component.begin(), component.end(),
+                                      [&](Index f) { return is_turned_[at(f)] != 0; });
+    const auto all = static_cast<std::ptrdiff_t>(component.size());
+    if (2 * turned > all || (2 * turned == all && is_turned_[at(component.front())]))
+      for (const Index f : component) is_turned_[at(f)] ^= 1;
+  }
+
+  // copy_[h]: the fan of the corner that h leaves, named by one of its corners.
+  void number_corners() {
+    UnionFind fans(half_edge_count());
+    for (Index h = 0; h < half_edge_count(); ++h) {
+      const Index o = opposite_[at(h)];
+      if (o < h) continue;
+      const bool against = agrees(h);
+      fans.join(h, against ? next(o) : o);
+      fans.join(next(h), against ? o : next(o));
+    }
+    copy_.resize(opposite_.size());
+    for (Index h = 0; h < half_edge_count(); ++h) copy_[at(h)] = fans.find(h);
+  }
+
+  // Where sides that are not glued have the same ends, copies told apart: two that fit are glued
+  // after all, of others one face after the other is taken out. Whether there were any.
+  bool part_shared_edges() {
+    bool is_changed = false;
+    const auto runs_up = [&](Index h) {
+      return (copy_[at(h)] < copy_[at(next(h))]) != (is_turned_[at(face_of(h))] != 0);
+    };
+    for_edges([&](Index h) { return std::pair(copy_[at(h)], copy_[at(next(h))]); },
+              [&](const Side* first, const Side* last) {
+                if (last - first < 2) return;
+                if (last - first == 2 && opposite_[at(first->half_edge)] == first[1].half_edge)
+                  return;
+                is_changed = true;
+                const auto [one, other] = pair_of(first, last, runs_up);
+                for (const Side* s = first; s < last; ++s) {
+                  const Index h = s->half_edge;
+                  if (h == one || h == other) continue;
+                  for (Index k = 3 * face_of(h); k < 3 * face_of(h) + 3; ++k) open(k);
+                }
+                if (other >= 0 && opposite_[at(one)] < 0 && opposite_[at(other)] < 0)
+                  join(one, other);
+              });
+    return is_changed;
+  }
+
+  // Of the sides of an edge the two that belong together: glued ones, or the first that run against
+  // each other; else the first alone.
+  template <class RunsUp>
+  std::pair<Index, Index> pair_of(const Side* first, const Side* last,
+                                  const RunsUp& runs_up) const {
+    for (const Side* s = first; s < last; ++s)
+      for (const Side* t = s + 1; t < last; ++t)
+        if (opposite_[at(s->half_edge)] == t->half_edge) return {s->half_edge, t->half_edge};
+    for (const Side* s = first; s < last; ++s)
+      for (const Side* t = s + 1; t < last; ++t)
+        if (face_of(s->half_edge) != face_of(t->half_edge) && opposite_[at(s->half_edge)] < 0 &&
+            opposite_[at(t->half_edge)] < 0 && runs_up(s->half_edge) != runs_up(t->half_edge))
+          return {s->half_edge, t->half_edge};
+    return {first->half_edge, -1};
+  }
+
+  // One side of each edge with more than two faces.
+  void note_split_edges() {
+    std::vector<std::array<Index, 3>> edges;
+    for (const Index h : crowded_)
+      edges.push_back({std::min(from(h), to(h)), std::max(from(h), to(h)), h});
+    std::sort(edges.begin(), edges.end());
+    for (std::size_t k = 0; k < edges.size(); ++k)
+      if (k == 0 || edges[k][0] != edges[k - 1][0] || edges[k][1] != edges[k - 1][1])
+        sheets_.split_edges.push_back(edges[k][2]);
+  }
+
+  Sheets finished() {
+    Index given = 0;
+    for (const Index v : triangles_.reshaped()) given = std::max(given, v + 1);
+    std::vector<Index> first(at(given), -1), number(opposite_.size(), -1);
+    for (Index h = 0; h < half_edge_count(); ++h)
+      if (first[at(from(h))] < 0) first[at(from(h))] = copy_[at(h)];
+    for (Index v = 0; v < given; ++v) {
+      if (first[at(v)] < 0) continue;
+      number[at(first[at(v)])] = static_cast<Index>(sheets_.vertex.size());
+      sheets_.vertex.push_back(v);
+    }
+    std::vector<char> is_explained(at(given), 0);
+    for (const auto* edges : {&sheets_.split_edges, &sheets_.cut_edges})
+      for (const Index h : *edges) is_explained[at(from(h))] = is_explained[at(to(h))] = 1;
+    for (const auto* faces : {&sheets_.repeated, &sheets_.duplicates})
+      for (const Index f : *faces)
+        for (Index k = 0; k < 3; ++k) is_explained[at(triangles_(f, k))] = 1;
+    for (Index h = 0; h < half_edge_count(); ++h) {
+      if (number[at(copy_[at(h)])] >= 0) continue;
+      number[at(copy_[at(h)])] = static_cast<Index>(sheets_.vertex.size());
+      sheets_.vertex.push_back(from(h));
+      if (!is_explained[at(from(h))]) sheets_.split_vertices.push_back(from(h));
+    }
+    auto& split = sheets_.split_vertices;
+    std::sort(split.begin(), split.end());
+    split.erase(std::unique(split.begin(), split.end()), split.end());
+    sheets_.faces.resize(face_count(), 3);
+    for (Index f = 0; f < face_count(); ++f)
+      for (Index k = 0; k < 3; ++k)
+        sheets_.faces(f, is_turned_[at(f)] ? (3 - k) % 3 : k) = number[at(copy_[at(3 * f + k)])];
+    sheets_.is_turned = std::move(is_turned_);
+    return std::move(sheets_);
+  }
+
+  // Part of a length. Origin: above rounding, or faces would be turned to and fro.
+  static constexpr double kShorter = 1e-9;
+
+  const Cells& triangles_;
+  const std::vector<Vector3>& positions_;
+  const StopCheck& stop_;
+  std::vector<Index> opposite_;  // of the triangles as given, whichever way both run
+  std::vector<char> is_turned_;
+  std::vector<Index> layer_, crowded_, copy_;
+  Sheets sheets_;
+};
+
+}  // namespace
+
+Sheets make_sheets(const Cells& triangles, const std::vector<Index>& polygon,
+                   const std::vector<std::vector<Index>>& polygons,
+                   const std::vector<Vector3>& positions, Orientation orientation,
+                   const StopCheck& stop) {
+  return Gluing(triangles, positions, stop).make(polygon, polygons, orientation);
+}
+
+}  // namespace majorant

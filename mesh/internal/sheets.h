@@ -1,0 +1,32 @@
+// Triangles in any state -> sheets: surfaces that are edge- and vertex-manifold and oriented. What
+// cannot be glued is left open; see repair.h for the rules.
+#pragma once
+
+#include <vector>
+
+#include "majorant/framework/stop_check.h"
+#include "majorant/framework/types.h"
+#include "majorant/mesh/repair.h"
+
+namespace majorant {
+
+struct Sheets {
+  Cells faces;                  // #F by 3 vertices of the sheets; turned ones have corners 0, 2, 1
+  std::vector<Index> vertex;    // the given vertex of each: those in use, ascending, then copies
+  std::vector<char> is_turned;  // #F
+  // Half-edges and faces of the triangles as they were given; one half-edge for an edge.
+  std::vector<Index> repeated, duplicates, turned;  // faces
+  std::vector<Index> split_edges, cut_edges;        // half-edges
+  Index one_sided = 0;                              // components that were cut for that
+  // Given vertices, ascending, where sheets merely touch: not those that have copies because of an
+  // edge or a face above.
+  std::vector<Index> split_vertices;
+};
+
+// triangles: #F by 3 vertices of `positions`; polygon: of the file, by triangle.
+Sheets make_sheets(const Cells& triangles, const std::vector<Index>& polygon,
+                   const std::vector<std::vector<Index>>& polygons,
+                   const std::vector<Vector3>& positions, Orientation orientation,
+                   const StopCheck& stop);
+
+}  // namespace majorant

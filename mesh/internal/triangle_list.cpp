@@ -1,0 +1,105 @@
+#include "majorant/mesh/internal/triangle_list.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "majorant/framework/error.h"
+#include "majorant/mesh/internal/exact_predicates.h"
+
+namespace majorant {
+namespace {
+
+using Triangles = std::vector<std::array<int, 3>>;
+
+// Whether all triangles of a polygon turn the same way in the plane, be it the wrong one.
+bool agree(const Triangles& triangles, const std::vector<Vector2>& corners) {
+  int sum = 0;
+  for (const auto& t : triangles)
+    sum += orientation(corners[at(t[0])], corners[at(t[1])], corners[at(t[2])]);
+  return at(std::abs(sum)) == triangles.size();
+}
+
+Triangles fan(std::size_t corners) {
+  Triangles triangles;
+  for (int k = 1; k + 1 < static_cast<int>(corners); ++k) triangles.push_back({0, k, k + 1});
+  return triangles;
+}
+
+bool is_textured(const PolygonMesh& input, Index p) {
+  return at(p) < input.polygon_texcoords.size() &&
+         input.polygon_texcoords[at(p)].size() == input.polygons[at(p)].size();
+}
+
+}  // namespace
+
+Triangles triangles_of(const PolygonMesh& input, Index p, Crossing crossing,
+                       const StopCheck& stop) {
+  const auto& polygon = input.polygons[at(p)];
+  if (polygon.size() == 3) return {{0, 1, 2}};
+  std::vector<Vector3> in_space, in_plane;
+  for (const Index v : polygon) in_space.push_back(input.positions[at(v)]);
+  Triangles of_shape;
+  try {
+    of_shape = triangulate_polygon(in_space, stop);
+  } catch (const Error& e) {
+    if (crossing == Crossing::Refused)
+      throw Error(e.kind(), fmt::format("{}: {}", face_place(input, p), e.what()));
+    of_shape = fan(polygon.size());
+  }
+  if (!is_textured(input, p)) return of_shape;
+  std::vector<Vector2> uv;
+  for (const Index t : input.polygon_texcoords[at(p)]) {
+    uv.push_back(input.texcoords[at(t)]);
+    in_plane.emplace_back(uv.back().x(), uv.back().y(), 0);
+  }
+  if (agree(of_shape, uv)) return of_shape;
+  try {
+    const Triangles of_image = triangulate_polygon(in_plane, stop);
+    return agree(of_image, uv) ? of_image : of_shape;
+  } catch (const Error&) {
+    return of_shape;
+  }
+}
+
+TriangleList triangulate(const PolygonMesh& input, Crossing crossing, const StopCheck& stop) {
+  TriangleList list;
+  for (Index p = 0; p < static_cast<Index>(input.polygons.size()); ++p) {
+    stop.poll_at(at(p));
+    const auto& polygon = input.polygons[at(p)];
+    for (const auto& t : triangles_of(input, p, crossing, stop)) {
+      std::array<Index, 3> f{};
+      for (std::size_t k = 0; k < 3; ++k) f[k] = polygon[at(t[k])];
+      list.triangles.push_back(f);
+      list.polygon.push_back(p);
+      list.corners.push_back(t);
+    }
+  }
+  return list;
+}
+
+void place_texcoords(const PolygonMesh& input, const TriangleList& list, SurfaceParts& parts) {
+  const bool textured = !input.polygon_texcoords.empty() &&
+                        std::none_of(input.polygon_texcoords.begin(), input.polygon_texcoords.end(),
+                                     [](const auto& t) { return t.empty(); });
+  if (!textured) return;
+  const auto count = static_cast<Index>(list.triangles.size());
+  parts.corner_texcoords.resize(count, 6);
+  parts.texcoord_ids.resize(count, 3);
+  for (Index f = 0; f < count; ++f)
+    for (Index k = 0; k < 3; ++k) {
+      const auto& corners = input.polygon_texcoords[at(list.polygon[at(f)])];
+      const Index vt = corners[at(list.corners[at(f)][at(k)])];
+      parts.texcoord_ids(f, k) = vt;
+      parts.corner_texcoords.row(f).segment<2>(2 * k) = input.texcoords[at(vt)];
+    }
+}
+
+std::string face_place(const PolygonMesh& input, Index polygon) {
+  const auto p = at(polygon);
+  if (p < input.polygon_lines.size())
+    return fmt::format("{}:{}: face {}", input.file, input.polygon_lines[p], polygon + 1);
+  return fmt::format("{}: face {}", input.file, polygon + 1);
+}
+
+}  // namespace majorant

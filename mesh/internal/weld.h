@@ -1,0 +1,22 @@
+// Vertices at one place, or close to each other.
+#pragma once
+
+#include <vector>
+
+#include "majorant/framework/stop_check.h"
+#include "majorant/mesh/polygon_mesh.h"
+
+namespace majorant {
+
+// Whether no polygon shares a vertex with another, of two or more: STL files, exported soups.
+bool is_soup(const PolygonMesh& mesh);
+
+// Vertices, ascending, that lie exactly where a smaller one does; of those that a polygon uses.
+std::vector<Index> coincident_vertices(const PolygonMesh& mesh);
+
+// For every vertex the smallest one that it is welded to; itself where it is not, or no polygon
+// uses it. Vertices no farther apart than `distance` are welded, chains of them, too; 0: equal
+// positions. O(n log n) unless very many lie within the distance.
+std::vector<Index> weld(const PolygonMesh& mesh, double distance, const StopCheck& stop = {});
+
+}  // namespace majorant

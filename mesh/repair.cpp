@@ -1,0 +1,237 @@
+#include "majorant/mesh/repair.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "majorant/framework/error.h"
+#include "majorant/mesh/half_edge.h"
+#include "majorant/mesh/internal/place_text.h"
+#include "majorant/mesh/internal/regularize.h"
+#include "majorant/mesh/internal/sheets.h"
+#include "majorant/mesh/internal/triangle_list.h"
+#include "majorant/mesh/internal/weld.h"
+
+namespace majorant {
+namespace {
+
+using Places = std::vector<std::array<Index, 2>>;
+
+struct KindText {
+  std::string_view name, one, many;  // of what, and what was done
+  std::string_view place;
+};
+
+const KindText& text_of(RepairKind kind) {
+  static constexpr std::array<KindText, 9> kTexts = {{
+      {"welded", "vertex welded to another", "vertices welded to others", "vertex"},
+      {"repeated_vertex", "face with a repeated vertex split off",
+       "faces with a repeated vertex split off", "face"},
+      {"duplicate_face", "duplicate or folded face split off",
+       "duplicate or folded faces split off", "face"},
+      {"split_edge", "edge of more than two faces split", "edges of more than two faces split",
+       "edge"},
+      {"split_vertex", "vertex split, a copy for every sheet",
+       "vertices split, a copy for every sheet", "vertex"},
+      {"turned_face", "face turned to agree with its neighbours",
+       "faces turned to agree with their neighbours", "face"},
+      {"cut_edge", "edge cut, where faces cannot agree on a side",
+       "edges cut, where faces cannot agree on a side", "edge"},
+      {"regularized_face", "face with no or nearly no area measured against a needle",
+       "faces with no or nearly no area measured against needles", "face"},
+      {"moved_to_origin", "mesh moved to the origin for the run",
+       "meshes moved to the origin for the run", ""},
+  }};
+  return kTexts[static_cast<std::size_t>(kind)];
+}
+
+// Where every coordinate is far from 0 for their range, a point from which all differences are
+// exact: half way between the smallest and the largest, of which none is more than twice another.
+Vector3 origin_of(const PolygonMesh& input, const std::vector<Index>& used) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Vector3 low = Vector3::Constant(kInfinity), high = -low, origin = Vector3::Zero();
+  for (const Index v : used) {
+    low = low.cwiseMin(input.positions[at(v)]);
+    high = high.cwiseMax(input.positions[at(v)]);
+  }
+  const double extent = (high - low).maxCoeff();
+  const double largest = std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff());
+  if (!(largest > kFarAway * extent)) return origin;
+  for (int k = 0; k < 3; ++k) {
+    const double a = std::min(std::abs(low[k]), std::abs(high[k]));
+    const double b = std::max(std::abs(low[k]), std::abs(high[k]));
+    if (std::signbit(low[k]) == std::signbit(high[k]) && b <= 2 * a)
+      origin[k] = low[k] + (high[k] - low[k]) / 2;
+  }
+  return origin;
+}
+
+class Repairing {
+ public:
+  Repairing(const PolygonMesh& input, const RepairOptions& options, const StopCheck& stop)
+      : input_(input), options_(options), stop_(stop) {}
+
+  RepairedSurface run() {
+    if (input_.polygons.empty())
+      throw Error(ErrorKind::Unsupported, input_.file + ": the mesh has no faces");
+    weld_vertices();
+    stop_.poll();
+    list_ = triangulate(input_, Crossing::Fanned, stop_);
+    given_.resize(static_cast<Index>(list_.triangles.size()), 3);
+    for (Index f = 0; f < given_.rows(); ++f)
+      for (Index k = 0; k < 3; ++k) given_(f, k) = welded_[at(list_.triangles[at(f)][at(k)])];
+    std::vector<std::vector<Index>> polygons = input_.polygons;
+    for (auto& polygon : polygons)
+      for (Index& v : polygon) v = welded_[at(v)];
+    sheets_ =
+        make_sheets(given_, list_.polygon, polygons, input_.positions, options_.orientation, stop_);
+    out_.one_sided = sheets_.one_sided;
+    turn_corners();
+    build();
+    find_given_cuts();
+    for (const Index v : coincident_vertices(input_)) out_.coincident_left += welded_[at(v)] == v;
+    note_all();
+    return std::move(out_);
+  }
+
+ private:
+  void weld_vertices() {
+    if (options_.weld || is_soup(input_)) {
+      welded_ = weld(input_, options_.weld.value_or(0), stop_);
+      return;
+    }
+    welded_.resize(input_.positions.size());
+    std::iota(welded_.begin(), welded_.end(), 0);
+  }
+
+  // The list as the faces are in the end.
+  void turn_corners() {
+    for (std::size_t f = 0; f < list_.triangles.size(); ++f)
+      if (sheets_.is_turned[f]) {
+        std::swap(list_.triangles[f][1], list_.triangles[f][2]);
+        std::swap(list_.corners[f][1], list_.corners[f][2]);
+      }
+  }
+
+  void build() {
+    SurfaceParts parts;
+    parts.file = input_.file;
+    parts.input_face = list_.polygon;
+    parts.faces = sheets_.faces;
+    parts.input_vertex = sheets_.vertex;
+    parts.origin = origin_of(input_, sheets_.vertex);
+    parts.positions.resize(static_cast<Index>(sheets_.vertex.size()), 3);
+    for (Index v = 0; v < parts.positions.rows(); ++v) {
+      const Vector3& p = input_.positions[at(sheets_.vertex[at(v)])];
+      parts.positions.row(v) = parts.origin.isZero(0) ? p : Vector3(p - parts.origin);
+    }
+    place_texcoords(input_, list_, parts);
+    parts.rest_triangles = regularized_faces(parts.positions, parts.faces);
+    out_.mesh =
+        std::make_shared<const SurfaceMesh>(SurfaceMesh::from_parts(std::move(parts), stop_));
+    out_.polygon_corner.resize(given_.rows(), 3);
+    for (Index f = 0; f < given_.rows(); ++f)
+      for (Index k = 0; k < 3; ++k) out_.polygon_corner(f, k) = list_.corners[at(f)][at(k)];
+  }
+
+  // An edge that welding closed, whose two sides have other texture coordinates.
+  void find_given_cuts() {
+    const SurfaceMesh& mesh = *out_.mesh;
+    out_.given_cuts.assign(at(mesh.half_edge_count()), 0);
+    const CornerPoints& uv = mesh.corner_texcoords();
+    if (uv.rows() == 0) return;
+    const auto file_vertex = [&](Index c) {
+      return list_.triangles[at(face_of(c))][at(corner_of(c))];
+    };
+    const auto texture = [&](Index c) -> Vector2 {
+      return uv.row(face_of(c)).segment<2>(2 * corner_of(c));
+    };
+    for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+      const Index o = mesh.opposite(h);
+      if (o < h) continue;
+      const bool is_welded =
+          file_vertex(h) != file_vertex(next(o)) || file_vertex(next(h)) != file_vertex(o);
+      if (is_welded && (texture(h) != texture(next(o)) || texture(next(h)) != texture(o)))
+        out_.given_cuts[at(h)] = out_.given_cuts[at(o)] = 1;
+    }
+  }
+
+  void note(RepairKind kind, Places places) {
+    if (places.empty()) return;
+    Repair repair{kind, static_cast<Index>(places.size()), std::move(places)};
+    if (repair.places.size() > kNamedPlaces) repair.places.resize(kNamedPlaces);
+    out_.repairs.push_back(std::move(repair));
+  }
+
+  // Polygons that these triangles belong to.
+  Places polygons(const std::vector<Index>& triangles) const {
+    Places places;
+    for (const Index t : triangles) places.push_back({list_.polygon[at(t)], -1});
+    places.erase(std::unique(places.begin(), places.end()), places.end());
+    return places;
+  }
+
+  Places edges(const std::vector<Index>& half_edges) const {
+    Places places;
+    for (const Index h : half_edges) {
+      const auto [a, b] = std::minmax({from_vertex(given_, h), to_vertex(given_, h)});
+      places.push_back({a, b});
+    }
+    std::sort(places.begin(), places.end());
+    return places;
+  }
+
+  static Places vertices(const std::vector<Index>& vertices) {
+    Places places;
+    for (const Index v : vertices) places.push_back({v, -1});
+    return places;
+  }
+
+  void note_all() {
+    Places welded;
+    for (std::size_t v = 0; v < welded_.size(); ++v)
+      if (welded_[v] != static_cast<Index>(v)) welded.push_back({static_cast<Index>(v), -1});
+    note(RepairKind::Welded, std::move(welded));
+    note(RepairKind::RepeatedVertex, polygons(sheets_.repeated));
+    note(RepairKind::DuplicateFace, polygons(sheets_.duplicates));
+    note(RepairKind::SplitEdge, edges(sheets_.split_edges));
+    note(RepairKind::SplitVertex, vertices(sheets_.split_vertices));
+    note(RepairKind::TurnedFace, polygons(sheets_.turned));
+    note(RepairKind::CutEdge, edges(sheets_.cut_edges));
+    std::vector<Index> regularized;
+    for (const RestTriangle& t : out_.mesh->rest_triangles()) regularized.push_back(t.face);
+    note(RepairKind::RegularizedFace, polygons(regularized));
+    if (!out_.mesh->origin().isZero(0)) out_.repairs.push_back({RepairKind::MovedToOrigin, 1, {}});
+  }
+
+  const PolygonMesh& input_;
+  const RepairOptions& options_;
+  const StopCheck& stop_;
+  std::vector<Index> welded_;
+  TriangleList list_;
+  Cells given_;
+  Sheets sheets_;
+  RepairedSurface out_;
+};
+
+}  // namespace
+
+std::string_view name_of(RepairKind kind) { return text_of(kind).name; }
+
+std::string describe(const Repair& repair) {
+  const KindText& text = text_of(repair.kind);
+  const std::string line =
+      fmt::format("{} {}", repair.count, repair.count == 1 ? text.one : text.many);
+  return line + place_text(text.place, repair.count, repair.places);
+}
+
+RepairedSurface repair(const PolygonMesh& input, const RepairOptions& options,
+                       const StopCheck& stop) {
+  return Repairing(input, options, stop).run();
+}
+
+}  // namespace majorant

@@ -1,0 +1,120 @@
+// Any polygon mesh -> a surface that the library can work with, and what was done to it.
+//
+//   const RepairedSurface out = repair(read_mesh("scan.obj"));
+//   for (const Repair& r : out.repairs) fmt::print("{}\n", describe(r));   // "2 edges of more than..."
+//   for (const SurfacePiece& piece : out.mesh->split()) use(piece.mesh);
+//
+// Nothing is removed and nothing moves: every polygon of the file is there, in order, its vertices
+// where the file has them. What cannot be one surface is taken apart along edges and in vertices.
+// A mesh without defects comes out as SurfaceMesh::from_polygons makes it, bit for bit; who wants a
+// mesh refused rather than repaired calls that, or refuses repairs that are not empty.
+//
+//     welded              vertices at one place become one, the first of them: of a file in which no
+//                         face shares a vertex with another (STL, soups), else only on request;
+//                         never two corners of one face
+//     repeated_vertex     a face that has a vertex twice is a piece of its own; its corners are
+//                         three vertices nevertheless
+//     duplicate_face      of faces with the same vertices, turned over or not, the first stays in the
+//                         surface; the second ones make a surface of their own, and so on
+//     split_edge          an edge with more than two faces is open on all its sides, unless two of
+//                         them hang together around both its ends: these stay together
+//     split_vertex        a vertex gets a copy for every further fan of faces; the first fan keeps it.
+//                         Counted where sheets merely touch, not where they meet in a split or cut
+//                         edge or a face named above
+//     turned_face         within a component the fewer faces are turned (of equally many, those
+//                         that disagree with its first face). Their corners run 0, 2, 1
+//     cut_edge            a component that has only one side (Moebius strip, Klein bottle) is cut
+//                         where faces disagree, along short edges; where orientation is AsGiven, all
+//                         edges whose faces disagree
+//     regularized_face    a face without area, or a needle (kNeedleHeight), is measured against a
+//                         rest triangle of the same longest edge L and the height kNeedleHeight L.
+//                         One whose corners are at one place: equilateral, of kNeedleHeight times the
+//                         mean length of the edges of the faces around it
+//     moved_to_origin     where coordinates are far from the origin for the size of the mesh
+//                         (kFarAway), a point that all of them can be moved by exactly is subtracted
+//
+// Distortion of regularized faces is that of the map from their rest triangles. Its mean hardly
+// counts them (their area is some 1e-6 of their neighbours'), its extremes do: they say how far the
+// map is from showing such a face as thin as it is; a map that is an isometry everywhere else has a
+// density there that is bounded by what its neighbours leave room for.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "majorant/framework/stop_check.h"
+#include "majorant/mesh/polygon_mesh.h"
+#include "majorant/mesh/surface_mesh.h"
+
+namespace majorant {
+
+// Height over longest edge below which a triangle is a needle.
+// Origin: condition of the energy's second derivatives on such a face, L / height, times the
+// relative error 1e-16 leaves the ten digits that steps are computed with.
+inline constexpr double kNeedleHeight = 1e-6;
+// Largest coordinate over extent of the mesh.
+// Origin: three of sixteen digits are lost; what is nearer is left as from_polygons has it.
+inline constexpr double kFarAway = 1e3;
+
+// How faces that disagree come together: see turned_face and cut_edge above; or not at all, where
+// the orientation means something already: they are open there.
+enum class Orientation { MadeConsistent, AsGiven };
+
+struct RepairOptions {
+  // Vertices no farther apart become one; 0: at equal positions. Nothing: where no face shares a
+  // vertex with another, at equal positions, else none. Where the texture coordinates of welded
+  // faces differ across an edge, that is a given cut.
+  std::optional<double> weld = std::nullopt;
+  Orientation orientation = Orientation::MadeConsistent;
+};
+
+enum class RepairKind {
+  Welded,
+  RepeatedVertex,
+  DuplicateFace,
+  SplitEdge,
+  SplitVertex,
+  TurnedFace,
+  CutEdge,
+  RegularizedFace,
+  MovedToOrigin
+};
+
+struct Repair {
+  RepairKind kind;
+  Index count;
+  // The first kNamedPlaces of them, numbers of the file from 0: a vertex or a face (polygon), or
+  // the two ends of an edge; -1 where there is no second one. Nothing for MovedToOrigin.
+  std::vector<std::array<Index, 2>> places;
+};
+// Origin: a screen.
+inline constexpr std::size_t kNamedPlaces = 24;
+
+// As in the list above: for JSON and messages.
+std::string_view name_of(RepairKind kind);
+// One line without a full stop, numbers from 1 as files have them: "3 faces turned (faces 2, 7,
+// 9)".
+std::string describe(const Repair& repair);
+
+struct RepairedSurface {
+  // Any number of components. Copies of a vertex have the same input_vertex() and come behind all
+  // vertices of the file. Welded vertices are the first of them.
+  std::shared_ptr<const SurfaceMesh> mesh;
+  // #F by 3: which corner of its polygon every corner of a face is.
+  Cells polygon_corner;
+  std::vector<char> given_cuts;  // 3 #F, both sides of an edge: texture seams that were welded
+  std::vector<Repair> repairs;   // one per kind, in the order above; empty: nothing was wrong
+  Index one_sided = 0;           // components that cut_edge opened
+  // Vertices that lie exactly where a smaller one does and were not welded to it.
+  Index coincident_left = 0;
+};
+
+// Throws Error(Unsupported) for a mesh without faces; Stopped. O(n log n).
+RepairedSurface repair(const PolygonMesh& input, const RepairOptions& options = {},
+                       const StopCheck& stop = {});
+
+}  // namespace majorant

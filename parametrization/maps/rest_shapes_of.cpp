@@ -1,0 +1,37 @@
+#include "majorant/parametrization/maps/rest_shapes_of.h"
+
+#include <algorithm>
+
+namespace majorant {
+namespace {
+
+RestShapes shape_of(const RestTriangle& triangle, double scale) {
+  Points3 corners = Points3::Zero(3, 3);
+  for (Index k = 0; k < 3; ++k) corners.row(k).head<2>() = scale * triangle.corners[at(k)];
+  Cells face(1, 3);
+  face << 0, 1, 2;
+  return flat_triangles(corners, face);
+}
+
+}  // namespace
+
+RestShapes rest_shapes(const SurfaceMesh& mesh, double scale) {
+  RestShapes rest = flat_triangles(mesh.positions() * scale, mesh.faces());
+  for (const RestTriangle& triangle : mesh.rest_triangles()) {
+    const RestShapes one = shape_of(triangle, scale);
+    rest.inverse.row(triangle.face) = one.inverse.row(0);
+    rest.measure[triangle.face] = one.measure[0];
+  }
+  return rest;
+}
+
+RestShapes rest_shape(const SurfaceMesh& mesh, Index face) {
+  const auto& all = mesh.rest_triangles();
+  const auto found =
+      std::lower_bound(all.begin(), all.end(), face,
+                       [](const RestTriangle& triangle, Index f) { return triangle.face < f; });
+  if (found != all.end() && found->face == face) return shape_of(*found, 1);
+  return flat_triangles(mesh.positions(), mesh.faces().row(face));
+}
+
+}  // namespace majorant

@@ -1,0 +1,477 @@
+// Whatever is wrong with a mesh, repair() makes a surface of all of its faces.
+#include "majorant/mesh/repair.h"
+
+#include <random>
+
+#include "expected_error.h"
+#include "mesh/repair_checks.h"
+#include "mesh/surfaces_of_any_genus.h"
+
+namespace majorant {
+namespace {
+
+using Faces = std::vector<std::vector<Index>>;
+
+RepairedSurface repaired(const PolygonMesh& mesh, const RepairOptions& options = {}) {
+  RepairedSurface out = repair(mesh, options);
+  expect_repaired(mesh, out);
+  return out;
+}
+
+// Components, boundary loops, Euler characteristic.
+std::array<Index, 3> shape_of(const RepairedSurface& out) {
+  const Topology& t = out.mesh->topology();
+  return {t.components, t.boundary_loops, t.euler_characteristic()};
+}
+using Shape = std::array<Index, 3>;
+
+PolygonMesh with_faces(PolygonMesh mesh, const Faces& more) {
+  mesh.polygons.insert(mesh.polygons.end(), more.begin(), more.end());
+  return mesh;
+}
+
+PolygonMesh both(PolygonMesh a, const PolygonMesh& b) {
+  const auto first = static_cast<Index>(a.positions.size());
+  a.positions.insert(a.positions.end(), b.positions.begin(), b.positions.end());
+  for (std::vector<Index> polygon : b.polygons) {
+    for (Index& v : polygon) v += first;
+    a.polygons.push_back(polygon);
+  }
+  return a;
+}
+
+PolygonMesh moebius(int n, int width) {
+  std::vector<Vector3> positions;
+  for (int k = 0; k < n; ++k)
+    for (int j = 0; j <= width; ++j) {
+      const double t = 2 * kPi * k / n, w = 0.6 * j / width - 0.3, r = 1 + w * std::cos(t / 2);
+      positions.push_back({r * std::cos(t), r * std::sin(t), w * std::sin(t / 2)});
+    }
+  Faces faces;
+  for (int k = 0; k < n; ++k)
+    for (int j = 0; j < width; ++j) {
+      const auto there = [&](int i) { return k + 1 < n ? (k + 1) * (width + 1) + i : width - i; };
+      const Index a = k * (width + 1) + j, b = a + 1, c = there(j), d = there(j + 1);
+      faces.push_back({a, c, b});
+      faces.push_back({b, c, d});
+    }
+  return polygon_mesh(positions, faces);
+}
+
+PolygonMesh soup_of(const PolygonMesh& welded) {
+  PolygonMesh soup = polygon_mesh({}, {});
+  for (const auto& polygon : welded.polygons) {
+    soup.polygons.emplace_back();
+    for (const Index v : polygon) {
+      soup.polygons.back().push_back(static_cast<Index>(soup.positions.size()));
+      soup.positions.push_back(welded.positions[at(v)]);
+    }
+  }
+  return soup;
+}
+
+// Texture coordinates that are the vertex's x and y, moved by (10 part, 0).
+PolygonMesh textured(PolygonMesh mesh, const std::function<int(const Vector3&)>& part) {
+  for (const auto& polygon : mesh.polygons) {
+    Vector3 middle = Vector3::Zero();
+    for (const Index v : polygon) middle += mesh.positions[at(v)] / double(polygon.size());
+    auto& corners = mesh.polygon_texcoords.emplace_back();
+    for (const Index v : polygon) {
+      corners.push_back(static_cast<Index>(mesh.texcoords.size()));
+      mesh.texcoords.emplace_back(mesh.positions[at(v)].head<2>());
+      mesh.texcoords.back().x() += 10 * part(middle);
+    }
+  }
+  return mesh;
+}
+
+TEST(Repair, LeavesGoodMeshesAlone) {
+  PolygonMesh far = grid(4, bumpy);
+  far.positions.insert(far.positions.begin() + 3, Vector3(7, 7, 7));  // no face uses it
+  for (auto& polygon : far.polygons)
+    for (Index& v : polygon) v += v >= 3;
+  for (Vector3& p : far.positions) p += Vector3(100, -200, 0);
+  for (const PolygonMesh& mesh :
+       {grid(5, bumpy), torus(8, 6, 0), torus(8, 6, 1), cone(5, true), tetrahedron(), far,
+        voxel_surface(box(2, 3, 1)), textured(grid(3), [](const Vector3&) { return 0; })}) {
+    const RepairedSurface out = repaired(mesh);
+    EXPECT_TRUE(out.repairs.empty()) << describe(out.repairs.front());
+    const SurfaceMesh wanted = SurfaceMesh::from_polygons(mesh);
+    EXPECT_EQ(out.mesh->positions(), wanted.positions());
+    EXPECT_EQ(out.mesh->faces(), wanted.faces());
+    EXPECT_EQ(out.mesh->corner_texcoords(), wanted.corner_texcoords());
+    EXPECT_EQ(out.mesh->boundary_loops(), wanted.boundary_loops());
+    EXPECT_EQ(out.mesh->area(), wanted.area());
+    for (Index v = 0; v < wanted.vertex_count(); ++v)
+      EXPECT_EQ(out.mesh->input_vertex(v), wanted.input_vertex(v));
+  }
+}
+
+TEST(Repair, RefusesAMeshWithoutFaces) {
+  expect_contains(error_message(ErrorKind::Unsupported, [] { repair(polygon_mesh({}, {})); }),
+                  {"inline.obj", "no faces"});
+}
+
+TEST(Repair, SplitsVerticesWhereSheetsTouch) {
+  // Two balls that have one vertex in common, and a boundary that passes a vertex twice.
+  PolygonMesh balls = both(octahedron(), octahedron());
+  for (auto& polygon : balls.polygons)
+    for (Index& v : polygon) v = v == 11 ? 0 : v;
+  RepairedSurface out = repaired(balls);
+  EXPECT_EQ(shape_of(out), (Shape{2, 0, 4}));
+  EXPECT_EQ(count_of(out, RepairKind::SplitVertex), 1);
+  EXPECT_EQ(out.repairs[0].places[0], (std::array<Index, 2>{0, -1}));
+  EXPECT_EQ(out.mesh->input_vertex(out.mesh->vertex_count() - 1), 0);  // copies come last
+
+  PolygonMesh holes = grid(6, bumpy);  // two squares that touch in a corner
+  holes.polygons.erase(holes.polygons.begin() + 42, holes.polygons.begin() + 44);
+  holes.polygons.erase(holes.polygons.begin() + 28, holes.polygons.begin() + 30);
+  out = repaired(holes);
+  EXPECT_EQ(shape_of(out), (Shape{1, 2, 0}));
+  EXPECT_EQ(count_of(out, RepairKind::SplitVertex), 1);
+}
+
+TEST(Repair, AFinStandsOnASheetThatStaysWhole) {
+  PolygonMesh fin = cube_sphere(3);
+  fin.positions.push_back(2 * fin.positions[at(fin.polygons[0][0])]);
+  const auto last = static_cast<Index>(fin.positions.size()) - 1;
+  fin.polygons.push_back({fin.polygons[0][0], fin.polygons[0][1], last});
+  const RepairedSurface out = repaired(fin);
+  EXPECT_EQ(shape_of(out), (Shape{2, 1, 3}));
+  EXPECT_EQ(count_of(out, RepairKind::SplitEdge), 1);
+}
+
+TEST(Repair, AWallAndItsTwoRoomsComeApart) {
+  // A box with a wall across: 8 edges of three faces.
+  PolygonMesh rooms = voxel_surface(box(4, 2, 2));
+  const auto vertex = [&](double y, double z) {
+    for (std::size_t v = 0; v < rooms.positions.size(); ++v)
+      if (rooms.positions[v] == Vector3(2, y, z)) return static_cast<Index>(v);
+    rooms.positions.push_back({2, y, z});
+    return static_cast<Index>(rooms.positions.size()) - 1;
+  };
+  for (const int y : {0, 1})
+    for (const int z : {0, 1})
+      rooms.polygons.push_back(
+          {vertex(y, z), vertex(y + 1, z), vertex(y + 1, z + 1), vertex(y, z + 1)});
+  const RepairedSurface out = repaired(rooms);
+  EXPECT_EQ(shape_of(out), (Shape{3, 3, 3}));
+  EXPECT_EQ(count_of(out, RepairKind::SplitEdge), 8);
+  EXPECT_EQ(count_of(out, RepairKind::SplitVertex), 0);
+}
+
+// Four sheets around a rod, each of which returns to the rod: nothing can be told apart by fans.
+TEST(Repair, SheetsThatCannotBeToldApartLoseAFace) {
+  const PolygonMesh star =
+      polygon_mesh({{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}},
+                   {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}, {2, 3, 0}, {3, 4, 0}, {3, 2, 1}, {4, 3, 1}});
+  repaired(star);
+}
+
+TEST(Repair, DuplicatesMakeASurfaceOfTheirOwn) {
+  PolygonMesh mesh = grid(4, bumpy);
+  for (int k = 8; k < 16; ++k) {  // a row of squares, folded over
+    std::vector<Index> again = mesh.polygons[at(k)];
+    std::reverse(again.begin(), again.end());
+    mesh.polygons.push_back(again);
+  }
+  mesh.polygons.push_back(mesh.polygons[10]);  // and one face a third time
+  const RepairedSurface out = repaired(mesh);
+  EXPECT_EQ(shape_of(out), (Shape{3, 3, 3}));
+  EXPECT_EQ(count_of(out, RepairKind::DuplicateFace), 9);
+  EXPECT_EQ(count_of(out, RepairKind::SplitEdge), 0);
+  EXPECT_EQ(count_of(out, RepairKind::TurnedFace), 0);
+
+  // A quad is the same face however its triangles lie; two triangles are not the quad.
+  PolygonMesh quads = polygon_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
+                                   {{0, 1, 2, 3}, {0, 1, 3}, {1, 2, 3}, {3, 2, 1, 0}});
+  EXPECT_EQ(count_of(repaired(quads), RepairKind::DuplicateFace), 1);
+}
+
+TEST(Repair, AFaceWithAVertexTwiceGetsThreeCorners) {
+  const RepairedSurface out = repaired(with_faces(grid(4), {{0, 1, 1}, {7, 7, 7}}));
+  EXPECT_EQ(shape_of(out), (Shape{3, 3, 3}));
+  EXPECT_EQ(count_of(out, RepairKind::RepeatedVertex), 2);
+  EXPECT_EQ(count_of(out, RepairKind::RegularizedFace), 2);
+  const PolygonMesh pentagon = polygon_mesh({{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {1, 0.5, 0}},
+                                            {{0, 1, 2, 3, 2}});  // a spike inside
+  repaired(pentagon);
+}
+
+TEST(Repair, TurnsTheFewer) {
+  PolygonMesh mesh = both(grid(6, bumpy), cube_sphere(3));
+  for (const int k : {3, 4, 5, 60, 80})
+    std::reverse(mesh.polygons[at(k)].begin(), mesh.polygons[at(k)].end());
+  RepairedSurface out = repaired(mesh);
+  EXPECT_EQ(shape_of(out), (Shape{2, 1, 3}));
+  EXPECT_EQ(count_of(out, RepairKind::TurnedFace), 5);
+  EXPECT_EQ(out.repairs[0].places[3], (std::array<Index, 2>{60, -1}));
+  // The first face is one of the fewer; its corners run 0, 2, 1 afterwards.
+  mesh = grid(6, bumpy);
+  std::swap(mesh.polygons[0][0], mesh.polygons[0][1]);
+  out = repaired(mesh);
+  EXPECT_EQ(count_of(out, RepairKind::TurnedFace), 1);
+  EXPECT_EQ(out.polygon_corner.row(0), Eigen::RowVector3i(0, 2, 1));
+  for (const PolygonMesh& whole : {grid(3), torus(8, 6, 1)}) {
+    PolygonMesh reversed = whole;
+    for (auto& polygon : reversed.polygons) std::reverse(polygon.begin(), polygon.end());
+    EXPECT_TRUE(repaired(reversed).repairs.empty());
+  }
+}
+
+TEST(Repair, CutsAMoebiusStripOnceAcross) {
+  const RepairedSurface out = repaired(moebius(40, 4));
+  EXPECT_EQ(shape_of(out), (Shape{1, 1, 1}));
+  EXPECT_EQ(count_of(out, RepairKind::CutEdge), 4);
+  // Wherever it happens to begin, and however the faces lie.
+  std::mt19937 random(1);
+  for (int k = 0; k < 5; ++k) {
+    PolygonMesh mesh = moebius(40, 4);
+    std::shuffle(mesh.polygons.begin(), mesh.polygons.end(), random);
+    for (auto& polygon : mesh.polygons)
+      if (random() % 2) std::swap(polygon[0], polygon[2]);
+    const RepairedSurface shuffled = repaired(mesh);
+    EXPECT_EQ(shape_of(shuffled), (Shape{1, 1, 1}));
+    EXPECT_LE(count_of(shuffled, RepairKind::CutEdge), 8);
+  }
+}
+
+TEST(Repair, CutsAKleinBottle) {
+  constexpr int kN = 12;  // a torus, one of whose ways round is mirrored
+  std::vector<Vector3> positions;
+  for (int i = 0; i < kN; ++i)
+    for (int j = 0; j < kN; ++j) {
+      const double u = 2 * kPi * i / kN, v = 2 * kPi * j / kN;
+      const double r = 3 + std::cos(u / 2) * std::sin(v) - std::sin(u / 2) * std::sin(2 * v);
+      positions.push_back({r * std::cos(u), r * std::sin(u),
+                           std::sin(u / 2) * std::sin(v) + std::cos(u / 2) * std::sin(2 * v)});
+    }
+  Faces faces;
+  for (int i = 0; i < kN; ++i)
+    for (int j = 0; j < kN; ++j) {
+      const auto at_row = [&](int row, int k) {
+        return row < kN ? row * kN + k % kN : (2 * kN - k) % kN;
+      };
+      faces.push_back({at_row(i, j), at_row(i + 1, j), at_row(i + 1, j + 1), at_row(i, j + 1)});
+    }
+  const RepairedSurface out = repaired(polygon_mesh(positions, faces));
+  EXPECT_EQ(out.mesh->topology().components, 1);
+  EXPECT_EQ(out.mesh->topology().euler_characteristic(), 0);
+  EXPECT_GT(count_of(out, RepairKind::CutEdge), 0);
+}
+
+// Where the orientation of faces means something, those that disagree are neighbours no longer.
+TEST(Repair, OrientationAsGivenTurnsNothing) {
+  PolygonMesh mesh = grid(6, bumpy);
+  std::swap(mesh.polygons[30][0], mesh.polygons[30][1]);
+  const RepairedSurface out = repaired(mesh, {.orientation = Orientation::AsGiven});
+  EXPECT_EQ(count_of(out, RepairKind::TurnedFace), 0);
+  EXPECT_EQ(count_of(out, RepairKind::CutEdge), 3);
+  EXPECT_EQ(out.mesh->topology().components, 2);
+  for (Index f = 0; f < out.mesh->face_count(); ++f)
+    EXPECT_EQ(out.polygon_corner.row(f), Eigen::RowVector3i(0, 1, 2));
+}
+
+TEST(Repair, WeldsSoups) {
+  const PolygonMesh soup = soup_of(torus(8, 6, 0));
+  const RepairedSurface out = repaired(soup);
+  EXPECT_EQ(shape_of(out), (Shape{1, 0, 0}));
+  EXPECT_EQ(count_of(out, RepairKind::Welded), 3 * 96 - 48);
+  EXPECT_EQ(out.mesh->vertex_count(), 48);
+}
+
+// A slit stays a slit, unless it is to be welded.
+TEST(Repair, WeldsIndexedMeshesOnRequest) {
+  const SurfaceMesh whole = SurfaceMesh::from_polygons(grid(4, bumpy));
+  std::vector<char> flags(at(whole.half_edge_count()), 0);
+  for (Index h = 0; h < whole.half_edge_count(); ++h)
+    flags[at(h)] = whole.positions()(whole.from_vertex(h), 0) == 0.5 &&
+                   whole.positions()(whole.to_vertex(h), 0) == 0.5;
+  const SurfaceMesh cut = whole.cut_along(flags, nullptr);
+  PolygonMesh slit = polygon_mesh({}, {});
+  for (Index v = 0; v < cut.vertex_count(); ++v)
+    slit.positions.emplace_back(cut.positions().row(v));
+  for (Index f = 0; f < cut.face_count(); ++f)
+    slit.polygons.push_back({cut.faces()(f, 0), cut.faces()(f, 1), cut.faces()(f, 2)});
+  EXPECT_EQ(shape_of(repaired(slit)), (Shape{2, 2, 2}));
+  EXPECT_TRUE(repaired(slit).repairs.empty());
+  const RepairedSurface out = repaired(slit, {.weld = 0});
+  EXPECT_EQ(shape_of(out), (Shape{1, 1, 1}));
+  EXPECT_EQ(count_of(out, RepairKind::Welded), 5);
+  EXPECT_EQ(std::count(out.given_cuts.begin(), out.given_cuts.end(), 1), 0);
+  // Texture coordinates that differ across the slit make it a cut that was given; others do not.
+  const auto side = [](const Vector3& p) { return p.x() < 0.5 ? 0 : 1; };
+  const auto one = [](const Vector3&) { return 0; };
+  RepairedSurface islands = repaired(textured(slit, side), {.weld = 0});
+  EXPECT_EQ(std::count(islands.given_cuts.begin(), islands.given_cuts.end(), 1), 8);
+  islands = repaired(textured(slit, one), {.weld = 0});
+  EXPECT_EQ(std::count(islands.given_cuts.begin(), islands.given_cuts.end(), 1), 0);
+
+  for (std::size_t v = at(whole.vertex_count()); v < slit.positions.size(); ++v)
+    slit.positions[v] += Vector3(3e-4, -3e-4, 3e-4);
+  EXPECT_EQ(shape_of(repaired(slit, {.weld = 0})), (Shape{2, 2, 2}));
+  EXPECT_EQ(shape_of(repaired(slit, {.weld = 5e-4})), (Shape{2, 2, 2}));
+  const RepairedSurface near = repair(slit, {.weld = 6e-4});
+  expect_repaired(slit, near, 6e-4);
+  EXPECT_EQ(shape_of(near), (Shape{1, 1, 1}));
+}
+
+TEST(Repair, WeldsNoEdgeAway) {
+  PolygonMesh mesh = grid(4, bumpy);
+  mesh.positions[12] = mesh.positions[13];
+  const RepairedSurface out = repaired(mesh, {.weld = 0});
+  EXPECT_EQ(shape_of(out), (Shape{1, 1, 1}));
+  EXPECT_EQ(count_of(out, RepairKind::Welded), 0);
+  EXPECT_EQ(count_of(out, RepairKind::RegularizedFace), 2);
+}
+
+TEST(Repair, RegularizesFacesWithoutArea) {
+  PolygonMesh mesh = grid(4);
+  mesh.positions[12] = mesh.positions[13];                          // two faces
+  mesh.positions[1] = (mesh.positions[0] + mesh.positions[2]) / 2;  // stays a corner
+  mesh = both(mesh, polygon_mesh({{5, 0, 0}, {7, 0, 0}, {5.5, 0, 0}}, {{0, 1, 2}}));
+  mesh = both(mesh, polygon_mesh({{9, 9, 9}, {9, 9, 9}, {9, 9, 9}}, {{0, 1, 2}}));
+  const RepairedSurface out = repaired(mesh);
+  EXPECT_EQ(count_of(out, RepairKind::RegularizedFace), 4);
+  const auto& rest = out.mesh->rest_triangles();
+  ASSERT_EQ(rest.size(), 4u);
+  for (const RestTriangle& t : rest) {
+    const auto& c = t.corners;
+    EXPECT_GT(cross(c[1] - c[0], c[2] - c[0]), 0);
+  }
+  const auto& needle = rest[2].corners;  // the longest edge, and the foot where it was
+  EXPECT_EQ(needle[0], Vector2(0, 0));
+  EXPECT_EQ(needle[1], Vector2(2, 0));
+  EXPECT_EQ(needle[2], Vector2(0.5, 2 * kNeedleHeight));
+  EXPECT_GT((rest[3].corners[1] - rest[3].corners[0]).norm(), 0);
+  // Area that a map can be measured by, of every piece.
+  for (const SurfacePiece& piece : out.mesh->split()) EXPECT_GT(piece.mesh->area(), 0);
+}
+
+TEST(Repair, MovesToTheOriginAndBackExactly) {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> digit(-1, 1);
+  for (const Vector3& offset :
+       {Vector3(1e6, -1e6, 0), Vector3(1e12, 3e11, -7e11), Vector3(4.1e9, 0, 5)}) {
+    PolygonMesh mesh = grid(6, bumpy);
+    for (Vector3& p : mesh.positions)
+      p += offset + 1e-3 * Vector3(digit(random), digit(random), digit(random));
+    const RepairedSurface out = repaired(mesh);  // which compares positions for equality
+    EXPECT_EQ(count_of(out, RepairKind::MovedToOrigin), 1);
+    EXPECT_LE(out.mesh->positions().cwiseAbs().maxCoeff(), 6);
+    for (Index h = 0; h < out.mesh->half_edge_count(); ++h) {
+      const Vector3 there = mesh.positions[at(out.mesh->input_vertex(out.mesh->to_vertex(h)))] -
+                            mesh.positions[at(out.mesh->input_vertex(out.mesh->from_vertex(h)))];
+      EXPECT_EQ(out.mesh->edge_length(h), there.norm());
+    }
+    for (const SurfacePiece& piece : out.mesh->split())
+      EXPECT_EQ(piece.mesh->input_position(3), out.mesh->input_position(3));
+  }
+}
+
+// The diagonal of a quad that keeps its texture coordinates, be the quad mirrored or not.
+TEST(Repair, SplitsPolygonsWhereTheirTextureAllowsIt) {
+  for (const double sign : {1., -1.}) {
+    PolygonMesh mesh = polygon_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2, 3}});
+    for (const bool along : {false, true}) {
+      // Reflex in the plane at one corner or at its neighbour.
+      mesh.texcoords = along ? std::vector<Vector2>{{0.7, 0.7}, {1, 0}, {1, 1}, {0, 1}}
+                             : std::vector<Vector2>{{0, 0}, {0.3, 0.7}, {1, 1}, {0, 1}};
+      for (Vector2& uv : mesh.texcoords) uv.x() *= sign;
+      mesh.polygon_texcoords = {{0, 1, 2, 3}};
+      const RepairedSurface out = repaired(mesh);
+      for (Index f = 0; f < 2; ++f) {
+        const auto uv = out.mesh->corner_texcoords().row(f);
+        const Vector2 a = uv.segment<2>(0), b = uv.segment<2>(2), c = uv.segment<2>(4);
+        EXPECT_GT(sign * cross(b - a, c - a), 0) << sign << along << f;
+      }
+    }
+  }
+}
+
+TEST(Repair, SplitsIntoPieces) {
+  const RepairedSurface out =
+      repaired(both(both(grid(2), cube_sphere(2)), with_faces(grid(3), {{0, 1, 1}})));
+  const std::vector<SurfacePiece> pieces = out.mesh->split();
+  ASSERT_EQ(pieces.size(), 4u);
+  std::vector<Index> times(at(out.mesh->face_count()), 0);
+  for (const SurfacePiece& piece : pieces) {
+    const SurfaceMesh& mesh = *piece.mesh;
+    EXPECT_EQ(mesh.topology().components, 1);
+    ASSERT_EQ(piece.face.size(), at(mesh.face_count()));
+    ASSERT_EQ(piece.vertex.size(), at(mesh.vertex_count()));
+    for (Index f = 0; f < mesh.face_count(); ++f) {
+      ++times[at(piece.face[at(f)])];
+      EXPECT_EQ(mesh.input_face(f), out.mesh->input_face(piece.face[at(f)]));
+      for (Index k = 0; k < 3; ++k)
+        EXPECT_EQ(piece.vertex[at(mesh.faces()(f, k))], out.mesh->faces()(piece.face[at(f)], k));
+    }
+    for (Index v = 0; v < mesh.vertex_count(); ++v) {
+      const Index of_all = piece.vertex[at(v)];
+      EXPECT_EQ(Vector3(mesh.positions().row(v)), Vector3(out.mesh->positions().row(of_all)));
+      EXPECT_EQ(mesh.input_vertex(v), out.mesh->input_vertex(of_all));
+      EXPECT_EQ(mesh.input_vertex(mesh.find_input_vertex(mesh.input_vertex(v))),
+                mesh.input_vertex(v));
+    }
+  }
+  EXPECT_EQ(times, std::vector<Index>(times.size(), 1));
+  ASSERT_EQ(pieces[3].mesh->rest_triangles().size(), 1u);
+  EXPECT_EQ(pieces[3].mesh->rest_triangles()[0].face, 0);
+}
+
+// All of it at once, at random: what is promised holds whatever comes.
+TEST(Repair, HoldsForRandomDamage) {
+  std::mt19937 random(3);
+  const auto below = [&](std::size_t n) { return static_cast<Index>(random() % n); };
+  for (int run = 0; run < 400; ++run) {
+    PolygonMesh mesh = run % 4 == 0   ? grid(5, bumpy)
+                       : run % 4 == 1 ? voxel_surface(box(2, 2, 1))
+                       : run % 4 == 2 ? both(torus(6, 5, 1), octahedron())
+                                      : moebius(8, 2);
+    const int damages = 1 + below(12);
+    for (int k = 0; k < damages; ++k) {
+      auto& polygon = mesh.polygons[at(below(mesh.polygons.size()))];
+      const Index v = below(mesh.positions.size()), w = below(mesh.positions.size());
+      switch (below(7)) {
+        case 0:
+          std::reverse(polygon.begin(), polygon.end());
+          break;
+        case 1:
+          polygon[at(below(polygon.size()))] = v;
+          break;
+        case 2:
+          mesh.positions[at(v)] = mesh.positions[at(w)];
+          break;
+        case 3:
+          mesh.polygons.push_back(std::vector<Index>(polygon));
+          break;
+        case 4:
+          for (auto& p : mesh.polygons)
+            for (Index& corner : p) corner = corner == v ? w : corner;
+          break;
+        case 5:
+          mesh.polygons.push_back({v, w, below(mesh.positions.size())});
+          break;
+        default:
+          mesh.polygons.push_back({polygon[0], polygon[1], v, w});
+      }
+    }
+    SCOPED_TRACE(run);
+    repaired(mesh);
+    repaired(mesh, {.weld = 0});
+    repaired(mesh, {.orientation = Orientation::AsGiven});
+    if (::testing::Test::HasFailure()) return;
+  }
+}
+
+TEST(Repair, DescribesWhatItDid) {
+  EXPECT_EQ(describe({RepairKind::TurnedFace, 1, {{6, -1}}}),
+            "1 face turned to agree with its neighbours (face 7)");
+  expect_contains(
+      describe({RepairKind::SplitEdge, 9, {{0, 1}, {2, 3}, {4, 5}, {6, 7}, {8, 9}, {10, 11}}}),
+      {"9 edges", "edge (1, 2), (3, 4)", "(9, 10), ...)"});
+  EXPECT_EQ(name_of(RepairKind::MovedToOrigin), "moved_to_origin");
+}
+
+}  // namespace
+}  // namespace majorant
