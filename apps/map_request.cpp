@@ -83,7 +83,7 @@ Index used_vertex(const std::string& path, const SurfaceMesh& mesh, Index input_
 }
 
 void MapRequest::add_to(CLI::App& verb) {
-  verb.add_option("input", input, "mesh: .obj .off .ply .stl .vtu")->required();
+  verb.add_option("input", input, "mesh: .obj .off .ply .stl .vtu, also .gz")->required();
   verb.add_option(
           "--degree", degree,
           fmt::format(

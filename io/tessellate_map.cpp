@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "majorant/framework/error.h"
@@ -48,20 +49,26 @@ struct InputFaces {
   std::vector<std::array<std::size_t, 3>> corners;  // of its polygon, by cell
 };
 
-// By vertex number, else by position.
-std::size_t corner_of(const MapFile& map, Index point, const PolygonMesh& input, std::size_t face) {
+// By vertex number, else by position; none of `taken`, which are those of the cell's other corners:
+// a polygon may have a vertex twice.
+std::size_t corner_of(const MapFile& map, Index point, const PolygonMesh& input, std::size_t face,
+                      std::span<const std::size_t> taken) {
   const auto& polygon = input.polygons[face];
-  auto found = polygon.end();
+  const auto find = [&](const auto& is_it) {
+    for (std::size_t k = 0; k < polygon.size(); ++k)
+      if (is_it(polygon[k]) && std::find(taken.begin(), taken.end(), k) == taken.end()) return k;
+    return polygon.size();
+  };
+  std::size_t found = polygon.size();
   if (map.input_vertex.size() > 0)
-    found = std::find(polygon.begin(), polygon.end(), map.input_vertex[point]);
-  if (found == polygon.end()) {
+    found = find([&](Index v) { return v == map.input_vertex[point]; });
+  if (found == polygon.size()) {
     const Vector3 position = map.points.row(point).transpose();
-    found = std::find_if(polygon.begin(), polygon.end(),
-                         [&](Index v) { return input.positions[at(v)] == position; });
+    found = find([&](Index v) { return input.positions[at(v)] == position; });
   }
-  if (found == polygon.end())
+  if (found == polygon.size())
     refuse(fmt::format("map point {} is no corner of face {} of the input", point, face));
-  return static_cast<std::size_t>(found - polygon.begin());
+  return found;
 }
 
 // Gives the mesh of the cells the vertices of the input.
@@ -76,7 +83,8 @@ InputFaces find_input(const MapFile& map, const PolygonMesh& input, PolygonMesh&
     faces.corners.emplace_back();
     for (std::size_t k = 0; k < 3; ++k) {
       const Index point = map.cells(cell, static_cast<Index>(k));
-      faces.corners[c][k] = corner_of(map, point, input, at(face));
+      const std::span<const std::size_t> taken(faces.corners[c].data(), k);
+      faces.corners[c][k] = corner_of(map, point, input, at(face), taken);
       coarse.polygons[c][k] = input.polygons[at(face)][faces.corners[c][k]];
     }
   }
