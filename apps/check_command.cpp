@@ -17,6 +17,7 @@
 #include "apps/process.h"
 #include "apps/report.h"
 #include "apps/streams.h"
+#include "apps/suggestion.h"
 #include "apps/unless_stopped.h"
 #include "majorant/framework/thread_count.h"
 #include "majorant/io/map_proof.h"
@@ -140,6 +141,7 @@ int check(const Request& request) {
     return unless_stopped("reading " + path, [&] { return reader(path, stop); });
   };
   const MapFile file = read(request.result, read_map);
+  say_warnings(file.warnings);
   const Claims claims = parse_claims(file.claims, request.result);
   std::optional<PolygonMesh> surface;
   if (!request.surface.empty()) surface = read(request.surface, read_mesh);
@@ -160,7 +162,7 @@ void add_check(CLI::App& app, Action* run) {
   verb.add_option("--cuts", request->cuts,
                   "none: inner edges whose sides differ are violations; free: they are counted "
                   "(default with --surface: none)")
-      ->check(CLI::IsMember({"none", "free"}));
+      ->check(one_of({"none", "free"}));
   verb.add_flag("--seamless", request->seamless,
                 "the map is seamless, its seams are no cuts (implied where the file claims it)");
   verb.add_option("--time-limit", request->time_limit,

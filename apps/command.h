@@ -23,11 +23,13 @@ enum ExitCode {
 ExitCode exit_code(ErrorKind kind);
 ExitCode exit_code(Status status);
 
+inline constexpr const char* kStandardOutput = "-";  // as the name of a report
+
 struct CommonOptions {
   int threads = 0;  // 0: as many as the machine has
   bool quiet = false, verbose = false;
   bool force = false;  // an output may replace an input
-  std::string report;  // file name or empty
+  std::string report;  // file name, kStandardOutput or empty
 
   void add_to(CLI::App& verb);
 };

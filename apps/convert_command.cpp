@@ -7,6 +7,7 @@
 #include "apps/outputs.h"
 #include "apps/process.h"
 #include "apps/report.h"
+#include "apps/streams.h"
 #include "majorant/framework/thread_count.h"
 #include "majorant/io/certified_file.h"
 #include "majorant/io/internal/cut_map.h"
@@ -77,6 +78,7 @@ int convert(Request request) {
   require_writable(request.common, {{request.outputs, {".vtu", ".obj", ".svg"}}}, {request.input});
   const ThreadCount threads(start_threads(request.common.threads));
   MapFile map = read_map(request.input);
+  say_warnings(map.warnings);
   mark_seams(map, request.input);
   request.formats.tessellation.overlap = allowed_overlap(map, request.input);
   const PolygonMesh surface = mesh_from_map(map, request.input);

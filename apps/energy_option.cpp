@@ -8,6 +8,7 @@
 #include <cmath>
 #include <vector>
 
+#include "apps/suggestion.h"
 #include "majorant/framework/error.h"
 #include "majorant/parametrization/maps/map_problem.h"
 
@@ -70,9 +71,9 @@ EnergySum parse_energy(const std::string& expression) {
     if (!energy) {
       std::vector<std::string> names;
       for (const NamedEnergy& e : named_energies()) names.push_back(e.name);
-      refuse(expression, fmt::format("no energy is called '{}'; use {}, or a sum like "
+      refuse(expression, fmt::format("no energy is called '{}'{}; use {}, or a sum like "
                                      "'symmetric-dirichlet + 0.1*asap'",
-                                     text, fmt::join(names, ", ")));
+                                     text, did_you_mean(text, names), fmt::join(names, ", ")));
     }
     sum.push_back({energy->make, weight});
   }

@@ -1,12 +1,16 @@
-// majorant info IN: what a mesh is, and what a run would do about it.
+// majorant info IN: what a mesh is, what is wrong with it, and which verb maps it.
 #include <CLI/App.hpp>
 #include <memory>
+#include <optional>
 
 #include "apps/command.h"
 #include "apps/outputs.h"
 #include "apps/report.h"
 #include "apps/streams.h"
 #include "majorant/io/read_mesh.h"
+#include "majorant/mesh/repair.h"
+#include "majorant/parametrization/drive/internal/normalized_start.h"
+#include "majorant/parametrization/drive/parametrize.h"
 #include "majorant/parametrization/starts/texture_seams.h"
 
 namespace majorant::app {
@@ -17,58 +21,119 @@ struct Request {
   std::string input;
 };
 
-// Says whether the texture coordinates, if there are any, are a seamless map; true if they have
-// seams that --seamless would hold.
-bool describe_texture(const SurfaceMesh& mesh, Json& report) {
-  if (mesh.corner_texcoords().rows() == 0) return false;
+// The same in words and as JSON.
+struct Description {
+  std::string text;
+  Json report{{"schema_version", 1}, {"version", MAJORANT_VERSION}, {"command", "info"}};
+
+  template <class... Args>
+  void add(fmt::format_string<Args...> format, Args&&... args) {
+    fmt::format_to(std::back_inserter(text), format, std::forward<Args>(args)...);
+  }
+};
+
+// Numbers are those of the surface that repairs leave.
+void describe_surface(const PolygonMesh& polygons, const SurfaceMesh& mesh, Description& out) {
+  const Topology& t = mesh.topology();
+  out.add("file: {}\nvertices: {}\npolygons: {}\ntexture coordinates: {}\n", polygons.file,
+          polygons.positions.size(), polygons.polygons.size(), polygons.texcoords.size());
+  out.add(
+      "triangles: {}\ncomponents: {}\nboundary loops: {}\nEuler characteristic: {}\n"
+      "area: {:.10g}\n",
+      t.faces, t.components, t.boundary_loops, t.euler_characteristic(), mesh.area());
+  out.report["input"] = input_section(polygons, mesh);
+  for (const std::string& warning : polygons.warnings) out.add("warning: {}\n", warning);
+  for (const auto& note : out.report["input"]["repairs"])
+    out.add("note: {}\n", note.get<std::string>());
+}
+
+// What `majorant unwrap` would mend.
+void describe_defects(const std::vector<Repair>& repairs, Description& out) {
+  Json list = Json::array();
+  for (const Repair& r : repairs) {
+    out.add("defect: {}\n", describe(r));
+    Json places = Json::array();
+    for (const auto& [first, second] : r.places)
+      places.push_back(second < 0 ? Json{first} : Json{first, second});
+    list.push_back({{"repair", name_of(r.kind)}, {"count", r.count}, {"places", places}});
+  }
+  out.report["defects"] = list;
+}
+
+// The map that the texture coordinates are if they fit along their cuts.
+std::optional<BezierMap> describe_texture(const SurfaceMesh& mesh, Description& out) {
+  if (mesh.corner_texcoords().rows() == 0) return std::nullopt;
   try {
-    const BezierMap map = seamless_from_texture(mesh).map;
+    BezierMap map = seamless_from_texture(mesh).map;
     const Seams& seams = map.seams();
     const Json cones = cones_section(map);
-    print_data("texture: seamless, {} cones, {} chains of {} seam edges\n", cones.size(),
-               seams.chain_count(), seams.edges().size());
-    report["texture"] = {{"seamless", true},
-                         {"cones", cones},
-                         {"chains", seams.chain_count()},
-                         {"seam_edges", seams.edges().size()}};
-    return !seams.trivial();
+    out.add("texture: seamless, {} cones, {} chains of {} seam edges\n", cones.size(),
+            seams.chain_count(), seams.edges().size());
+    out.report["texture"] = {{"seamless", true},
+                             {"cones", cones},
+                             {"chains", seams.chain_count()},
+                             {"seam_edges", seams.edges().size()}};
+    return map;
   } catch (const Error& e) {
-    print_data("texture: not seamless: {}\n", e.what());
-    report["texture"] = {{"seamless", false}, {"message", e.what()}};
-    return false;
+    out.add("texture: not seamless: {}\n", e.what());
+    out.report["texture"] = {{"seamless", false}, {"message", e.what()}};
+    return std::nullopt;
   }
+}
+
+// Makes the start that parametrize would make. Throws Error as it would.
+void require_start(const std::shared_ptr<const SurfaceMesh>& mesh, MapInjectivity injectivity) {
+  MapOptions asked;
+  asked.injectivity = injectivity;
+  NormalizedStart(BezierMap::linear(mesh, initial_map(*mesh, asked)), asked);
+}
+
+// What runs, tried out. Throws Error where nothing does.
+std::string runnable(const std::shared_ptr<const SurfaceMesh>& mesh, Description& out) {
+  const Topology& t = mesh->topology();
+  const bool is_planar = t.boundary_loops > 0 && t.euler_characteristic() == 2 - t.boundary_loops;
+  const bool is_disk = is_planar && t.boundary_loops == 1;
+  const std::optional<BezierMap> texture = describe_texture(*mesh, out);
+  const bool has_seams = texture && !texture->seams().trivial();
+  if (has_seams && !is_disk) {
+    NormalizedStart(*texture, MapOptions());
+    return "parametrize --seamless can run";
+  }
+  try {
+    require_start(mesh, MapInjectivity::Local);
+  } catch (const Error&) {
+    if (is_disk || !is_planar) throw;
+    require_start(mesh, MapInjectivity::Global);
+    return "parametrize --bijective can run";
+  }
+  return has_seams ? "parametrize can run, with --seamless too" : "parametrize can run";
+}
+
+std::string verdict(const PolygonMesh& polygons, Description& out) {
+  std::string refusal, other_verb;
+  try {
+    const auto mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(polygons));
+    other_verb = ", `majorant seamless` tries a map with cones, which may overlap";
+    return runnable(mesh, out);
+  } catch (const Error& e) {
+    refusal = e.what();
+  }
+  return fmt::format("parametrize would refuse: {}; `majorant unwrap {} -o OUT.obj` maps it{}",
+                     refusal, polygons.file, other_verb);
 }
 
 int info(const Request& request) {
   require_writable(request.common, {}, {request.input});
   const PolygonMesh polygons = read_mesh(request.input);
-  Json report{{"schema_version", 1}, {"version", MAJORANT_VERSION}, {"command", "info"}};
-  print_data("file: {}\nvertices: {}\npolygons: {}\ntexture coordinates: {}\n", polygons.file,
-             polygons.positions.size(), polygons.polygons.size(), polygons.texcoords.size());
-  std::string verdict = "parametrize can run";
-  try {
-    const SurfaceMesh mesh = SurfaceMesh::from_polygons(polygons);
-    const Topology& t = mesh.topology();
-    print_data(
-        "triangles: {}\ncomponents: {}\nboundary loops: {}\nEuler characteristic: {}\n"
-        "area: {:.10g}\n",
-        t.faces, t.components, t.boundary_loops, t.euler_characteristic(), mesh.area());
-    report["input"] = input_section(polygons, mesh);
-    for (const auto& repair : report["input"]["repairs"])
-      print_data("note: {}\n", repair.get<std::string>());
-    const bool has_seams = describe_texture(mesh, report);
-    const bool is_disk = t.boundary_loops == 1 && t.euler_characteristic() == 1;
-    if (has_seams)
-      verdict =
-          is_disk ? "parametrize can run, with --seamless too" : "parametrize --seamless can run";
-    else
-      mesh.require_disk();
-  } catch (const Error& e) {
-    verdict = fmt::format("parametrize would refuse: {}", e.what());
-  }
-  print_data("verdict: {}\n", verdict);
-  report["message"] = verdict;
-  if (!request.common.report.empty()) write_json(request.common.report, report);
+  Description out;
+  const RepairedSurface repaired = repair(polygons);
+  describe_surface(polygons, *repaired.mesh, out);
+  describe_defects(repaired.repairs, out);
+  const std::string message = verdict(polygons, out);
+  out.add("verdict: {}\n", message);
+  out.report["message"] = message;
+  if (request.common.report != kStandardOutput) print_text(out.text);
+  if (!request.common.report.empty()) write_json(request.common.report, out.report);
   return kSuccess;
 }
 
@@ -76,8 +141,8 @@ int info(const Request& request) {
 
 void add_info(CLI::App& app, Action* run) {
   auto request = std::make_shared<Request>();
-  CLI::App& verb = *app.add_subcommand("info", "describe a mesh and its defects");
-  verb.add_option("input", request->input, "mesh: .obj .off .ply .stl .vtu")->required();
+  CLI::App& verb = *app.add_subcommand("info", "describe a mesh, its defects, and what maps it");
+  verb.add_option("input", request->input, "mesh: .obj .off .ply .stl .vtu, also .gz")->required();
   request->common.add_to(verb);
   verb.footer("Example: majorant info bunny.obj");
   verb.callback([request, run] { *run = [request] { return info(*request); }; });

@@ -2,12 +2,14 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <algorithm>
 #include <cstring>
 #include <exception>
 #include <new>
 #include <sstream>
 
 #include "apps/command.h"
+#include "apps/command_line.h"
 #include "apps/process.h"
 #include "apps/streams.h"
 
@@ -51,7 +53,8 @@ void CommonOptions::add_to(CLI::App& verb) {
       ->check(CLI::Range(1, 1024));
   auto* q = verb.add_flag("--quiet", quiet, "no progress");
   verb.add_flag("--verbose", verbose, "a line per iteration")->excludes(q);
-  verb.add_option("--report", report, "write a JSON report to FILE")->type_name("FILE");
+  verb.add_option("--report", report, "write a JSON report to FILE, - for stdout")
+      ->type_name("FILE");
   verb.add_flag("--force", force, "an output may replace a file that is read");
 }
 
@@ -78,8 +81,10 @@ int run(int argc, char** argv) {
   add_compare(app, &action);
   add_convert(app, &action);
   add_info(app, &action);
+  std::vector<std::string> words = meant_words(app, {argv + 1, argv + argc});
+  std::reverse(words.begin(), words.end());  // as the parser takes them
   try {
-    app.parse(argc, argv);
+    app.parse(words);
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) {  // help, version
       std::ostringstream text;
@@ -87,7 +92,7 @@ int run(int argc, char** argv) {
       print_text(text.str());
       return kSuccess;
     }
-    say("majorant: {} (see majorant --help)\n", e.what());
+    say("majorant: {}\n", usage_message(app, e));
     return kUsage;
   }
   return action();

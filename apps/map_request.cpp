@@ -7,6 +7,8 @@
 #include "apps/energy_option.h"
 #include "apps/number_check.h"
 #include "apps/outputs.h"
+#include "apps/streams.h"
+#include "apps/suggestion.h"
 #include "apps/unless_stopped.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/curvature_name.h"
@@ -72,7 +74,7 @@ Index used_vertex(const std::string& path, const SurfaceMesh& mesh, Index input_
 }
 
 void MapRequest::add_to(CLI::App& verb) {
-  verb.add_option("input", input, "mesh: .obj .off .ply .stl .vtu")->required();
+  verb.add_option("input", input, "mesh: .obj .off .ply .stl .vtu, also .gz")->required();
   verb.add_option(
           "--degree", degree,
           fmt::format(
@@ -95,9 +97,9 @@ void MapRequest::add_to(CLI::App& verb) {
 
 void MapRequest::add_start_to(CLI::App& verb) {
   verb.add_option("--boundary", boundary, "free, or fixed where the initial map has it")
-      ->check(CLI::IsMember({"free", "fixed"}));
+      ->check(one_of({"free", "fixed"}));
   verb.add_option("--init", init, "tutte, or input: the file's texture coordinates")
-      ->check(CLI::IsMember({"tutte", "input"}));
+      ->check(one_of({"tutte", "input"}));
 }
 
 void MapRequest::choose_degree(const std::vector<std::string>& outputs) {
@@ -141,6 +143,7 @@ MapInput read_input(const MapRequest& request, const StopCheck& stop,
   parse_energy(request.energy);  // before any work
   unless_stopped("reading " + request.input, [&] {
     in.polygons = read_mesh(request.input, stop);
+    say_warnings(in.polygons.warnings);
     in.mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(in.polygons, stop));
   });
   if (make_start)

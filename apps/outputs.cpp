@@ -69,7 +69,7 @@ std::string extension(const std::string& path) {
 void require_writable(const CommonOptions& common, const std::vector<OutputNames>& outputs,
                       const std::vector<std::string>& inputs) {
   std::vector<OutputNames> all = outputs;
-  all.push_back({{common.report}, {".json"}});
+  if (common.report != kStandardOutput) all.push_back({{common.report}, {".json"}});
   std::vector<NamedFile> taken;
   for (const OutputNames& names : all)
     for (const std::string& path : names.paths) {

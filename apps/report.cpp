@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "apps/command.h"
+#include "apps/streams.h"
 #include "majorant/io/atomic_file.h"
 
 namespace majorant::app {
@@ -25,7 +27,8 @@ Json input_section(const PolygonMesh& polygons, const SurfaceMesh& mesh) {
           {"boundary_loops", t.boundary_loops},
           {"euler_characteristic", t.euler_characteristic()},
           {"area", mesh.area()},
-          {"repairs", repairs}};
+          {"repairs", repairs},
+          {"warnings", polygons.warnings}};
 }
 
 Json cones_section(const BezierMap& map) {
@@ -128,7 +131,11 @@ std::string json_text(const Json& json, int indent) {
 }
 
 void write_json(const std::string& path, const Json& json) {
-  write_file_atomically(path, json_text(json, 1) + "\n");
+  const std::string text = json_text(json, 1) + "\n";
+  if (path == kStandardOutput)
+    print_text(text);
+  else
+    write_file_atomically(path, text);
 }
 
 void write_trace(const std::string& path, const std::vector<TraceEntry>& trace) {

@@ -29,7 +29,7 @@ long peak_memory_bytes();
 // The text of every JSON that the command writes: numbers with 17 digits where needed; not finite
 // becomes null; bytes that are not UTF-8 (of paths) become U+FFFD. indent -1: on one line.
 std::string json_text(const Json& json, int indent = -1);
-// Written atomically.
+// Written atomically; to stdout where the name is kStandardOutput.
 void write_json(const std::string& path, const Json& json);
 void write_trace(const std::string& path, const std::vector<TraceEntry>& trace);
 

@@ -5,6 +5,7 @@
 #include "apps/energy_option.h"
 #include "apps/map_run.h"
 #include "apps/number_check.h"
+#include "apps/suggestion.h"
 #include "majorant/io/internal/read_vertex_lists.h"
 #include "majorant/parametrization/drive/parametrize.h"
 #include "majorant/parametrization/starts/make_seamless.h"
@@ -63,7 +64,7 @@ void add_seamless(CLI::App& app, Action* run) {
   verb.add_option("--cones", r.cones, "the cones, JSON (default: those of a smooth cross field)")
       ->type_name("FILE");
   verb.add_option("--start", r.start, "what the map is made from (automatic)")
-      ->check(CLI::IsMember({"automatic", "field", "scaled-field", "conformal"}));
+      ->check(one_of({"automatic", "field", "scaled-field", "conformal"}));
   verb.add_option("--curvature-alignment", r.curvature_alignment,
                   "pull of principal directions on the cross field, 5 to 50 are useful (0)")
       ->check(non_negative_number(kLargestFactor));

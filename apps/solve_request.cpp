@@ -5,6 +5,7 @@
 #include "apps/number_check.h"
 #include "apps/process.h"
 #include "apps/progress.h"
+#include "apps/suggestion.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/curvature_name.h"
 
@@ -25,9 +26,9 @@ void SolveRequest::add_limits_to(CLI::App& verb, std::string& curvature) {
   std::vector<std::string> curvatures;
   for (const Curvature c : kCurvatures) curvatures.emplace_back(curvature_name(c));
   verb.add_option("--curvature", curvature, "second-order model (projected)")
-      ->check(CLI::IsMember(curvatures));
+      ->check(one_of(curvatures));
   verb.add_option("--elevation", elevation, "how the degree is reached")
-      ->check(CLI::IsMember({"incremental", "direct"}));
+      ->check(one_of({"incremental", "direct"}));
   verb.add_option("--tolerance", tolerance, "relative energy decrease to stop at (1e-6)")
       ->check(positive_number());
   verb.add_option("--max-iterations", max_iterations, "(1000)")->check(non_negative_number());

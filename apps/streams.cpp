@@ -24,6 +24,10 @@ void open_standard_streams() noexcept {
 
 void say_text(std::string_view text) noexcept { write_all(STDERR_FILENO, text); }
 
+void say_warnings(const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) say("majorant: warning: {}\n", warning);
+}
+
 void print_text(std::string_view text) noexcept {
   if (first_error == 0) first_error = write_all(STDOUT_FILENO, text);
 }

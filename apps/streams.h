@@ -8,8 +8,10 @@
 
 #include <fmt/format.h>
 
+#include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace majorant::app {
 
@@ -19,6 +21,9 @@ void open_standard_streams() noexcept;
 
 void say_text(std::string_view text) noexcept;
 void print_text(std::string_view text) noexcept;
+
+// "majorant: warning: ..." for each.
+void say_warnings(const std::vector<std::string>& warnings);
 
 template <class... Args>
 void say(fmt::format_string<Args...> format, Args&&... args) {

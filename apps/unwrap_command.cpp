@@ -51,6 +51,7 @@ int unwrap_file(Request request) {
   UnwrapOptions options;
   unless_stopped("reading " + request.map.input, [&] {
     polygons = read_mesh(request.map.input, record.start_stop());
+    say_warnings(polygons.warnings);
     surface = request.unwrap.repaired(polygons, record.start_stop());
     options = request.unwrap.options(polygons, surface);
     options.chart = read_options(request.map, polygons, *surface.mesh);

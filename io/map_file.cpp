@@ -96,6 +96,7 @@ MapFile to_map_file(const PolygonMesh& textured) {
     throw Error(ErrorKind::Unreadable,
                 textured.file + ": not every corner has texture coordinates");
   MapFile file;
+  file.warnings = textured.warnings;
   std::map<std::pair<Index, Index>, Index> point_of;  // (vertex, texture coordinate)
   std::vector<std::array<Index, 3>> cells;
   std::vector<Index> faces;

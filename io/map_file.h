@@ -7,6 +7,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "majorant/framework/types.h"
 #include "majorant/mesh/polygon_mesh.h"
@@ -29,6 +30,7 @@ struct MapFile {
   Cells seam_edges;              // #F by 3, edges 01, 12, 20: chain + 1, 0 for none; may be empty
   Eigen::VectorXi chart;         // #F, piece of an atlas, 0-based; may be empty
   std::string claims;            // JSON object, what the file promises; may be empty
+  std::vector<std::string> warnings;  // what a reader left out, as in PolygonMesh; never written
 };
 
 // Distortion, min_det and claims are left empty, cone and seam_edges too unless the map has seams

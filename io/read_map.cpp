@@ -1,18 +1,13 @@
 #include "majorant/io/read_map.h"
 
-#include <algorithm>
-#include <cctype>
-#include <filesystem>
-
+#include "majorant/io/internal/input_file.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/vtu.h"
 
 namespace majorant {
 
 MapFile read_map(const std::string& path, const StopCheck& stop) {
-  std::string e = std::filesystem::path(path).extension().string();
-  std::transform(e.begin(), e.end(), e.begin(), [](unsigned char c) { return std::tolower(c); });
-  return e == ".vtu" ? read_vtu(path, stop) : to_map_file(read_mesh(path, stop));
+  return format_of(path) == ".vtu" ? read_vtu(path, stop) : to_map_file(read_mesh(path, stop));
 }
 
 }  // namespace majorant

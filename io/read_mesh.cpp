@@ -3,8 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
-#include <filesystem>
+#include <array>
 #include <limits>
 
 #include "majorant/framework/error.h"
@@ -26,18 +25,23 @@ void require_complete(const PolygonMesh& mesh) {
   }
 }
 
+bool is_mesh_name(const std::string& path) {
+  constexpr std::array<std::string_view, 5> kFormats = {".obj", ".off", ".ply", ".stl", ".vtu"};
+  return std::find(kFormats.begin(), kFormats.end(), format_of(path)) != kFormats.end();
+}
+
 PolygonMesh read_mesh(const std::string& path, const StopCheck& stop) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = format_of(path);
   if (extension == ".obj") return read_obj(path, read_whole_file(path, stop), stop);
   if (extension == ".off") return read_off(path, read_whole_file(path, stop), stop);
   if (extension == ".ply") return read_ply(path, read_whole_file(path, stop), stop);
   if (extension == ".stl") return read_stl(path, read_whole_file(path, stop), stop);
   if (extension == ".vtu") return mesh_from_map(read_vtu(path, stop), path);
-  throw Error(ErrorKind::Unreadable,
-              fmt::format("{}: unknown mesh format {}; use .obj, .off, .ply, .stl or .vtu", path,
-                          in_quotes(extension)));
+  throw Error(
+      ErrorKind::Unreadable,
+      fmt::format(
+          "{}: unknown mesh format {}; use .obj, .off, .ply, .stl or .vtu, or one of them with .gz",
+          path, in_quotes(extension)));
 }
 
 }  // namespace majorant

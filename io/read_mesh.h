@@ -2,14 +2,18 @@
 //
 //   PolygonMesh mesh = read_mesh("camel.obj");
 //
-//     .obj  v, vt and vn with their own indices, polygons, negative indices, line continuation;
-//           o g s usemtl mtllib are kept; points, lines, curves and free-form surfaces are ignored
-//     .off  OFF and its variants with normals, colours or texture coordinates, which are ignored
-//     .ply  ascii, binary of both byte orders; vertex properties x y z, and (texture_u, texture_v),
-//           (s, t) or (u, v) as texture coordinates; face property vertex_indices or vertex_index
+//     .obj  v, vt and vn with their own indices, polygons, negative indices, line continuation,
+//           colours of vertices; o g s usemtl mtllib and the like, points and lines are kept;
+//           curves, free-form surfaces and unknown words are skipped, which a warning says
+//     .off  OFF and its variants with normals, colours or texture coordinates, which are ignored;
+//           lines are as the writer liked them
+//     .ply  ascii, binary of both byte orders; vertex properties x y z, (texture_u, texture_v),
+//           (s, t) or (u, v) as texture coordinates, and red green blue; face property
+//           vertex_indices or vertex_index; element tristrips with the same, -1 begins a strip
 //     .stl  ascii and binary. STL cannot share vertices: corners with exactly equal coordinates
 //           become one vertex, numbered by first appearance
 //     .vtu  written by majorant (vtu.h): the corner points, uv as texture coordinates
+//     .obj.gz .off.gz ...  the same, compressed by gzip
 //
 // Readers believe nothing but the syntax: finite numbers, indices in range, polygons of at least
 // three corners, at least one vertex and one polygon. Whether the mesh is a manifold, oriented or
@@ -23,6 +27,9 @@
 #include "majorant/mesh/polygon_mesh.h"
 
 namespace majorant {
+
+// Whether the extension of a name is one of these.
+bool is_mesh_name(const std::string& path);
 
 // Throws Error(Unreadable, "file:line: what is wrong; remedy") for an unknown extension, a missing
 // file, or content that breaks the rules above; Stopped.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "majorant/framework/error.h"
@@ -48,20 +49,26 @@ struct InputFaces {
   std::vector<std::array<std::size_t, 3>> corners;  // of its polygon, by cell
 };
 
-// By vertex number, else by position.
-std::size_t corner_of(const MapFile& map, Index point, const PolygonMesh& input, std::size_t face) {
+// By vertex number, else by position; none of `taken`, which are those of the cell's other corners:
+// a polygon may have a vertex twice.
+std::size_t corner_of(const MapFile& map, Index point, const PolygonMesh& input, std::size_t face,
+                      std::span<const std::size_t> taken) {
   const auto& polygon = input.polygons[face];
-  auto found = polygon.end();
+  const auto find = [&](const auto& is_it) {
+    for (std::size_t k = 0; k < polygon.size(); ++k)
+      if (is_it(polygon[k]) && std::find(taken.begin(), taken.end(), k) == taken.end()) return k;
+    return polygon.size();
+  };
+  std::size_t found = polygon.size();
   if (map.input_vertex.size() > 0)
-    found = std::find(polygon.begin(), polygon.end(), map.input_vertex[point]);
-  if (found == polygon.end()) {
+    found = find([&](Index v) { return v == map.input_vertex[point]; });
+  if (found == polygon.size()) {
     const Vector3 position = map.points.row(point).transpose();
-    found = std::find_if(polygon.begin(), polygon.end(),
-                         [&](Index v) { return input.positions[at(v)] == position; });
+    found = find([&](Index v) { return input.positions[at(v)] == position; });
   }
-  if (found == polygon.end())
+  if (found == polygon.size())
     refuse(fmt::format("map point {} is no corner of face {} of the input", point, face));
-  return static_cast<std::size_t>(found - polygon.begin());
+  return found;
 }
 
 // Gives the mesh of the cells the vertices of the input.
@@ -76,7 +83,8 @@ InputFaces find_input(const MapFile& map, const PolygonMesh& input, PolygonMesh&
     faces.corners.emplace_back();
     for (std::size_t k = 0; k < 3; ++k) {
       const Index point = map.cells(cell, static_cast<Index>(k));
-      faces.corners[c][k] = corner_of(map, point, input, at(face));
+      const std::span<const std::size_t> taken(faces.corners[c].data(), k);
+      faces.corners[c][k] = corner_of(map, point, input, at(face), taken);
       coarse.polygons[c][k] = input.polygons[at(face)][faces.corners[c][k]];
     }
   }
@@ -104,6 +112,7 @@ class PolygonTransfer {
     result_.positions = pieces_.positions();
     result_.texcoords = pieces_.texcoords();
     result_.normals = input_.normals;
+    if (!input_.colors.empty()) add_colors();
     auto directive = input_.directives.begin();
     for (std::size_t face = 0; face < input_.polygons.size(); ++face) {
       while (directive != input_.directives.end() && at(directive->first) <= face)
@@ -115,6 +124,24 @@ class PolygonTransfer {
   }
 
  private:
+  // Cells that share a new vertex on their edge interpolate the same colours there.
+  void add_colors() {
+    result_.colors = input_.colors;
+    result_.colors.resize(result_.positions.size());
+    for (Index c = 0; c < pieces_.cell_count(); ++c) {
+      const auto& points = pieces_.points(c);
+      for (std::size_t p = 3; p < points.size(); ++p) {
+        Vector3 color = Vector3::Zero();
+        for (std::size_t k = 0; k < 3; ++k) {
+          const double weight = points[p].xi[static_cast<Index>(k)];
+          // Not of corners that the edge does not have: they may be without colour.
+          if (weight != 0) color += weight * input_.colors[at(points[k].v)];
+        }
+        result_.colors[at(points[p].v)] = color;
+      }
+    }
+  }
+
   void keep_directive(const std::string& text) {
     result_.directives.emplace_back(static_cast<Index>(result_.polygons.size()), text);
   }
@@ -125,9 +152,19 @@ class PolygonTransfer {
       for (const Index c : faces_.cells[face]) add_pieces(face, c);
       return;
     }
-    result_.polygons.push_back(input_.polygons[face]);
-    result_.polygon_texcoords.push_back(texcoords);
-    if (has_normals()) result_.polygon_normals.push_back(input_.polygon_normals[face]);
+    const auto keep = [is_turned = is_turned(face)](std::vector<Index> list) {
+      if (is_turned) std::reverse(list.begin(), list.end());
+      return list;
+    };
+    result_.polygons.push_back(keep(input_.polygons[face]));
+    result_.polygon_texcoords.push_back(keep(texcoords));
+    if (has_normals()) result_.polygon_normals.push_back(keep(input_.polygon_normals[face]));
+  }
+
+  // Whether the map has the face with the other side up: its cells run backwards around it.
+  bool is_turned(std::size_t face) const {
+    const auto& [a, b, c] = faces_.corners[at(faces_.cells[face].front())];
+    return (a < b) + (b < c) + (c < a) == 1;
   }
 
   // Empty if the polygon cannot stay as it is.

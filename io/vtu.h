@@ -9,6 +9,7 @@
 //     CellData  input_face     #F Int32     face of the input mesh
 //     CellData  distortion     #F Float64   mean density (if present)
 //     CellData  min_det        #F Float64   certified lower bound of det J (if present)
+//     CellData  chart          #F Int32     piece of an atlas, from 0 (if present)
 //     CellData  seam_edges  #F by 3 Int32   edges 01, 12, 20: chain + 1, 0 for none (if present)
 //     FieldData majorant_claims  String     JSON, what the file promises (if present)
 //
@@ -28,12 +29,12 @@
 namespace majorant {
 
 // Reads files of write_vtu and of other programs: formats ascii, binary and appended (raw or
-// base64), uncompressed, one piece, uv with 2 or 3 components (the third is dropped),
-// RationalWeights (the array of that name, or the one that PointData's attribute names) all equal,
-// HigherOrderDegrees (likewise, of CellData) those of the cells. Arrays that the file lacks stay
-// empty; uv is required. Throws Error(Unreadable) with the reason for anything else: compressed
-// data, mixed cell types or sizes, inconsistent array sizes, point numbers out of range, values
-// that are not finite; Stopped.
+// base64), uncompressed or compressed by zlib, one piece, uv with 2 or 3 components (the third is
+// dropped), RationalWeights (the array of that name, or the one that PointData's attribute names)
+// all equal, HigherOrderDegrees (likewise, of CellData) those of the cells. Arrays that the file
+// lacks stay empty; uv is required. Throws Error(Unreadable) with the reason for anything else:
+// other compression, mixed cell types or sizes, inconsistent array sizes, point numbers out of
+// range, values that are not finite; Stopped.
 MapFile read_vtu(const std::string& path, const StopCheck& stop = {});
 
 // Throws Error(Invalid) if the map is inconsistent or not finite (map_check.h), Error(Usage) if

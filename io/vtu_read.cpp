@@ -208,6 +208,7 @@ class VtuReader {
     if (const XmlElement* array = find_array(section, "min_det")) {
       map_.min_det = matrix<Vec>(*array, 1, 1);
     }
+    if (const XmlElement* array = find_array(section, "chart")) map_.chart = index_array(*array);
     if (const XmlElement* array = find_array(section, "seam_edges")) {
       const Eigen::VectorXi values = index_array(*array);
       if (values.size() != 3 * map_.cells.rows()) fail("seam_edges is not 3 numbers per cell");

@@ -119,6 +119,7 @@ void write_vtu(const std::string& path, const MapFile& map, const FileVerificati
   text.add_array("distortion", 1, map.distortion.data(), map.distortion.size());
   text.add_array("min_det", 1, map.min_det.data(), map.min_det.size());
   text.add_array("input_face", 1, map.input_face.data(), map.input_face.size());
+  text.add_array("chart", 1, map.chart.data(), map.chart.size());
   text.add_array("seam_edges", 3, map.seam_edges.data(), map.seam_edges.size());
   text.add("</CellData>\n<Points>\n");
   text.add_array("Points", 3, map.points.data(), map.points.size());

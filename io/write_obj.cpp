@@ -9,6 +9,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/io/atomic_file.h"
 #include "majorant/io/internal/map_check.h"
+#include "majorant/io/internal/material_files.h"
 
 namespace majorant {
 namespace {
@@ -31,7 +32,15 @@ std::string cone_comments(const MapFile& map) {
 std::string obj_text(const PolygonMesh& mesh) {
   fmt::memory_buffer text;
   const auto out = std::back_inserter(text);
-  for (const Vector3& p : mesh.positions) fmt::format_to(out, "v {} {} {}\n", p[0], p[1], p[2]);
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    const Vector3& p = mesh.positions[v];
+    fmt::format_to(out, "v {} {} {}", p[0], p[1], p[2]);
+    if (!mesh.colors.empty() && mesh.colors[v].allFinite()) {
+      const Vector3& c = mesh.colors[v];
+      fmt::format_to(out, " {} {} {}", c[0], c[1], c[2]);
+    }
+    fmt::format_to(out, "\n");
+  }
   for (const Vector2& t : mesh.texcoords) fmt::format_to(out, "vt {} {}\n", t[0], t[1]);
   for (const Vector3& n : mesh.normals) fmt::format_to(out, "vn {} {} {}\n", n[0], n[1], n[2]);
   const std::vector<Index> none;
@@ -62,7 +71,11 @@ void write_obj(const std::string& path, const MapFile& map, const PolygonMesh* i
   require_sound(path, map);
   std::string text;
   try {
-    text = obj_text(tessellate_map(map, input, options));
+    PolygonMesh mesh = tessellate_map(map, input, options);
+    if (input != nullptr && !input->file.empty())
+      for (auto& [polygon, line] : mesh.directives)
+        if (line.starts_with("mtllib")) line = repoint_materials(line, input->file, path);
+    text = obj_text(mesh);
   } catch (const Error& error) {
     throw Error(error.kind(), fmt::format("cannot write {}: {}", path, error.what()));
   }

@@ -15,6 +15,10 @@ namespace majorant {
 // The mesh of tessellate_map: with refine = 1, the faces of the input for degree 1, and almost all
 // of them for higher degrees.
 //
+// What the input says of materials, names, groups, colours of vertices, points and lines comes
+// back; files of materials, which names relative to the input's folder lead to, are named relative
+// to the folder of the output.
+//
 // Cones of a map with seams stand at the top as comments, one a line, numbered from 0 like vertices
 // in pins and reports: `# cone vertex 12 quarter_turns 3`.
 //
@@ -24,7 +28,7 @@ namespace majorant {
 void write_obj(const std::string& path, const MapFile& map, const PolygonMesh* input,
                const TessellationOptions& options = {}, const FileVerification& verify = {});
 
-// The text of an OBJ file: v, vt, vn, then directives and faces in order.
+// The text of an OBJ file: v with colours, vt, vn, then directives and faces in order.
 std::string obj_text(const PolygonMesh& mesh);
 
 }  // namespace majorant

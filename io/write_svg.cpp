@@ -20,6 +20,7 @@ constexpr double kLegendHeight = 50.0;
 constexpr double kMarksHeight = 30.0;  // of the legend of grid, seams and cones
 constexpr double kGridLines = 32.0;    // along the larger side, unless said otherwise
 constexpr int kLegendSteps = 24;
+constexpr double kTint = 0.25;  // how much of a chart's colour its cells have
 
 struct ValueRange {
   double low = 0.0;
@@ -38,11 +39,17 @@ ValueRange range_of(const Vec& values) {
 
 void add_cells(SvgLayout& layout, const ValueRange& range) {
   const MapFile& map = layout.map();
-  layout.add("<g stroke=\"#333\" stroke-width=\"{:.3g}\" stroke-linejoin=\"round\">\n",
-             layout.stroke_width());
+  const bool shows_charts = map.distortion.size() == 0 && has_charts(map);
+  layout.add("<g stroke=\"#333\" stroke-width=\"{:.3g}\" stroke-linejoin=\"round\"{}>\n",
+             layout.stroke_width(),
+             shows_charts ? fmt::format(" fill-opacity=\"{}\"", kTint) : std::string());
+  const auto fill_of = [&](Index cell) -> std::string {
+    if (shows_charts) return chart_color(map.chart[cell]);
+    if (map.distortion.size() == 0) return "#dddddd";
+    return heat_color(range.fraction(map.distortion[cell]));
+  };
   for (Index cell = 0; cell < map.cells.rows(); ++cell) {
-    const std::string fill =
-        map.distortion.size() > 0 ? heat_color(range.fraction(map.distortion[cell])) : "#dddddd";
+    const std::string fill = fill_of(cell);
     layout.add("<path fill=\"{}\" d=\"", fill);
     layout.add_point('M', layout.place(map.cells(cell, 0)));
     for (int edge = 0; edge < 3; ++edge) layout.add_edge(cell, edge);
@@ -110,6 +117,7 @@ std::string draw(const MapFile& map, const SvgOptions& options) {
   if (options.scaffold) add_scaffold(layout, *options.scaffold);
   add_cells(layout, range);
   if (spacing != 0) add_grid(layout, spacing);
+  add_chart_outlines(layout);
   add_seams(layout);
   add_cones(layout);
   if (has_distortion) add_distortion_legend(layout, range);

@@ -24,14 +24,14 @@ struct SvgOptions {
 //
 // Cells are filled by `distortion`, light yellow to dark red in even steps of perceived lightness
 // (OKLab), from the smallest value to the 98 % quantile (a few extreme cells do not wash out the
-// rest); the legend says both numbers. Without distortion the cells are grey. The output depends on
-// nothing but the map.
+// rest); the legend says both numbers. Without distortion the cells are grey, or in pale colours by
+// chart. The output depends on nothing but the map.
 //
 // Over the cells: grid lines if asked for, cut off at the layout's boundary; where the map has
-// seams, thick lines along both sides of them in one colour a chain, and dots on the cones, blue
-// for index > 0 and green for index < 0; a second legend.
-// Throws Error(Invalid) if the map is unsound (map_check.h), Error(Usage) if the file cannot be
-// written or the grid cannot be drawn.
+// several charts, thin outlines in one colour a chart; where it has seams, thick lines along both
+// sides of them in one colour a chain, and dots on the cones, blue for index > 0 and green for
+// index < 0; a second legend. Throws Error(Invalid) if the map is unsound (map_check.h),
+// Error(Usage) if the file cannot be written or the grid cannot be drawn.
 void write_svg(const std::string& path, const MapFile& map, const SvgOptions& options = {});
 
 }  // namespace majorant

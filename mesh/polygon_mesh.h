@@ -23,11 +23,16 @@ struct PolygonMesh {
   std::vector<std::vector<Index>> polygon_texcoords;  // #P lists parallel to polygons, or empty;
                                                       // a polygon without vt has an empty list
 
-  // OBJ only: what an OBJ writer gives back unchanged.
+  // What an OBJ writer gives back unchanged; from OBJ, colours from PLY too.
+  std::vector<Vector3>
+      colors;  // #V, red green blue in 0..1, NaN for vertices without; may be empty
   std::vector<Vector3> normals;
   std::vector<std::vector<Index>> polygon_normals;  // like polygon_texcoords
   std::vector<std::pair<Index, std::string>>
-      directives;  // (polygon it precedes, line): o g s usemtl mtllib
+      directives;  // (polygon it precedes, line): names, groups, materials, points and lines
+
+  // What a reader left out, a sentence each that begins with file and line; for the program to say.
+  std::vector<std::string> warnings;
 };
 
 }  // namespace majorant

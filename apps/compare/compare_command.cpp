@@ -25,6 +25,7 @@
 #include "apps/process.h"
 #include "apps/report.h"
 #include "apps/streams.h"
+#include "apps/suggestion.h"
 #include "apps/unless_stopped.h"
 #include "majorant/framework/evaluator.h"
 #include "majorant/framework/thread_count.h"
@@ -126,8 +127,7 @@ Contest make_contest(const Request& request) {
                   .problem;
   if (!std::isfinite(Evaluator(c.problem).value(c.problem.reduce(c.start))))
     throw Error(ErrorKind::Infeasible,
-                fmt::format("{}: energy '{}' is infinite at the start; begin with another map "
-                            "(--init input) or another energy",
+                fmt::format("{}: energy '{}' is infinite at the start; take another energy",
                             request.map.input, request.map.energy));
   c.tolerance = request.tolerance;
   c.max_iterations = request.max_iterations;
@@ -143,8 +143,8 @@ std::vector<const Method*> wanted_methods(const Request& request) {
     if (!m) {
       std::vector<std::string> names;
       for (const Method& known : methods()) names.push_back(known.name);
-      throw Error(ErrorKind::Usage,
-                  fmt::format("no method is called '{}'; use {}", name, fmt::join(names, ", ")));
+      throw Error(ErrorKind::Usage, fmt::format("no method is called '{}'{}; use {}", name,
+                                                did_you_mean(name, names), fmt::join(names, ", ")));
     }
     if (std::find(wanted.begin(), wanted.end(), m) == wanted.end()) wanted.push_back(m);
   }
@@ -253,7 +253,7 @@ int compare(const Request& request) {
     comparison.runs.push_back(race(*method, contest, request.time_limit));
     if (interruption_flag()->load()) break;
   }
-  print_text(comparison_table(comparison));
+  if (request.common.report != kStandardOutput) print_text(comparison_table(comparison));
   return write(request, comparison).conclude(interruption_flag()->load() ? kLimit : kSuccess);
 }
 

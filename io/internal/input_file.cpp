@@ -1,14 +1,17 @@
 #include "majorant/io/internal/input_file.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 
 #include "majorant/framework/error.h"
+#include "majorant/io/internal/inflate.h"
 
 namespace majorant {
 namespace {
@@ -18,9 +21,20 @@ bool is_text_byte(char byte) {
   return c >= 32 ? c != 127 : (c >= '\t' && c <= '\r');
 }
 
-}  // namespace
+std::string lower_extension(const std::filesystem::path& path) {
+  std::string e = path.extension().string();
+  std::transform(e.begin(), e.end(), e.begin(), [](unsigned char c) { return std::tolower(c); });
+  return e;
+}
 
-std::string read_whole_file(const std::string& path, const StopCheck& stop) {
+std::size_t memory_bytes() {
+  return static_cast<std::size_t>(::sysconf(_SC_PHYS_PAGES)) *
+         static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+}
+
+// Calls take(bytes) with the blocks of a file, in order.
+template <class Take>
+void for_each_block(const std::string& path, const StopCheck& stop, const Take& take) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) {
     throw Error(ErrorKind::Unreadable, path + ": is a directory; name a file");
@@ -31,20 +45,46 @@ std::string read_whole_file(const std::string& path, const StopCheck& stop) {
     const char* reason = errno != 0 ? std::strerror(errno) : "cannot be opened";
     throw Error(ErrorKind::Unreadable, fmt::format("{}: {}; check the name", path, reason));
   }
-  std::string content;
-  const auto size = std::filesystem::file_size(path, ignored);
-  if (!ignored) content.reserve(size + 1);
-  constexpr std::size_t kBlock = std::size_t{1} << 20;
+  constexpr std::size_t kBlock = std::size_t{1} << 16;
+  std::string block(kBlock, '\0');
   while (stream) {
     stop.poll();
-    const std::size_t old_size = content.size();
-    content.resize(old_size + kBlock);
-    stream.read(content.data() + old_size, kBlock);
-    content.resize(old_size + static_cast<std::size_t>(stream.gcount()));
+    stream.read(block.data(), kBlock);
+    take(std::string_view(block).substr(0, static_cast<std::size_t>(stream.gcount())));
   }
   if (stream.bad()) {
     throw Error(ErrorKind::Unreadable, path + ": reading failed; check the disk");
   }
+}
+
+}  // namespace
+
+bool is_compressed(const std::string& path) { return lower_extension(path) == ".gz"; }
+
+std::string format_of(const std::string& path) {
+  const std::filesystem::path name(path);
+  return lower_extension(is_compressed(path) ? name.stem() : name);
+}
+
+std::string read_whole_file(const std::string& path, const StopCheck& stop) {
+  std::string content;
+  if (!is_compressed(path)) {
+    std::error_code ignored;
+    const auto size = std::filesystem::file_size(path, ignored);
+    if (!ignored) content.reserve(size + 1);
+    for_each_block(path, stop, [&](std::string_view block) { content += block; });
+    return content;
+  }
+  GunzipStream stream(memory_bytes());
+  for_each_block(path, stop, [&](std::string_view block) {
+    if (!stream.append(block, content))
+      throw Error(
+          ErrorKind::Unreadable,
+          path + ": damaged, or no gzip file; if it is not compressed, name it without .gz");
+  });
+  if (!stream.complete())
+    throw Error(ErrorKind::Unreadable,
+                path + ": the compressed data end too early; the file is truncated");
   return content;
 }
 

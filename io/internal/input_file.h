@@ -1,10 +1,10 @@
 // Whole input files in memory: what every reader starts from.
 //
-//   std::string text = read_whole_file(path);   // any bytes
+//   std::string text = read_whole_file(path);   // any bytes; of mesh.obj.gz the mesh
 //   require_text(path, text);                   // refuses binary content
 //
-// Meshes are read in one piece (no streaming): parsing from memory is what makes a million faces a
-// matter of a second, and every reader can check the counts a header announces against the size.
+// Meshes are parsed in one piece (no streaming): parsing from memory is what makes a million faces
+// a matter of a second, and every reader can check the counts a header announces against the size.
 #pragma once
 
 #include <string>
@@ -14,8 +14,15 @@
 
 namespace majorant {
 
-// All bytes of `path`. Throws Error(Unreadable) if it does not exist, is a directory or cannot be
-// read; Stopped.
+// Whether the name says that a file is compressed by gzip: .gz, in either case.
+bool is_compressed(const std::string& path);
+// What the name says of the format: the extension in lower case, with the dot; .obj for
+// mesh.OBJ.gz.
+std::string format_of(const std::string& path);
+
+// All bytes of `path`, decompressed if its name says so. Throws Error(Unreadable) if it does not
+// exist, is a directory, cannot be read or is no complete gzip file; std::bad_alloc if it is larger
+// than the machine's memory; Stopped.
 std::string read_whole_file(const std::string& path, const StopCheck& stop = {});
 
 // Refuses control bytes other than tab, line ends, vertical tab and form feed (binary content,

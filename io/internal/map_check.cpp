@@ -27,12 +27,13 @@ std::string map_defect(const MapFile& map) {
   if (map.uv.rows() != points) {
     return fmt::format("uv has {} entries instead of {}", map.uv.rows(), points);
   }
-  for (const std::string& defect : {size_defect("input_vertex", map.input_vertex.size(), points),
-                                    size_defect("input_face", map.input_face.size(), cells),
-                                    size_defect("distortion", map.distortion.size(), cells),
-                                    size_defect("min_det", map.min_det.size(), cells),
-                                    size_defect("cone", map.cone.size(), points),
-                                    size_defect("seam_edges", map.seam_edges.rows(), cells)}) {
+  for (const std::string& defect :
+       {size_defect("input_vertex", map.input_vertex.size(), points),
+        size_defect("input_face", map.input_face.size(), cells),
+        size_defect("distortion", map.distortion.size(), cells),
+        size_defect("min_det", map.min_det.size(), cells),
+        size_defect("cone", map.cone.size(), points), size_defect("chart", map.chart.size(), cells),
+        size_defect("seam_edges", map.seam_edges.rows(), cells)}) {
     if (!defect.empty()) return defect;
   }
   for (Eigen::Index f = 0; f < cells; ++f) {
@@ -41,6 +42,7 @@ std::string map_defect(const MapFile& map) {
       return fmt::format("cell {}: point {} out of range 0..{}", f, map.cells(f, k), points - 1);
     }
   }
+  if (map.chart.size() > 0 && map.chart.minCoeff() < 0) return "a number of chart is negative";
   if (!map.points.allFinite()) return "a coordinate of points is not finite";
   if (!map.uv.allFinite()) return "a coordinate of uv is not finite";
   if (!map.distortion.allFinite()) return "a value of distortion is not finite";

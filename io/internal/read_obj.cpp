@@ -1,9 +1,12 @@
 // Wavefront OBJ. The grammar accepted here is the polygonal subset of the "Object Files (.obj)"
-// appendix of Wavefront's Advanced Visualizer manual; other keywords of it are skipped.
+// appendix of Wavefront's Advanced Visualizer manual. Points, lines and attributes are kept as they
+// are; what else a line may begin with, curves and surfaces of the manual or words that programs
+// have added, is skipped, and said in one warning.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <limits>
 
@@ -15,15 +18,10 @@
 namespace majorant {
 namespace {
 
-constexpr std::array<std::string_view, 5> kDirectives = {"g", "o", "s", "usemtl", "mtllib"};
-
-// Keywords of the format that say nothing about polygons.
-constexpr std::array<std::string_view, 35> kIgnored = {
-    "p",    "l",      "vp",     "cstype", "deg",   "bmat",       "step",
-    "curv", "curv2",  "surf",   "parm",   "trim",  "hole",       "scrv",
-    "sp",   "end",    "con",    "mg",     "bevel", "c_interp",   "d_interp",
-    "lod",  "maplib", "usemap", "ctech",  "stech", "call",       "csh",
-    "bsp",  "bzp",    "cdc",    "cdp",    "res",   "shadow_obj", "trace_obj"};
+// Lines that are kept as they are.
+constexpr std::array<std::string_view, 14> kDirectives = {
+    "g",        "o",        "s",   "mg",     "usemtl", "mtllib",     "bevel",
+    "c_interp", "d_interp", "lod", "maplib", "usemap", "shadow_obj", "trace_obj"};
 
 template <class List>
 bool contains(const List& list, std::string_view keyword) {
@@ -50,6 +48,8 @@ class ObjReader {
     while (cursor_.next_line()) read_line();
     for (const IndexSpace& space : spaces_) require_in_range(space);
     require_complete(mesh_);
+    if (!mesh_.colors.empty()) mesh_.colors.resize(mesh_.positions.size(), no_color());
+    if (skipped_lines_ > 0) warn_of_skipped();
     if (!has_texcoords_) mesh_.polygon_texcoords.clear();
     if (!has_normals_) mesh_.polygon_normals.clear();
     return std::move(mesh_);
@@ -59,29 +59,80 @@ class ObjReader {
   void read_line() {
     const std::string_view keyword = cursor_.next_token();
     if (keyword == "v") {
-      mesh_.positions.push_back(read_position("coordinate"));
-      ++spaces_[0].count;
+      read_vertex();
     } else if (keyword == "f" || keyword == "fo") {
       read_face();
     } else if (keyword == "vt") {
       read_texcoord();
     } else if (keyword == "vn") {
-      mesh_.normals.push_back(read_position("normal component"));
+      mesh_.normals.push_back(read_vector("normal component"));
+      while (!cursor_.at_end_of_line()) cursor_.next_number("normal component");
       ++spaces_[2].count;
+    } else if (keyword == "l" || keyword == "p") {
+      keep_element(keyword);
     } else if (contains(kDirectives, keyword)) {
       keep_directive();
-    } else if (!contains(kIgnored, keyword)) {
-      cursor_.fail(
-          fmt::format("{} is no OBJ keyword; check that this is an OBJ file", in_quotes(keyword)));
+    } else {
+      skip_line(keyword);
     }
   }
 
-  // Three numbers; what follows (a weight, a colour) must be numbers too and is dropped.
-  Vector3 read_position(std::string_view what) {
-    Vector3 position;
-    for (int k = 0; k < 3; ++k) position[k] = cursor_.next_number(what);
-    while (!cursor_.at_end_of_line()) cursor_.next_number(what);
-    return position;
+  // Words are skipped; what begins in another way is a broken line, or no OBJ.
+  void skip_line(std::string_view keyword) {
+    if (!std::isalpha(static_cast<unsigned char>(keyword.front()))) {
+      cursor_.fail(
+          fmt::format("{} is no OBJ keyword; check that this is an OBJ file", in_quotes(keyword)));
+    }
+    if (skipped_lines_++ == 0) first_skipped_ = cursor_.line();
+    const std::string name = in_quotes(keyword);
+    if (skipped_.size() < kMostNamed && !contains(skipped_, name)) skipped_.push_back(name);
+  }
+
+  void warn_of_skipped() {
+    mesh_.warnings.push_back(fmt::format(
+        "{}:{}: {} line{} skipped that say nothing about polygons, of {}{}", mesh_.file,
+        first_skipped_, skipped_lines_, skipped_lines_ == 1 ? "" : "s", fmt::join(skipped_, ", "),
+        skipped_.size() == kMostNamed ? " and maybe others" : ""));
+  }
+
+  Vector3 read_vector(std::string_view what) {
+    Vector3 vector;
+    for (int k = 0; k < 3; ++k) vector[k] = cursor_.next_number(what);
+    return vector;
+  }
+
+  static Vector3 no_color() { return Vector3::Constant(std::numeric_limits<double>::quiet_NaN()); }
+
+  // A position, and a colour if three numbers more follow. Others (a weight) are dropped.
+  void read_vertex() {
+    mesh_.positions.push_back(read_vector("coordinate"));
+    ++spaces_[0].count;
+    std::vector<double> more;
+    while (!cursor_.at_end_of_line()) more.push_back(cursor_.next_number("coordinate"));
+    if (more.size() != 3) return;
+    mesh_.colors.resize(mesh_.positions.size(), no_color());
+    mesh_.colors.back() = Vector3(more[0], more[1], more[2]);
+  }
+
+  // Points and lines, by the numbers of vertices alone: an output has other texture coordinates.
+  void keep_element(std::string_view keyword) {
+    std::string text(keyword);
+    while (!cursor_.at_end_of_line()) {
+      const std::string_view token = cursor_.next_token();
+      text += fmt::format(
+          " {}", 1 + resolve(read_index(token.substr(0, token.find('/')), token), spaces_[0]));
+    }
+    mesh_.directives.emplace_back(static_cast<Index>(mesh_.polygons.size()), std::move(text));
+  }
+
+  // All of `digits`, which are of this token.
+  long long read_index(std::string_view digits, std::string_view token) {
+    long long value = 0;
+    const char* end = digits.data() + digits.size();
+    const auto [stop, code] = std::from_chars(digits.data(), end, value);
+    if (code != std::errc() || stop != end)
+      cursor_.fail(fmt::format("{} is no vertex index; correct the file", in_quotes(token)));
+    return value;
   }
 
   void read_texcoord() {
@@ -173,7 +224,7 @@ class ObjReader {
     }
     if (value < 0) value += space.count + 1;
     if (value <= 0 || value > std::numeric_limits<Index>::max()) {
-      cursor_.fail(fmt::format("{} index out of range, {} were read up to here; correct the face",
+      cursor_.fail(fmt::format("{} index out of range, {} were read up to here; correct the file",
                                space.name, space.count));
     }
     if (value > space.largest) {
@@ -196,6 +247,9 @@ class ObjReader {
   std::array<IndexSpace, 3> spaces_ = {IndexSpace{"v"}, IndexSpace{"vt"}, IndexSpace{"vn"}};
   bool has_texcoords_ = false;
   bool has_normals_ = false;
+  static constexpr std::size_t kMostNamed = 8;  // keywords in the warning
+  std::vector<std::string> skipped_;            // in quotes
+  long skipped_lines_ = 0, first_skipped_ = 0;
 };
 
 }  // namespace

@@ -1,8 +1,15 @@
-// Object File Format of Geomview: "OFF", the counts of vertices, faces and edges, one line per
-// vertex, one line per face (corner count, corners, optional colour).
+// Object File Format of Geomview: "OFF", the counts of vertices, faces and edges, the vertices, the
+// faces (corner count, corners, optional colour).
+//
+// By its manual the numbers are a stream, in which lines mean nothing but that they end the colour
+// of a face. But many files have numbers behind the coordinates of a vertex that the header does
+// not announce, and others have several faces on a line. So a file is read as the first of these
+// that it fits: a stream without colours, to the last number; as many lines as vertices and faces,
+// each with a line of its own, whatever else is on it; a stream with colours to the ends of lines.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 
 #include "majorant/io/internal/input_file.h"
 #include "majorant/io/internal/line_cursor.h"
@@ -20,9 +27,10 @@ class OffReader {
 
   PolygonMesh read() {
     read_header();
+    choose_layout();
     for (long long i = 0; i < vertices_; ++i) read_vertex(i);
     for (long long i = 0; i < faces_; ++i) read_face(i);
-    if (cursor_.next_line()) {
+    if (!cursor_.at_end_of_line() || cursor_.next_line()) {
       cursor_.fail("content after the last face that the header announces; correct the counts");
     }
     require_complete(mesh_);
@@ -31,7 +39,7 @@ class OffReader {
 
  private:
   void read_header() {
-    next_line("the header OFF");
+    if (!cursor_.next_line()) cursor_.fail("the header OFF is missing; the file is empty");
     const std::string_view keyword = cursor_.next_token();
     if (!keyword.ends_with("OFF") || keyword.size() > 8) {
       cursor_.fail(
@@ -42,17 +50,21 @@ class OffReader {
         cursor_.fail(fmt::format("{} is not supported; three coordinates per vertex are needed",
                                  in_quotes(keyword)));
       }
+      attributes_ += c == 'C' ? 4 : c == 'N' ? 3 : 1;  // RGBA, a normal; ST: two coordinates
     }
-    if (cursor_.at_end_of_line()) next_line("the counts");
+    require_more("the counts are missing; the file is truncated");
     vertices_ = read_count("number of vertices");
+    const bool counts_share_a_line = !cursor_.at_end_of_line();
+    require_more("the number of faces is missing; the file is truncated");
     faces_ = read_count("number of faces");
+    // Not always there.
+    if (!counts_share_a_line) require_more("the number of edges is missing");
     if (!cursor_.at_end_of_line()) cursor_.next_integer("number of edges");
-    cursor_.require_end_of_line();
     mesh_.positions.reserve(static_cast<std::size_t>(vertices_));
     mesh_.polygons.reserve(static_cast<std::size_t>(faces_));
   }
 
-  // A line of a vertex or a face has at least two bytes: larger counts are a lie.
+  // A number has at least two bytes, a vertex or a face more than one: larger counts are a lie.
   long long read_count(std::string_view what) {
     const long long count = cursor_.next_integer(what);
     if (count < 0 || count > size_ / 2) {
@@ -61,16 +73,73 @@ class OffReader {
     return count;
   }
 
+  enum class Layout { Stream, Lines, StreamWithColors };
+
+  void choose_layout() {
+    if (fits_stream()) return;
+    LineCursor ahead = cursor_;
+    long long lines = 0;
+    const bool begins_with_line = ahead.at_end_of_line();
+    while (ahead.next_line()) ++lines;
+    layout_ =
+        begins_with_line && lines == vertices_ + faces_ ? Layout::Lines : Layout::StreamWithColors;
+  }
+
+  // Whether the rest of the file is all vertices and faces without colours.
+  bool fits_stream() const {
+    LineCursor ahead = cursor_;
+    const auto next = [&ahead] {
+      while (ahead.at_end_of_line())
+        if (!ahead.next_line()) return std::string_view();
+      return ahead.next_token();
+    };
+    for (long long k = 0; k < vertices_ * (3 + attributes_); ++k)
+      if (next().empty()) return false;
+    for (long long i = 0; i < faces_; ++i) {
+      const std::string_view token = next();
+      long long corners = 0;
+      const auto [stop, code] = std::from_chars(token.data(), token.data() + token.size(), corners);
+      if (code != std::errc() || stop != token.data() + token.size()) return false;
+      if (corners < 3) return false;
+      for (long long k = 0; k < corners; ++k)
+        if (next().empty()) return false;
+    }
+    return next().empty();
+  }
+
+  // To the next line where this one is at its end and records may go on there.
+  void continue_record(std::string_view what, long long i, long long announced) {
+    if (layout_ == Layout::Lines) return;
+    while (cursor_.at_end_of_line())
+      if (!cursor_.next_line()) refuse_end(what, i, announced);
+  }
+
+  void begin_record(std::string_view what, long long i, long long announced) {
+    if (layout_ != Layout::Lines) return continue_record(what, i, announced);
+    if (!cursor_.next_line()) refuse_end(what, i, announced);
+  }
+
   void read_vertex(long long i) {
-    if (!cursor_.next_line()) refuse_end("vertices", i, vertices_);
+    begin_record("vertices", i, vertices_);
     Vector3 position;
-    for (int k = 0; k < 3; ++k) position[k] = cursor_.next_number("coordinate");
-    while (!cursor_.at_end_of_line()) cursor_.next_number("vertex attribute");
+    for (int k = 0; k < 3; ++k) {
+      continue_record("vertices", i, vertices_);
+      position[k] = cursor_.next_number("coordinate");
+    }
+    if (layout_ == Layout::Lines) {
+      while (!cursor_.at_end_of_line()) cursor_.next_number("vertex attribute");
+    } else {
+      for (int k = 0; k < attributes_; ++k) {
+        continue_record("vertices", i, vertices_);
+        cursor_.next_number("vertex attribute");
+      }
+    }
     mesh_.positions.push_back(position);
   }
 
   void read_face(long long i) {
-    if (!cursor_.next_line()) refuse_end("faces", i, faces_);
+    begin_record("faces", i, faces_);
+    const long line = cursor_.line();
     const long long corners = cursor_.next_integer("number of corners");
     if (corners < 3) {
       cursor_.fail(fmt::format("face with {} corners; at least 3 are needed", corners));
@@ -78,6 +147,7 @@ class OffReader {
     std::vector<Index> polygon;
     polygon.reserve(static_cast<std::size_t>(std::min<long long>(corners, 8)));
     for (long long k = 0; k < corners; ++k) {
+      continue_record("faces", i, faces_);
       const long long vertex = cursor_.next_integer("vertex index");
       if (vertex < 0 || vertex >= vertices_) {
         cursor_.fail(fmt::format("vertex index {} out of range 0..{}; correct the face", vertex,
@@ -85,17 +155,15 @@ class OffReader {
       }
       polygon.push_back(static_cast<Index>(vertex));
     }
-    while (!cursor_.at_end_of_line()) cursor_.next_number("face colour");
+    while (layout_ != Layout::Stream && !cursor_.at_end_of_line())
+      cursor_.next_number("face colour");
     mesh_.polygons.push_back(std::move(polygon));
-    mesh_.polygon_lines.push_back(cursor_.line());
+    mesh_.polygon_lines.push_back(line);
   }
 
-  void next_line(std::string_view expected) {
-    if (!cursor_.next_line())
-      cursor_.fail(
-          fmt::format("{} is missing; the file is empty or "
-                      "truncated",
-                      expected));
+  void require_more(std::string_view problem) {
+    while (cursor_.at_end_of_line())
+      if (!cursor_.next_line()) cursor_.fail(problem);
   }
 
   [[noreturn]] void refuse_end(std::string_view what, long long found, long long announced) {
@@ -104,8 +172,9 @@ class OffReader {
 
   LineCursor cursor_;
   long long size_;
-  long long vertices_ = 0;
-  long long faces_ = 0;
+  long long vertices_ = 0, faces_ = 0;
+  int attributes_ = 0;  // numbers that follow the coordinates of a vertex
+  Layout layout_ = Layout::Stream;
   PolygonMesh mesh_;
 };
 

@@ -1,7 +1,9 @@
 // PLY (Stanford polygon file). Every record is decoded through the layout that the header declares;
-// what is not a vertex position, a texture coordinate or a face is read and dropped.
+// what is not a vertex position, a texture coordinate, a colour, a face or a strip of triangles is
+// read and dropped.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -128,22 +130,24 @@ class PlyReader {
     if (element.properties.empty() || element.count == 0) return;
     source_.require_count(element.count, element.least_size());
     const bool is_vertex = element.name == "vertex";
-    const bool is_face = element.name == "face";
+    const bool is_face = element.name == "face", is_strip = element.name == "tristrips";
     if (is_vertex) locate_vertex(element);
-    if (is_face) corners_ = require_property(element, {"vertex_indices", "vertex_index"});
+    if (is_face || is_strip)
+      corners_ = require_property(element, {"vertex_indices", "vertex_index"});
     PlyRecord record;
     for (record_ = 0; record_ < element.count; ++record_) {
       stop_.poll_at(static_cast<std::size_t>(record_));
       read_record(element, record);
       if (is_vertex) add_vertex(record);
       if (is_face) add_face(record);
+      if (is_strip) add_strips(record);
     }
   }
 
   std::size_t require_property(const PlyElement& element,
                                std::initializer_list<std::string_view> names) {
     const int found = element.find(names);
-    const bool is_list = element.name == "face";
+    const bool is_list = element.name != "vertex";
     if (found < 0 ||
         element.properties[static_cast<std::size_t>(found)].list_size_type.has_value() != is_list) {
       source_.fail(fmt::format("element {} has no {} {}; correct the header", element.name,
@@ -155,11 +159,29 @@ class PlyReader {
   void locate_vertex(const PlyElement& element) {
     coordinates_ = {require_property(element, {"x"}), require_property(element, {"y"}),
                     require_property(element, {"z"})};
+    locate_color(element);
     has_texcoords_ =
         element.find({"texture_u", "s", "u"}) >= 0 && element.find({"texture_v", "t", "v"}) >= 0;
     if (!has_texcoords_) return;
     texcoord_ = {require_property(element, {"texture_u", "s", "u"}),
                  require_property(element, {"texture_v", "t", "v"})};
+  }
+
+  // Channels that are numbers of one type: integers count from 0 to their largest value.
+  void locate_color(const PlyElement& element) {
+    const std::array<int, 3> found = {element.find({"red", "diffuse_red", "r"}),
+                                      element.find({"green", "diffuse_green", "g"}),
+                                      element.find({"blue", "diffuse_blue", "b"})};
+    if (*std::min_element(found.begin(), found.end()) < 0) return;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const PlyProperty& channel = element.properties[static_cast<std::size_t>(found[k])];
+      if (channel.list_size_type) return;
+      color_[k] = static_cast<std::size_t>(found[k]);
+      color_scale_[k] = channel.type == PlyType::UInt8    ? 255.0
+                        : channel.type == PlyType::UInt16 ? 65535.0
+                                                          : 1.0;
+    }
+    has_colors_ = true;
   }
 
   void read_record(const PlyElement& element, PlyRecord& record) {
@@ -188,8 +210,7 @@ class PlyReader {
   double finite(const PlyRecord& record, std::size_t property) const {
     const double value = record.values[record.begin[property]];
     if (!std::isfinite(value)) {
-      source_.fail(
-          fmt::format("vertex {}: a coordinate is not finite; correct the file", record_ + 1));
+      source_.fail(fmt::format("vertex {}: a number is not finite; correct the file", record_ + 1));
     }
     return value;
   }
@@ -197,6 +218,12 @@ class PlyReader {
   void add_vertex(const PlyRecord& record) {
     mesh_.positions.emplace_back(finite(record, coordinates_[0]), finite(record, coordinates_[1]),
                                  finite(record, coordinates_[2]));
+    if (has_colors_) {
+      Vector3 color;
+      for (std::size_t k = 0; k < 3; ++k)
+        color[static_cast<Index>(k)] = finite(record, color_[k]) / color_scale_[k];
+      mesh_.colors.push_back(color);
+    }
     if (!has_texcoords_) return;
     mesh_.texcoords.emplace_back(finite(record, texcoord_[0]), finite(record, texcoord_[1]));
   }
@@ -209,17 +236,38 @@ class PlyReader {
           fmt::format("face {} with {} corners; at least 3 are needed", record_ + 1, count));
     }
     std::vector<Index> polygon(count);
-    for (std::size_t k = 0; k < count; ++k) {
-      const double value = record.values[first + k];
-      if (!(value >= 0.0 && value < std::numeric_limits<Index>::max()) ||
-          value != std::floor(value)) {
-        source_.fail(
-            fmt::format("face {}: {} is no vertex index; correct the face", record_ + 1, value));
-      }
-      polygon[k] = static_cast<Index>(value);
-    }
+    for (std::size_t k = 0; k < count; ++k) polygon[k] = vertex_index(record.values[first + k]);
     mesh_.polygons.push_back(std::move(polygon));
     mesh_.polygon_lines.push_back(source_.place(record_));
+  }
+
+  Index vertex_index(double value) const {
+    if (!(value >= 0.0 && value < std::numeric_limits<Index>::max()) ||
+        value != std::floor(value)) {
+      source_.fail(
+          fmt::format("record {}: {} is no vertex index; correct the face", record_ + 1, value));
+    }
+    return static_cast<Index>(value);
+  }
+
+  // Each three neighbours are a triangle, of turn and turn about; -1 begins another strip. Strips
+  // repeat vertices to turn around: triangles without area, which are no faces.
+  void add_strips(const PlyRecord& record) {
+    std::array<Index, 3> last{};
+    std::size_t length = 0;  // of the strip up to here
+    for (std::size_t k = record.begin[corners_]; k < record.begin[corners_ + 1]; ++k) {
+      if (record.values[k] == -1.0) {
+        length = 0;
+        continue;
+      }
+      last = {last[1], last[2], vertex_index(record.values[k])};
+      if (++length < 3) continue;
+      const auto [a, b, c] = last;
+      if (a == b || b == c || c == a) continue;
+      const bool is_turned = length % 2 == 0;
+      mesh_.polygons.push_back(is_turned ? std::vector{b, a, c} : std::vector{a, b, c});
+      mesh_.polygon_lines.push_back(source_.place(record_));
+    }
   }
 
   // At the end, since faces may come before the vertices.
@@ -241,7 +289,9 @@ class PlyReader {
   long long record_ = 0;
   std::array<std::size_t, 3> coordinates_{};
   std::array<std::size_t, 2> texcoord_{};
-  bool has_texcoords_ = false;
+  std::array<std::size_t, 3> color_{};
+  std::array<double, 3> color_scale_{};
+  bool has_texcoords_ = false, has_colors_ = false;
   std::size_t corners_ = 0;
 };
 

@@ -12,13 +12,12 @@ namespace {
 
 constexpr double kMostLines = 4000;  // in each direction; nothing could be seen of more
 constexpr const char* kGridColor = "#14327a";
+constexpr double kOutlineWidth = 1.5;
 constexpr double kSeamWidth = 2.5;
 constexpr double kConeRadius = 5.0;
 // Far apart in hue from their neighbours, dark enough to be seen on the cells' colours.
-constexpr const char* kChainColors[] = {"#7b2fbe", "#008b8b", "#c2185b", "#2e7d32", "#1565c0",
-                                        "#5d4037", "#d81bff", "#00a4d6", "#556b2f", "#3f3f9f"};
-
-const char* chain_color(Index chain) { return kChainColors[at(chain) % std::size(kChainColors)]; }
+constexpr const char* kColors[] = {"#7b2fbe", "#008b8b", "#c2185b", "#2e7d32", "#1565c0",
+                                   "#5d4037", "#d81bff", "#00a4d6", "#556b2f", "#3f3f9f"};
 
 const char* cone_color(int quarter_turns) { return quarter_turns < 4 ? "#1a5fd0" : "#0b8a3a"; }
 
@@ -39,6 +38,16 @@ std::multimap<Index, CellEdge> boundary_edges(const MapFile& map) {
       if (!edges.contains({to, from})) boundary.emplace(from, CellEdge{c, k});
     }
   return boundary;
+}
+
+// One path along all of them, each a stroke of its own.
+void add_edges(SvgLayout& layout, const std::vector<CellEdge>& edges, const char* color) {
+  layout.add("<path stroke=\"{}\" d=\"", color);
+  for (const CellEdge& at : edges) {
+    layout.add_point('M', layout.place(layout.map().cells(at.cell, at.edge)));
+    layout.add_edge(at.cell, at.edge);
+  }
+  layout.add("\"/>\n");
 }
 
 void add_boundary_path(SvgLayout& layout) {
@@ -78,6 +87,31 @@ void add_dot(SvgLayout& layout, const Vector2& center, int quarter_turns) {
 
 }  // namespace
 
+bool has_charts(const MapFile& map) {
+  return map.chart.size() > 0 && map.chart.minCoeff() != map.chart.maxCoeff();
+}
+
+const char* chart_color(Index chart) { return kColors[at(chart) % std::size(kColors)]; }
+
+void add_chart_outlines(SvgLayout& layout) {
+  const MapFile& map = layout.map();
+  if (!has_charts(map)) return;
+  std::map<std::pair<Index, Index>, Index> chart_of_edge;
+  for (Index c = 0; c < map.cells.rows(); ++c)
+    for (int k = 0; k < 3; ++k)
+      chart_of_edge[{map.cells(c, k), map.cells(c, (k + 1) % 3)}] = map.chart[c];
+  std::map<Index, std::vector<CellEdge>> outlines;
+  for (Index c = 0; c < map.cells.rows(); ++c)
+    for (int k = 0; k < 3; ++k) {
+      const auto other = chart_of_edge.find({map.cells(c, (k + 1) % 3), map.cells(c, k)});
+      if (other == chart_of_edge.end() || other->second != map.chart[c])
+        outlines[map.chart[c]].push_back({c, k});
+    }
+  layout.add("<g fill=\"none\" stroke-width=\"{}\" stroke-linecap=\"round\">\n", kOutlineWidth);
+  for (const auto& [chart, edges] : outlines) add_edges(layout, edges, chart_color(chart));
+  layout.add("</g>\n");
+}
+
 void add_grid(SvgLayout& layout, double spacing) {
   const Vector2 low = layout.low() / spacing, high = layout.high() / spacing;
   if (!(spacing > 0) || !((high - low).maxCoeff() <= kMostLines))
@@ -111,14 +145,7 @@ void add_seams(SvgLayout& layout) {
       if (map.seam_edges(f, k) > 0) chains[map.seam_edges(f, k) - 1].push_back({f, k});
   if (chains.empty()) return;
   layout.add("<g fill=\"none\" stroke-width=\"{}\" stroke-linecap=\"round\">\n", kSeamWidth);
-  for (const auto& [chain, edges] : chains) {
-    layout.add("<path stroke=\"{}\" d=\"", chain_color(chain));
-    for (const CellEdge& at : edges) {
-      layout.add_point('M', layout.place(map.cells(at.cell, at.edge)));
-      layout.add_edge(at.cell, at.edge);
-    }
-    layout.add("\"/>\n");
-  }
+  for (const auto& [chain, edges] : chains) add_edges(layout, edges, chart_color(chain));
   layout.add("</g>\n");
 }
 
@@ -156,7 +183,7 @@ void add_marks_legend(SvgLayout& layout, double y, double grid_spacing) {
     label(fmt::format("{} cone{}, {}", count, count == 1 ? "" : "s", text));
   }
   if (map.seam_edges.size() > 0 && map.seam_edges.maxCoeff() > 0) {
-    line(chain_color(0));
+    line(chart_color(0));
     label(fmt::format("seams ({} chains)", map.seam_edges.maxCoeff()));
   }
   if (grid_spacing > 0) {

@@ -1,4 +1,4 @@
-// What is drawn over the cells of a layout: grid lines, seams and cones.
+// What is drawn over the cells of a layout: grid lines, charts, seams and cones.
 #pragma once
 
 #include "majorant/io/internal/svg_layout.h"
@@ -9,6 +9,13 @@ namespace majorant {
 // boundary, as winding numbers tell, so overlaps do no harm. Throws Error(Usage) for a spacing that
 // is not positive or gives more than some thousand lines.
 void add_grid(SvgLayout& layout, double spacing);
+
+// Whether the map is an atlas: has pieces of different numbers in `chart`.
+bool has_charts(const MapFile& map);
+// One of ten colours, dark enough to be seen on those of cells.
+const char* chart_color(Index chart);
+// The outline of every chart, in its colour.
+void add_chart_outlines(SvgLayout& layout);
 
 // Both sides of every seam edge, one colour a chain.
 void add_seams(SvgLayout& layout);

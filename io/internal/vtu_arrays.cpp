@@ -10,6 +10,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/io/internal/base64.h"
+#include "majorant/io/internal/inflate.h"
 #include "majorant/io/internal/input_file.h"
 #include "majorant/io/internal/line_cursor.h"
 
@@ -45,6 +46,10 @@ std::string without_space(std::string_view text) {
   return result;
 }
 
+std::size_t encoded_size(DataEncoding encoding, std::size_t bytes) {
+  return encoding == DataEncoding::Raw ? bytes : base64_length(bytes);
+}
+
 }  // namespace
 
 VtuArrays::VtuArrays(const std::string& file, std::string& content, const StopCheck& stop)
@@ -65,8 +70,12 @@ VtuArrays::VtuArrays(const std::string& file, std::string& content, const StopCh
 }
 
 void VtuArrays::configure(const XmlElement& root) {
-  if (!root.attribute("compressor").empty()) {
-    refuse(file_, "compressed arrays are not supported; save the file without compression");
+  const std::string_view compressor = root.attribute("compressor");
+  is_compressed_ = compressor == "vtkZLibDataCompressor";
+  if (!compressor.empty() && !is_compressed_) {
+    refuse(file_, fmt::format("arrays compressed by {} are not supported; save the file without "
+                              "compression, or with zlib's",
+                              in_quotes(compressor)));
   }
   const std::string_view order = root.attribute("byte_order", "LittleEndian");
   const std::string_view header = root.attribute("header_type", "UInt32");
@@ -112,9 +121,61 @@ std::string VtuArrays::encoded_bytes(const XmlElement& array, std::string_view t
   return all.substr(header_size_, size);
 }
 
+// The first `count` bytes that `data` stand for.
+std::string VtuArrays::part(const XmlElement& array, std::string_view data, DataEncoding encoding,
+                            std::size_t count) const {
+  const std::size_t size = encoded_size(encoding, count);
+  if (count > data.size() || size > data.size()) {
+    fail(array, "the data end too early; the file is truncated");
+  }
+  data = data.substr(0, size);
+  if (encoding == DataEncoding::Raw) return std::string(data);
+  auto decoded = decode_base64(data);
+  if (!decoded || decoded->size() < count) fail(array, "the base64 data are damaged");
+  decoded->resize(count);
+  return std::move(*decoded);
+}
+
+// Header: the number of blocks, the bytes of each and of a last smaller one (0: there is none),
+// then the compressed bytes of each. Header and blocks, one after the other, are encoded
+// separately.
+std::string VtuArrays::compressed_bytes(const XmlElement& array, std::string_view data,
+                                        DataEncoding encoding) const {
+  const auto number = [this](const std::string& header, std::size_t k) {
+    return length(std::string_view(header).substr(k * header_size_));
+  };
+  const std::size_t blocks = number(part(array, data, encoding, header_size_), 0);
+  if (blocks == 0) return {};
+  if (blocks > data.size()) fail(array, "the data end too early; the file is truncated");
+  const std::string header = part(array, data, encoding, (3 + blocks) * header_size_);
+  data.remove_prefix(encoded_size(encoding, header.size()));
+  std::size_t total = 0;
+  for (std::size_t k = 0; k < blocks; ++k) {
+    if (number(header, 3 + k) > data.size() - total) fail(array, "a size is damaged");
+    total += number(header, 3 + k);
+  }
+  const std::string compressed = part(array, data, encoding, total);
+  std::string bytes;
+  std::size_t begin = 0;
+  for (std::size_t k = 0; k < blocks; ++k) {
+    stop_.poll();
+    const bool is_smaller = k + 1 == blocks && number(header, 2) != 0;
+    const std::string_view block =
+        std::string_view(compressed).substr(begin, number(header, 3 + k));
+    if (!append_inflated(block, number(header, is_smaller ? 2 : 1), bytes))
+      fail(array, "the compressed data are damaged");
+    begin += block.size();
+  }
+  return bytes;
+}
+
 std::string VtuArrays::bytes(const XmlElement& array) const {
   const std::string_view format = array.attribute("format");
-  if (format == "binary") return encoded_bytes(array, without_space(array.text));
+  const auto decode = [&](std::string_view data, DataEncoding encoding) {
+    if (is_compressed_) return compressed_bytes(array, data, encoding);
+    return encoding == DataEncoding::Raw ? raw_bytes(array, data) : encoded_bytes(array, data);
+  };
+  if (format == "binary") return decode(without_space(array.text), DataEncoding::Base64);
   if (format != "appended") fail(array, fmt::format("unknown format {}", in_quotes(format)));
   const std::string_view text = array.attribute("offset");
   std::size_t offset = 0;
@@ -123,9 +184,9 @@ std::string VtuArrays::bytes(const XmlElement& array) const {
     fail(array, "its offset lies outside of AppendedData; the file is truncated");
   }
   const std::string_view data = std::string_view(appended_).substr(offset);
-  if (appended_encoding_ == "raw") return raw_bytes(array, data);
+  if (appended_encoding_ == "raw") return decode(data, DataEncoding::Raw);
   if (appended_encoding_ != "base64") fail(array, "unknown encoding of AppendedData");
-  return encoded_bytes(array, data);
+  return decode(data, DataEncoding::Base64);
 }
 
 template <class T>

@@ -11,6 +11,8 @@
 
 namespace majorant {
 
+enum class DataEncoding { Raw, Base64 };
+
 class VtuArrays {
  public:
   // Takes the appended section out of `content` (it may hold bytes that are no XML); afterwards
@@ -19,7 +21,7 @@ class VtuArrays {
   VtuArrays(const std::string& file, std::string& content, const StopCheck& stop);
 
   // Byte order, header type and compression, from the attributes of <VTKFile>.
-  // Throws Error(Unreadable) for compressed files and unknown types.
+  // Throws Error(Unreadable) for compression other than zlib's and unknown types.
   void configure(const XmlElement& root);
 
   // All values of an array, components interleaved. integers() refuses floating-point types.
@@ -35,6 +37,10 @@ class VtuArrays {
   std::string bytes(const XmlElement& array) const;
   std::string encoded_bytes(const XmlElement& array, std::string_view text) const;
   std::string raw_bytes(const XmlElement& array, std::string_view data) const;
+  std::string compressed_bytes(const XmlElement& array, std::string_view data,
+                               DataEncoding encoding) const;
+  std::string part(const XmlElement& array, std::string_view data, DataEncoding encoding,
+                   std::size_t count) const;
   std::size_t length(std::string_view header) const;
   [[noreturn]] void fail(const XmlElement& array, std::string_view problem) const;
 
@@ -44,6 +50,7 @@ class VtuArrays {
   std::string appended_encoding_;
   ByteOrder order_ = ByteOrder::Little;
   std::size_t header_size_ = 4;
+  bool is_compressed_ = false;
 };
 
 }  // namespace majorant

@@ -129,9 +129,10 @@ class Run {
           setup_.rules.scaffold);
     } catch (const Error& e) {
       throw Error(e.kind(),
-                  fmt::format("{}: the start overlaps itself ({}); start from another map "
-                              "(--init tutte), or leave out --bijective",
-                              map_.mesh().file(), e.what()));
+                  fmt::format("{}: the start overlaps itself ({}); leave out --bijective{}, or use "
+                              "`majorant unwrap`",
+                              map_.mesh().file(), e.what(),
+                              options_.map.initial ? " or --init input" : ""));
     }
   }
 

@@ -132,7 +132,7 @@ Start assemble(const SurfaceMesh& mesh, const std::vector<char>& is_cut, const C
 Vec texture_map(const SurfaceMesh& mesh) {
   if (mesh.corner_texcoords().rows() == 0)
     throw Error(ErrorKind::Unsupported,
-                mesh.file() + ": not every face corner has texture coordinates; use --init tutte");
+                mesh.file() + ": not every face corner has texture coordinates; leave out --init input");
   Vec x = Vec::Zero(2 * mesh.vertex_count());
   std::vector<char> seen(at(mesh.vertex_count()), 0);
   for (Index f = 0; f < mesh.face_count(); ++f)
@@ -141,8 +141,9 @@ Vec texture_map(const SurfaceMesh& mesh) {
       const Vector2 uv = mesh.corner_texcoords().row(f).segment<2>(2 * k);
       if (seen[at(v)] && uv != x.segment<2>(2 * v))
         throw Error(ErrorKind::Unsupported,
-                    fmt::format("{}: vertex {} has several texture coordinates (a seam); cut the "
-                                "mesh there or use --init tutte",
+                    fmt::format("{}: vertex {} has several texture coordinates (a seam); use "
+                                "--seamless or `majorant unwrap --seams uv`, or leave out --init "
+                                "input",
                                 mesh.file(), mesh.input_vertex(v) + 1));
       seen[at(v)] = 1;
       x.segment<2>(2 * v) = uv;

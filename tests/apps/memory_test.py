@@ -1,4 +1,5 @@
 """Little address space: a run ends with the reason, or does all it was asked for; it never hangs."""
+import gzip
 import resource
 import subprocess
 
@@ -43,6 +44,16 @@ class Memory(CommandTest):
     def test_exhausted_later(self):
         codes = self.all_or_nothing('creature', 3, (215, 225, 235, 400))
         self.assertEqual((codes[0], codes[-1]), (UNSUPPORTED, OK))
+
+    def test_a_small_file_that_stands_for_a_large_one(self):
+        mesh = self.path('bomb.obj.gz')
+        with gzip.open(mesh, 'wb', compresslevel=9) as f:
+            for _ in range(600):
+                f.write(b' ' * MIB)
+        self.assertLess(os.path.getsize(mesh), MIB)
+        outcome = self.run_within(400, 'info', mesh)
+        self.assertEqual(outcome.code, UNSUPPORTED)
+        self.assertIn('out of memory', outcome.err)
 
     def test_verbs_without_a_solver_need_no_more_than_their_files(self):
         self.assertEqual(self.run_within(120, 'info', generated('cap')).code, OK)

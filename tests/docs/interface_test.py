@@ -140,6 +140,7 @@ class Reports(CommandTest):
         self.report('compare', disk, '--degree', 1, '--methods', 'newton,lbfgs')
         self.report('convert', result, self.path('c.obj'))
         self.report('info', disk)
+        self.report('info', self.write('twice.obj', helpers.obj_text(points, faces + faces[:1])))
         self.report('info', cut)
         self.report('info', inverted)
 

@@ -47,9 +47,13 @@ TEST_F(ReadMesh, ObjKeepsEverythingThatAWriterNeeds) {
   EXPECT_EQ(mesh.texcoords[2], Vector2(0.5, 0));
   EXPECT_EQ(mesh.polygon_lines, (std::vector<long>{17, 20, 21}));
   const std::vector<std::pair<Index, std::string>> directives = {
-      {0, "mtllib a b.mtl"}, {0, "o thing"}, {0, "g left right"},
+      {0, "mtllib a b.mtl"}, {0, "o thing"}, {0, "l 1 2"},      {0, "g left right"},
       {0, "usemtl red"},     {1, "s off"},   {3, "usemtl last"}};
   EXPECT_EQ(mesh.directives, directives);
+  ASSERT_EQ(mesh.colors.size(), 4u);
+  EXPECT_EQ(mesh.colors[0], Vector3(1, 0, 0));
+  for (std::size_t v = 1; v < 4; ++v) EXPECT_FALSE(mesh.colors[v].allFinite());
+  ASSERT_EQ(mesh.warnings.size(), 1u);  // of vp
 }
 
 TEST_F(ReadMesh, ObjLineEndsAndForwardReferences) {
@@ -102,7 +106,11 @@ TEST_F(ReadMesh, ObjRefusesNamingTheLine) {
                                  "vt nan 0",
                                  "vn 0 0",
                                  "<html>",
-                                 "hello world",
+                                 "1 2 3",
+                                 "l 1 0",
+                                 "l 1 4",
+                                 "p -4",
+                                 "p 1x",
                                  "f 1 2 -9223372036854775808"}) {
     expect_line_4(line);
   }

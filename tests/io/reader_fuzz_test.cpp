@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "compressed_helpers.h"
 #include "io_test_helpers.h"
 #include "majorant/io/internal/read_vertex_lists.h"
 #include "majorant/io/read_mesh.h"
@@ -39,10 +40,16 @@ std::string ply(const std::string& format, const std::string& records) {
 std::string example(const std::string& extension) {
   const TemporaryFolder folder;
   if (extension == "obj") {
-    return "mtllib a\nv 0 0 0\nv 1.5e-3 0 0 \\\n 1\nv 0 1 0\nvt 0 0\nvn 0 0 1\ng x\n"
+    return "mtllib a\nv 0 0 0\nl 1 -1\nnew word\nv 1.5e-3 0 0 \\\n 1\nv 0 1 0\nvt 0 0\nvn 0 0 1\ng "
+           "x\n"
            "f 1/1/1 2/1/1 3/1/1\nf -1//1 -2//1 -3//1\nf 1 2 3 # c\n";
   }
   if (extension == "off") return "COFF\n3 1 0\n0 0 0 1\n1 0 0 1\n0 1 0 1\n3 0 1 2 7\n";
+  if (extension == "stream.off") return "OFF 3 1\n0 0 0 0 1 0 0\n0 1 0 3 0\n1 2\n";
+  if (extension == "strips.ply") {
+    std::string text = ply("ascii", "0 0 0\n1 0 0\n0 1 0\n7 0 1 2 -1 0 2 1\n");
+    return text.replace(text.find("face"), 4, "tristrips");
+  }
   if (extension == "ascii.ply") return ply("ascii", "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
   if (extension == "little.ply") {
     std::string records(36 + 13, '\0');
@@ -71,8 +78,10 @@ std::string example(const std::string& extension) {
     return R"({"index_base": 1, "handles": [{"vertex": 1, "target": [0.5, -1e2]},
               {"vertex": 2, "target": "initial"}], "other": [true, null, "\u00e9"]})";
   }
+  if (extension == "obj.gz") return gzip_of(example("obj"));
   write_vtu(folder.file("map.vtu"), random_strip(2, 2, 1));
-  return content_of(folder.file("map.vtu"));
+  const std::string vtu = content_of(folder.file("map.vtu"));
+  return extension == "zlib.vtu" ? compressed_vtu(vtu, 48) : vtu;
 }
 
 class ReaderFuzz : public ::testing::TestWithParam<std::string> {
@@ -139,7 +148,8 @@ TEST_P(ReaderFuzz, RandomDamage) {
 
 INSTANTIATE_TEST_SUITE_P(Formats, ReaderFuzz,
                          ::testing::Values("obj", "off", "ascii.ply", "little.ply", "big.ply",
-                                           "ascii.stl", "binary.stl", "vtu", "json"),
+                                           "ascii.stl", "binary.stl", "vtu", "json", "stream.off",
+                                           "strips.ply", "obj.gz", "zlib.vtu"),
                          [](const auto& parameter) {
                            std::string name = parameter.param;
                            std::replace(name.begin(), name.end(), '.', '_');

@@ -42,6 +42,18 @@ TEST(Vtu, RoundTripIsExactForEveryDegree) {
   }
 }
 
+TEST(Vtu, ChartsOfAnAtlas) {
+  const TemporaryFolder folder;
+  MapFile map = random_strip(2, 5, 1);
+  map.chart = Eigen::VectorXi::LinSpaced(5, 0, 4) / 2;
+  write_vtu(folder.file("map.vtu"), map);
+  EXPECT_EQ(read_vtu(folder.file("map.vtu")).chart, map.chart);
+  map.chart[3] = -1;
+  error_message(ErrorKind::Invalid, [&] { write_vtu(folder.file("map.vtu"), map); });
+  map.chart.conservativeResize(4);
+  error_message(ErrorKind::Invalid, [&] { write_vtu(folder.file("map.vtu"), map); });
+}
+
 TEST(Vtu, RoundTripKeepsEveryFiniteDouble) {
   const TemporaryFolder folder;
   MapFile map = random_strip(3, 40, 1);

@@ -1,6 +1,7 @@
 #include "majorant/io/write_obj.h"
 
 #include <Eigen/Geometry>
+#include <limits>
 #include <map>
 
 #include "io_test_helpers.h"
@@ -53,6 +54,49 @@ TEST(WriteObj, DegreeOneKeepsTheInput) {
   for (Index p = 0; p < 7; ++p) {
     EXPECT_EQ(mesh.texcoords[static_cast<std::size_t>(p)], example.map.uv.row(p).transpose());
   }
+}
+
+// The map has the quad with its other side up: its corners run backwards, each with its own vt.
+TEST(WriteObj, TurnedFacesAreWrittenTurned) {
+  const TemporaryFolder folder;
+  QuadExample example;
+  example.map.cells.row(1) << 0, 2, 1;
+  example.map.cells.row(2) << 0, 3, 2;
+  write_obj(folder.file("out.obj"), example.map, &example.input);
+  const PolygonMesh mesh = read_mesh(folder.file("out.obj"));
+  EXPECT_EQ(mesh.polygons, (Polygons{{4, 3, 2, 1}, {2, 5, 3}}));
+  EXPECT_EQ(mesh.polygon_texcoords, (Polygons{{3, 2, 1, 0}, {4, 5, 6}}));
+}
+
+TEST(WriteObj, AFaceThatHasAVertexTwiceHasATextureCoordinateForEachCorner) {
+  const TemporaryFolder folder;
+  QuadExample example;
+  example.input.polygons[1] = {2, 5, 2};
+  example.map.input_vertex[6] = 2;
+  example.map.points.row(6) = example.map.points.row(4);
+  write_obj(folder.file("out.obj"), example.map, &example.input);
+  const PolygonMesh mesh = read_mesh(folder.file("out.obj"));
+  EXPECT_EQ(mesh.polygons[1], (std::vector<Index>{2, 5, 2}));
+  EXPECT_EQ(mesh.polygon_texcoords[1], (std::vector<Index>{4, 5, 6}));
+}
+
+// New vertices on edges have a colour where both ends of the edge have one.
+TEST(WriteObj, ColoursOfNewVertices) {
+  const TemporaryFolder folder;
+  QuadExample example;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  example.input.colors = {{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {nan, nan, nan}, {0, 0, 1}};
+  write_obj(folder.file("out.obj"), example.map, &example.input, {.refine = 2});
+  const PolygonMesh mesh = read_mesh(folder.file("out.obj"));
+  ASSERT_EQ(mesh.colors.size(), mesh.positions.size());
+  int checked = 0;
+  for (std::size_t v = 6; v < mesh.positions.size(); ++v) {
+    const Vector3& at = mesh.positions[v];
+    if (at == Vector3(0.5, 0, 0)) checked += mesh.colors[v] == Vector3(0.5, 0, 0);
+    if (at == Vector3(0.5, 0.5, 0)) checked += mesh.colors[v] == Vector3(0.5, 0.5, 0);
+    if (at == Vector3(0.5, 1, 0)) checked += !mesh.colors[v].allFinite();
+  }
+  EXPECT_EQ(checked, 3);
 }
 
 TEST(WriteObj, PolygonThatIsCutBecomesTriangles) {

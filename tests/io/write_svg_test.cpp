@@ -47,6 +47,29 @@ TEST(WriteSvg, PlacesTheLayoutWithTheVAxisUp) {
   EXPECT_NE(text.find("d=\"M10,500L990,500L10,10L10,500Z\""), std::string::npos) << text;
 }
 
+TEST(WriteSvg, ChartsHaveOutlinesInTheirColours) {
+  const TemporaryFolder folder;
+  MapFile map = random_strip(2, 4, 3);  // a strip: cells share an edge with the next one
+  const auto drawn = [&] {
+    write_svg(folder.file("a.svg"), map);
+    return content_of(folder.file("a.svg"));
+  };
+  const std::string plain = drawn();
+  map.chart = Eigen::Vector4i(3, 3, 3, 3);
+  EXPECT_EQ(drawn(), plain);
+  map.chart = Eigen::Vector4i(0, 0, 1, 1);
+  const std::string text = drawn();
+  EXPECT_EQ(count(text, "<path"), 4u + 2u);
+  EXPECT_EQ(count(text, "<path fill="), 4u);
+  const std::string outlines = text.substr(text.find("<path stroke="));
+  const std::string first = outlines.substr(0, outlines.find("/>"));
+  EXPECT_EQ(count(first, "M"), 4u);  // two cells less their common edge, twice
+  EXPECT_EQ(count(text, "fill-opacity"), 0u);
+  map.distortion.resize(0);
+  EXPECT_EQ(count(drawn(), "fill-opacity"), 1u);
+  EXPECT_EQ(count(drawn(), "#dddddd"), 0u);
+}
+
 TEST(WriteSvg, ExtremeLayoutsGiveNumbers) {
   const TemporaryFolder folder;
   MapFile map = random_strip(4, 2, 3);

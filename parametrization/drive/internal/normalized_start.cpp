@@ -108,7 +108,10 @@ std::vector<FixedPoint> place_pins(const SurfaceMesh& mesh, const Seams& seams,
   return points;
 }
 
-void require_injective(const BezierMap& map) {
+// asked: what the map would have started from says what helps.
+void require_injective(const BezierMap& map, const MapOptions& asked) {
+  const char* remedy =
+      asked.initial ? "leave out --init input, or use `majorant unwrap`" : "use `majorant unwrap`";
   const RestShapes rest = rest_shapes(map.mesh());
   const Verdict faces =
       LocalInjectivity(map.shared_space(), 2 * rest.measure).check(map.control_points());
@@ -116,18 +119,18 @@ void require_injective(const BezierMap& map) {
     throw Error(
         ErrorKind::Infeasible,
         fmt::format("{}: the initial map is not injective: face {} ({} in all) is not positively "
-                    "oriented; give another start with --init",
+                    "oriented; {}",
                     map.mesh().file(), map.mesh().input_face(faces.blocking.front()) + 1,
-                    faces.blocking.size()));
+                    faces.blocking.size(), remedy));
   const Verdict vertices =
       AngleSums(map.shared_space(), AngleSums::Vertices::Interior, map.shared_seams())
           .check(map.control_points());
   if (!vertices.feasible)
-    throw Error(
-        ErrorKind::Infeasible,
-        fmt::format("{}: the initial map is not injective: it covers the neighbourhood of "
-                    "vertex {} more than once; give another start with --init",
-                    map.mesh().file(), map.mesh().input_vertex(vertices.blocking.front()) + 1));
+    throw Error(ErrorKind::Infeasible,
+                fmt::format("{}: the initial map is not injective: it covers the neighbourhood of "
+                            "vertex {} more than once; {}",
+                            map.mesh().file(),
+                            map.mesh().input_vertex(vertices.blocking.front()) + 1, remedy));
 }
 
 // The axis that each edge is nearer to: u is constant along it, or v.
@@ -193,7 +196,7 @@ NormalizedStart::NormalizedStart(const BezierMap& given, const MapOptions& asked
   spec.aligned = nearest_axes(given, asked.aligned);
   const BezierMap start = spec.aligned.empty() ? given : aligned_map(given, spec.aligned);
   moved_ = largest_distance(given.control_points(), start.control_points());
-  require_injective(start);
+  require_injective(start, asked);
   spec.rest = rest_shapes(start.mesh(), scale_);
   spec.seams = start.shared_seams();
   spec.pins = place_pins(start.mesh(), start.seams(), asked, start.control_points());

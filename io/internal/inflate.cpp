@@ -1,0 +1,79 @@
+#include "majorant/io/internal/inflate.h"
+
+#include <limits>
+#include <new>
+
+namespace majorant {
+namespace {
+
+constexpr int kGzip = 16 + MAX_WBITS;  // gzip headers alone, windows of any size (zlib.h)
+constexpr std::size_t kBlock = std::size_t{1} << 18;
+// No byte of a deflate stream stands for more (zlib's technical details); small ones have overhead.
+constexpr std::size_t kLargestRatio = 1032, kOverhead = 64;
+
+Bytef* bytes_of(const char* data) {  // zlib does not write to what it reads
+  return reinterpret_cast<Bytef*>(const_cast<char*>(data));
+}
+
+}  // namespace
+
+GunzipStream::GunzipStream(std::size_t most) : most_(most) {
+  if (inflateInit2(&stream_, kGzip) != Z_OK) throw std::bad_alloc();
+}
+
+GunzipStream::~GunzipStream() { inflateEnd(&stream_); }
+
+bool GunzipStream::append(std::string_view bytes, std::string& content) {
+  constexpr std::size_t kMost = std::numeric_limits<uInt>::max();
+  for (; bytes.size() > kMost; bytes.remove_prefix(kMost))
+    if (!append(bytes.substr(0, kMost), content)) return false;
+  stream_.next_in = bytes_of(bytes.data());
+  stream_.avail_in = static_cast<uInt>(bytes.size());
+  while (stream_.avail_in > 0) {
+    if (!in_member_) {
+      const bool is_padding = members_ > 0 && *stream_.next_in == 0;
+      if (is_padding) {
+        ++stream_.next_in;
+        --stream_.avail_in;
+        continue;
+      }
+      in_member_ = true;
+    }
+    if (!append_member(content)) return false;
+  }
+  return true;
+}
+
+// As far as there are bytes, or to the end of the member.
+bool GunzipStream::append_member(std::string& content) {
+  while (true) {
+    const std::size_t size = content.size();
+    if (size > most_) throw std::bad_alloc();
+    content.resize(size + kBlock);
+    stream_.next_out = bytes_of(content.data() + size);
+    stream_.avail_out = kBlock;
+    const int code = inflate(&stream_, Z_NO_FLUSH);
+    content.resize(size + kBlock - stream_.avail_out);
+    if (code == Z_MEM_ERROR) throw std::bad_alloc();
+    if (code == Z_STREAM_END) {
+      in_member_ = false;
+      ++members_;
+      return inflateReset(&stream_) == Z_OK;
+    }
+    if (code == Z_BUF_ERROR || (code == Z_OK && stream_.avail_out > 0)) return true;
+    if (code != Z_OK) return false;
+  }
+}
+
+bool append_inflated(std::string_view stream, std::size_t size, std::string& content) {
+  if (size > kLargestRatio * stream.size() + kOverhead) return false;
+  const std::size_t before = content.size();
+  content.resize(before + size);
+  uLongf written = size;
+  const int code = uncompress(bytes_of(content.data() + before), &written, bytes_of(stream.data()),
+                              stream.size());
+  if (code == Z_MEM_ERROR) throw std::bad_alloc();
+  return code == Z_OK && written == size;
+}
+
+}  // namespace majorant

@@ -1,0 +1,114 @@
+"""What `info` says of a mesh is what the verbs then do."""
+import json
+import os
+import unittest
+
+from command_helpers import *
+
+
+def annulus(n=12):
+    points = [(r * math.cos(2 * math.pi * i / n), r * math.sin(2 * math.pi * i / n), 0.1 * r)
+              for r in (1, 2) for i in range(n)]
+    faces = []
+    for i in range(n):
+        a, b = i, (i + 1) % n
+        faces += [(a, n + a, n + b), (a, n + b, b)]
+    return points, faces
+
+
+def fin():
+    points, faces = grid(3)
+    return points + [(0.5, 0.5, 5.0)], faces + [(5, 6, len(points))]
+
+
+def turned():
+    points, faces = grid(3)
+    return points, [f[::-1] if k in (2, 9) else f for k, f in enumerate(faces)]
+
+
+class Info(CommandTest):
+    def info(self, points, faces, name='mesh.obj', uv=None):
+        path = self.write(name, obj_text(points, faces, uv))
+        text = self.run_ok('info', path)
+        self.assertEqual(text.err, '')
+        outcome = self.run_ok('info', path, '--report', '-')
+        self.assertEqual(outcome.err, '')
+        report = json.loads(outcome.out)
+        self.assertIn('verdict: %s\n' % report['message'], text.out)
+        self.assertEqual(report['input']['file'], path)
+        return path, text.out, report
+
+    def keeps_its_word(self, path, verdict):
+        """Every verb that the verdict says can run does, and one that would refuse does."""
+        words = verdict.split(' can run')[0].split() if ' can run' in verdict else ['parametrize']
+        outcome = majorant(*words, path, '-o', self.path('out.vtu'), '--degree', 1)
+        if ' can run' in verdict:
+            self.assertEqual(outcome.code, OK, outcome.err)
+            return
+        self.assertEqual(outcome.code, UNSUPPORTED)
+        reason = outcome.err[len('majorant: '):].rstrip('\n').split(';')[0]
+        self.assertIn(reason, verdict)
+        self.assertIn('`majorant unwrap', verdict)
+
+    def test_the_verdict_holds(self):
+        for name, (points, faces), says in [
+            ('disk', grid(3), 'parametrize can run'),
+            ('annulus', annulus(), ' can run'),
+            ('closed', torus(6, 5, 0), '`majorant seamless`'),
+            ('handle', torus(6, 5, 1), '`majorant seamless`'),
+            ('fin', fin(), '`majorant unwrap'),
+            ('turned', turned(), '`majorant unwrap'),
+        ]:
+            with self.subTest(mesh=name):
+                path, _, report = self.info(points, faces, name + '.obj')
+                self.assertIn(says, report['message'])
+                self.keeps_its_word(path, report['message'])
+
+    def test_a_defect_is_no_case_for_seamless(self):
+        _, _, report = self.info(*fin())
+        self.assertNotIn('seamless', report['message'])
+
+    def test_all_defects_with_counts_and_places(self):
+        points, faces = turned()
+        first = len(points)
+        other = [(x + 9, y, z) for x, y, z in points]
+        faces += [tuple(v + first for v in f) for f in grid(3)[1]]
+        points = points + other + [(9.5, 0.5, 5.0)]
+        faces += [(first + 5, first + 6, 2 * first), faces[-1]]
+        path, text, report = self.info(points, faces)
+        defects = {d['repair']: d for d in report['defects']}
+        self.assertEqual(defects['turned_face']['places'], [[2], [9]])
+        self.assertEqual(defects['duplicate_face']['count'], 1)
+        self.assertEqual(defects['split_edge']['places'], [[first + 5, first + 6]])
+        self.assertEqual(text.count('\ndefect: '), len(report['defects']))
+        self.assertIn('\ndefect: 2 faces turned', text)
+        self.assertEqual(report['input']['components'], 4)
+
+    def test_no_defects(self):
+        _, text, report = self.info(*grid(3))
+        self.assertEqual(report['defects'], [])
+        self.assertNotIn('defect', text)
+
+    def test_warnings(self):
+        path = self.write('odd.obj', 'newthing 1\n' + obj_text(*grid(3)))
+        self.assertIn("\nwarning: %s:1: 1 line skipped" % path, self.run_ok('info', path).out)
+        report = json.loads(self.run_ok('info', path, '--report', '-').out)
+        self.assertEqual(len(report['input']['warnings']), 1)
+        out = self.path('out.obj')
+        err = self.run_ok('parametrize', path, out, '--quiet', '--report', self.path('r.json')).err
+        self.assertEqual(err.count('majorant: warning: '), 1)
+        with open(self.path('r.json')) as f:
+            self.assertEqual(json.load(f)['input']['warnings'], report['input']['warnings'])
+        self.assertEqual(majorant('check', out, '--surface', path).err.count('warning'), 1)
+
+    def test_reports_of_other_verbs_on_stdout(self):
+        mesh = generated('cap')
+        outcome = self.run_ok('parametrize', mesh, self.path('out.obj'), '--report', '-')
+        self.assertEqual(json.loads(outcome.out)['status'], 'converged')
+        outcome = self.run_ok('compare', mesh, '--degree', 1, '--methods', 'newton', '--report', '-')
+        self.assertEqual(json.loads(outcome.out)['command'], 'compare')
+        self.assertEqual(self.files(), ['out.obj'])
+
+
+if __name__ == '__main__':
+    main()

@@ -1,0 +1,69 @@
+"""What is said to a command line that is nearly right: verbs, options, choices, help."""
+import os
+import unittest
+
+from command_helpers import *
+
+
+class MeantWords(CommandTest):
+    def said(self, *args):
+        return self.refused(USAGE, *args).err
+
+    def test_verbs(self):
+        for wrong, right in [('parametrise', 'parametrize'), ('param', 'parametrize'),
+                             ('chek', 'check'), ('verify', 'check'), ('inof', 'info')]:
+            self.assertIn("did you mean '%s' (see majorant %s --help)?" % (right, right),
+                          self.said(wrong, 'x.obj'), wrong)
+        self.assertRegex(self.said('frobnicate', 'x'), 'use one of parametrize, seamless, .*info')
+        self.assertRegex(self.said('flatten', 'x.obj'), "no verb is called 'flatten'")
+        self.assertRegex(self.said(), 'name a verb: one of parametrize, ')
+
+    def test_options(self):
+        mesh = generated('cap')
+        run = ['parametrize', mesh, '-o', self.path('out.vtu')]
+        for wrong, right in [('--bijectiv', '--bijective'), ('--degre=2', '--degree'),
+                             ('--max-iter', '--max-iterations'), ('--tolerence', '--tolerance')]:
+            err = self.said(*run, wrong)
+            self.assertIn("parametrize has no option '%s' (did you mean '%s'?) (see majorant "
+                          'parametrize --help)' % (wrong.split('=')[0], right), err)
+        # Its value is not taken for something else.
+        self.assertIn("did you mean '--tolerance'",
+                      self.said('parametrize', '--tolerence', '1e-5', mesh, self.path('o.obj')))
+        self.assertIn("seamless has no option '--init', parametrize, compare has",
+                      self.said('seamless', mesh, '-o', self.path('out.vtu'), '--init', 'tutte'))
+        self.assertRegex(self.said(*run, '--frobnicate'), r"'--frobnicate' \(see majorant param")
+        self.assertIn("one word too many: 'c.obj' (see majorant info --help)",
+                      self.said('info', mesh, 'c.obj'))
+        self.assertIn('input is required (see majorant info --help)', self.said('info'))
+
+    def test_choices(self):
+        run = ['parametrize', generated('cap'), '-o', self.path('out.vtu')]
+        for option, wrong, right in [('--boundary', 'fixd', 'fixed'), ('--init', 'tute', 'tutte'),
+                                     ('--curvature', 'proj', 'projected'),
+                                     ('--elevation', 'incremetnal', 'incremental'),
+                                     ('--energy', 'arpa', 'arap'), ('--energy', 'sym', 'symm')]:
+            self.assertIn("(did you mean '%s" % right, self.said(*run, option, wrong))
+        self.assertNotIn('did you mean', self.said(*run, '--boundary', 'loose'))
+        self.assertIn("did you mean 'newton'",
+                      self.said('compare', generated('cap'), '--methods', 'newtn'))
+
+    def test_help(self):
+        self.assertEqual(self.run_ok('help').out, self.run_ok('--help').out)
+        self.assertEqual(self.run_ok('help', 'check').out, self.run_ok('check', '--help').out)
+        self.assertIn("did you mean 'check'", self.said('help', 'chek'))
+
+    def test_a_file_without_a_verb(self):
+        """Means unwrap, where there is that verb."""
+        unwraps = 'unwrap' in self.run_ok('--help').out
+        for args in [(generated('cap'), self.path('out.obj')), ('absent.obj.gz', 'out.obj'),
+                     ('-o', self.path('out.svg'), generated('cap'))]:
+            outcome = majorant(*args)
+            if unwraps:
+                self.assertEqual(outcome.code, UNREADABLE if 'absent' in args[0] else OK, args)
+            else:
+                self.assertEqual(outcome.code, USAGE)
+                self.assertRegex(outcome.err, 'is a file; name a verb first')
+
+
+if __name__ == '__main__':
+    main()

@@ -1,0 +1,117 @@
+// What real files do and readers take: OFF as a stream, strips of PLY, unknown words of OBJ; and
+// what of an OBJ is kept.
+#include "io_test_helpers.h"
+#include "majorant/io/internal/material_files.h"
+#include "majorant/io/read_mesh.h"
+#include "majorant/io/write_obj.h"
+
+namespace majorant {
+namespace {
+
+using Polygons = std::vector<std::vector<Index>>;
+
+PolygonMesh read(const std::string& name, std::string_view content) {
+  const TemporaryFolder folder;
+  return read_mesh(folder.write(name, content));
+}
+
+TEST(LenientReaders, OffIsAStream) {
+  for (const std::string content :
+       {"OFF\n4 2 5\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3\n0 1\n2\n3 0\n2 3\n",  // faces over lines
+        "OFF 4 2 5 0 0 0 1 0 0 1 1 0 0 1 0 3 0 1 2 3 0 2 3",              // one line
+        "OFF\n4 2 0\n0 0 0 1 0 0\n1 1 0 0 1 0\n3 0 1 2 3 0 2 3\n",        // several per line
+        "OFF\n4 2 0\n0 0 0 1 0 0\n1 1 0 0 1 0\n3 0\n1 2\n3 0\n2 3\n",     // V + F lines
+        "OFF # a\n# b\n4 # c\n2\n0 # d\n0 0 # e\n0\n1 0 0\n1 1 0 # f\n\n0 1 0\n3 0 1 2\n3 0 2 3\n",
+        "OFF\n4 2 0\n0 0 0 9 9 9\n1 0 0 9 9 9\n1 1 0 9 9 9\n0 1 0 9 9 9\n3 0 1 2\n3 0 2 3\n",
+        "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2 255 0 0\n3 0 2 3 0.5 0 0 1\n",
+        "COFF\n4 2 0\n0 0 0 1 1 1 1 1 0 0 1 1 1 1\n1 1 0 1 1 1 1\n0 1 0 1 1 1 1\n3 0\n1 2 7\n3 0 2 "
+        "3\n",
+        "STCNOFF\n4 2 0\n0 0 0 1 1 1 1 1 1 1 1 1\n1 0 0 1 1 1 1 1 1 1\n1 1\n1 1 0 1 1 1 1 1 1 1 1 "
+        "1\n"
+        "0 1 0 1 1 1 1 1 1 1 1 1\n3 0 1 2\n3 0 2 3\n"}) {
+    const PolygonMesh mesh = read("a.off", content);
+    ASSERT_EQ(mesh.positions.size(), 4u) << content;
+    EXPECT_EQ(mesh.positions[2], Vector3(1, 1, 0)) << content;
+    EXPECT_EQ(mesh.positions[3], Vector3(0, 1, 0)) << content;
+    EXPECT_EQ(mesh.polygons, (Polygons{{0, 1, 2}, {0, 2, 3}})) << content;
+  }
+}
+
+TEST(LenientReaders, OffSaysTheLineOfAFace) {
+  const PolygonMesh mesh = read("a.off", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0\n1 2 3\n0 1 2\n");
+  EXPECT_EQ(mesh.polygon_lines, (std::vector<long>{6, 7}));
+}
+
+TEST(LenientReaders, UnknownWordsOfObjAreOneWarning) {
+  const PolygonMesh mesh = read("a.obj",
+                                "newthing 1 2\nv 0 0 0\nv 1 0 0\ncurv 0 1 1\nv 0 1 0\nf 1 2 3\n"
+                                "newthing\nbevel on\n");
+  EXPECT_EQ(mesh.polygons.size(), 1u);
+  ASSERT_EQ(mesh.warnings.size(), 1u);
+  for (const char* part : {"a.obj:1: 3 lines", "'newthing'", "'curv'"})
+    EXPECT_NE(mesh.warnings[0].find(part), std::string::npos) << mesh.warnings[0];
+  EXPECT_EQ(mesh.warnings[0].find("bevel"), std::string::npos);
+  EXPECT_TRUE(read("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").warnings.empty());
+}
+
+TEST(LenientReaders, ObjKeepsPointsLinesAndColours) {
+  const std::string text =
+      "v 0 0 0 0.25 0.5 1\nv 1 0 0\nv 0 1 0 1 1 1\nv 9 9 9 1\n"
+      "g a\nf 1 2 3\np 4\nl 1 2 4\nlod 3\n";
+  const PolygonMesh mesh = read("a.obj", text);
+  EXPECT_EQ(mesh.colors[0], Vector3(0.25, 0.5, 1));
+  EXPECT_FALSE(mesh.colors[1].allFinite());
+  EXPECT_EQ(obj_text(mesh),
+            "v 0 0 0 0.25 0.5 1\nv 1 0 0\nv 0 1 0 1 1 1\nv 9 9 9\n"
+            "g a\nf 1 2 3\np 4\nl 1 2 4\nlod 3\n");
+  const PolygonMesh other =
+      read("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nl -1/1 -2/1\nf 1 2 3\n");
+  EXPECT_EQ(other.directives[0].second, "l 3 2");
+  EXPECT_TRUE(other.colors.empty());
+}
+
+std::string ply(const std::string& strips) {
+  return "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\n"
+         "property float z\nproperty uchar red\nproperty ushort green\nproperty float blue\n"
+         "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+         "0 0 0 255 0 .5\n1 0 0 51 65535 0\n0 1 0 0 0 0\n1 1 0 0 0 0\n0 2 0 0 0 0\n" +
+         strips + "\n";
+}
+
+TEST(LenientReaders, PlyStripsTurnAndBeginAnew) {
+  const PolygonMesh mesh = read("a.ply", ply("11 0 1 2 3 4 -1 0 1 -1 4 3"));
+  EXPECT_EQ(mesh.polygons, (Polygons{{0, 1, 2}, {2, 1, 3}, {2, 3, 4}}));
+  // A vertex twice turns the strip without a face.
+  EXPECT_EQ(read("a.ply", ply("6 0 1 2 2 3 4")).polygons, (Polygons{{0, 1, 2}, {2, 3, 4}}));
+  const TemporaryFolder folder;
+  for (const char* strips : {"3 0 1 5", "3 0 1 -2", "3 0 1 1.5", "3 0 1", "2 0 1"})
+    error_message(ErrorKind::Unreadable, [&] { read_mesh(folder.write("bad.ply", ply(strips))); });
+}
+
+TEST(LenientReaders, PlyColoursAreParts) {
+  const PolygonMesh mesh = read("a.ply", ply("3 0 1 2"));
+  ASSERT_EQ(mesh.colors.size(), 5u);
+  EXPECT_EQ(mesh.colors[0], Vector3(1, 0, 0.5));
+  EXPECT_EQ(mesh.colors[1], Vector3(0.2, 1, 0));
+}
+
+TEST(LenientReaders, MaterialFilesAreNamedFromTheOutput) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path() / "in" / "sub");
+  std::filesystem::create_directory(folder.path() / "out");
+  const std::string from = folder.file("in/a.obj"), to = folder.file("out/b.obj");
+  for (const char* name : {"in/my own.mtl", "in/plain", "in/sub/c.mtl"}) folder.write(name, "");
+  const auto moved = [&](const std::string& line) { return repoint_materials(line, from, to); };
+  EXPECT_EQ(moved("mtllib a.mtl"), "mtllib ../in/a.mtl");
+  EXPECT_EQ(moved("mtllib  sub/c.mtl  ../x.mtl # y"), "mtllib ../in/sub/c.mtl ../x.mtl");
+  EXPECT_EQ(moved("mtllib a.mtl my own.mtl plain"),
+            "mtllib ../in/a.mtl ../in/plain\nmtllib ../in/my own.mtl");
+  EXPECT_EQ(moved("mtllib not there.mtl"), "mtllib ../in/not there.mtl");
+  EXPECT_EQ(moved("mtllib /abs/a.mtl"), "mtllib /abs/a.mtl");
+  EXPECT_EQ(moved("mtllib"), "mtllib");
+  const std::string odd = "mtllib  a.mtl  b c.mtl";
+  EXPECT_EQ(repoint_materials(odd, from, folder.file("in/b.obj")), odd);
+}
+
+}  // namespace
+}  // namespace majorant
