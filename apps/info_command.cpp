@@ -62,7 +62,7 @@ int info(const Request& request) {
       verdict =
           is_disk ? "parametrize can run, with --seamless too" : "parametrize --seamless can run";
     else
-      mesh.require_disk();
+      mesh.require_planar();
   } catch (const Error& e) {
     verdict = fmt::format("parametrize would refuse: {}", e.what());
   }

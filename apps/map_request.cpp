@@ -147,10 +147,8 @@ MapInput read_input(const MapRequest& request, const StopCheck& stop,
                               [&] { return make_start(in.polygons, *in.mesh); });
   else if (request.seamless)
     in.start = seamless_from_texture(*in.mesh);
-  else if (request.holes)
-    in.mesh->require_planar();
   else
-    in.mesh->require_disk();
+    in.mesh->require_planar();
   if (request.init == "input" && !request.seamless) options.map.initial = texture_map(*in.mesh);
   read_constrained_points(request, in);
   if (!request.weights.empty())
