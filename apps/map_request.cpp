@@ -151,10 +151,8 @@ MapInput read_input(const MapRequest& request, const StopCheck& stop,
                               [&] { return make_start(in.polygons, *in.mesh); });
   else if (request.seamless)
     in.start = seamless_from_texture(*in.mesh);
-  else if (request.holes)
-    in.mesh->require_planar();
   else
-    in.mesh->require_disk();
+    in.mesh->require_planar();
   in.options = read_options(request, in.polygons, *in.mesh);
   for (std::vector<Pin>* points : {&in.options.map.pins, &in.options.map.handles})
     if (in.start) *points = on_cut_surface(*points, in.start->map.seams());

@@ -22,7 +22,6 @@ struct MapRequest {
   int degree = 0;  // 0: nothing was said, see choose_degree()
   int quadrature = 0;
   double soft = 1e3;
-  bool holes = false;                              // several boundary loops are welcome
   bool boundary_angles = false, seamless = false;  // seamless: an option of parametrize only
 
   void add_to(CLI::App& verb);
@@ -46,8 +45,9 @@ struct MapInput {
 Index used_vertex(const std::string& path, const SurfaceMesh& mesh, Index input_vertex);
 
 // Reads the files and translates the options. make_start: gives the seamless map to start from;
-// empty: that of the texture coordinates if `request` is seamless, else a map of a disk. Throws
-// Error as the readers and starts do; Error(Unsupported) when a mesh should be a disk and is not,
+// empty: that of the texture coordinates if `request` is seamless, else a map of a disk with or
+// without holes. Throws Error as the readers and starts do; Error(Unsupported) when a mesh should be
+// such a disk and is not,
 // Error(Usage) for energies that collapse, Error(Invalid) when stopped.
 // The options alone, of any surface of the file, cut or not: energy, degree, curvature, points and
 // weights. Throws as above.

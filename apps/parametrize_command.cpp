@@ -11,7 +11,6 @@ namespace majorant::app {
 namespace {
 
 int run_job(MapVerb request) {
-  request.map.holes = request.solve.bijective;
   MapRun run("parametrize", request);
   const MapInput& in = run.read();
   return run.finish(unless_stopped("making the start of " + request.map.input, [&] {

@@ -7,6 +7,7 @@
 #include "apps/process.h"
 #include "apps/progress.h"
 #include "apps/solve_request.h"
+#include "apps/streams.h"
 #include "apps/unless_stopped.h"
 #include "apps/unwrap_request.h"
 #include "majorant/framework/thread_count.h"

@@ -237,11 +237,7 @@ class Run {
 }  // namespace
 
 Vec initial_map(const SurfaceMesh& mesh, const MapOptions& asked, const StopCheck& stop) {
-  // Holes are kept open, and free of overlaps, by the scaffold inside them.
-  if (asked.injectivity == MapInjectivity::Global)
-    mesh.require_planar();
-  else
-    mesh.require_disk();
+  mesh.require_planar();
   if (asked.initial && asked.initial->size() != 2 * mesh.vertex_count())
     throw Error(ErrorKind::Usage, mesh.file() + ": the initial map needs 2 numbers per vertex");
   return asked.initial ? *asked.initial : tutte_map(mesh, stop);

@@ -52,8 +52,8 @@ struct ParametrizationResult {
 };
 
 // The start that is asked for: Tutte's map or the given one, u, v per vertex. Throws
-// Error(Unsupported) when the mesh is no disk (for MapInjectivity::Global: no disk with or without
-// holes), Error(Usage) when the given one has the wrong size; Stopped.
+// Error(Unsupported) when the mesh is no disk, with or without holes, Error(Usage) when the given
+// one has the wrong size; Stopped.
 Vec initial_map(const SurfaceMesh& mesh, const MapOptions& asked, const StopCheck& stop = {});
 
 // Throws Error as initial_map; Error(Infeasible) when the start is not locally injective, does not

@@ -9,6 +9,8 @@
 #include "majorant/framework/internal/sparse_spd.h"
 #include "majorant/mesh/half_edge.h"
 #include "majorant/parametrization/fields/internal/edge_laplacian.h"
+#include "majorant/parametrization/starts/internal/leaning_map.h"
+#include "majorant/parametrization/starts/internal/room.h"
 
 namespace majorant {
 namespace {
@@ -26,7 +28,11 @@ const std::vector<Index>& outer_loop(const SurfaceMesh& mesh) {
                            [&](const auto& p, const auto& q) { return length(p) < length(q); });
 }
 
-void place_boundary(const SurfaceMesh& mesh, Vec& x) {
+// How the boundary is spaced on its circle: as on the surface, or, halfway to equal angles, so that
+// edges that are tiny there get room.
+enum class Spacing { ArcLength, Halfway };
+
+void place_boundary(const SurfaceMesh& mesh, Spacing spacing, Vec& x) {
   const std::vector<Index>& loop = outer_loop(mesh);
   const double radius = std::sqrt(mesh.area() / std::numbers::pi);
   std::vector<double> arc{0.0};
@@ -35,7 +41,11 @@ void place_boundary(const SurfaceMesh& mesh, Vec& x) {
         arc.back() +
         (mesh.positions().row(loop[(k + 1) % loop.size()]) - mesh.positions().row(loop[k])).norm());
   for (std::size_t k = 0; k < loop.size(); ++k) {
-    const double angle = 2 * std::numbers::pi * arc[k] / arc.back();
+    double angle = 2 * std::numbers::pi * arc[k] / arc.back();
+    if (spacing == Spacing::Halfway)
+      angle = (angle +
+               2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(loop.size())) /
+              2;
     x[2 * loop[k]] = radius * std::cos(angle);
     x[2 * loop[k] + 1] = radius * std::sin(angle);
   }
@@ -59,6 +69,12 @@ Cells filled_faces(const SurfaceMesh& mesh) {
   return faces;
 }
 
+std::string no_solution(const std::string& file) {
+  return file +
+         ": the Laplacian of the initial map cannot be factorized; check the mesh with `majorant "
+         "info`";
+}
+
 // Every vertex but those of the outer loop, whose places are known, is the mean of its neighbours.
 class MeanOfNeighbours {
  public:
@@ -79,11 +95,7 @@ class MeanOfNeighbours {
     // An edge counts once, its two half-edges half each.
     const Vec values = laplacian.values(Vec::Constant(3 * faces_.rows(), 0.5));
     stop.poll();
-    return SparseSpd(laplacian.pattern(), values,
-                     file +
-                         ": the Laplacian of the initial map cannot be factorized; check the mesh "
-                         "with `majorant info`",
-                     stop);
+    return SparseSpd(laplacian.pattern(), values, no_solution(file), stop);
   }
 
   // Of coordinate c: sums over the neighbours on the outer loop. x: u, v by vertex.
@@ -105,11 +117,10 @@ class MeanOfNeighbours {
   std::vector<Index> vertices_;
 };
 
-}  // namespace
-
-Vec tutte_map(const SurfaceMesh& mesh, const StopCheck& stop) {
+// Tutte's map, as far as doubles can tell points apart.
+Vec mean_map(const SurfaceMesh& mesh, const StopCheck& stop) {
   Vec x = Vec::Zero(2 * mesh.vertex_count());
-  place_boundary(mesh, x);
+  place_boundary(mesh, Spacing::ArcLength, x);
   const MeanOfNeighbours means(mesh);
   if (means.vertices().empty()) return x;
   const SparseSpd matrix = means.matrix(mesh.file(), stop);
@@ -122,6 +133,36 @@ Vec tutte_map(const SurfaceMesh& mesh, const StopCheck& stop) {
     x[2 * vertex + 1] = v[static_cast<Index>(r)];
   }
   return x;
+}
+
+// Other convex combinations, where the means of neighbours left faces no room: the first that
+// leaves some to all of them, else what leaves it to most.
+Vec map_with_room(const SurfaceMesh& mesh, Vec best, const StopCheck& stop) {
+  Index least = faces_without_room(mesh.faces(), best);
+  if (least == 0) return best;
+  const Cells faces = filled_faces(mesh);
+  std::vector<char> held(at(mesh.vertex_count()) + mesh.boundary_loops().size() - 1, 0);
+  for (const Index v : outer_loop(mesh)) held[at(v)] = 1;
+  for (const Spacing spacing : {Spacing::ArcLength, Spacing::Halfway})
+    for (const double leaning : kLeanings) {
+      Vec x = Vec::Zero(2 * static_cast<Index>(held.size()));
+      place_boundary(mesh, spacing, x);
+      x = leaning_map(faces, held, x, leaning, no_solution(mesh.file()), stop)
+              .head(2 * mesh.vertex_count())
+              .eval();
+      const Index without = faces_without_room(mesh.faces(), x);
+      if (without >= least) continue;
+      least = without;
+      best = std::move(x);
+      if (least == 0) return best;
+    }
+  return best;
+}
+
+}  // namespace
+
+Vec tutte_map(const SurfaceMesh& mesh, const StopCheck& stop) {
+  return map_with_room(mesh, mean_map(mesh, stop), stop);
 }
 
 }  // namespace majorant

@@ -1,4 +1,4 @@
-// The start of disks: every vertex the mean of its neighbours.
+// The start of disks: every vertex a mean of its neighbours.
 #pragma once
 
 #include "majorant/mesh/surface_mesh.h"
@@ -10,6 +10,10 @@ namespace majorant {
 // vertex in file order at angle 0. Returns u, v per vertex, model units. Of several boundary loops
 // the longest goes to the circle; the others are filled with a vertex each, so that the image has
 // holes there.
+//
+// Where that leaves faces no room in doubles (narrow tubes, boundaries of tiny edges: exact signs
+// decide), vertices lean towards the boundary instead (internal/leaning_map.h), the boundary being
+// spaced less unevenly if need be. So every face is positive, but for meshes beyond all of these.
 // Needs a disk, possibly with holes; throws Error(Infeasible) when the linear system cannot be
 // solved; Stopped.
 Vec tutte_map(const SurfaceMesh& mesh, const StopCheck& stop = {});

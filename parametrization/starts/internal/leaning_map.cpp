@@ -1,0 +1,162 @@
+#include "majorant/parametrization/starts/internal/leaning_map.h"
+
+#include <Eigen/SparseLU>
+#include <algorithm>
+#include <numbers>
+
+#include "majorant/framework/error.h"
+#include "majorant/mesh/half_edge.h"
+#include "majorant/mesh/internal/union_find.h"
+
+namespace majorant {
+namespace {
+
+using Neighbours = std::vector<std::vector<Index>>;
+
+Neighbours neighbours_of(const Cells& faces, std::size_t vertices) {
+  Neighbours all(vertices);
+  for (Index h = 0; h < 3 * static_cast<Index>(faces.rows()); ++h) {
+    const Index a = from_vertex(faces, h), b = to_vertex(faces, h);
+    all[at(a)].push_back(b);
+    all[at(b)].push_back(a);
+  }
+  for (auto& some : all) {
+    std::sort(some.begin(), some.end());
+    some.erase(std::unique(some.begin(), some.end()), some.end());
+  }
+  return all;
+}
+
+// The vertices by their distance from those that are held, in edges.
+class Layers {
+ public:
+  Layers(const Neighbours& neighbours, const std::vector<char>& held)
+      : neighbours_(neighbours), layer_(held.size(), -1), ring_(held.size(), 0) {
+    for (std::size_t v = 0; v < held.size(); ++v)
+      if (held[v]) order_.push_back(static_cast<Index>(v));
+    const std::size_t free = order_.size();
+    for (const Index v : order_) layer_[at(v)] = 0;
+    for (std::size_t k = 0; k < order_.size(); ++k)
+      for (const Index w : neighbours_[at(order_[k])])
+        if (layer_[at(w)] < 0) {
+          layer_[at(w)] = layer_[at(order_[k])] + 1;
+          order_.push_back(w);
+        }
+    depth_ = layer_[at(order_.back())];
+    order_.erase(order_.begin(), order_.begin() + static_cast<std::ptrdiff_t>(free));
+    measure_rings();
+    Parents(*this).find();
+  }
+
+  const std::vector<Index>& order() const { return order_; }  // free vertices, layer by layer
+  Index parent(Index v) const { return parent_[at(v)]; }
+  // The part that the mean of all neighbours has of v's place.
+  double share(Index v, double leaning) const {
+    return std::min(1.0, leaning * static_cast<double>(ring_[at(v)]) / narrow());
+  }
+
+ private:
+  // Of the nearer neighbours. As many as can be are parents of one child only: where two vertices
+  // of a ring lean to one, ring after ring, and one to none, the ring closes up.
+  class Parents {
+   public:
+    explicit Parents(Layers& layers)
+        : layers_(layers),
+          children_(layers.layer_.size(), 0),
+          child_(layers.layer_.size(), -1),
+          asked_(layers.layer_.size(), -1) {
+      layers_.parent_.assign(layers.layer_.size(), -1);
+    }
+
+    void find() {
+      for (const Index v : layers_.order_)
+        if (layers_.ring_[at(v)] <= layers_.narrow()) claim(v, v);
+      for (const Index v : layers_.order_)
+        if (Index& p = layers_.parent_[at(v)]; p < 0) {
+          for (const Index w : layers_.neighbours_[at(v)])
+            if (nearer(w, v) && (p < 0 || children_[at(w)] < children_[at(p)])) p = w;
+          ++children_[at(p)];
+        }
+    }
+
+   private:
+    bool nearer(Index w, Index v) const { return layers_.layer_[at(w)] < layers_.layer_[at(v)]; }
+
+    // An augmenting path of the matching of children and parents, from v; run: names the search.
+    bool claim(Index v, Index run) {
+      for (const Index p : layers_.neighbours_[at(v)]) {
+        if (!nearer(p, v) || asked_[at(p)] == run) continue;
+        asked_[at(p)] = run;
+        if (child_[at(p)] >= 0 && !claim(child_[at(p)], run)) continue;
+        child_[at(p)] = v;
+        layers_.parent_[at(v)] = p;
+        children_[at(p)] = 1;
+        return true;
+      }
+      return false;
+    }
+
+    Layers& layers_;
+    std::vector<int> children_;
+    std::vector<Index> child_, asked_;
+  };
+
+  void measure_rings() {
+    UnionFind rings(static_cast<Index>(layer_.size()));
+    for (const Index v : order_)
+      for (const Index w : neighbours_[at(v)])
+        if (layer_[at(w)] == layer_[at(v)]) rings.join(v, w);
+    std::vector<Index> size(layer_.size(), 0);
+    for (const Index v : order_) ++size[at(rings.find(v))];
+    for (const Index v : order_) ring_[at(v)] = size[at(rings.find(v))];
+  }
+
+  // Vertices of a ring that shrinks by exp(-1) over the whole depth.
+  double narrow() const { return 2 * std::numbers::pi * depth_; }
+
+  const Neighbours& neighbours_;
+  std::vector<Index> order_, parent_;
+  std::vector<int> layer_;   // by vertex, 0: held
+  std::vector<Index> ring_;  // by vertex, how many are on its ring
+  int depth_ = 0;
+};
+
+}  // namespace
+
+Vec leaning_map(const Cells& faces, const std::vector<char>& held, Vec x, double leaning,
+                const std::string& otherwise, const StopCheck& stop) {
+  using Matrix = Eigen::SparseMatrix<double>;
+  const Neighbours neighbours = neighbours_of(faces, held.size());
+  const Layers layers(neighbours, held);
+  std::vector<Index> row(held.size(), -1);
+  const auto size = static_cast<Index>(layers.order().size());
+  if (size == 0) return x;
+  for (Index k = 0; k < size; ++k) row[at(layers.order()[at(k)])] = k;
+  Eigen::MatrixX2d rhs = Eigen::MatrixX2d::Zero(size, 2);
+  std::vector<Eigen::Triplet<double>> entries;
+  for (const Index v : layers.order()) {
+    const double share = layers.share(v, leaning);
+    entries.emplace_back(row[at(v)], row[at(v)], 1.0);
+    const auto subtract = [&](Index w, double weight) {
+      if (row[at(w)] >= 0)
+        entries.emplace_back(row[at(v)], row[at(w)], -weight);
+      else
+        rhs.row(row[at(v)]) += weight * x.segment<2>(2 * w).transpose();
+    };
+    subtract(layers.parent(v), 1 - share);
+    const auto count = static_cast<double>(neighbours[at(v)].size());
+    for (const Index w : neighbours[at(v)]) subtract(w, share / count);
+  }
+  Matrix matrix(size, size);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  stop.poll();
+  Eigen::SparseLU<Matrix> lu(matrix);
+  stop.poll();
+  if (lu.info() != Eigen::Success) throw Error(ErrorKind::Infeasible, otherwise);
+  Eigen::MatrixX2d p = lu.solve(rhs);
+  p += lu.solve(rhs - matrix * p).eval();  // the last digits, of which narrow rings have few
+  for (const Index v : layers.order()) x.segment<2>(2 * v) = p.row(row[at(v)]).transpose();
+  return x;
+}
+
+}  // namespace majorant
