@@ -6,10 +6,11 @@
 #include <vector>
 
 #include "majorant/framework/types.h"
+#include "majorant/mesh/polygon_mesh.h"
 
 namespace majorant::app {
 
-inline constexpr double kClose = 1e-9;  // relative to the size of the map or surface
+inline constexpr double kClose = kTenDigits;  // relative to the size of the map or surface
 
 // Empty means the check passed. Violated findings come with a proof, open ones are questions that
 // could not be decided; both fail the check.

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "majorant/io/atomic_file.h"
+#include "majorant/io/internal/atomic_file.h"
 
 namespace majorant::app {
 

@@ -13,6 +13,10 @@ constexpr double kSmallestScale = 1e-14;
 
 }  // namespace
 
+// Origins: an energy does not tell less than LineSearch::kResolution, of which 1e-14 leaves only the
+// steps that gain nothing at all; 1e-8 is the square root of the unit roundoff, to which a gradient
+// can be trusted; the smallest step is chosen, not tuned; ten times the iterations of Newton's
+// method bound what nobody watches.
 StoppingRules first_order_rules() {
   StoppingRules rules;
   rules.relative_decrease = 1e-14;

@@ -1,4 +1,4 @@
-#include "majorant/io/read_map.h"
+#include "majorant/io/map_file.h"
 
 #include <algorithm>
 #include <cctype>

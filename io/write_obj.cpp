@@ -7,7 +7,7 @@
 #include <map>
 
 #include "majorant/framework/error.h"
-#include "majorant/io/atomic_file.h"
+#include "majorant/io/internal/atomic_file.h"
 #include "majorant/io/internal/map_check.h"
 
 namespace majorant {

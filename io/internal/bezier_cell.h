@@ -14,7 +14,8 @@
 
 namespace majorant {
 
-inline constexpr int kHighestFileDegree = 32;  // no file beyond is believed
+// No file beyond is believed. Origin: VTK has no cells beyond 10; chosen, not tuned.
+inline constexpr int kHighestFileDegree = 32;
 
 // Number of control points of degree n.
 constexpr Index bezier_cell_size(int degree) { return (degree + 1) * (degree + 2) / 2; }

@@ -16,7 +16,7 @@ namespace majorant {
 namespace {
 
 // Of the surface's size: what a point computed on an edge, or printed with ten digits, may be off.
-constexpr double kClose = 1e-9;
+constexpr double kClose = kTenDigits;
 
 using DirectedEdge = std::pair<Index, Index>;
 

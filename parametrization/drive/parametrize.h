@@ -59,9 +59,9 @@ Vec initial_map(const SurfaceMesh& mesh, const MapOptions& asked, const StopChec
 // Throws Error as initial_map; Error(Infeasible) when the start is not locally injective, does not
 // meet the pins or has an aligned edge off its axis by more than kSeamTolerance (texture_seams.h);
 // Error(Unsupported) when a vertex is pinned twice or pinned and a handle; Error(Usage) when the
-// energy does not support the curvature or would shrink the map to a point (free_scale.h), or
-// options are out of range; Stopped before there is a
-// start. From then on a stop ends the run with the best map so far.
+// energy does not support the curvature or would shrink the map to a point (FreeScale::Collapses
+// with neither a fixed boundary nor points that hold the scale), or options are out of range;
+// Stopped before there is a start. From then on a stop ends the run with the best map so far.
 ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,
                                   const ParametrizationOptions& options, RunRecord& record);
 ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "majorant/elements/bernstein.h"
+#include "majorant/elements/internal/bernstein.h"
 #include "majorant/framework/internal/backtracking.h"
 
 namespace majorant {

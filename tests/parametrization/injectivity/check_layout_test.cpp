@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "majorant/parametrization/injectivity/global_injectivity.h"
+#include "majorant/parametrization/injectivity/internal/check_layout.h"
 #include "majorant/parametrization/injectivity/internal/loop_winding.h"
 
 namespace majorant {

@@ -13,7 +13,6 @@
 
 namespace majorant {
 
-using Barycentric = Eigen::Vector3d;
 using MultiIndex = std::array<int, 3>;
 
 // Number of control points, (n+1)(n+2)/2.
