@@ -19,8 +19,8 @@
 #include "apps/streams.h"
 #include "apps/unless_stopped.h"
 #include "majorant/framework/thread_count.h"
-#include "majorant/io/map_proof.h"
 #include "majorant/io/map_file.h"
+#include "majorant/io/map_proof.h"
 #include "majorant/io/read_mesh.h"
 
 namespace majorant::app {

@@ -13,10 +13,9 @@ constexpr double kSmallestScale = 1e-14;
 
 }  // namespace
 
-// Origins: an energy does not tell less than LineSearch::kResolution, of which 1e-14 leaves only the
-// steps that gain nothing at all; 1e-8 is the square root of the unit roundoff, to which a gradient
-// can be trusted; the smallest step is chosen, not tuned; ten times the iterations of Newton's
-// method bound what nobody watches.
+// Origins. relative_decrease: below LineSearch::kResolution, so that only steps without a gain
+// count. stall_decrement: square root of the unit roundoff, as good as a gradient is. stall_step:
+// chosen, not tuned. max_iterations: ten times Newton's.
 StoppingRules first_order_rules() {
   StoppingRules rules;
   rules.relative_decrease = 1e-14;

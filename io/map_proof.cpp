@@ -263,8 +263,8 @@ class MapProof::Judge {
           const Vector2 step = point(local) - point(k);
           return Vector2(step / step.lpNorm<Eigen::Infinity>());
         };
-        const Vector2 a = direction(ix.edge(k)[1]);
-        const Vector2 b = direction(ix.edge((k + 2) % 3)[at(file_.degree) - 1]);
+        const auto [right, left] = ix.beside_corner(k);
+        const Vector2 a = direction(right), b = direction(left);
         sum[surface.faces()(c, k)] += std::atan2(cross(a, b), a.dot(b));
       }
     return sum;

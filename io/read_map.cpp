@@ -1,9 +1,8 @@
-#include "majorant/io/map_file.h"
-
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
 
+#include "majorant/io/map_file.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/vtu.h"
 

@@ -35,8 +35,8 @@ namespace majorant {
 // that are not finite; Stopped.
 MapFile read_vtu(const std::string& path, const StopCheck& stop = {});
 
-// Throws Error(Invalid) if the map is inconsistent or not finite, Error(Usage) if the file cannot be
-// written, and what verify throws. The file appears whole or not at all.
+// Throws Error(Invalid) if the map is inconsistent or not finite, Error(Usage) if the file cannot
+// be written, and what verify throws. The file appears whole or not at all.
 void write_vtu(const std::string& path, const MapFile& map, const FileVerification& verify = {});
 
 }  // namespace majorant

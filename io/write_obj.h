@@ -33,8 +33,9 @@ struct TessellationOptions {
 //
 // Numbers are printed with the digits that give the same double back.
 // Throws Error(Usage) if refine < 1, the result needs more than 2^31 vertices or the file cannot be
-// written; Error(Invalid) if the map is inconsistent or not finite, does not belong to `input`, or naming cells for which no such triangles are
-// found; and what `verify` throws. Nothing is written then.
+// written; Error(Invalid) if the map is inconsistent or not finite, does not belong to `input`, or
+// naming cells for which no such triangles are found; and what `verify` throws. Nothing is written
+// then.
 void write_obj(const std::string& path, const MapFile& map, const PolygonMesh* input,
                const TessellationOptions& options = {}, const FileVerification& verify = {});
 

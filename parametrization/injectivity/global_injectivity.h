@@ -48,8 +48,9 @@ namespace majorant {
 enum class Injectivity { Proven, Violated, Undecided };
 
 struct InjectivityOptions {
-  // At most this many subdivisions of pairs of curves, a pair itself taking one. None: 2^18 + 64 for every boundary edge. Maps of real models take 2 to 4 an edge, edges
-  // that all have a neighbour at 1e-9 of their length about 25; 2^18 are about a second.
+  // At most this many subdivisions of pairs of curves, a pair itself taking one. None: 2^18 + 64
+  // for every boundary edge. Maps of real models take 2 to 4 an edge, edges that all have a
+  // neighbour at 1e-9 of their length about 25; 2^18 are about a second.
   std::optional<long> max_subdivisions = {};
   // Asked every few dozen microseconds, in every phase; true ends the proof, as Undecided unless it
   // has a result. Empty: never.

@@ -23,10 +23,10 @@ using curve_piece::split;
 // Origin: chosen, not tuned.
 constexpr long kStepsAfterDoubt = 1 << 6;
 
-// kDepth: of bisection, below the rounding of either kind of numbers. kSteps: pairs of pieces looked
-// at before a pair of curves is given up. kCost: a step's share of a budget, by time. Origin: what
-// is decided at all takes a few dozen steps, curves along each other at 1e-12 of their size 20 to
-// 300 (degrees 2 and 8).
+// kDepth: of bisection, below the rounding of either kind of numbers. kSteps: pairs of pieces
+// looked at before a pair of curves is given up. kCost: a step's share of a budget, by time.
+// Origin: what is decided at all takes a few dozen steps, curves along each other at 1e-12 of their
+// size 20 to 300 (degrees 2 and 8).
 template <class Real>
 struct Limits {
   static constexpr int kDepth = 60;
