@@ -9,6 +9,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "majorant/elements/internal/bernstein.h"
 #include "majorant/framework/internal/parallel_errors.h"
 
 namespace majorant {

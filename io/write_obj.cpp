@@ -9,6 +9,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/io/internal/atomic_file.h"
 #include "majorant/io/internal/map_check.h"
+#include "majorant/io/internal/tessellate_map.h"
 
 namespace majorant {
 namespace {

@@ -10,6 +10,7 @@
 #include <set>
 #include <utility>
 
+#include "majorant/mesh/internal/triangulate_polygon.h"
 #include "majorant/mesh/internal/union_find.h"
 
 namespace majorant {

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "majorant/elements/internal/bernstein.h"
 #include "majorant/elements/rest_shapes.h"
 
 namespace majorant {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "majorant/constraints/fixed_points.h"
+#include "majorant/elements/internal/bernstein.h"
 #include "majorant/elements/quadrature.h"
 #include "majorant/energies/named_energies.h"
 #include "majorant/framework/newton.h"
