@@ -57,7 +57,7 @@ struct InjectivityOptions {
   std::function<bool()> stopped = {};
 };
 
-// Of two curves, in doubles. None and Certain are proofs, Possible is all the rest.
+// Whether two curves meet. None and Certain are proofs, Possible is all the rest.
 enum class Contact { None, Certain, Possible };
 
 struct BoundaryContact {
