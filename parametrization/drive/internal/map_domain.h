@@ -13,6 +13,7 @@
 #include "majorant/framework/stepper.h"
 #include "majorant/parametrization/drive/internal/solver_rules.h"
 #include "majorant/parametrization/drive/solve_options.h"
+#include "majorant/parametrization/maps/bezier_map.h"
 #include "majorant/parametrization/maps/map_problem.h"
 #include "majorant/parametrization/scaffold/internal/scaffold.h"
 
