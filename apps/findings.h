@@ -22,7 +22,7 @@ class Findings {
   void add_violation(std::string what) {
     list_.insert(list_.begin() + static_cast<std::ptrdiff_t>(violations_++), std::move(what));
   }
-  void add_open(std::string what) { list_.push_back(std::move(what)); }
+  void add_open(const std::string& what) { list_.push_back(what); }
 
   bool violated() const { return violations_ > 0; }
   const std::vector<std::string>& list() const { return list_; }  // violations first
