@@ -167,7 +167,7 @@ void check_claims(const CheckedMap& checked, Findings& findings) {
                    fmt::format("degree {} is not the one claimed", file.degree));
   check_pins(file, claims, findings);
   check_seams(checked, findings);
-  if (claims.boundary.value_or("") == "fixed") check_boundary_claim(checked, findings);
+  if (claims.boundary == "fixed") check_boundary_claim(checked, findings);
   check_arrays(checked, findings);
 }
 

@@ -20,8 +20,8 @@
 #include "apps/suggestion.h"
 #include "apps/unless_stopped.h"
 #include "majorant/framework/thread_count.h"
+#include "majorant/io/map_file.h"
 #include "majorant/io/map_proof.h"
-#include "majorant/io/read_map.h"
 #include "majorant/io/read_mesh.h"
 
 namespace majorant::app {

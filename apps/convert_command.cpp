@@ -9,9 +9,9 @@
 #include "apps/report.h"
 #include "apps/streams.h"
 #include "majorant/framework/thread_count.h"
-#include "majorant/io/certified_file.h"
 #include "majorant/io/internal/cut_map.h"
-#include "majorant/io/read_map.h"
+#include "majorant/io/map_file.h"
+#include "majorant/io/map_proof.h"
 #include "majorant/io/read_mesh.h"
 
 namespace majorant::app {

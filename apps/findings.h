@@ -6,10 +6,11 @@
 #include <vector>
 
 #include "majorant/framework/types.h"
+#include "majorant/mesh/polygon_mesh.h"
 
 namespace majorant::app {
 
-inline constexpr double kClose = 1e-9;  // relative to the size of the map or surface
+inline constexpr double kClose = kTenDigits;  // relative to the size of the map or surface
 
 // Empty means the check passed. Violated findings come with a proof, open ones are questions that
 // could not be decided; both fail the check.
@@ -21,7 +22,7 @@ class Findings {
   void add_violation(std::string what) {
     list_.insert(list_.begin() + static_cast<std::ptrdiff_t>(violations_++), std::move(what));
   }
-  void add_open(std::string what) { list_.push_back(std::move(what)); }
+  void add_open(const std::string& what) { list_.push_back(what); }
 
   bool violated() const { return violations_ > 0; }
   const std::vector<std::string>& list() const { return list_; }  // violations first

@@ -15,9 +15,9 @@
 
 #include "apps/command.h"
 #include "apps/report.h"
-#include "majorant/io/atomic_file.h"
+#include "majorant/io/internal/atomic_file.h"
+#include "majorant/io/internal/tessellate_map.h"
 #include "majorant/io/map_file.h"
-#include "majorant/io/tessellate_map.h"
 #include "majorant/io/write_svg.h"
 #include "majorant/mesh/polygon_mesh.h"
 

@@ -8,7 +8,7 @@
 
 #include "apps/command.h"
 #include "apps/streams.h"
-#include "majorant/io/atomic_file.h"
+#include "majorant/io/internal/atomic_file.h"
 
 namespace majorant::app {
 

@@ -7,7 +7,7 @@
 #include "apps/global_verdict.h"
 #include "apps/streams.h"
 #include "majorant/framework/thread_count.h"
-#include "majorant/io/certified_file.h"
+#include "majorant/io/map_proof.h"
 
 namespace majorant::app {
 namespace {

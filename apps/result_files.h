@@ -57,7 +57,7 @@ struct FinishedRun {
 // Whether there is a map to write: the run did not fail, and was feasible.
 bool has_result(const ParametrizationResult& result);
 
-// Writes the maps if there is a result, each certified as the run promised (io/certified_file.h),
+// Writes the maps if there is a result, each certified as the run promised (io/map_proof.h),
 // then the reports, each file on its own, then the line on stderr; returns the exit code.
 int write_result(const FinishedRun& run);
 

@@ -36,7 +36,7 @@ def timed_call(log, command):
 
 
 def build(folder, log, jobs):
-    """Builds everything in `folder`; the calls it took as [(seconds, kind, output)], slowest first."""
+    """Builds all in `folder`; the calls it took as [(seconds, kind, output)], slowest first."""
     log.write_text('')
     command = ['cmake', '--build', str(folder), '-j', str(jobs)]
     subprocess.run(command, check=True, stdout=subprocess.DEVNULL,
@@ -78,13 +78,15 @@ def print_calls(calls, count):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument('--source', type=Path, default=ROOT)
     parser.add_argument('--folder', type=Path, default=ROOT / 'build' / 'compile_times')
     parser.add_argument('--cxx', default='g++')
     parser.add_argument('--jobs', type=int, default=2)
     parser.add_argument('--slowest', type=int, default=15)
-    parser.add_argument('--touch', nargs='*', default=[], help='then touch each file and build again')
+    parser.add_argument('--touch', nargs='*', default=[],
+                        help='then touch each file and build again')
     args = parser.parse_args()
     folder = args.folder.resolve()
     shutil.rmtree(folder, ignore_errors=True)

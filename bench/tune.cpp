@@ -42,6 +42,7 @@ const std::vector<Rule>& all_rules() {
   static const std::vector<Rule> rules = {
       {"accuracy_rounds", [](Settings& s) { return &s.rules.accuracy_rounds; }},
       {"depth", [](Settings& s) { return &s.options.solve.injectivity_depth; }},
+      {"elevation_tolerance", [](Settings& s) { return &s.options.solve.elevation_tolerance; }},
       {"exact_below", [](Settings& s) { return &s.rules.exact_below; }},
       {"line_search.armijo", [](Settings& s) { return &s.rules.line_search.armijo; }},
       {"line_search.boundary_fraction",

@@ -67,7 +67,6 @@ function(majorant_install_package)
                                    COMPATIBILITY SameMinorVersion)
   install(FILES ${PROJECT_BINARY_DIR}/majorantConfig.cmake
                 ${PROJECT_BINARY_DIR}/majorantConfigVersion.cmake
-                cmake/FindCHOLMOD.cmake cmake/FindOpenMeshCore.cmake
-                cmake/FindNest2D.cmake cmake/FindXsimdHeaders.cmake
+                cmake/FindCHOLMOD.cmake cmake/FindNest2D.cmake cmake/FindXsimdHeaders.cmake
           DESTINATION ${destination})
 endfunction()

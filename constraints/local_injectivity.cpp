@@ -9,6 +9,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "majorant/elements/internal/bernstein.h"
 #include "majorant/framework/internal/parallel_errors.h"
 
 namespace majorant {
@@ -111,8 +112,8 @@ Vec vertex_angle_sums(const BezierTriangleSpace& space, VecIn x) {
   for (Index e = 0; e < space.element_count(); ++e)
     for (int k = 0; k < 3; ++k) {
       const Vector2 corner = point(e, k);
-      const Vector2 a = point(e, ix.edge(k)[1]) - corner;
-      const Vector2 b = point(e, ix.edge((k + 2) % 3)[at(space.degree()) - 1]) - corner;
+      const auto [right, left] = ix.beside_corner(k);
+      const Vector2 a = point(e, right) - corner, b = point(e, left) - corner;
       sums[space.cells()(e, k)] += std::abs(std::atan2(cross(a, b), a.dot(b)));
     }
   return sums;

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "majorant/elements/bezier_triangle_space.h"
-#include "majorant/elements/proof_depth.h"
+#include "majorant/elements/element_space.h"
 #include "majorant/framework/feasibility.h"
 #include "majorant/framework/stop_check.h"
 #include "majorant/mesh/seams.h"

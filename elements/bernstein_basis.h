@@ -15,7 +15,6 @@
 
 namespace majorant {
 
-using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using Exponents = std::array<int, 6>;  // of the homogeneous coordinates; unused ones are 0
 using Factors = std::vector<int>;      // corners of each factor: {3} triangle, {4}, {2, 2} square
 using Degrees = std::vector<int>;      // of a polynomial space, one per factor

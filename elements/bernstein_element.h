@@ -1,8 +1,8 @@
 // What distinguishes one element type of Bernstein polynomials from another: data, no algorithms.
 //
-// To add an element, describe it and derive its space from BernsteinSpace (bernstein_space.h);
-// bezier_tetrahedron_space.cpp is an example. A space checks the description when it is made
-// (element_check.h).
+// To add an element, describe it and derive its space from BernsteinSpace (bernstein_space.h), as
+// the tetrahedra, squares and triangles beside it do. A space checks the description when it is
+// made.
 #pragma once
 
 #include <string_view>

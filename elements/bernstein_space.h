@@ -44,7 +44,8 @@ class BernsteinSpace : public ElementSpace {
 
  protected:
   // cells: #E by corners, positively oriented. Throws std::invalid_argument for a degree outside
-  // 1..max_degree, a description that is wrong (element_check.h) and what number_nodes() refuses.
+  // 1..max_degree, a description that is wrong, vertex numbers outside 0..vertex_count-1, a vertex
+  // twice in a cell and facets of more than two cells.
   BernsteinSpace(const BernsteinElement& element, const Cells& cells, Index vertex_count);
   // With nodes numbered by the caller: any node may be a vertex.
   BernsteinSpace(const BernsteinElement& element, NodeNumbering numbering);

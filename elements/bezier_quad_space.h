@@ -11,13 +11,13 @@
 // Nodes are numbered: vertices, edges, interiors. det J has degree 2n-1 in s and in t.
 #pragma once
 
-#include "majorant/elements/bernstein_space.h"
+#include "majorant/elements/bezier_triangle_space.h"
 
 namespace majorant {
 
 class BezierQuadSpace final : public BernsteinSpace {
  public:
-  static constexpr int kMaxDegree = 8;
+  static constexpr int kMaxDegree = BezierTriangleSpace::kMaxDegree;
 
   // cells: #E by 4 vertex numbers, counterclockwise: (s,t) = (0,0), (1,0), (1,1), (0,1). Nodes of a
   // cell are in VTK's order; quadrature points are (s, t), which are the reference coordinates.

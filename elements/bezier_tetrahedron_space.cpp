@@ -1,6 +1,6 @@
 #include "majorant/elements/bezier_tetrahedron_space.h"
 
-#include "majorant/elements/bernstein.h"
+#include "majorant/elements/internal/bernstein.h"
 
 namespace majorant {
 namespace {

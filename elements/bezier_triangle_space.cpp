@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "majorant/elements/bernstein.h"
+#include "majorant/elements/internal/bernstein.h"
 #include "majorant/elements/internal/node_lattice.h"
 
 namespace majorant {

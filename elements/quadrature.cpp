@@ -13,7 +13,9 @@
 namespace majorant {
 namespace {
 
-constexpr double kTolerance = 1e-12;  // of what rules are rounded to
+// Of what rules are rounded to. Origin: rules are printed with 15 digits and more, which leaves
+// 1e-15; chosen, not tuned.
+constexpr double kTolerance = 1e-12;
 
 using Point = Eigen::RowVectorXd;
 // A cell inside the reference one: homogeneous coordinates of the points where each homogeneous

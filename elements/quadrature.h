@@ -10,7 +10,6 @@
 
 #include <string_view>
 
-#include "majorant/elements/bernstein.h"
 #include "majorant/elements/bernstein_basis.h"
 
 namespace majorant {

@@ -11,7 +11,7 @@
 //
 // The kernel is compiled where these are called, for the instruction set of that file. A density
 // with a member `Density with_parameters(const Vec&) const` takes TermState::parameters, which may
-// change between steps (untangling.h).
+// change between steps.
 #pragma once
 
 #include <memory>

@@ -2,29 +2,17 @@
 
 #include <omp.h>
 
-#include <chrono>
 #include <cmath>
 #include <utility>
 
 #include "majorant/framework/internal/element_values.h"
 #include "majorant/framework/internal/parallel_errors.h"
 #include "majorant/framework/internal/problem_parts.h"
+#include "majorant/framework/internal/stopwatch.h"
 #include "majorant/framework/thread_count.h"
 
 namespace majorant {
 namespace {
-
-class Timer {
- public:
-  explicit Timer(double& sink) : sink_(sink), start_(std::chrono::steady_clock::now()) {}
-  ~Timer() {
-    sink_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  double& sink_;
-  std::chrono::steady_clock::time_point start_;
-};
 
 // Fewer chunks are not worth waking threads for.
 constexpr Index kParallelChunks = 16;
@@ -89,7 +77,7 @@ double term_energy(const Problem& problem, TermId id, VecIn x, const StopCheck& 
 }
 
 double Evaluator::value(VecIn y, const StopCheck& stop) {
-  const Timer timer(counters_.value_seconds);
+  const AddedSeconds time(counters_.value_seconds);
   ++counters_.values;
   ProblemParts::elimination(problem_).expand(y, x_);
   double total = 0;
@@ -99,14 +87,14 @@ double Evaluator::value(VecIn y, const StopCheck& stop) {
 
 double Evaluator::linearize(VecIn y, Curvature curvature, Vec& gradient, Vec& hessian_values,
                             const StopCheck& stop) {
-  const Timer timer(counters_.linearize_seconds);
+  const AddedSeconds time(counters_.linearize_seconds);
   ++counters_.linearizations;
   hessian_values.setZero(problem_.pattern().nonzeros());
   return assemble(y, curvature, gradient, &hessian_values, stop);
 }
 
 double Evaluator::gradient(VecIn y, Vec& gradient, const StopCheck& stop) {
-  const Timer timer(counters_.gradient_seconds);
+  const AddedSeconds time(counters_.gradient_seconds);
   ++counters_.gradients;
   return assemble(y, Curvature::Projected, gradient, nullptr, stop);
 }

@@ -13,6 +13,9 @@ constexpr double kSmallestScale = 1e-14;
 
 }  // namespace
 
+// Origins. relative_decrease: below LineSearch::kResolution, so that only steps without a gain
+// count. stall_decrement: square root of the unit roundoff, as good as a gradient is. stall_step:
+// chosen, not tuned. max_iterations: ten times Newton's.
 StoppingRules first_order_rules() {
   StoppingRules rules;
   rules.relative_decrease = 1e-14;

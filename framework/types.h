@@ -18,8 +18,10 @@ using Vec = Eigen::VectorXd;
 using VecIn = Eigen::Ref<const Eigen::VectorXd>;
 using Vector2 = Eigen::Vector2d;
 using Vector3 = Eigen::Vector3d;
+using Barycentric = Eigen::Vector3d;  // of a point of a triangle, adding to 1
 using Points2 = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;  // "#P by 2"
 using Points3 = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;  // "#P by 3"
+using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using Cells = Eigen::Matrix<Index, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 // A number of something, which is not negative, as the place in a standard container:

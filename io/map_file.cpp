@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "majorant/framework/error.h"
+#include "majorant/mesh/internal/triangulate_polygon.h"
 #include "majorant/parametrization/injectivity/internal/exact_positivity.h"
 
 namespace majorant {

@@ -6,9 +6,11 @@
 // able to hold it in order to say so.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "majorant/framework/stop_check.h"
 #include "majorant/framework/types.h"
 #include "majorant/mesh/polygon_mesh.h"
 #include "majorant/parametrization/maps/bezier_map.h"
@@ -33,6 +35,15 @@ struct MapFile {
   std::vector<std::string> warnings;  // what a reader left out, as in PolygonMesh; never written
 };
 
+// From a file: .vtu, or a triangle .obj with texture coordinates (degree 1). Throws
+// Error(Unreadable) when it cannot be read or holds no map; Stopped.
+MapFile read_map(const std::string& path, const StopCheck& stop = {});
+
+// Judges the complete bytes of a file before they take its name (certification() of map_proof.h is
+// one). The path given is that of another file with the same extension. Throws when the file must
+// not be written.
+using FileVerification = std::function<void(const std::string& temporary_path)>;
+
 // Distortion, min_det and claims are left empty, cone and seam_edges too unless the map has seams
 // or cones.
 MapFile to_map_file(const BezierMap& map);
@@ -47,7 +58,7 @@ MapFile to_map_file(const PolygonMesh& textured);
 Vec node_values(const MapFile& file, const BezierTriangleSpace& space, const std::string& name);
 
 // The map a file holds, strictly: throws Error(Unsupported) when the cells are no proper surface
-// (mesh_validation.h) and Error(Invalid) where neighbouring cells disagree on a control point.
+// (as SurfaceMesh has it) and Error(Invalid) where neighbouring cells disagree on a control point.
 // Vertices are numbered in the order of the file's points. `name` is for messages.
 BezierMap to_bezier_map(const MapFile& file, const std::string& name);
 

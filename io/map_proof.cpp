@@ -8,7 +8,7 @@
 #include <limits>
 #include <numbers>
 
-#include "majorant/elements/proof_depth.h"
+#include "majorant/elements/element_space.h"
 #include "majorant/framework/error.h"
 #include "majorant/io/internal/cut_map.h"
 #include "majorant/io/internal/surface_match.h"
@@ -18,8 +18,8 @@ namespace majorant {
 namespace {
 
 // Angle sums are whole multiples of a quarter turn by continuity; their rounding is some 1e-14.
-constexpr double kWholeTurnTolerance = 1e-6;  // quarter turns
-constexpr double kFlatClose = 1e-9;  // of the surface's size: points are printed with ten digits
+// Quarter turns. Origin: between their rounding and a quarter turn.
+constexpr double kWholeTurnTolerance = 1e-6;
 constexpr Index kCellsPerPoll = 256;
 
 bool allows_seams(CutRule rule) { return rule == CutRule::Seams || rule == CutRule::SeamsOrFree; }
@@ -176,7 +176,7 @@ class MapProof::Judge {
         worst = std::max(worst, (flat - file_.points.row(file_.cells(c, l))).norm());
       }
     const double rounding = 8 * std::numeric_limits<double>::epsilon() * used.cwiseAbs().maxCoeff();
-    if (std::isfinite(worst) && worst <= kFlatClose * size + rounding)
+    if (std::isfinite(worst) && worst <= kTenDigits * size + rounding)
       proof_.flat = {Answer::Proven, counted(static_cast<Index>(file_.cells.rows()), "cell")};
     else
       proof_.flat = {
@@ -263,8 +263,8 @@ class MapProof::Judge {
           const Vector2 step = point(local) - point(k);
           return Vector2(step / step.lpNorm<Eigen::Infinity>());
         };
-        const Vector2 a = direction(ix.edge(k)[1]);
-        const Vector2 b = direction(ix.edge((k + 2) % 3)[at(file_.degree) - 1]);
+        const auto [right, left] = ix.beside_corner(k);
+        const Vector2 a = direction(right), b = direction(left);
         sum[surface.faces()(c, k)] += std::atan2(cross(a, b), a.dot(b));
       }
     return sum;

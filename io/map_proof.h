@@ -6,9 +6,8 @@
 //   for (const auto& [question, finding] : proof.findings()) ...   // what is violated, and where
 //
 // Positivity is proven in floating point with its rounding bounds, cells that this leaves open are
-// decided exactly (parametrization/injectivity/internal/exact_positivity.h). Continuity compares
-// the uv of both sides of an edge, equal to the last bit. Angle sums tell a map that winds twice
-// around a vertex.
+// decided in exact arithmetic. Continuity compares the uv of both sides of an edge, equal to the
+// last bit. Angle sums tell a map that winds twice around a vertex.
 #pragma once
 
 #include <functional>
@@ -45,7 +44,7 @@ std::string counted(Index count, std::string_view noun);
 
 // Mismatch of the sides of a seam, in sizes of the layout, beyond which a map is not seamless. The
 // optimizer holds seams to some 1e-15; a coordinate printed with fewer than 10 digits shows.
-inline constexpr double kSeamClose = 1e-9;
+inline constexpr double kSeamClose = kTenDigits;
 
 struct ProofRequest {
   const PolygonMesh* surface = nullptr;  // it should be a map of; null: what the cells make
@@ -105,5 +104,15 @@ class MapProof {
   class Judge;
   std::optional<BezierMap> map_;
 };
+
+// Written means certified: a data file is read back through the public reader and proven before it
+// takes its name.
+//
+//   write_vtu("bunny.vtu", file, certification("bunny.vtu", {.surface = &polygons}));
+//
+// path: of the file to be, for messages; its extension says how to read. wanted: what must be
+// proven (what it refers to must outlive the verification). Throws Error(Invalid) naming the file,
+// the question and the place when it is not.
+FileVerification certification(std::string path, ProofRequest wanted);
 
 }  // namespace majorant

@@ -1,6 +1,5 @@
-#include "majorant/io/read_map.h"
-
 #include "majorant/io/internal/input_file.h"
+#include "majorant/io/map_file.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/vtu.h"
 

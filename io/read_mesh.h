@@ -40,7 +40,7 @@ PolygonMesh read_mesh(const std::string& path, const StopCheck& stop = {});
 // the ids of the input mesh, and ids that no cell uses sit at the first corner's position;
 // otherwise vertices are the corner points in order. Where map.input_face is known, triangles are
 // sorted by it; polygons of the input stay the triangles the map was computed on.
-// polygon_lines are cell numbers, 1-based. `map` must be sound (map_check.h), `file` is for
+// polygon_lines are cell numbers, 1-based. `map` must be consistent and finite, `file` is for
 // messages.
 // Throws Error(Unreadable) if an input vertex is at two places or its number is beyond reason.
 PolygonMesh mesh_from_map(const MapFile& map, const std::string& file);

@@ -23,7 +23,6 @@
 #include <string>
 
 #include "majorant/framework/stop_check.h"
-#include "majorant/io/atomic_file.h"
 #include "majorant/io/map_file.h"
 
 namespace majorant {
@@ -37,9 +36,8 @@ namespace majorant {
 // range, values that are not finite; Stopped.
 MapFile read_vtu(const std::string& path, const StopCheck& stop = {});
 
-// Throws Error(Invalid) if the map is inconsistent or not finite (map_check.h), Error(Usage) if
-// the file cannot be written, and what verify throws (atomic_file.h). The file appears whole or not
-// at all.
+// Throws Error(Invalid) if the map is inconsistent or not finite, Error(Usage) if the file cannot
+// be written, and what verify throws. The file appears whole or not at all.
 void write_vtu(const std::string& path, const MapFile& map, const FileVerification& verify = {});
 
 }  // namespace majorant

@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "majorant/io/atomic_file.h"
+#include "majorant/io/internal/atomic_file.h"
 #include "majorant/io/internal/base64.h"
 #include "majorant/io/internal/bezier_cell.h"
 #include "majorant/io/internal/map_check.h"

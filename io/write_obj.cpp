@@ -7,9 +7,10 @@
 #include <map>
 
 #include "majorant/framework/error.h"
-#include "majorant/io/atomic_file.h"
+#include "majorant/io/internal/atomic_file.h"
 #include "majorant/io/internal/map_check.h"
 #include "majorant/io/internal/material_files.h"
+#include "majorant/io/internal/tessellate_map.h"
 
 namespace majorant {
 namespace {

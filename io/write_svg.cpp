@@ -7,7 +7,7 @@
 #include <tuple>
 #include <vector>
 
-#include "majorant/io/atomic_file.h"
+#include "majorant/io/internal/atomic_file.h"
 #include "majorant/io/internal/heat_color.h"
 #include "majorant/io/internal/map_check.h"
 #include "majorant/io/internal/svg_layout.h"

@@ -30,8 +30,9 @@ struct SvgOptions {
 // Over the cells: grid lines if asked for, cut off at the layout's boundary; where the map has
 // several charts, thin outlines in one colour a chart; where it has seams, thick lines along both
 // sides of them in one colour a chain, and dots on the cones, blue for index > 0 and green for
-// index < 0; a second legend. Throws Error(Invalid) if the map is unsound (map_check.h),
-// Error(Usage) if the file cannot be written or the grid cannot be drawn.
+// index < 0; a second legend.
+// Throws Error(Invalid) if the map is inconsistent or not finite, Error(Usage) if the file cannot
+// be written or the grid cannot be drawn.
 void write_svg(const std::string& path, const MapFile& map, const SvgOptions& options = {});
 
 }  // namespace majorant

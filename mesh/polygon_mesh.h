@@ -11,6 +11,10 @@
 
 namespace majorant {
 
+// Of the size of what a file holds: coordinates that differ by less are the same. Origin: programs
+// print coordinates with ten digits and more; one digit is lost to sums.
+inline constexpr double kTenDigits = 1e-9;
+
 struct PolygonMesh {
   std::string file;                          // for messages; may be empty
   std::vector<Vector3> positions;            // #V, model units

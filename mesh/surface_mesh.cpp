@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
-#include <OpenMesh/Core/Mesh/TriConnectivity.hh>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -15,44 +14,6 @@
 #include "majorant/mesh/internal/triangle_list.h"
 
 namespace majorant {
-namespace {
-
-// Every edge has at most two faces that run against each other, every vertex one fan of them.
-OpenMesh::TriConnectivity half_edge_structure(const Cells& faces, Index vertex_count,
-                                              const StopCheck& stop) {
-  OpenMesh::TriConnectivity kernel;
-  std::vector<OpenMesh::VertexHandle> handles;
-  for (Index v = 0; v < vertex_count; ++v) handles.push_back(kernel.new_vertex());
-  for (Index f = 0; f < faces.rows(); ++f) {
-    stop.poll_at(at(f));
-    const auto corner = [&](int k) { return handles[at(faces(f, k))]; };
-    if (!kernel.add_face(corner(0), corner(1), corner(2)).is_valid())
-      throw std::logic_error(fmt::format("SurfaceMesh: face {} does not fit the others", f));
-  }
-  return kernel;
-}
-
-// As SurfaceMesh::boundary_loops() has them.
-std::vector<std::vector<Index>> boundary_loops_of(const OpenMesh::TriConnectivity& kernel) {
-  std::vector<std::vector<Index>> loops;
-  std::vector<char> seen(kernel.n_halfedges(), 0);
-  for (const auto start : kernel.halfedges()) {
-    if (!kernel.is_boundary(start) || seen[at(start.idx())]) continue;
-    std::vector<Index> loop;
-    for (OpenMesh::HalfedgeHandle h = start; !seen[at(h.idx())];
-         h = kernel.next_halfedge_handle(h)) {
-      seen[at(h.idx())] = 1;
-      loop.push_back(kernel.from_vertex_handle(h).idx());
-    }
-    std::reverse(loop.begin(), loop.end());  // boundary half-edges run against the faces
-    std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
-    loops.push_back(std::move(loop));
-  }
-  std::sort(loops.begin(), loops.end());
-  return loops;
-}
-
-}  // namespace
 
 SurfaceMesh SurfaceMesh::from_polygons(const PolygonMesh& input, const StopCheck& stop,
                                        Components components, Shapes shapes) {
@@ -101,8 +62,7 @@ SurfaceMesh SurfaceMesh::from_parts(SurfaceParts parts, const StopCheck& stop) {
   return mesh;
 }
 
-// The faces are edge-manifold and oriented by now. Where OpenMesh refuses a face it says so on a
-// stream of the whole process: what it would refuse is found before.
+// The faces are edge-manifold and oriented by now.
 void SurfaceMesh::build_connectivity(const StopCheck& stop) {
   for (Index v = 0; v < vertex_count(); ++v) vertex_of_input_.emplace_back(input_vertex(v), v);
   std::sort(vertex_of_input_.begin(), vertex_of_input_.end());
@@ -113,12 +73,17 @@ void SurfaceMesh::build_connectivity(const StopCheck& stop) {
                 fmt::format("{}: vertex {}: sheets of the surface touch there (non-manifold)",
                             file_, input_vertex(v) + 1) +
                     unwrap_remedy(file_, "duplicates the vertex"));
-  const OpenMesh::TriConnectivity kernel = half_edge_structure(faces_, vertex_count(), stop);
-  boundary_loops_ = boundary_loops_of(kernel);
+  Index boundary_edges = 0;
+  for (const std::vector<Index>& half_edges : boundary_half_edges(faces_, opposite_)) {
+    boundary_edges += static_cast<Index>(half_edges.size());
+    std::vector<Index>& loop = boundary_loops_.emplace_back();
+    for (const Index h : half_edges) loop.push_back(from_vertex(h));
+  }
+  stop.poll();
   const std::vector<Index> component = face_components(opposite_);
   const Index components =
       component.empty() ? 0 : *std::max_element(component.begin(), component.end()) + 1;
-  topology_ = {vertex_count(), static_cast<Index>(kernel.n_edges()), face_count(), components,
+  topology_ = {vertex_count(), (half_edge_count() + boundary_edges) / 2, face_count(), components,
                static_cast<Index>(boundary_loops_.size())};
   auto rest = rest_triangles_.begin();
   for (Index f = 0; f < face_count(); ++f) {

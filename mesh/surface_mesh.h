@@ -168,12 +168,4 @@ struct SurfacePiece {
   std::vector<Index> face, vertex;  // of the mesh that was split, by those of the piece
 };
 
-// Triangles (local corner numbers) of a simple polygon, n - 2 of them, by ear clipping in its mean
-// plane; the shape-preserving choice among valid ears is the one with the largest smallest angle.
-// A polygon that crosses itself there is clipped all the same, at its least bad ears. Of more than
-// 2,048 corners the constrained Delaunay triangulation is taken (large_polygon.h), which exists for
-// simple ones alone: Error(Unsupported) without a place. Polls for each O(n) of work.
-std::vector<std::array<int, 3>> triangulate_polygon(const std::vector<Vector3>& corners,
-                                                    const StopCheck& stop = {});
-
 }  // namespace majorant

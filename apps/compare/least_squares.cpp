@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "majorant/elements/bernstein.h"
+#include "majorant/elements/internal/bernstein.h"
 #include "majorant/framework/evaluator.h"
 #include "majorant/framework/internal/problem_parts.h"
 #include "majorant/framework/stepper.h"

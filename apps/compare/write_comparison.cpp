@@ -16,7 +16,7 @@
 #include "embedded/comparison_page_css.h"
 #include "embedded/comparison_page_html.h"
 #include "embedded/comparison_page_js.h"
-#include "majorant/io/atomic_file.h"
+#include "majorant/io/internal/atomic_file.h"
 
 namespace majorant {
 namespace {

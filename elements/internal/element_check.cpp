@@ -11,7 +11,9 @@
 namespace majorant {
 namespace {
 
-constexpr double kTolerance = 1e-9;  // of what is computed without error bounds
+// Of what is computed without error bounds. Origin: a wrong description is wrong by whole numbers;
+// chosen, not tuned.
+constexpr double kTolerance = 1e-9;
 
 [[noreturn]] void refuse(const BernsteinElement& element, const std::string& what) {
   throw std::invalid_argument(fmt::format("{}: {}", element.name, what));

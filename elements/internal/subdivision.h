@@ -15,6 +15,8 @@ namespace majorant {
 
 class Subdivision {
  public:
+  // Of a polynomial that is bisected. Origin: twice the highest degree of det J and one; chosen,
+  // not tuned.
   static constexpr int kMaxDegree = 31;
 
   // Steps are cycled by depth. Throws std::invalid_argument beyond kMaxDegree.

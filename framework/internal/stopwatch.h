@@ -3,6 +3,8 @@
 //     Stopwatch watch;
 //     assemble();   record.seconds.assemble = watch.restart();
 //     factorize();  record.seconds.factorize = watch.restart();
+//
+//     const AddedSeconds time(counters.value_seconds);   // until the end of this block
 #pragma once
 
 #include <chrono>
@@ -21,6 +23,19 @@ class Stopwatch {
  private:
   using Clock = std::chrono::steady_clock;
   Clock::time_point started_ = Clock::now();
+};
+
+// Adds the time until it goes out of scope to a sum.
+class AddedSeconds {
+ public:
+  explicit AddedSeconds(double& sum) : sum_(sum) {}
+  ~AddedSeconds() { sum_ += watch_.restart(); }
+  AddedSeconds(const AddedSeconds&) = delete;
+  AddedSeconds& operator=(const AddedSeconds&) = delete;
+
+ private:
+  double& sum_;
+  Stopwatch watch_;
 };
 
 }  // namespace majorant

@@ -10,11 +10,13 @@
 #include <array>
 #include <vector>
 
+#include "majorant/elements/internal/bernstein.h"
 #include "majorant/framework/types.h"
 
 namespace majorant {
 
-inline constexpr int kHighestFileDegree = 32;  // no file beyond is believed
+// No file beyond is believed. Origin: VTK has no cells beyond 10; chosen, not tuned.
+inline constexpr int kHighestFileDegree = 32;
 
 // Number of control points of degree n.
 constexpr Index bezier_cell_size(int degree) { return (degree + 1) * (degree + 2) / 2; }

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "majorant/constraints/local_injectivity.h"
+#include "majorant/elements/internal/bernstein.h"
 #include "majorant/framework/error.h"
 #include "majorant/parametrization/starts/internal/cut_surface.h"
 #include "majorant/parametrization/starts/texture_seams.h"

@@ -20,19 +20,19 @@ using Edge = MapPieces::Edge;
 using Piece = MapPieces::Piece;
 
 // Two halvings halve the edges. After 26 of these the area of a piece is 2^-52 of its cell's, which
-// is what doubles of the cell's size resolve.
+// is what doubles of the cell's size resolve. Origin: the 53 bits of a double.
 constexpr int kDeepest = 52;
 // Of a cell, more than there are in the beginning: as many as a lattice of 64 pieces an edge has. A
-// map that is not locally injective would take any number.
+// map that is not locally injective would take any number. Origin: chosen, not tuned.
 constexpr std::size_t kMostPieces = 64 * 64;
 constexpr std::size_t kMostNamed = 8;  // cells in a message; then the search ends
-// A diagonal leaves no piece with less than this part of the two.
+// A diagonal leaves no piece with less than this part of the two. Origin: chosen, not tuned.
 constexpr double kThinnest = 1.0 / 64;
 // Of pieces that were halved more often, diagonals and edges are not chosen by what they repair:
-// the shapes that halving longest edges makes are bounded.
+// the shapes that halving longest edges makes are bounded. Origin: chosen, not tuned.
 constexpr int kTriedDepth = 12;
 // Edges whose lengths differ by less are equally long: an edge seen from another cell is evaluated
-// in another order.
+// in another order. Origin: far above the rounding of a length.
 constexpr double kLonger = 1 + 1e-9;
 
 double area(const Vector3& a, const Vector3& b, const Vector3& c) {  // of a cell of area 1

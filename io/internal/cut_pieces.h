@@ -19,7 +19,7 @@
 #pragma once
 
 #include "majorant/io/internal/map_pieces.h"
-#include "majorant/io/tessellate_map.h"
+#include "majorant/io/internal/tessellate_map.h"
 
 namespace majorant {
 

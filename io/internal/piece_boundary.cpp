@@ -63,6 +63,7 @@ class OverlapSearch {
   std::vector<Index> run() {
     BoxTree(boxes_).visit_pairs([&](Index i, Index j) {
       if (!meet(edges_[at(i)], edges_[at(j)])) return true;
+      // Origin: chosen, not tuned; whatever is cut, the result is proven.
       constexpr double kPart = 0.25;
       const double least = kPart * std::max(bend_[at(i)], bend_[at(j)]);
       for (const Index k : {i, j})

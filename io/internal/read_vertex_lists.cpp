@@ -122,7 +122,8 @@ std::optional<Vector2> read_target(const VertexList& list, const json& entry) {
 }
 
 int read_quarter_turns(const VertexList& list, const json& entry) {
-  constexpr double kMost = 1000;  // no vertex has so many faces
+  // No vertex has so many faces. Origin: chosen, not tuned.
+  constexpr double kMost = 1000;
   const bool turns = entry.contains("quarter_turns");
   if (turns == entry.contains("index"))
     list.fail_here("a cone needs either \"quarter_turns\" or \"index\"");

@@ -10,13 +10,14 @@
 #include <set>
 #include <utility>
 
+#include "majorant/mesh/internal/triangulate_polygon.h"
 #include "majorant/mesh/internal/union_find.h"
 
 namespace majorant {
 namespace {
 
 // Of the surface's size: what a point computed on an edge, or printed with ten digits, may be off.
-constexpr double kClose = 1e-9;
+constexpr double kClose = kTenDigits;
 
 using DirectedEdge = std::pair<Index, Index>;
 

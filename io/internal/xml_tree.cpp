@@ -12,6 +12,7 @@
 namespace majorant {
 namespace {
 
+// Of elements. Origin: VTK needs five; chosen, not tuned.
 constexpr std::size_t kDeepest = 64;
 constexpr std::string_view kSpace = " \t\r\n";
 

@@ -10,8 +10,11 @@
 namespace majorant {
 namespace {
 
-constexpr int kMaxSweeps = 20;        // over all chains; most cuts need three or four
-constexpr double kWorthwhile = 1e-9;  // relative gain; rounding shall not exchange paths for ever
+// Over all chains; most cuts need three or four. Origin: several times what was needed.
+constexpr int kMaxSweeps = 20;
+// Relative gain; rounding shall not exchange paths for ever. Origin: far above the rounding of a
+// sum of lengths, far below an edge.
+constexpr double kWorthwhile = 1e-9;
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
 class Shortening {

@@ -1,5 +1,5 @@
 // Triangles of plane polygons with thousands of corners, in O(n log n): the constrained Delaunay
-// triangulation. For a few corners triangulate_polygon (surface_mesh.h) makes better ones.
+// triangulation. For a few corners triangulate_polygon() makes better ones.
 #pragma once
 
 #include <array>

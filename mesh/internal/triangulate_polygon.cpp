@@ -1,3 +1,5 @@
+#include "majorant/mesh/internal/triangulate_polygon.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -6,12 +8,11 @@
 #include <utility>
 
 #include "majorant/mesh/internal/large_polygon.h"
-#include "majorant/mesh/surface_mesh.h"
 
 namespace majorant {
 namespace {
 
-// Clipping takes time in the square of the corners: 0.1 s for so many.
+// Clipping takes time in the square of the corners: 0.1 s for so many. Origin: 0.1 s for so many.
 constexpr std::size_t kMostClipped = 2048;
 // Of fewer corners, whole polygons are the pieces of work between two polls.
 constexpr std::size_t kSmall = 64;

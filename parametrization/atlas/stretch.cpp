@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "majorant/elements/bernstein.h"
+#include "majorant/elements/internal/bernstein.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 
 namespace majorant {

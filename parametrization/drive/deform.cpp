@@ -12,8 +12,8 @@
 namespace majorant {
 namespace {
 
-// Of the mesh's size: deviation from a plane. Origin: coordinates in files have ten digits.
-constexpr double kFlat = 1e-9;
+// Of the mesh's size: deviation from a plane.
+constexpr double kFlat = kTenDigits;
 // Towards the targets. Origin: chosen so that a right angle is turned by 9 degrees at a time.
 constexpr int kSteps = 10;
 // Relative decrease that ends one. Origin: a thousand times the final one: they only lead there.

@@ -16,7 +16,8 @@
 
 namespace majorant {
 
-// Local: det J > 0 and angle sums; Global: no overlaps either, held by a scaffold (scaffold.h).
+// Local: det J > 0 and angle sums; Global: no overlaps either, held by a scaffold, a mesh of the
+// space around the image.
 enum class MapInjectivity { Local, Global };
 
 struct Pin {

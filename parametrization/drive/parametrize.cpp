@@ -109,6 +109,7 @@ class Run {
     solver.soften_start(record_);
     solver.approach(options_.solve.elevation_tolerance, record_, Phase::Entry);
     map_ = map_.with(map_.shared_space(), solver.x());
+    add_counts(result_.injectivity_tests, solver.proven());
   }
 
   SolveResult optimize(bool last) {
@@ -124,9 +125,7 @@ class Run {
   std::unique_ptr<MapDomain> make_domain() const {
     if (options_.map.injectivity == MapInjectivity::Local) return std::make_unique<PlainDomain>();
     try {
-      return std::make_unique<ScaffoldedDomain>(
-          Scaffold(map_.shared_space(), map_.control_points()), options_.solve.scaffold_flips,
-          setup_.rules.scaffold);
+      return std::make_unique<ScaffoldedDomain>(map_, options_.solve.scaffold_flips, setup_.rules);
     } catch (const Error& e) {
       throw Error(e.kind(),
                   fmt::format("{}: the start overlaps itself ({}); leave out --bijective{}, or use "

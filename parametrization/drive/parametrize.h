@@ -32,11 +32,13 @@ struct ParametrizationOptions {
 
 struct ParametrizationResult {
   Status status = Status::Failed;
-  std::string message;             // why the run ended; what failed where the result is not valid
-  std::optional<BezierMap> map;    // absent only when status is Infeasible or Failed
-  double initial_value = 0;        // mean density of the start
-  double value_quadrature = 0;     // the optimizer's own energy at the end
-  double newton_decrement = 0;     // relative to the energy
+  std::string message;           // why the run ended; what failed where the result is not valid
+  std::optional<BezierMap> map;  // absent only when status is Infeasible or Failed
+  double initial_value = 0;      // mean density of the start
+  double value_quadrature = 0;   // the optimizer's own energy at the end
+  // -g . p of the last step, with a scaffold that of map and scaffold together, relative to the
+  // map's energy.
+  double newton_decrement = 0;
   double constraint_residual = 0;  // model units
   double start_moved = 0;          // by aligning edges, largest distance, model units
   double handle_distance = 0;      // largest distance of a soft handle from its target, model units
@@ -48,7 +50,7 @@ struct ParametrizationResult {
   RemedyUses remedies{};                // against stalls, at the last degree
   std::optional<BezierMesh> scaffold;   // around the map, model units; of MapInjectivity::Global
   double initialize_seconds = 0, optimize_seconds = 0, measure_seconds = 0;
-  double scaffold_seconds = 0;  // of these: the scaffold kept in shape, its problems made
+  double scaffold_seconds = 0;  // of these: the scaffold, its problems, their analyses
 };
 
 // The start that is asked for: Tutte's map or the given one, u, v per vertex. Throws
@@ -59,9 +61,9 @@ Vec initial_map(const SurfaceMesh& mesh, const MapOptions& asked, const StopChec
 // Throws Error as initial_map; Error(Infeasible) when the start is not locally injective, does not
 // meet the pins or has an aligned edge off its axis by more than kSeamTolerance (texture_seams.h);
 // Error(Unsupported) when a vertex is pinned twice or pinned and a handle; Error(Usage) when the
-// energy does not support the curvature or would shrink the map to a point (free_scale.h), or
-// options are out of range; Stopped before there is a
-// start. From then on a stop ends the run with the best map so far.
+// energy does not support the curvature or would shrink the map to a point (FreeScale::Collapses
+// with neither a fixed boundary nor points that hold the scale), or options are out of range;
+// Stopped before there is a start. From then on a stop ends the run with the best map so far.
 ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,
                                   const ParametrizationOptions& options, RunRecord& record);
 ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,

@@ -2,7 +2,7 @@
 // them but for the path to it, which may lead to another local one.
 #pragma once
 
-#include "majorant/elements/proof_depth.h"
+#include "majorant/elements/element_space.h"
 #include "majorant/framework/curvature.h"
 
 namespace majorant {
@@ -13,7 +13,7 @@ enum class Elevation { Incremental, Direct };
 enum class ScaffoldFlips { Performed, Omitted };
 
 // Flipped: edges inside flat parts of the surface are flipped at the end where that lowers the
-// energy (improve_mesh.h); the result's faces are not those of the input then.
+// energy; the result's faces are not those of the input then.
 enum class Triangles { Kept, Flipped };
 
 struct SolveOptions {

@@ -48,9 +48,10 @@ struct CrossFieldOptions {
 };
 
 // The field of least sum weight |z_f e^{4 i transport} - z_g|^2 over interior edges with
-// sum area |z|^2 = 1 [KCPS13], or with the constraints of `options`; its cones then cleaned up
-// (cone_cleanup.h) and the branches relaxed to them. Throws Error(Infeasible) when the mesh is too
-// coarse to hold the cones, std::invalid_argument for sizes or weights that are not valid.
+// sum area |z|^2 = 1 [KCPS13], or with the constraints of `options`; its cones then cleaned up as
+// CrossFieldOptions::cone_cost says and the branches relaxed to them. Throws Error(Infeasible) when
+// the mesh is too coarse to hold the cones, std::invalid_argument for sizes or weights that are not
+// valid.
 CrossField smoothest_cross_field(const SurfaceMesh& mesh, const CrossFieldOptions& options = {});
 
 // The smoothest field with exactly these cones, all other interior vertices regular [CDS10]; how

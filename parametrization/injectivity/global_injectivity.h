@@ -4,8 +4,6 @@
 //   if (proof.result == Injectivity::Violated && !proof.contacts.empty())
 //     proof.contacts[0].where;                          // uv where two boundary edges meet
 //
-//   GlobalInjectivity atlas = check_layout(boundary_loops(map), {});   // of any source
-//
 // What is assumed of the map and not checked here: the surface is compact and orientable, its
 // faces the elements; the map is continuous across edges that two elements share; det J > 0 on
 // every (closed) element (LocalInjectivity, measure_map()); the loops given are the whole boundary,
@@ -43,7 +41,6 @@
 #include <string>
 #include <vector>
 
-#include "majorant/parametrization/injectivity/boundary_loops.h"
 #include "majorant/parametrization/maps/bezier_map.h"
 
 namespace majorant {
@@ -51,17 +48,20 @@ namespace majorant {
 enum class Injectivity { Proven, Violated, Undecided };
 
 struct InjectivityOptions {
-  // At most this many subdivisions of pairs of curves (SubdivisionBudget), a pair itself taking
-  // one. None: 2^18 + 64 for every boundary edge. Maps of real models take 2 to 4 an edge, edges
-  // that all have a neighbour at 1e-9 of their length about 25; 2^18 are about a second.
+  // At most this many subdivisions of pairs of curves, a pair itself taking one. None: 2^18 + 64
+  // for every boundary edge. Maps of real models take 2 to 4 an edge, edges that all have a
+  // neighbour at 1e-9 of their length about 25; 2^18 are about a second.
   std::optional<long> max_subdivisions = {};
   // Asked every few dozen microseconds, in every phase; true ends the proof, as Undecided unless it
   // has a result. Empty: never.
   std::function<bool()> stopped = {};
 };
 
+// Whether two curves meet. None and Certain are proofs, Possible is all the rest.
+enum class Contact { None, Certain, Possible };
+
 struct BoundaryContact {
-  Index half_edge_a, half_edge_b;  // boundary half-edges, a <= b: BoundaryLoops::half_edge
+  Index half_edge_a, half_edge_b;  // boundary half-edges of the mesh, a <= b
   Vector2 where;                   // uv, approximately
   Contact kind;                    // Certain: they meet; Possible: that could not be excluded
 };
@@ -81,12 +81,9 @@ struct GlobalInjectivity {
   std::string reason;
 };
 
-// Polygons are decided exactly, in O(n log n). Curves take a few microseconds an edge.
-GlobalInjectivity check_layout(const BoundaryLoops& boundary,
-                               const InjectivityOptions& options = {});
-
 // The boundary is that of the map's mesh, both sides of its seams included: of a cut surface the
-// charts must not overlap, nor touch, not even where a cut opens no gap.
+// charts must not overlap, nor touch, not even where a cut opens no gap. Polygons are decided
+// exactly, in O(n log n). Curves take a few microseconds an edge.
 GlobalInjectivity check_boundary(const BezierMap& map, const InjectivityOptions& options = {});
 
 }  // namespace majorant

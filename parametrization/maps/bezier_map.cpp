@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "majorant/elements/internal/bernstein.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 
 namespace majorant {

@@ -8,7 +8,8 @@
 
 #include "majorant/constraints/local_injectivity.h"
 #include "majorant/constraints/seamless_constraint.h"
-#include "majorant/elements/proof_depth.h"
+#include "majorant/elements/element_space.h"
+#include "majorant/elements/internal/bernstein.h"
 #include "majorant/framework/evaluator.h"
 #include "majorant/framework/internal/element_values.h"
 #include "majorant/parametrization/maps/internal/quadrature_ladder.h"

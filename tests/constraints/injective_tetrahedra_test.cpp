@@ -1,7 +1,7 @@
 // LocalInjectivity on elements other than triangles: it only asks the element space.
 #include <gtest/gtest.h>
 
-#include "elements/element_cases.h"
+#include "elements/element_maps.h"
 #include "majorant/constraints/local_injectivity.h"
 #include "majorant/elements/rest_shapes.h"
 

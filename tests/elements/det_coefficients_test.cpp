@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "element_cases.h"
+#include "element_maps.h"
 
 namespace majorant {
 namespace {

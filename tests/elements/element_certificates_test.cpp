@@ -2,7 +2,7 @@
 // wrong, they are strong, and steps stay inside them. Tables: element_suite_test.cpp.
 #include <gtest/gtest.h>
 
-#include "element_cases.h"
+#include "element_maps.h"
 
 namespace majorant {
 namespace {

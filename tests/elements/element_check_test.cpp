@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "element_cases.h"
+#include "element_maps.h"
 
 namespace majorant {
 namespace {

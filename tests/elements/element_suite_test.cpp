@@ -5,7 +5,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "element_cases.h"
+#include "element_maps.h"
 #include "majorant/elements/rest_shapes.h"
 
 namespace majorant {

@@ -6,7 +6,7 @@
 #include "io_test_helpers.h"
 #include "majorant/io/internal/inflate.h"
 #include "majorant/io/internal/input_file.h"
-#include "majorant/io/read_map.h"
+#include "majorant/io/map_file.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/vtu.h"
 

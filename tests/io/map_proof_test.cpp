@@ -6,8 +6,9 @@
 #include <filesystem>
 
 #include "io_test_helpers.h"
-#include "majorant/io/certified_file.h"
-#include "majorant/io/read_map.h"
+#include "majorant/io/internal/atomic_file.h"
+#include "majorant/io/internal/tessellate_map.h"
+#include "majorant/io/map_file.h"
 #include "majorant/io/vtu.h"
 #include "majorant/io/write_obj.h"
 #include "majorant/parametrization/starts/tutte.h"

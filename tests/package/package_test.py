@@ -2,6 +2,7 @@
 import concurrent.futures
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -77,6 +78,18 @@ class Package(unittest.TestCase):
             listed = [line.strip() for line in f if line.strip() and not line.startswith('#')]
         self.assertEqual(headers, sorted(listed))
         self.assertEqual([n for n in headers if '/internal/' in n], [])
+
+    def test_comments_name_installed_headers(self):
+        root, headers = self.headers()
+        known = {os.path.basename(name) for name in headers}
+        wrong = []
+        for name in headers:  # who has the package has nothing else to look into
+            with open(os.path.join(root, name)) as f:
+                for number, line in enumerate(f, 1):
+                    for other in re.findall(r'[\w/.]+\.(?:h|cpp)\b', line.partition('//')[2]):
+                        if os.path.basename(other) not in known:
+                            wrong.append('%s:%d: %s' % (name, number, other))
+        self.assertEqual(wrong, [])
 
     def test_headers_are_short(self):
         root, headers = self.headers()

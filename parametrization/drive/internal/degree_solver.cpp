@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "majorant/framework/evaluator.h"
+#include "majorant/framework/internal/stopwatch.h"
 #include "majorant/parametrization/drive/internal/solver_rules.h"
 
 namespace majorant {
@@ -53,14 +54,21 @@ std::vector<long> DegreeSolver::proven() const {
 
 void DegreeSolver::rebuild() {
   built_ = domain_.build(input(), x_);
-  apply_state();
+  renew_states();
+  Stopwatch analysis;
+  stepper_.reset(built_.problem);
+  domain_.charge(analysis.restart());
 }
 
 void DegreeSolver::apply_state() {
+  renew_states();
+  stepper_.reset(built_.problem);
+}
+
+void DegreeSolver::renew_states() {
   built_.problem = built_.problem.with(
       energy_states(setup_.map, built_.energies, levels_.of_faces(), element_weight_));
   follow();
-  stepper_.reset(built_.problem);
 }
 
 // Whether the domain has states that follow x; the stepper does not know them yet.

@@ -74,6 +74,7 @@ class DegreeSolver {
   DomainInput input() const;
   void rebuild();
   void apply_state();
+  void renew_states();
   bool follow();
   Place place() const { return {x_, domain_.surroundings()}; }
   void return_to(const Place& place);

@@ -8,30 +8,21 @@
 #include "majorant/framework/internal/stopwatch.h"
 
 namespace majorant {
-namespace {
-
-// Adds the time until it goes out of scope to a sum.
-class AddedSeconds {
- public:
-  explicit AddedSeconds(double& sum) : sum_(sum) {}
-  ~AddedSeconds() { sum_ += watch_.restart(); }
-  AddedSeconds(const AddedSeconds&) = delete;
-  AddedSeconds& operator=(const AddedSeconds&) = delete;
-
- private:
-  double& sum_;
-  Stopwatch watch_;
-};
-
-}  // namespace
 
 MapProblem PlainDomain::build(const DomainInput& in, VecIn) {
   return map_problem(in.map, in.space, in.start, in.terms, in.injectivity);
 }
 
-ScaffoldedDomain::ScaffoldedDomain(Scaffold scaffold, ScaffoldFlips flips,
-                                   const ScaffoldRules& rules)
-    : scaffold_(std::move(scaffold)), mode_(flips), rules_(rules), share_(rules.share) {}
+ScaffoldedDomain::ScaffoldedDomain(const BezierMap& start, ScaffoldFlips flips,
+                                   const SolverRules& rules)
+    : scaffold_([&] {
+        const AddedSeconds time(seconds_);
+        return Scaffold(start.shared_space(), start.control_points());
+      }()),
+      mode_(flips),
+      rules_(rules.scaffold),
+      relaxing_(newton_options(Curvature::Projected, rules, {})),
+      share_(rules_.share) {}
 
 MapProblem ScaffoldedDomain::build(const DomainInput& in, VecIn x) {
   const AddedSeconds time(seconds_);
@@ -79,7 +70,9 @@ DomainChange ScaffoldedDomain::after_step(Vec& x, const StepResult& step, const 
                        step.record.relative_decrease > rules_.still_moving ||
                        step.record.step_bound < 1;
   if (relaxed) {
-    scaffold_.relax(rules_.relax_steps, in.depth, in.stop);
+    NewtonOptions options = relaxing_;
+    options.stop = in.stop;
+    scaffold_.relax(rules_.relax_steps, in.depth, options);
     const FlipCounts more = flip();
     counts.intended += more.intended;
     counts.performed += more.performed;

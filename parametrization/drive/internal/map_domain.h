@@ -13,6 +13,7 @@
 #include "majorant/framework/stepper.h"
 #include "majorant/parametrization/drive/internal/solver_rules.h"
 #include "majorant/parametrization/drive/solve_options.h"
+#include "majorant/parametrization/maps/bezier_map.h"
 #include "majorant/parametrization/maps/map_problem.h"
 #include "majorant/parametrization/scaffold/internal/scaffold.h"
 
@@ -67,7 +68,9 @@ class MapDomain {
   virtual std::optional<Scaffold> surroundings() const { return {}; }
   virtual void restore(const std::optional<Scaffold>&) {}
   virtual FlipCounts flips() const { return {}; }
-  virtual double seconds() const { return 0; }  // spent on the surroundings, outside of steps
+  // Spent on the surroundings, outside of steps; charge() adds what their changes cost elsewhere.
+  virtual double seconds() const { return 0; }
+  virtual void charge(double /*seconds*/) {}
 };
 
 class PlainDomain final : public MapDomain {
@@ -81,7 +84,8 @@ class PlainDomain final : public MapDomain {
 // then the scaffold's edges are flipped and its triangles relaxed with the image fixed.
 class ScaffoldedDomain final : public MapDomain {
  public:
-  ScaffoldedDomain(Scaffold scaffold, ScaffoldFlips flips, const ScaffoldRules& rules);
+  // Throws Error(Infeasible) as Scaffold does where the start overlaps itself.
+  ScaffoldedDomain(const BezierMap& start, ScaffoldFlips flips, const SolverRules& rules);
 
   Vec unknowns(VecIn map) const override { return scaffold_.joined(map); }
   MapProblem build(const DomainInput& input, VecIn x) override;
@@ -95,19 +99,21 @@ class ScaffoldedDomain final : public MapDomain {
   void restore(const std::optional<Scaffold>& scaffold) override;
   FlipCounts flips() const override { return flips_; }
   double seconds() const override { return seconds_; }
+  void charge(double seconds) override { seconds_ += seconds; }
 
  private:
   bool refine(const std::vector<Index>& blocking, Index map_faces);
   FlipCounts flip();
 
+  double seconds_ = 0;
   Scaffold scaffold_;
   ScaffoldFlips mode_;
   ScaffoldRules rules_;
+  NewtonOptions relaxing_;
   FlipCounts flips_;
   double share_;                  // lambda E_conf / E
   std::optional<TermId> around_;  // E_conf, in the last problem built
   std::optional<double> lambda_;  // none: not set since the problem was built
-  double seconds_ = 0;
 };
 
 }  // namespace majorant

@@ -19,9 +19,8 @@ namespace {
 // Extents of the surface beyond which the position of a free map is given up for its digits.
 // Origin: three of the sixteen digits are lost there.
 constexpr double kFarAway = 1000;
-// Of the largest coordinate: pins this close to where the start has their vertex are there. Origin:
-// targets in files have ten digits.
-constexpr double kPinned = 1e-9;
+// Of the largest coordinate: pins this close to where the start has their vertex are there.
+constexpr double kPinned = kTenDigits;
 
 // The optimizer works on a surface of size about 1: a power of two, so that scaling is exact.
 double normalizing_scale(const SurfaceMesh& mesh) {

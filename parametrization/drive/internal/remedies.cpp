@@ -22,7 +22,11 @@ void add_use(RemedyUses& uses, Remedy remedy, double gained) {
 
 }  // namespace
 
-SolveResult DegreeSolver::finish(RunRecord& record) { return exhaust(kRemedies, record); }
+SolveResult DegreeSolver::finish(RunRecord& record) {
+  SolveResult result = exhaust(kRemedies, record);
+  record.forget_mark();  // the last remedy may have had no iteration
+  return result;
+}
 
 // Runs again as long as a stall can be left or the quadrature be refined.
 SolveResult DegreeSolver::exhaust(std::span<const Remedy> remedies, RunRecord& record) {

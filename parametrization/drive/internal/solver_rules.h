@@ -11,7 +11,7 @@
 #include <array>
 #include <vector>
 
-#include "majorant/elements/proof_depth.h"
+#include "majorant/elements/element_space.h"
 #include "majorant/framework/newton.h"
 #include "majorant/parametrization/maps/internal/quadrature_ladder.h"
 #include "majorant/parametrization/maps/map_problem.h"

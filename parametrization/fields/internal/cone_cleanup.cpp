@@ -12,12 +12,17 @@ namespace majorant {
 namespace {
 
 // A seamless map needs every angle below 180 degrees; 120 on average leaves room to untangle.
+// Origin: chosen, not tuned.
 constexpr int kLargestMeanAngle = 120;
 const std::vector<char> kNoneFixed;
-// Cones move one edge a sweep; the smoothest field has them nearly in place.
+// Cones move one edge a sweep; the smoothest field has them nearly in place. Origin: chosen, not
+// tuned.
 constexpr int kMaxSweeps = 20;
+// Origin: a sweep takes a solve for each; chosen, not tuned.
 constexpr Index kMostCones = 1000;
-constexpr double kLeastGain = 1e-6;  // of energy; rounding shall not move cones
+// Of energy; rounding shall not move cones. Origin: far above the rounding of the solves, far below
+// the gain of a move that matters.
+constexpr double kLeastGain = 1e-6;
 
 class Cleanup {
  public:

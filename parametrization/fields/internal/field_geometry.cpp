@@ -8,7 +8,7 @@ namespace majorant {
 namespace {
 
 // Beyond this ratio of lengths a face is as good as degenerate; larger weights would only spoil the
-// factorizations.
+// factorizations. Origin: chosen, not tuned.
 constexpr double kLargestWeight = 1e4;
 
 }  // namespace

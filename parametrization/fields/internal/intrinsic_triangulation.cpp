@@ -12,15 +12,17 @@ namespace {
 using Complex = std::complex<double>;
 
 // Flips per call and triangle before giving up: random log factors of +-20 took 4; against endless
-// cycles where lengths agree to rounding.
-constexpr Index kMostFlipsPerFace = 20;
+// cycles where lengths agree to rounding. Origin: five times what was seen.
+constexpr Index kMostFlipsPerCall = 20;
 
 // Twice the sum of the cosines of opposite angles is 0 on four points of a circle, where both
-// diagonals are Delaunay; smaller values count as 0.
+// diagonals are Delaunay; smaller values count as 0. Origin: angles of needles are good to a few
+// digits less than doubles are; chosen, not tuned.
 constexpr double kCocircular = 1e-10;
 
 // Bound of logarithms of lengths that are exponentiated, beyond all surfaces: where no metric was
-// found they may be anything, and vectors stay finite.
+// found they may be anything, and vectors stay finite. Origin: products of two such lengths stay in
+// the range of doubles.
 constexpr double kLargestLog = 300;
 
 // log(e^x + e^y)
@@ -151,7 +153,7 @@ Index IntrinsicTriangulation::make_delaunay(const Vec& log_factor) {
   std::vector<Index> half_edges;
   for (Index h = 0; h < half_edge_count(); ++h) half_edges.push_back(h);
   Index flipped = 0;
-  while (!half_edges.empty() && flipped < kMostFlipsPerFace * face_count()) {
+  while (!half_edges.empty() && flipped < kMostFlipsPerCall * face_count()) {
     const Index h = half_edges.back(), o = opposite(h);
     half_edges.pop_back();
     if (o < 0 || face_of(o) == face_of(h) || is_delaunay(lengths, h)) continue;

@@ -8,8 +8,11 @@
 namespace majorant {
 namespace {
 
-constexpr double kLeastGain = 1e-9;  // of the energy of a loop; rounding shall not turn the field
-constexpr int kMaxSweeps = 100;      // over the loops; a few suffice
+// Of the energy of a loop; rounding shall not turn the field. Origin: far above rounding, far below
+// what a turn changes.
+constexpr double kLeastGain = 1e-9;
+// Over the loops; a few suffice. Origin: a bound; chosen, not tuned.
+constexpr int kMaxSweeps = 100;
 
 }  // namespace
 

@@ -22,7 +22,8 @@
 #include <functional>
 #include <utility>
 
-#include "majorant/parametrization/injectivity/planar_curve.h"
+#include "majorant/parametrization/injectivity/global_injectivity.h"
+#include "majorant/parametrization/injectivity/internal/planar_curve.h"
 
 namespace majorant {
 

@@ -15,9 +15,11 @@ namespace {
 using Integer = boost::multiprecision::cpp_int;
 
 // Pieces of one cell. Valid cells whose minimum is 1e-9 of their mean take some hundred; without a
-// bound a minimum of exactly zero at an irrational point would be bisected for ever.
+// bound a minimum of exactly zero at an irrational point would be bisected for ever. Origin: ten
+// times what valid cells take.
 constexpr int kMostPieces = 4000;
 // Of bisection; two halve the edges, so pieces are 2^-50 of the cell then. Integers grow with it.
+// Origin: coordinates in doubles say nothing below.
 constexpr int kDeepest = 100;
 constexpr int kMantissaBits = std::numeric_limits<double>::digits;
 

@@ -12,7 +12,7 @@
 // minimum of zero at degree 8: not for the solver.
 #pragma once
 
-#include "majorant/elements/bernstein.h"
+#include "majorant/elements/internal/bernstein.h"
 #include "majorant/elements/internal/positivity.h"
 #include "majorant/framework/stop_check.h"
 
@@ -25,8 +25,8 @@ struct ExactPositivity {
   Barycentric at = Barycentric::Zero();  // where det J <= 0, when Violated
 };
 
-// control_points: finite, in VTK's order (elements/bernstein.h). Throws std::invalid_argument when
-// their number is not triangular or the degree is over 20; Stopped.
+// control_points: finite, in VTK's order (elements/internal/bernstein.h). Throws
+// std::invalid_argument when their number is not triangular or the degree is over 20; Stopped.
 ExactPositivity exact_positivity(const Points2& control_points, const StopCheck& stop = {});
 
 }  // namespace majorant

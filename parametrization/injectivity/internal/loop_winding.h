@@ -12,7 +12,7 @@
 #include <functional>
 #include <optional>
 
-#include "majorant/parametrization/injectivity/boundary_loops.h"
+#include "majorant/parametrization/injectivity/internal/boundary_loops.h"
 #include "majorant/parametrization/injectivity/internal/box_pairs.h"
 
 namespace majorant {

@@ -6,7 +6,7 @@
 //   if (swept.contact == Contact::None) ...   // no two edges have more in common than their vertex
 #pragma once
 
-#include "majorant/parametrization/injectivity/boundary_loops.h"
+#include "majorant/parametrization/injectivity/internal/boundary_loops.h"
 #include "majorant/parametrization/injectivity/internal/curve_contact.h"
 
 namespace majorant {

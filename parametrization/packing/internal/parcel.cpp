@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "majorant/parametrization/injectivity/boundary_loops.h"
+#include "majorant/parametrization/injectivity/internal/boundary_loops.h"
 
 namespace majorant {
 namespace {

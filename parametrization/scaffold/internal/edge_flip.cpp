@@ -7,9 +7,9 @@
 #include <limits>
 #include <stdexcept>
 
-#include "majorant/elements/bernstein.h"
 #include "majorant/elements/bezier_triangle_space.h"
-#include "majorant/elements/proof_depth.h"
+#include "majorant/elements/element_space.h"
+#include "majorant/elements/internal/bernstein.h"
 #include "majorant/parametrization/scaffold/internal/moving_barrier.h"
 #include "majorant/parametrization/scaffold/internal/quadrilateral.h"
 

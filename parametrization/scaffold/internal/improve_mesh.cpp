@@ -8,7 +8,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "majorant/elements/proof_depth.h"
+#include "majorant/elements/element_space.h"
 #include "majorant/elements/rest_shapes.h"
 #include "majorant/parametrization/maps/internal/quadrature_ladder.h"
 #include "majorant/parametrization/scaffold/internal/pair_energy.h"

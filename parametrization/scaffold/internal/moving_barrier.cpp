@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "majorant/elements/bernstein.h"
+#include "majorant/elements/internal/bernstein.h"
 #include "majorant/framework/internal/backtracking.h"
 
 namespace majorant {
@@ -131,11 +131,9 @@ void MovingBarrier::add_pairs(int half) {
 
 std::array<double, 2> MovingBarrier::straight_determinants(const Points2& grid) const {
   const int n = degree_, a = 0, d = n, c = n * (n + 1), b = c + n;
-  const Eigen::RowVector2d diagonal = grid.row(b) - grid.row(a);
-  const auto from_diagonal = [&](const Eigen::RowVector2d& e) {
-    return diagonal[0] * e[1] - diagonal[1] * e[0];
-  };
-  return {from_diagonal(grid.row(c) - grid.row(a)), -from_diagonal(grid.row(d) - grid.row(a))};
+  const Vector2 corner = grid.row(a), diagonal = Vector2(grid.row(b)) - corner;
+  return {cross(diagonal, Vector2(grid.row(c)) - corner),
+          -cross(diagonal, Vector2(grid.row(d)) - corner)};
 }
 
 // add(pair, coefficient l, weight / straight determinant).

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "majorant/elements/proof_depth.h"
+#include "majorant/elements/element_space.h"
 #include "majorant/framework/evaluator.h"
 #include "majorant/framework/internal/backtracking.h"
 #include "majorant/framework/internal/element_values.h"

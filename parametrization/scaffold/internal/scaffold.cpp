@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "majorant/constraints/fixed_points.h"
+#include "majorant/elements/internal/bernstein.h"
 #include "majorant/elements/quadrature.h"
 #include "majorant/energies/named_energies.h"
 #include "majorant/framework/newton.h"
@@ -186,8 +187,8 @@ FlipCounts Scaffold::flip() {
   return counts;
 }
 
-void Scaffold::relax(int steps, int depth, const StopCheck& stop) {
-  if (stop() != Directive::Continue) return;
+void Scaffold::relax(int steps, int depth, const NewtonOptions& options) {
+  if (options.stop() != Directive::Continue) return;
   Vec x(2 * own_->node_count());
   gather(mesh_, own_->cells(), x);
   ProblemBuilder builder(x.size());
@@ -197,8 +198,6 @@ void Scaffold::relax(int steps, int depth, const StopCheck& stop) {
   builder.add(std::make_shared<const LocalInjectivity>(own_, Vec::Ones(face_count()), depth));
   builder.add(FixedPoints::at(own_->boundary_nodes(), x));
   const Problem problem = builder.build();
-  NewtonOptions options;
-  options.stop = stop;
   NewtonStepper stepper(problem, options);
   const Vec y = problem.reduce(x);
   const double energy = stepper.evaluator().value(y);

@@ -18,6 +18,7 @@
 #include "majorant/elements/bezier_triangle_space.h"
 #include "majorant/elements/rest_shapes.h"
 #include "majorant/energies/density_term.h"
+#include "majorant/framework/newton.h"
 #include "majorant/parametrization/scaffold/internal/edge_flip.h"
 
 namespace majorant {
@@ -50,9 +51,9 @@ class Scaffold {
   // Flips edges until the corner points are locally Delaunay. What flips changes numbers the nodes
   // anew: space() and so on are others if the result has performed > 0; so with grow().
   FlipCounts flip();
-  // Newton steps on the shape of the scaffold, image and frame fixed, fewer when stopped. depth: of
-  // the certificates.
-  void relax(int steps, int depth, const StopCheck& stop = {});
+  // Newton steps on the shape of the scaffold, image and frame fixed, fewer when options.stop says
+  // so. depth: of the certificates.
+  void relax(int steps, int depth, const NewtonOptions& options = {});
   // Encloses the frame in a larger one where the image comes close to it; whether it did.
   bool grow();
   // Around the same image in a space of one degree more.

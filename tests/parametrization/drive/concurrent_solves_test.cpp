@@ -3,7 +3,6 @@
 #include <glog/logging.h>
 #include <omp.h>
 
-#include <OpenMesh/Core/System/omstream.hh>
 #include <functional>
 #include <limits>
 #include <thread>
@@ -68,12 +67,10 @@ struct Settings {
   int openmp_threads = omp_get_max_threads(), openmp_levels = omp_get_max_active_levels();
   int blas_threads = openblas_get_num_threads();
   int glog_level = FLAGS_minloglevel;
-  bool mesh_errors = omerr().is_enabled(), mesh_log = omlog().is_enabled();
   bool operator==(const Settings&) const = default;
   friend void PrintTo(const Settings& s, std::ostream* out) {
     *out << "OpenMP " << s.openmp_threads << " threads " << s.openmp_levels << " levels, BLAS "
-         << s.blas_threads << ", glog " << s.glog_level << ", OpenMesh " << s.mesh_errors
-         << s.mesh_log;
+         << s.blas_threads << ", glog " << s.glog_level;
   }
 };
 
@@ -90,13 +87,11 @@ class UnusualSettings {
     omp_set_num_threads(5);
     omp_set_max_active_levels(3);
     FLAGS_minloglevel = google::GLOG_ERROR;
-    omlog().disable();
   }
   ~UnusualSettings() {
     omp_set_num_threads(before_.openmp_threads);
     omp_set_max_active_levels(before_.openmp_levels);
     FLAGS_minloglevel = before_.glog_level;
-    if (before_.mesh_log) omlog().enable();
   }
 
  private:

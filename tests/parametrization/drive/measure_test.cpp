@@ -5,6 +5,7 @@
 
 #include <Eigen/LU>
 
+#include "majorant/elements/internal/bernstein.h"
 #include "majorant/energies/named_energies.h"
 #include "majorant/parametrization/drive/parametrize.h"
 #include "majorant/parametrization/maps/internal/quadrature_ladder.h"

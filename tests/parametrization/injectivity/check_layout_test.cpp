@@ -1,10 +1,11 @@
 // Layouts of several charts, what their check may cost, and how it is stopped.
+#include "majorant/parametrization/injectivity/internal/check_layout.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "majorant/parametrization/injectivity/global_injectivity.h"
 #include "majorant/parametrization/injectivity/internal/loop_winding.h"
 
 namespace majorant {

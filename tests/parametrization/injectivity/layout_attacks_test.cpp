@@ -6,7 +6,7 @@
 #include <numbers>
 #include <random>
 
-#include "majorant/parametrization/injectivity/global_injectivity.h"
+#include "majorant/parametrization/injectivity/internal/check_layout.h"
 #include "majorant/parametrization/injectivity/internal/loop_winding.h"
 #include "parametrization/injectivity/exact_curves.h"
 

@@ -7,6 +7,7 @@
 #include <Eigen/LU>
 #include <Eigen/SVD>
 
+#include "majorant/elements/internal/bernstein.h"
 #include "mesh/test_meshes.h"
 #include "parametrization/maps/test_maps.h"
 

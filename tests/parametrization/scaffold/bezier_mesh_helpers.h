@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "majorant/elements/bezier_triangle_space.h"
+#include "majorant/elements/internal/bernstein.h"
 #include "majorant/parametrization/maps/bezier_mesh.h"
 #include "mesh/test_meshes.h"
 

@@ -6,6 +6,7 @@
 #include <random>
 #include <set>
 
+#include "majorant/elements/internal/bernstein.h"
 #include "parametrization/scaffold/bezier_mesh_helpers.h"
 
 namespace majorant {

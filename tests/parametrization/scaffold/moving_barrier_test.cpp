@@ -3,6 +3,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "majorant/elements/internal/bernstein.h"
 #include "parametrization/maps/test_maps.h"
 #include "parametrization/scaffold/bezier_mesh_helpers.h"
 

@@ -10,20 +10,10 @@
 // share them, also along cuts. In the plane there are no T-junctions but where the map is cut.
 #pragma once
 
-#include "majorant/io/map_file.h"
+#include "majorant/io/write_obj.h"
 #include "majorant/mesh/polygon_mesh.h"
 
 namespace majorant {
-
-enum class Overlap {
-  Allowed,
-  Excluded  // the straight boundary must not meet itself; of a map that is injective
-};
-
-struct TessellationOptions {
-  int refine = 1;                      // every cell becomes at least refine x refine triangles
-  Overlap overlap = Overlap::Allowed;  // Excluded: for maps that are injective as a whole
-};
 
 // With `input`, the mesh that the map was made from: its vertices (also unreferenced ones), then
 // new ones; its polygons in their order, with groups, materials, normals and colours. A polygon

@@ -1,11 +1,10 @@
-#include "majorant/io/certified_file.h"
-
 #include <fmt/format.h>
 
 #include <utility>
 
 #include "majorant/framework/error.h"
-#include "majorant/io/read_map.h"
+#include "majorant/io/map_file.h"
+#include "majorant/io/map_proof.h"
 
 namespace majorant {
 

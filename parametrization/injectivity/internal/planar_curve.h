@@ -1,4 +1,4 @@
-// A Bezier curve in the plane: an edge of a map; and whether two of them meet (curve_contact.h).
+// A Bezier curve in the plane: an edge of a map. Whether two of them meet: curve_contact.h.
 //
 //   const PlanarCurve arc{2, {Vector2(0, 0), Vector2(1, 1), Vector2(2, 0)}};
 #pragma once
@@ -14,6 +14,7 @@ namespace majorant {
 struct PlanarCurve {
   static constexpr int kMaxDegree = BezierTriangleSpace::kMaxDegree;
   // Coordinates whose products overflow are of no use; rounding bounds cover everything else.
+  // Origin: square root of the range of doubles.
   static constexpr double kLargest = 1e150;
   int degree = 1;                                      // 1..kMaxDegree
   std::array<Vector2, kMaxDegree + 1> control_points;  // degree + 1, in range
@@ -27,8 +28,5 @@ struct PlanarCurve {
   const Vector2& front() const { return control_points[0]; }
   const Vector2& back() const { return control_points[at(degree)]; }
 };
-
-// None and Certain are proofs, Possible is all the rest.
-enum class Contact { None, Certain, Possible };
 
 }  // namespace majorant

@@ -6,16 +6,13 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 
-namespace majorant {
+#include "majorant/io/map_file.h"
 
-// Judges the complete bytes of a file before they take its name. The path given is that of another
-// file with the same extension. Throws when the file must not be written.
-using FileVerification = std::function<void(const std::string& temporary_path)>;
+namespace majorant {
 
 // Writes `content` to a temporary file beside `path`, lets `verify` judge it and renames it, so
 // that nobody sees half a file and a failure leaves an older file as it was. A symbolic link stays:

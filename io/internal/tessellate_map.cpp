@@ -1,4 +1,4 @@
-#include "majorant/io/tessellate_map.h"
+#include "majorant/io/internal/tessellate_map.h"
 
 #include <fmt/format.h>
 

@@ -13,7 +13,6 @@
 
 namespace majorant {
 
-using Barycentric = Eigen::Vector3d;
 using MultiIndex = std::array<int, 3>;
 
 // Number of control points, (n+1)(n+2)/2.
@@ -36,6 +35,11 @@ class TriangleIndices {
   }
   // Local numbers along edge 0 (corner 0 -> 1), 1 (1 -> 2) or 2 (2 -> 0), ends included.
   const std::vector<int>& edge(int e) const { return edges_[at(e)]; }
+  // Of the points next to a corner on the two edges from it, counterclockwise: the directions of
+  // the tangents of a map there.
+  std::array<int, 2> beside_corner(int corner) const {
+    return {edge(corner)[1], edge((corner + 2) % 3)[at(degree_) - 1]};
+  }
   // n! / (i! j! k!).
   double multinomial(int local) const { return multinomial_[at(local)]; }
 

@@ -1,5 +1,5 @@
 // The boundary of a map in the plane: loops of Bezier curves, each with the chart it belongs to.
-// What global_injectivity.h needs to know of a map, wherever that comes from.
+// What check_layout.h needs to know of a map, wherever that comes from.
 //
 //   const BoundaryLoops boundary = boundary_loops(map);    // of a map in memory
 //
@@ -11,7 +11,7 @@
 
 #include <vector>
 
-#include "majorant/parametrization/injectivity/planar_curve.h"
+#include "majorant/parametrization/injectivity/internal/planar_curve.h"
 #include "majorant/parametrization/maps/bezier_map.h"
 
 namespace majorant {

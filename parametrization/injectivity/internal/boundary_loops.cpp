@@ -1,4 +1,4 @@
-#include "majorant/parametrization/injectivity/boundary_loops.h"
+#include "majorant/parametrization/injectivity/internal/boundary_loops.h"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,22 @@
+// A polygon of a file as triangles.
+//
+//   for (const auto& [a, b, c] : triangulate_polygon(corners)) ...   // numbers of corners
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "majorant/framework/stop_check.h"
+#include "majorant/framework/types.h"
+
+namespace majorant {
+
+// Triangles (local corner numbers) of a simple polygon, n - 2 of them, by ear clipping in its mean
+// plane; the shape-preserving choice among valid ears is the one with the largest smallest angle.
+// A polygon that crosses itself there is clipped all the same, at its least bad ears. Of more than
+// 2,048 corners the constrained Delaunay triangulation is taken (large_polygon.h), which exists for
+// simple ones alone: Error(Unsupported) without a place. Polls for each O(n) of work.
+std::vector<std::array<int, 3>> triangulate_polygon(const std::vector<Vector3>& corners,
+                                                    const StopCheck& stop = {});
+
+}  // namespace majorant

@@ -1,0 +1,17 @@
+// The proof of global_injectivity.h for boundaries of any source: that of a map in memory, or of
+// what a file holds.
+//
+//   GlobalInjectivity atlas = check_layout(boundary_loops(map), {});
+//
+// half_edge_a and half_edge_b of its contacts are BoundaryLoops::half_edge.
+#pragma once
+
+#include "majorant/parametrization/injectivity/global_injectivity.h"
+#include "majorant/parametrization/injectivity/internal/boundary_loops.h"
+
+namespace majorant {
+
+GlobalInjectivity check_layout(const BoundaryLoops& boundary,
+                               const InjectivityOptions& options = {});
+
+}  // namespace majorant
