@@ -13,7 +13,7 @@ namespace majorant {
 
 template <Curvature curvature>
 struct NewtonTraits {
-  static constexpr bool kCertifiesPaths = true;
+  static constexpr Status kAmongGaps = Status::Converged;
   static std::unique_ptr<Minimizer> make(int max_iterations) {
     NewtonOptions o;
     o.curvature = curvature;
