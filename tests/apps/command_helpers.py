@@ -15,6 +15,7 @@ BINARY = os.environ.get('MAJORANT_BINARY', '')
 SOURCE = os.environ.get('MAJORANT_SOURCE_DIR', '')
 SHARED = os.environ.get('MAJORANT_SHARED_DIR', '')
 VERIFY = os.path.join(SHARED, 'tools', 'verify.py')
+CHECKER = os.path.join(SOURCE, 'tests', 'checker', 'check_map.py')
 
 # Threads that wait do not spin: many short runs on a busy machine take a fraction of the time.
 os.environ.setdefault('OMP_WAIT_POLICY', 'passive')
@@ -84,6 +85,13 @@ class CommandTest(unittest.TestCase):
         for part in [says] if isinstance(says, str) else says:
             self.assertIn(part, outcome.err)
         return outcome
+
+    def judge(self, result, mesh, *options, code=0):
+        """What tests/checker, which shares no code with the library, says of a map of a surface."""
+        process = subprocess.run(['/usr/bin/python3', CHECKER, result, '--surface', mesh, *options],
+                                 text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                 timeout=300)
+        self.assertEqual(process.returncode, code, process.stdout[-2000:])
 
 
 # ------------------------------------------------------------------ meshes

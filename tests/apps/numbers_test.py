@@ -62,10 +62,9 @@ class Numbers(CommandTest):
         weights = self.write('weights.txt', '\n'.join(['1e30', '1e-30'] * 243) + '\n')
         for options in (['--handles', self.targets(1e6)], ['--weights', weights], ['--energy', '1e30*mips'],
                         ['--energy', '1e-30*mips + 1e30*arap', '--weights', weights]):
-            code = majorant('parametrize', MESH, '-o', self.path('out.vtu'), '--degree', '1', '--max-iterations',
-                            '3', '--report', report, *options).code
             with self.subTest(options=options):
-                self.assertIn(code, (OK, LIMIT))
+                self.run_ok('parametrize', MESH, '-o', self.path('out.vtu'), '--degree', '1', '--max-iterations',
+                            '3', '--report', report, *options, code=LIMIT)
                 with open(report) as f:
                     result = json.load(f)['result']
                 for key in ('value', 'initial_value', 'value_quadrature', 'newton_decrement', 'handle_distance'):

@@ -174,6 +174,33 @@ class Report(CommandTest):
             self.assertEqual((row['phase'], row['remedy']), ('newton', ''))
             self.assertEqual((step['phase'], step['remedy']), ('newton', None))
 
+    def test_what_a_run_went_through(self):
+        """Remedies, phases and the scaffold's time, where there is something to say of them."""
+        def run(name, *options):
+            self.run_ok('parametrize', '--quiet', generated(name), '-o', self.path('o.csv'), '--report',
+                        self.path('r.json'), *options)
+            with open(self.path('r.json')) as f, open(self.path('o.csv')) as g:
+                report, rows = json.load(f), list(csv.DictReader(g))
+            steps = report['iterations']
+            self.assertEqual([(r['phase'], r['remedy'] or None) for r in rows],
+                             [(s['phase'], s['remedy']) for s in steps])
+            return report, [s['phase'] for s in steps], [s['remedy'] for s in steps]
+
+        report, phases, remedies = run('cap', '--energy', 'log-isometric', '--degree', '2', '--bijective')
+        deepen = report['remedies']['deepen']
+        self.assertGreaterEqual(deepen['runs'], 1)
+        self.assertGreater(deepen['gained'], 1e-3)
+        self.assertEqual(remedies.count('deepen'), deepen['runs'])
+        self.assertEqual(set(remedies), {'deepen', None})
+        self.assertEqual(set(phases), {'newton'})
+        seconds = report['seconds']
+        self.assertTrue(0 < seconds['scaffold'] < seconds['optimize'], seconds)
+        report, phases, remedies = run('tube', '--energy', 'amips-exponential', '--degree', '1')
+        entry = phases.count('entry')
+        self.assertGreater(entry, 3)
+        self.assertEqual(phases, ['entry'] * entry + ['newton'] * (len(phases) - entry))
+        self.assertEqual(set(remedies), {None})
+
     def test_value_keeps_all_digits(self):
         self.run_ok('parametrize', '--quiet', generated('tube'), '-o', self.path('o.vtu'), '--report',
                     self.path('r.json'), '--degree', '2')

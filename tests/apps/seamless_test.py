@@ -233,7 +233,15 @@ class Seamless(SeamlessTest):
             path = vtu.write(self.path('moved.vtu'))
             self.refused(INVALID, 'check', path, '--surface', self.meshes['open'], says='boundary')
 
-    # ---------------------------------------------------------------- the independent checker
+    # ---------------------------------------------------------------- independent checkers
+    def test_the_checker(self):
+        for name, path in self.results.items():
+            with self.subTest(name):
+                self.judge(path, self.mesh_of(name), '--seamless')
+        vtu = Vtu(self.results['cube2'])
+        vtu.arrays['uv'][2 * self.seam_point(vtu)[2][0]] += 1e-3
+        self.judge(vtu.write(self.path('moved.vtu')), self.mesh_of('cube2'), '--seamless', code=1)
+
     @where(VERIFY)
     def test_verify(self):
         for name, path in self.results.items():

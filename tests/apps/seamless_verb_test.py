@@ -44,10 +44,11 @@ class Seamless(CommandTest):
         return self.write(name, json.dumps({'cones': cones, **more}))
 
     def made(self, mesh, *args, code=OK):
-        """Runs `seamless`, `check` and verify.py; the report."""
+        """Runs `seamless`, `check`, tests/checker and verify.py; the report."""
         out, report = self.path('out.vtu'), self.path('report.json')
         self.run_ok('seamless', mesh, '-o', out, '--report', report, '--quiet', *args, code=code)
         self.run_ok('check', out, '--surface', mesh, '--seamless')
+        self.judge(out, mesh, '--seamless')
         if os.path.exists(VERIFY):
             done = subprocess.run(['/usr/bin/python3', VERIFY, out, '--mesh', mesh, '--cuts', 'auto',
                                    '--no-energy', '--max-cut-fraction', '1'], capture_output=True)

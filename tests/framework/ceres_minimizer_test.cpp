@@ -9,7 +9,8 @@ namespace majorant {
 
 template <CeresOptions::Method method>
 struct CeresTraits {
-  static constexpr bool kCertifiesPaths = false;
+  static constexpr Status kAmongGaps =
+      method == CeresOptions::Method::Lbfgs ? Status::Converged : Status::Stalled;
   static std::unique_ptr<Minimizer> make(int max_iterations) {
     FLAGS_minloglevel = google::GLOG_FATAL;  // as programs do that want silence
     CeresOptions o;

@@ -68,7 +68,7 @@ class FlowForTests final : public Minimizer {
 }  // namespace
 
 struct FlowTraits {
-  static constexpr bool kCertifiesPaths = true;
+  static constexpr Status kAmongGaps = Status::Converged;
   static std::unique_ptr<Minimizer> make(int max_iterations) {
     return std::make_unique<FlowForTests>(max_iterations);
   }

@@ -8,7 +8,7 @@
 namespace majorant {
 
 struct LbfgsTraits {
-  static constexpr bool kCertifiesPaths = true;
+  static constexpr Status kAmongGaps = Status::Converged;
   static std::unique_ptr<Minimizer> make(int max_iterations) {
     LbfgsOptions o;
     o.stopping.max_iterations = max_iterations;
@@ -16,7 +16,7 @@ struct LbfgsTraits {
   }
 };
 struct RefactoredLbfgsTraits {
-  static constexpr bool kCertifiesPaths = true;
+  static constexpr Status kAmongGaps = Status::Converged;
   static std::unique_ptr<Minimizer> make(int max_iterations) {
     LbfgsOptions o;
     o.metric_every = 5;

@@ -181,26 +181,6 @@ TEST(Parametrize, QuadraturePointsChangeTheRule) {
 
 // ---- Boundary angles ----
 
-// A fan cut along one edge whose cone angle is far beyond a full turn: without the option the two
-// sides of the cut overlap, with it they may not.
-PolygonMesh saddle_fan() {
-  constexpr int n = 16;
-  std::vector<Vector3> positions{{0, 0, 0}};
-  for (int k = 0; k <= n; ++k) {
-    const double t = 2 * kPi * k / n;
-    positions.push_back({std::cos(t), std::sin(t), 1.2 * std::sin(3 * t)});
-  }
-  for (int k = 0; k <= n; ++k) positions.push_back(2 * positions[at(1 + k)]);
-  std::vector<std::vector<Index>> faces;
-  for (int k = 0; k < n; ++k) {
-    const Index a = 1 + k, b = a + 1, c = n + 2 + k, d = c + 1;
-    faces.push_back({0, a, b});
-    faces.push_back({a, c, d});
-    faces.push_back({a, d, b});
-  }
-  return polygon_mesh(std::move(positions), std::move(faces));
-}
-
 TEST(Parametrize, BoundaryAnglesHoldSectorSumsWithinAFullTurn) {
   const auto mesh = surface(saddle_fan());
   for (const int n : {1, 2}) {

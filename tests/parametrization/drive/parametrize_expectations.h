@@ -1,4 +1,4 @@
-// What every result of parametrize() must satisfy.
+// What every result of parametrize() must satisfy, and a surface whose maps tend to overlap.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -13,6 +13,26 @@ inline ParametrizationOptions degree(int n) {
   ParametrizationOptions options;
   options.map.degree = n;
   return options;
+}
+
+// A fan cut along one edge whose cone angle is far beyond a full turn: a free
+// boundary lets the two sides of the cut overlap.
+inline PolygonMesh saddle_fan() {
+  constexpr int n = 16;
+  std::vector<Vector3> positions{{0, 0, 0}};
+  for (int k = 0; k <= n; ++k) {
+    const double t = 2 * kPi * k / n;
+    positions.push_back({std::cos(t), std::sin(t), 1.2 * std::sin(3 * t)});
+  }
+  for (int k = 0; k <= n; ++k) positions.push_back(2 * positions[at(1 + k)]);
+  std::vector<std::vector<Index>> faces;
+  for (int k = 0; k < n; ++k) {
+    const Index a = 1 + k, b = a + 1, c = n + 2 + k, d = c + 1;
+    faces.push_back({0, a, b});
+    faces.push_back({a, c, d});
+    faces.push_back({a, d, b});
+  }
+  return polygon_mesh(std::move(positions), std::move(faces));
 }
 
 // What must hold for every result, converged or not.

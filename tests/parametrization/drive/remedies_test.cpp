@@ -1,7 +1,11 @@
 // Runs that stall at the limit of the feasible set, and the remedy that frees each of them.
 #include <algorithm>
+#include <atomic>
+#include <limits>
 
 #include "majorant/energies/named_energies.h"
+#include "majorant/parametrization/drive/internal/parametrize_by.h"
+#include "majorant/parametrization/injectivity/global_injectivity.h"
 #include "parametrization/drive/parametrize_expectations.h"
 
 namespace majorant {
@@ -81,6 +85,73 @@ TEST(Remedies, TheBarrierOfAnotherEnergyFreesARun) {
   EXPECT_EQ(phase_name(last.phase), "newton");
   EXPECT_NEAR(last.record.energy, run.result.value_quadrature, 1e-12);
 }
+
+// ---- Bijective maps ----
+
+ParametrizationOptions bijective_arap() {
+  ParametrizationOptions options = degree(2);
+  options.map.energy = {{find_energy("arap")->make, 1.0}};
+  options.map.injectivity = MapInjectivity::Global;
+  return options;
+}
+
+void expect_bijective(const ParametrizationResult& result) {
+  ASSERT_TRUE(result.map && result.scaffold);
+  EXPECT_TRUE(result.measures.locally_injective);
+  EXPECT_EQ(check_boundary(*result.map).result, Injectivity::Proven);
+}
+
+TEST(Remedies, FreeBijectiveRuns) {
+  RunRecord record;
+  const RunWithTrace run{parametrize(surface(saddle_fan()), bijective_arap(), record),
+                         record.trace()};
+  EXPECT_EQ(status_name(run.result.status), status_name(Status::Converged)) << run.result.message;
+  EXPECT_EQ(run.use(Remedy::Deepen).runs, 1);
+  EXPECT_GT(run.use(Remedy::Deepen).gained, 1e-4);
+  EXPECT_EQ(run.marks(Remedy::Deepen), 1);
+  expect_unused(run, {Remedy::Refine, Remedy::Exclude, Remedy::FollowBarrier});
+  expect_bijective(run.result);
+}
+
+// Without deeper certificates, what is left is the way along barriers. A stop on it leaves map and
+// surroundings where it began: where a run without remedies ends.
+class StoppedOnTheWay : public testing::TestWithParam<int> {
+ protected:
+  // Stopped by iteration `last` of the barrier phase.
+  static RunWithTrace run(const SolverRules& rules, int last) {
+    std::atomic<bool> interrupt{false};
+    int steps = 0;
+    RunRecord record(std::numeric_limits<double>::infinity(), std::numeric_limits<int>::max(),
+                     &interrupt, [&](const TraceEntry& entry) {
+                       if (entry.phase == Phase::Barrier && ++steps == last) interrupt = true;
+                     });
+    const auto mesh = surface(saddle_fan());
+    const ParametrizationOptions options = bijective_arap();
+    const BezierMap start = BezierMap::linear(mesh, initial_map(*mesh, options.map));
+    RunWithTrace run{parametrize_by(rules, start, options, record), {}};
+    run.trace = record.trace();
+    return run;
+  }
+};
+
+TEST_P(StoppedOnTheWay, IsWhereItBegan) {
+  SolverRules rules;
+  rules.remedies.deepest_bisection = ProofDepth::kStart;
+  const RunWithTrace stopped = run(rules, GetParam());
+  EXPECT_EQ(status_name(stopped.result.status), status_name(Status::Interrupted));
+  EXPECT_EQ(stopped.steps(Phase::Barrier), GetParam());
+  expect_bijective(stopped.result);
+
+  rules.remedies.stall_rounds = 0;
+  const RunWithTrace before = run(rules, 0);
+  EXPECT_EQ(status_name(before.result.status), status_name(Status::Stalled));
+  EXPECT_EQ(stopped.result.map->control_points(), before.result.map->control_points());
+  EXPECT_EQ(stopped.result.value_quadrature, before.result.value_quadrature);
+  EXPECT_EQ(stopped.result.measures.value, before.result.measures.value);
+  EXPECT_EQ(stopped.result.scaffold->points, before.result.scaffold->points);
+}
+
+INSTANTIATE_TEST_SUITE_P(Steps, StoppedOnTheWay, testing::Values(1, 2, 4));
 
 }  // namespace
 }  // namespace majorant
