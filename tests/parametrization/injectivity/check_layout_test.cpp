@@ -128,16 +128,18 @@ TEST(CheckLayout, LinesAreDecidedExactly) {
 }
 
 TEST(CheckLayout, WhatIsNoBoundaryIsUndecided) {
-  BoundaryLoops gap, short_loop, label, nan;
+  BoundaryLoops gap, short_loop, label, infinite;
   std::vector<PlanarCurve> edges = polygon(square(0, 0, 1), 1);
-  add(short_loop, 0, {edges[0], edges[1]});
+  PlanarCurve back = edges[0];
+  std::swap(back.control_points[0], back.control_points[1]);
+  add(short_loop, 0, {edges[0], back});
   add(label, 0, edges);
   label.charts = 0;
   edges[2].control_points[0].x() += 1e-12;
   add(gap, 0, edges);
-  edges[2].control_points[0].x() = NAN;
-  add(nan, 0, edges);
-  for (const BoundaryLoops& layout : {gap, short_loop, label, nan}) {
+  for (Vector2* p : {&edges[1].control_points[1], &edges[2].control_points[0]}) p->x() = INFINITY;
+  add(infinite, 0, edges);
+  for (const BoundaryLoops& layout : {gap, short_loop, label, infinite}) {
     const GlobalInjectivity proof = check_layout(layout);
     EXPECT_EQ(proof.result, Injectivity::Undecided);
     EXPECT_FALSE(proof.reason.empty());
