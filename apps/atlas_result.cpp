@@ -8,7 +8,7 @@
 #include "apps/streams.h"
 #include "majorant/framework/thread_count.h"
 #include "majorant/io/atlas_file.h"
-#include "majorant/io/certified_file.h"
+#include "majorant/io/map_proof.h"
 
 namespace majorant::app {
 namespace {

@@ -234,4 +234,22 @@ RepairedSurface repair(const PolygonMesh& input, const RepairOptions& options,
   return Repairing(input, options, stop).run();
 }
 
+PolygonMesh with_turned_faces(PolygonMesh input, const RepairedSurface& surface) {
+  const auto turn = [](std::vector<Index>& corners) {
+    if (!corners.empty()) std::reverse(corners.begin() + 1, corners.end());
+  };
+  Index last = -1;
+  for (Index f = 0; f < surface.mesh->face_count(); ++f) {
+    const Index p = surface.mesh->input_face(f);
+    const auto k = surface.polygon_corner.row(f);
+    const bool is_as_given = (k[0] < k[1]) + (k[1] < k[2]) + (k[2] < k[0]) == 2;  // around it
+    if (is_as_given || p == last) continue;
+    last = p;
+    turn(input.polygons[at(p)]);
+    if (!input.polygon_texcoords.empty()) turn(input.polygon_texcoords[at(p)]);
+    if (!input.polygon_normals.empty()) turn(input.polygon_normals[at(p)]);
+  }
+  return input;
+}
+
 }  // namespace majorant

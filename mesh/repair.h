@@ -117,4 +117,8 @@ struct RepairedSurface {
 RepairedSurface repair(const PolygonMesh& input, const RepairOptions& options = {},
                        const StopCheck& stop = {});
 
+// The file's polygons as the surface has them: those of turned faces in the opposite order, from
+// their first corner on, with their texture coordinates and normals. What writers need.
+PolygonMesh with_turned_faces(PolygonMesh input, const RepairedSurface& surface);
+
 }  // namespace majorant

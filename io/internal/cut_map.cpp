@@ -13,6 +13,7 @@
 #include "majorant/constraints/local_injectivity.h"
 #include "majorant/elements/internal/bernstein.h"
 #include "majorant/framework/error.h"
+#include "majorant/mesh/repair.h"
 #include "majorant/parametrization/starts/internal/cut_surface.h"
 #include "majorant/parametrization/starts/texture_seams.h"
 
@@ -46,7 +47,7 @@ SurfaceMesh weld(const MapFile& file, const std::string& name) {
       polygons.polygons.back().push_back(v);
     }
   }
-  return SurfaceMesh::from_polygons(polygons, {}, Components::Any, Shapes::Any);
+  return *repair(polygons, {.orientation = Orientation::AsGiven}).mesh;
 }
 
 // Nearest numbers of quarter turns, 0 at the boundary of the uncut surface.

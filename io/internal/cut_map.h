@@ -23,8 +23,10 @@ class CutMap {
   // Points of equal input_vertex are one vertex; where the file does not know it, points at exactly
   // the same place. Faces are in the order of the file's cells, input_vertex() and input_face() of
   // the surface those of the file. `file` must outlive this; `name` is for messages.
-  // Throws Error(Unsupported) when the cells are no proper surface (mesh_validation.h),
-  // Error(Unreadable) when copies of a vertex are at different places.
+  // Cells that are no proper surface are one all the same, open where repair() opens it
+  // (mesh/repair.h): edges with more than two cells or two that disagree, vertices where sheets
+  // touch, cells given twice. Throws Error(Unreadable) when copies of a vertex are at different
+  // places.
   CutMap(const MapFile& file, std::string name);
 
   const SurfaceMesh& surface() const { return surface_; }

@@ -6,6 +6,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/mesh/internal/exact_predicates.h"
+#include "majorant/mesh/internal/triangulate_polygon.h"
 
 namespace majorant {
 namespace {

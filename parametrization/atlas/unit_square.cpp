@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "majorant/constraints/local_injectivity.h"
-#include "majorant/elements/proof_depth.h"
+#include "majorant/elements/element_space.h"
 #include "majorant/parametrization/injectivity/global_injectivity.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 #include "majorant/parametrization/packing/proven_distance.h"
