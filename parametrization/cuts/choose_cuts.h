@@ -28,7 +28,7 @@ struct CutOptions {
   CutMethod method = CutMethod::Automatic;
   // Automatic: the stretch [SSGH01] that a piece may have before more is cut, estimated, in the
   // mean of squares; 1 is an isometry.
-  double max_stretch = 1.02;
+  double max_stretch = 1.015;
   double sharp_angle = 40;  // Sharp: degrees between the normals of two faces
   // Given: vertices of the file from 0, two for every edge.
   std::vector<std::array<Index, 2>> edges;

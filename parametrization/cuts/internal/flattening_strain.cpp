@@ -145,12 +145,20 @@ double FlatteningStrain::apply(const Functional& functional, const Vec& chi) con
   return sum;
 }
 
-Vec FlatteningStrain::response(const Functional& functional) const {
-  Vec load = Vec::Zero(unknowns_), chi;
+Vec FlatteningStrain::load_of(const Functional& functional) const {
+  Vec load = Vec::Zero(unknowns_);
   for (const auto& [v, factor] : functional)
     if (row_[at(v)] >= 0) load[row_[at(v)]] += factor;
-  if (unknowns_ == 0 || load.isZero(0)) return chi;
-  solver_->solve(load, chi);
+  return load;
+}
+
+bool FlatteningStrain::is_zero(const Functional& functional) const {
+  return load_of(functional).isZero(0);
+}
+
+Vec FlatteningStrain::response(const Functional& functional) const {
+  Vec chi;
+  solver_->solve(load_of(functional), chi);
   return chi;
 }
 

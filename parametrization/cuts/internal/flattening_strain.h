@@ -41,12 +41,14 @@ class FlatteningStrain {
   using Functional = std::vector<std::pair<Index, double>>;
   double apply(const Functional& functional, const Vec& chi) const;
   const Vec& chi() const { return chi_; }  // by unknown, for apply()
-  // What chi becomes when the curvature is `functional`. Empty if that is 0 for all chi.
+  bool is_zero(const Functional& functional) const;  // for all chi
+  // What chi becomes when the curvature is `functional`, which is not zero.
   Vec response(const Functional& functional) const;
 
  private:
   void measure(const SurfaceMesh& piece);
   void number_unknowns(const SurfaceMesh& piece, Index outer);
+  Vec load_of(const Functional& functional) const;
   void factorize(const SurfaceMesh& piece, const StopCheck& stop);
 
   Vec area_, load_;         // #V
