@@ -1,7 +1,7 @@
 #include "majorant/parametrization/cuts/internal/automatic_cut.h"
 
-#include <algorithm>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -10,14 +10,14 @@
 #include "majorant/mesh/internal/cut_graph.h"
 #include "majorant/parametrization/cuts/internal/cut_tree.h"
 #include "majorant/parametrization/cuts/internal/flattening_strain.h"
+#include "majorant/parametrization/cuts/internal/pieces.h"
 #include "majorant/parametrization/fields/cross_field.h"
 
 namespace majorant {
 namespace {
 
-// Lengths of cuts are meant in square roots of the surface's area.
-
-// What a cut that leaves no curvature at all may be longer than the shortest one. Origin: a box,
+// What a cut that leaves no curvature at all may be longer than the one chosen otherwise, in square
+// roots of the area. Origin: a box,
 // a tin and a square tube are unfolded whole.
 constexpr double kDevelopableWorth = 1;
 constexpr double kCurved = 1e-3;  // radians: an angle defect. Origin: files with 4 digits are flat
@@ -43,6 +43,11 @@ class Cutter {
         defect_(angle_defects(mesh)) {}
 
   AutomaticCut run() const {
+    if (is_planar(mesh_)) {
+      AutomaticCut none{std::vector<char>(at(mesh_.half_edge_count()), 0), 0, {}};
+      none.strain = strain(none.is_cut);
+      if (none.strain <= limit_) return none;
+    }
     const std::vector<Index> cones = field_cones();
     AutomaticCut best = peeled(routed(cones), cones);
     const Index routes = std::clamp(kRouteWork / mesh_.vertex_count(), 1, kMostRoutes);

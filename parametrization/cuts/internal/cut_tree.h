@@ -5,15 +5,16 @@
 //   is_cut = tree.after(tree.steps_within(0.02)).is_cut;
 //
 // Boundary loops count as one node each. The parts of the cut that make a disk of a surface with
-// handles are the root; otherwise it is the longest boundary loop, or two edges in the middle of the
-// cut of a closed surface. The rest hangs from it, divided into twigs of about equal length.
+// handles are the root; otherwise it is the longest boundary loop, or two edges in the middle of
+// the cut of a closed surface. The rest hangs from it, divided into twigs of about equal length.
 //
 // What twigs are worth: on the surface cut along the root alone, the stress function chi
-// (flattening_strain.h) is held with its slope at the ends of all twigs, which is nearly what cuts do.
-// With C the rows that say so, G = C A^-1 C^T, P = G^-1, x = P C chi: letting go of some of them
-// (rows R) adds
+// (flattening_strain.h) is held with its slope at the ends of all twigs, which is nearly what cuts
+// do. With C the rows that say so, G = C A^-1 C^T, P = G^-1, x = P C chi: letting go of some of
+// them (rows R) adds
 //     x_R^T P_RR^-1 x_R
-// to the strain, and P, x for the rest follow from P, x. One solve for each row, none for a question.
+// to the strain, and P, x for the rest follow from P, x. One solve for each row, none for a
+// question.
 #pragma once
 
 #include <vector>
@@ -25,8 +26,8 @@ namespace majorant {
 
 class CutTree {
  public:
-  // is_cut: 3 #F flags that leave one disk of a connected surface; is_terminal: #V, twigs end there;
-  // edge_cost: 3 #F. `twigs`: about how many there may be. Stopped.
+  // is_cut: 3 #F flags that leave one disk of a connected surface; is_terminal: #V, twigs end
+  // there; edge_cost: 3 #F. `twigs`: about how many there may be. Stopped.
   CutTree(const SurfaceMesh& mesh, const std::vector<char>& is_cut,
           const std::vector<char>& is_terminal, const Vec& edge_cost, Index twigs,
           const StopCheck& stop);
@@ -46,11 +47,11 @@ class CutTree {
 
  private:
   struct Twig {
-    Index parent = -1;               // twig that it hangs from, -1: the root
-    std::vector<Index> half_edges;   // away from the root
+    Index parent = -1;              // twig that it hangs from, -1: the root
+    std::vector<Index> half_edges;  // away from the root
     double cost = 0;
-    Index first_row = 0, rows = 0;   // what its far end holds
-    Index children = 0;              // not peeled
+    Index first_row = 0, rows = 0;  // what its far end holds
+    Index children = 0;             // not peeled
     bool peeled = false;
   };
   struct Step {

@@ -32,8 +32,8 @@ void add(Row& row, Index unknown, double value) {
 double loop_length(const SurfaceMesh& mesh, const std::vector<Index>& loop) {
   double length = 0;
   for (std::size_t i = 0; i < loop.size(); ++i)
-    length += (mesh.positions().row(loop[i]) - mesh.positions().row(loop[(i + 1) % loop.size()]))
-                  .norm();
+    length +=
+        (mesh.positions().row(loop[i]) - mesh.positions().row(loop[(i + 1) % loop.size()])).norm();
   return length;
 }
 
