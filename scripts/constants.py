@@ -19,7 +19,8 @@ import sys
 from collections import namedtuple
 from pathlib import Path
 
-ROOMS = ['framework', 'elements/proof_depth.h', 'energies', 'constraints', 'parametrization/maps',
+ROOMS = ['framework', 'elements/proof_depth.h', 'energies', 'constraints', 'parametrization/cuts',
+         'parametrization/maps',
          'parametrization/starts', 'parametrization/scaffold', 'parametrization/drive']
 OPTIONS = ('LineSearchOptions', 'NewtonOptions')
 EXEMPT = {
