@@ -19,9 +19,9 @@ import sys
 from collections import namedtuple
 from pathlib import Path
 
-ROOMS = ['framework', 'elements', 'mesh', 'energies', 'constraints', 'parametrization/fields',
-         'parametrization/maps', 'parametrization/injectivity', 'parametrization/starts',
-         'parametrization/scaffold', 'parametrization/drive', 'io']
+ROOMS = ['framework', 'elements', 'mesh', 'energies', 'constraints', 'parametrization/cuts',
+         'parametrization/fields', 'parametrization/maps', 'parametrization/injectivity',
+         'parametrization/starts', 'parametrization/scaffold', 'parametrization/drive', 'io']
 OPTIONS = ('LineSearchOptions', 'NewtonOptions', 'LbfgsOptions')
 # "file kName", or a file with all of its constants.
 EXEMPT = {
