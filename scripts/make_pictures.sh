@@ -1,6 +1,6 @@
 #!/bin/sh
-# Makes the pictures of README.md and docs/ with the program itself. Those of deformations need the
-# planar meshes of ../shared.
+# Makes the pictures of README.md and docs/ with the program itself. Those of deformations and charts
+# need the meshes of ../shared.
 set -eu
 cd "$(dirname "$0")/.."
 majorant=build/release/apps/majorant
@@ -17,3 +17,8 @@ for name in bar star gingerbread; do
 done
 $majorant deform $meshes/gingerbread.obj --handles $meshes/gingerbread.json --degree 2 --quiet \
   -o docs/pictures/gingerbread_overlap.svg
+layout=$(mktemp --suffix .obj)
+trap 'rm -f "$layout"' EXIT
+$majorant unwrap ../shared/data/public/closed/spot_1654.obj --quiet --force -o "$layout" \
+  -o docs/pictures/spot_layout.svg
+/usr/bin/python3 scripts/checkered.py "$layout" docs/pictures/spot_checkered.png --turn 215 --tilt 12
