@@ -3,11 +3,20 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
-#include <libnest2d/libnest2d.hpp>
+#include <libnest2d/common.hpp>
 #include <numbers>
 #include <vector>
 
 #include "majorant/parametrization/packing/internal/outer_polygon.h"
+
+// libnest2d is C++11, and compares angles by operators that C++20 finds ambiguous.
+namespace libnest2d {
+inline bool operator!=(const Radians& a, const Radians& b) {
+  return static_cast<double>(a) != static_cast<double>(b);
+}
+}  // namespace libnest2d
+
+#include <libnest2d/libnest2d.hpp>
 
 namespace majorant {
 namespace {
@@ -20,6 +29,11 @@ constexpr double kIntegers = 0x1p26;
 // Added to the gap, in those integers. Origin: every corner is rounded once as it is scaled, once
 // as it is offset, and so is the other polygon's.
 constexpr int kRounding = 4;
+
+// libnest2d asks whether to stop before every item and every square that it opens for one; what
+// does not fit into an empty one makes it open them for ever. Origin: several times what n items
+// take.
+constexpr std::size_t kQuestionsPerItem = 16;
 
 libnest2d::Item item_of(const Parcel& parcel, double scale) {
   // The outer loop is the one that encloses the most; it runs counterclockwise.
@@ -67,8 +81,9 @@ std::optional<Strip> nested_strip(const PackingJob& job, double width) {
   libnest2d::NfpPlacer::Config config;
   config.parallel = false;
   const libnest2d::NestConfig<> nesting(config);
+  std::size_t questions = 0;
   const libnest2d::NestControl control([&] {
-    return job.stop() != Directive::Continue ||
+    return ++questions > kQuestionsPerItem * items.size() || job.stop() != Directive::Continue ||
            std::any_of(items.begin(), items.end(), [](const auto& i) { return i.binId() > 0; });
   });
   try {
