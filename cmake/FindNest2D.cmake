@@ -1,5 +1,6 @@
 # libnest2d 5 is header-only; Debian's config asks for modules that it does not ship. It needs Clipper
-# and NLopt (and Boost's headers). Defines Nest2D::Nest2D.
+# and NLopt (and Boost's headers). Its threads are OpenMP's, so it has
+# none where OpenMP is off, as here. Defines Nest2D::Nest2D.
 find_path(NEST2D_INCLUDE_DIR libnest2d/libnest2d.hpp)
 find_path(POLYCLIPPING_INCLUDE_DIR clipper.hpp PATH_SUFFIXES polyclipping)
 find_path(NLOPT_INCLUDE_DIR nlopt.hpp)
