@@ -101,9 +101,10 @@ TEST(Packers, cells_cover_curves_and_what_is_around_them) {
   Eigen::Matrix2d R;
   R << parcel.cosine, -parcel.sine, parcel.sine, parcel.cosine;
   const double cell = 0.05, distance = 0.11;
+  const Corners boundary = test::sampled_boundary(chart, 60)[0];
   for (int quarters = 0; quarters < 4; ++quarters) {
     const CellRuns runs = cells_of(parcel, quarters, Vector2(0.3, 0.2), cell, distance);
-    for (const Vector2& on : test::sampled_boundary(chart, 60)[0])
+    for (const Vector2& on : boundary)
       for (int k = 0; k < 16; ++k) {
         const Vector2 p = quarter_turned(R * on - parcel.low, quarters, parcel.size) +
                           Vector2(0.3, 0.2) +
