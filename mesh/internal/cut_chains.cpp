@@ -59,8 +59,7 @@ std::vector<Index> boundary_loops_of_cut(const SurfaceMesh& mesh, const std::vec
   return loop;
 }
 
-std::vector<char> planar_cut(const SurfaceMesh& mesh, const Vec& edge_cost,
-                             const StopCheck& stop) {
+std::vector<char> planar_cut(const SurfaceMesh& mesh, const Vec& edge_cost, const StopCheck& stop) {
   const Topology& t = mesh.topology();
   std::vector<char> is_cut(at(mesh.half_edge_count()), 0);
   if (t.boundary_loops > 0 && t.euler_characteristic() == 2 - t.boundary_loops) return is_cut;

@@ -13,27 +13,27 @@
 
 namespace majorant {
 
-// A maximal path of cut edges between nodes: terminals, vertices of the boundary, and vertices where
-// one cut edge ends or three or more meet; or a closed path without any.
+// A maximal path of cut edges between nodes: terminals, vertices of the boundary, and vertices
+// where one cut edge ends or three or more meet; or a closed path without any.
 struct CutChain {
   std::vector<Index> half_edges;  // one after the other
 };
 
-// is_cut: 3 #F flags, both sides of an edge or none; is_terminal: #V. In the order of their smallest
-// half-edges.
+// is_cut: 3 #F flags, both sides of an edge or none; is_terminal: #V. In the order of their
+// smallest half-edges.
 std::vector<CutChain> cut_chains(const SurfaceMesh& mesh, const std::vector<char>& is_cut,
                                  const std::vector<char>& is_terminal);
 
-void set_cut(const SurfaceMesh& mesh, const CutChain& chain, char value,
-             std::vector<char>& is_cut);
+void set_cut(const SurfaceMesh& mesh, const CutChain& chain, char value, std::vector<char>& is_cut);
 
-// For every half-edge on the boundary of the cut surface (cut, or without an opposite) the number of
-// its loop there, -1 for the others. Loops are counted in the order of their smallest half-edges.
+// For every half-edge on the boundary of the cut surface (cut, or without an opposite) the number
+// of its loop there, -1 for the others. Loops are counted in the order of their smallest
+// half-edges.
 std::vector<Index> boundary_loops_of_cut(const SurfaceMesh& mesh, const std::vector<char>& is_cut);
 
 // Flags for the edges of a connected surface, such that the pieces are disks with holes: what is
-// cut, nothing for surfaces that are such already. A closed surface is cut along two edges at least,
-// a handle along one loop. Takes cut_graph and glues its most expensive chains again.
+// cut, nothing for surfaces that are such already. A closed surface is cut along two edges at
+// least, a handle along one loop. Takes cut_graph and glues its most expensive chains again.
 std::vector<char> planar_cut(const SurfaceMesh& mesh, const Vec& edge_cost,
                              const StopCheck& stop = {});
 

@@ -109,7 +109,7 @@ class CutGraph {
   const SurfaceMesh& mesh_;
   std::vector<char> is_terminal_, is_boundary_;
   std::vector<std::vector<Index>> leaving_;  // per vertex, half-edges of interior edges
-  const Vec& length_;  // 3 #F
+  const Vec& length_;                        // 3 #F
   std::vector<char> is_cut_;
   std::vector<double> distance_;
 };

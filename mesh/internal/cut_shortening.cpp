@@ -192,10 +192,10 @@ class Shortening {
   std::vector<char>& is_cut_;
   std::vector<char> is_boundary_;
   std::vector<std::vector<Index>> leaving_;  // per vertex, half-edges of interior edges
-  const Vec& length_;             // 3 #F
-  std::vector<int> cuts_at_;      // per vertex, cut edges
-  std::vector<double> distance_;  // from where the search starts
-  std::vector<Index> entered_;    // half-edge over which a vertex was reached
+  const Vec& length_;                        // 3 #F
+  std::vector<int> cuts_at_;                 // per vertex, cut edges
+  std::vector<double> distance_;             // from where the search starts
+  std::vector<Index> entered_;               // half-edge over which a vertex was reached
   std::vector<char> side_;
   std::vector<Index> labelled_;
   std::vector<Index> sides_;  // all half-edges with is_side(), and some that were

@@ -11,8 +11,8 @@ namespace majorant {
 // cut. A chain is a path of the cut between terminals, boundary vertices and vertices where three
 // or more cuts meet. Glued along one chain the disk becomes an annulus, and any path between its
 // two boundaries makes a disk of it again: the chain is replaced by the shortest one, as long as
-// that costs less (edge_cost: 3 #F, positive). Ends where no chain can be replaced, or after a fixed number of sweeps. Throws
-// Stopped.
+// that costs less (edge_cost: 3 #F, positive). Ends where no chain can be replaced, or after a
+// fixed number of sweeps. Throws Stopped.
 void shorten_cut(const SurfaceMesh& mesh, const std::vector<char>& is_terminal,
                  const Vec& edge_cost, std::vector<char>& is_cut, const StopCheck& stop);
 

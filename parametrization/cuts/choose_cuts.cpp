@@ -12,6 +12,7 @@
 #include "majorant/parametrization/cuts/internal/flattening_strain.h"
 #include "majorant/parametrization/cuts/internal/given_edges.h"
 #include "majorant/parametrization/cuts/internal/pieces.h"
+#include "majorant/parametrization/cuts/internal/sharp_charts.h"
 
 namespace majorant {
 namespace {
@@ -34,6 +35,7 @@ void require_valid(const SurfaceMesh& mesh, const CutOptions& options) {
 std::vector<char> asked_cuts(const SurfaceMesh& mesh, const CutOptions& options) {
   std::vector<char> is_cut(at(mesh.half_edge_count()), 0);
   if (options.method == CutMethod::Texture) is_cut = texture_borders(mesh);
+  if (options.method == CutMethod::Sharp) is_cut = sharp_charts(mesh, options.sharp_angle);
   if (options.method == CutMethod::Given) is_cut = flags_of_edges(mesh, options.edges);
   for (std::size_t h = 0; h < options.given.size(); ++h)
     if (const Index o = mesh.opposite(static_cast<Index>(h)); options.given[h] && o >= 0)
@@ -47,6 +49,7 @@ void cut_automatically(const SurfaceMesh& mesh, double max_stretch,
                        const StopCheck& stop) {
   const SurfaceMesh cut = mesh.cut_along(cuts.is_cut, nullptr);
   for (const std::vector<Index>& faces : component_faces(cut.opposites())) {
+    stop.poll();
     const SurfaceMesh piece = cut.with_components(faces, nullptr);
     const AutomaticCut more = automatic_cut(piece, cut_costs(piece), max_stretch, stop);
     for (Index h = 0; h < piece.half_edge_count(); ++h)
@@ -84,8 +87,7 @@ void add_up(const SurfaceMesh& mesh, const std::vector<char>& asked,
 
 }  // namespace
 
-SurfaceCuts choose_cuts(const SurfaceMesh& mesh, const CutOptions& options,
-                        const StopCheck& stop) {
+SurfaceCuts choose_cuts(const SurfaceMesh& mesh, const CutOptions& options, const StopCheck& stop) {
   require_valid(mesh, options);
   SurfaceCuts out;
   out.is_cut = asked_cuts(mesh, options);
@@ -101,10 +103,9 @@ SurfaceCuts choose_cuts(const SurfaceMesh& mesh, const CutOptions& options,
     facts.boundary_loops = part.topology().boundary_loops;
     out.components.push_back(facts);
   }
-  if (options.method == CutMethod::Automatic) {
+  if (options.method == CutMethod::Automatic || options.method == CutMethod::Sharp)
     cut_automatically(mesh, options.max_stretch, face_components(mesh.opposites()), out, stop);
-    asked = out.is_cut;
-  }
+  if (options.method == CutMethod::Automatic) asked = out.is_cut;
   open_pieces(mesh, cut_costs(mesh), out.is_cut, stop);
   add_up(mesh, asked, components, out);
   return out;

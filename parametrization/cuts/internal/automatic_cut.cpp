@@ -1,7 +1,7 @@
 #include "majorant/parametrization/cuts/internal/automatic_cut.h"
 
-#include <algorithm>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -10,30 +10,25 @@
 #include "majorant/mesh/internal/cut_graph.h"
 #include "majorant/parametrization/cuts/internal/cut_tree.h"
 #include "majorant/parametrization/cuts/internal/flattening_strain.h"
+#include "majorant/parametrization/cuts/internal/pieces.h"
 #include "majorant/parametrization/fields/cross_field.h"
 
 namespace majorant {
 namespace {
 
-// Lengths of cuts are meant in square roots of the surface's area.
-
-// Cones are made cheaper by kCheaperCones, kMostFields - 1 times, where all of them leave too much
-// strain and more of them would save kWorth of it per length. Origin: closed meshes of the public
-// set; from the second field on the gain is mostly that of noise.
-constexpr int kMostFields = 3;
-constexpr double kCheaperCones = 0.3;
-constexpr double kWorth = 0.01;
-// What a cut that leaves no curvature at all may be longer than the shortest one. Origin: a box,
+// What a cut that leaves no curvature at all may be longer than the one chosen otherwise, in square
+// roots of the area. Origin: a box,
 // a tin and a square tube are unfolded whole.
 constexpr double kDevelopableWorth = 1;
 constexpr double kCurved = 1e-3;  // radians: an angle defect. Origin: files with 4 digits are flat
 // Cuts are routed anew through the ends and the cones that are left as long as they become shorter.
-constexpr int kMostRoutes = 3;
+// Large ones only once.
+constexpr Index kMostRoutes = 3, kRouteWork = 20000;
 // How many twigs a cut is divided into: one for each two edges of a small mesh, and such that one
 // solve for each takes as long on all large ones.
 constexpr Index kMostTwigs = 150, kFewestTwigs = 40, kTwigSolves = 600000;
-// Corrections of the limit where the estimate of what twigs are worth was too low.
-constexpr int kMostCorrections = 3;
+// Corrections, in proportion, where what twigs are worth was estimated too low.
+constexpr int kMostCorrections = 8;
 // Without a field: as many vertices of the largest angle defects. Origin: as many as fields have.
 constexpr std::size_t kMostDefects = 40;
 
@@ -48,12 +43,17 @@ class Cutter {
         defect_(angle_defects(mesh)) {}
 
   AutomaticCut run() const {
-    std::vector<Index> cones;
-    const AutomaticCut full = through_cones(cones);
-    AutomaticCut best = peeled(full, cones);
-    for (int k = 0; k < kMostRoutes; ++k) {
-      AutomaticCut next = peeled_route(best.ends, best);
-      next = peeled_route(cones_on(next, cones), next);
+    if (is_planar(mesh_)) {
+      AutomaticCut none{std::vector<char>(at(mesh_.half_edge_count()), 0), 0, {}};
+      none.strain = strain(none.is_cut);
+      if (none.strain <= limit_) return none;
+    }
+    const std::vector<Index> cones = field_cones();
+    AutomaticCut best = peeled(routed(cones), cones);
+    const Index routes = std::clamp(kRouteWork / mesh_.vertex_count(), 1, kMostRoutes);
+    for (Index k = 0; k < routes; ++k) {
+      AutomaticCut next = peeled_route(cones_on(best, cones), best);
+      if (routes > 1) next = peeled_route(next.ends, next);
       if (!(cost(next) < cost(best))) break;
       best = std::move(next);
     }
@@ -89,9 +89,8 @@ class Cutter {
     return cut;
   }
 
-  std::vector<Index> cones(double cone_cost) const {
+  std::vector<Index> field_cones() const {
     CrossFieldOptions field;
-    field.cone_cost = cone_cost;
     field.stop = stop_;
     try {
       return cone_vertices(smoothest_cross_field(mesh_, field));
@@ -106,37 +105,23 @@ class Cutter {
     }
   }
 
-  // The cut through so many cones that the strain is below the limit, or more are not worth it.
-  AutomaticCut through_cones(std::vector<Index>& terminals) const {
-    double cone_cost = CrossFieldOptions{}.cone_cost;
-    terminals = cones(cone_cost);
-    AutomaticCut cut = routed(terminals);
-    for (int k = 1; k < kMostFields && cut.strain > limit_; ++k) {
-      cone_cost *= kCheaperCones;
-      std::vector<Index> more = cones(cone_cost);
-      AutomaticCut longer = routed(more);
-      if (!(cut.strain - longer.strain > kWorth * (cost(longer) - cost(cut)))) break;
-      cut = std::move(longer);
-      terminals = std::move(more);
-    }
-    return cut;
-  }
-
   AutomaticCut peeled(const AutomaticCut& full, const std::vector<Index>& terminals) const {
     std::vector<char> is_terminal(at(mesh_.vertex_count()), 0);
     for (const Index v : terminals) is_terminal[at(v)] = 1;
     const Index twigs = std::clamp(kTwigSolves / mesh_.vertex_count(), kFewestTwigs, kMostTwigs);
-    const CutTree whole(mesh_, full.is_cut, is_terminal, cost_, twigs, stop_);
+    CutTree tree(mesh_, full.is_cut, is_terminal, cost_, twigs, stop_);
     const double limit = std::max(limit_, full.strain);
-    double aim = limit;
-    for (int k = 0; k < kMostCorrections && aim > full.strain; ++k) {
-      CutTree tree = whole;
-      tree.peel(full.strain, aim);
-      AutomaticCut cut{tree.is_cut(), strain(tree.is_cut()), tree.ends()};
-      if (cut.strain <= limit) return cut;
-      aim -= 1.5 * (cut.strain - limit);
+    tree.peel(full.strain, limit, stop_);
+    std::size_t steps = tree.steps_within(limit);
+    for (int k = 0; k < kMostCorrections && steps > 0; ++k) {
+      CutTree::State state = tree.after(steps);
+      const double reached = strain(state.is_cut);
+      if (reached <= limit) return {std::move(state.is_cut), reached, std::move(state.ends)};
+      const double aim = full.strain + (tree.strain_after(steps) - full.strain) *
+                                           (limit - full.strain) / (reached - full.strain);
+      steps = std::min(steps - 1, tree.steps_within(aim));
     }
-    return {full.is_cut, full.strain, whole.ends()};
+    return {full.is_cut, full.strain, tree.after(0).ends};
   }
 
   // `best`, or what a cut through these vertices leads to, if that is shorter.

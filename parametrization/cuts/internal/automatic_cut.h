@@ -14,7 +14,8 @@ struct AutomaticCut {
   std::vector<Index> ends;   // vertices inside the surface where it ends
 };
 
-// The rule is that of docs/atlas.md, "Where to cut". edge_cost: 3 #F; max_stretch: above 1. Stopped.
+// The rule is that of docs/atlas.md, "Where to cut". edge_cost: 3 #F; max_stretch: above 1.
+// Stopped.
 AutomaticCut automatic_cut(const SurfaceMesh& mesh, const Vec& edge_cost, double max_stretch,
                            const StopCheck& stop);
 

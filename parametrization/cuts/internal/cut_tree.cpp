@@ -15,6 +15,10 @@ namespace {
 // rounding of G, whose rows are nearly the same at neighbouring twigs.
 constexpr double kSoftness = 1e-9;
 
+// Of so many ends of a cut one more is shortened at a time. Origin: those next to each other are
+// rarely among the best; cuts have ten to thirty ends, those of 70 handles hundreds.
+constexpr std::size_t kOffersPerStep = 30;
+
 }  // namespace
 
 CutTree::CutTree(const SurfaceMesh& mesh, const std::vector<char>& is_cut,
@@ -174,13 +178,9 @@ void CutTree::hold(const StopCheck& stop) {
   const SurfaceMesh base = mesh_.cut_along(is_root_cut_, nullptr);
   const FlatteningStrain sheet(base, base.from_vertex(outer_), stop);
   std::vector<FlatteningStrain::Functional> held;
-  std::vector<Vec> responses;
   const auto add = [&](Twig& twig, const FlatteningStrain::Functional& functional) {
-    stop.poll();
-    Vec response = sheet.response(functional);
-    if (response.size() == 0) return;
+    if (sheet.is_zero(functional)) return;
     held.push_back(functional);
-    responses.push_back(std::move(response));
     ++twig.rows;
   };
   for (Twig& twig : twigs_) {
@@ -193,14 +193,18 @@ void CutTree::hold(const StopCheck& stop) {
   const auto count = static_cast<Index>(held.size());
   Eigen::MatrixXd g(count, count);
   Vec values(count);
-  for (Index i = 0; i < count; ++i) {
-    values[i] = sheet.apply(held[at(i)], sheet.chi());
-    for (Index k = 0; k < count; ++k) g(i, k) = sheet.apply(held[at(i)], responses[at(k)]);
+  for (Index k = 0; k < count; ++k) {
+    stop.poll();
+    const Vec response = sheet.response(held[at(k)]);
+    for (Index i = 0; i < count; ++i) g(i, k) = sheet.apply(held[at(i)], response);
+    values[k] = sheet.apply(held[at(k)], sheet.chi());
   }
-  const Vec scale = g.diagonal().cwiseMax(std::numeric_limits<double>::min()).cwiseSqrt().cwiseInverse();
+  const Vec scale = g.diagonal().cwiseSqrt().cwiseInverse();
   g = (scale.asDiagonal() * g * scale.asDiagonal()).eval();
   g.diagonal().array() += kSoftness;
-  precision_ = scale.asDiagonal() * Eigen::MatrixXd(g.ldlt().solve(Eigen::MatrixXd::Identity(count, count))) * scale.asDiagonal();
+  precision_ = scale.asDiagonal() *
+               Eigen::MatrixXd(g.ldlt().solve(Eigen::MatrixXd::Identity(count, count))) *
+               scale.asDiagonal();
   pull_ = precision_ * values;
 }
 
@@ -234,45 +238,71 @@ void CutTree::let_go(const std::vector<Index>& twigs) {
   for (const Index t : twigs) {
     twigs_[at(t)].peeled = true;
     if (const Index p = twigs_[at(t)].parent; p >= 0) --twigs_[at(p)].children;
-    for (const Index h : twigs_[at(t)].half_edges)
-      is_cut_[at(h)] = is_cut_[at(mesh_.opposite(h))] = 0;
   }
 }
 
-double CutTree::peel(double strain, double limit) {
-  for (;;) {
-    std::vector<Index> best;
-    double least = std::numeric_limits<double>::infinity(), best_added = 0;
-    for (std::size_t t = 0; t < twigs_.size(); ++t) {
-      if (twigs_[t].peeled || twigs_[t].children > 0) continue;
-      const std::vector<Index> path = peelable(static_cast<Index>(t));
-      for (std::size_t count = 1;; count = std::min(2 * count, path.size())) {
-        const std::vector<Index> part(path.begin(), path.begin() + static_cast<long>(count));
-        const double added = added_strain(rows_of(part));
-        double cost = 0;
-        for (const Index p : part) cost += twigs_[at(p)].cost;
-        if (strain + added <= limit && added < least * cost) {
-          least = added / cost;
-          best = part;
-          best_added = added;
-        }
-        if (count == path.size()) break;
-      }
+// The best way to shorten each end of the cut, the best of all first.
+std::vector<CutTree::Offer> CutTree::offers(double most_added) const {
+  std::vector<Offer> offers;
+  for (std::size_t t = 0; t < twigs_.size(); ++t) {
+    if (twigs_[t].peeled || twigs_[t].children > 0) continue;
+    const std::vector<Index> path = peelable(static_cast<Index>(t));
+    Offer best{std::numeric_limits<double>::infinity(), {}};
+    for (std::size_t count = 1;; count = std::min(2 * count, path.size())) {
+      const std::vector<Index> part(path.begin(), path.begin() + static_cast<long>(count));
+      const double added = added_strain(rows_of(part));
+      double cost = 0;
+      for (const Index p : part) cost += twigs_[at(p)].cost;
+      if (added <= most_added && added < best.price * cost) best = {added / cost, part};
+      if (count == path.size()) break;
     }
-    if (best.empty()) return strain;
-    let_go(best);
-    strain += best_added;
+    if (!best.twigs.empty()) offers.push_back(std::move(best));
+  }
+  std::stable_sort(offers.begin(), offers.end(),
+                   [](const Offer& a, const Offer& b) { return a.price < b.price; });
+  return offers;
+}
+
+void CutTree::peel(double strain, double limit, const StopCheck& stop) {
+  for (;;) {
+    stop.poll();
+    std::vector<Offer> offers = this->offers(limit - strain);
+    if (offers.empty()) return;
+    offers.resize(1 + offers.size() / kOffersPerStep);
+    for (Offer& offer : offers) {
+      const double added = added_strain(rows_of(offer.twigs));  // after the others
+      if (strain + added > limit) continue;
+      strain += added;
+      let_go(offer.twigs);
+      steps_.push_back({std::move(offer.twigs), strain});
+    }
   }
 }
 
-std::vector<Index> CutTree::ends() const {
-  std::vector<Index> ends;
-  for (const Twig& twig : twigs_) {
-    const Index v = mesh_.to_vertex(twig.half_edges.back());
-    if (!twig.peeled && twig.children == 0 && node_[at(v)] < mesh_.vertex_count())
-      ends.push_back(v);
+std::size_t CutTree::steps_within(double strain) const {
+  std::size_t count = 0;
+  while (count < steps_.size() && steps_[count].strain <= strain) ++count;
+  return count;
+}
+
+CutTree::State CutTree::after(std::size_t steps) const {
+  State state{is_cut_, {}};
+  std::vector<Index> hanging(twigs_.size(), 0);
+  std::vector<char> peeled(twigs_.size(), 0);
+  for (std::size_t s = 0; s < steps; ++s)
+    for (const Index t : steps_[s].twigs) {
+      peeled[at(t)] = 1;
+      for (const Index h : twigs_[at(t)].half_edges)
+        state.is_cut[at(h)] = state.is_cut[at(mesh_.opposite(h))] = 0;
+    }
+  for (std::size_t t = 0; t < twigs_.size(); ++t)
+    if (!peeled[t] && twigs_[t].parent >= 0) ++hanging[at(twigs_[t].parent)];
+  for (std::size_t t = 0; t < twigs_.size(); ++t) {
+    const Index v = mesh_.to_vertex(twigs_[t].half_edges.back());
+    if (!peeled[t] && hanging[t] == 0 && node_[at(v)] < mesh_.vertex_count())
+      state.ends.push_back(v);
   }
-  return ends;
+  return state;
 }
 
 }  // namespace majorant

@@ -1,19 +1,20 @@
 // A cut as a tree, and what each of its twigs is worth.
 //
 //   CutTree tree(*mesh, is_cut, is_terminal, edge_cost, 150, {});
-//   tree.peel(strain_of_cut, 0.02);
-//   is_cut = tree.is_cut();
+//   tree.peel(strain_of_cut, 0.02, {});
+//   is_cut = tree.after(tree.steps_within(0.02)).is_cut;
 //
 // Boundary loops count as one node each. The parts of the cut that make a disk of a surface with
-// handles are the root; otherwise it is the longest boundary loop, or two edges in the middle of the
-// cut of a closed surface. The rest hangs from it, divided into twigs of about equal length.
+// handles are the root; otherwise it is the longest boundary loop, or two edges in the middle of
+// the cut of a closed surface. The rest hangs from it, divided into twigs of about equal length.
 //
 // What twigs are worth: on the surface cut along the root alone, the stress function chi
-// (flattening_strain.h) is held with its slope at the ends of all twigs, which is nearly what cuts do.
-// With C the rows that say so, G = C A^-1 C^T, P = G^-1, x = P C chi: letting go of some of them
-// (rows R) adds
+// (flattening_strain.h) is held with its slope at the ends of all twigs, which is nearly what cuts
+// do. With C the rows that say so, G = C A^-1 C^T, P = G^-1, x = P C chi: letting go of some of
+// them (rows R) adds
 //     x_R^T P_RR^-1 x_R
-// to the strain, and P, x for the rest follow from P, x. One solve for each row, none for a question.
+// to the strain, and P, x for the rest follow from P, x. One solve for each row, none for a
+// question.
 #pragma once
 
 #include <vector>
@@ -25,27 +26,41 @@ namespace majorant {
 
 class CutTree {
  public:
-  // is_cut: 3 #F flags that leave one disk of a connected surface; is_terminal: #V, twigs end there;
-  // edge_cost: 3 #F. `twigs`: about how many there may be. Stopped.
+  // is_cut: 3 #F flags that leave one disk of a connected surface; is_terminal: #V, twigs end
+  // there; edge_cost: 3 #F. `twigs`: about how many there may be. Stopped.
   CutTree(const SurfaceMesh& mesh, const std::vector<char>& is_cut,
           const std::vector<char>& is_terminal, const Vec& edge_cost, Index twigs,
           const StopCheck& stop);
 
-  // Takes back twigs from the ends, those first that save most cost for the strain they add, as long
-  // as the strain, which is `strain` now, stays below `limit`. Returns the strain then, estimated.
-  double peel(double strain, double limit);
+  // Takes back twigs from the ends, step by step, those first that save most cost for the strain
+  // they add, as long as the strain, which is `strain` before, stays below `limit` as estimated.
+  void peel(double strain, double limit, const StopCheck& stop);
+  // Number of the first steps after which the strain is no larger, as estimated.
+  std::size_t steps_within(double strain) const;
 
-  const std::vector<char>& is_cut() const { return is_cut_; }
-  std::vector<Index> ends() const;  // vertices where the cut ends inside the surface
+  struct State {
+    std::vector<char> is_cut;  // 3 #F
+    std::vector<Index> ends;   // vertices where the cut ends inside the surface
+  };
+  State after(std::size_t steps) const;
+  double strain_after(std::size_t steps) const { return steps_[steps - 1].strain; }
 
  private:
   struct Twig {
-    Index parent = -1;               // twig that it hangs from, -1: the root
-    std::vector<Index> half_edges;   // away from the root
+    Index parent = -1;              // twig that it hangs from, -1: the root
+    std::vector<Index> half_edges;  // away from the root
     double cost = 0;
-    Index first_row = 0, rows = 0;   // what its far end holds
-    Index children = 0;              // not peeled
+    Index first_row = 0, rows = 0;  // what its far end holds
+    Index children = 0;             // not peeled
     bool peeled = false;
+  };
+  struct Step {
+    std::vector<Index> twigs;
+    double strain;  // then, estimated
+  };
+  struct Offer {
+    double price;  // added strain per cost
+    std::vector<Index> twigs;
   };
   using Edges = std::vector<std::vector<Index>>;  // per node, half-edges that leave it
 
@@ -61,6 +76,7 @@ class CutTree {
   std::vector<Index> rows_of(const std::vector<Index>& twigs) const;
   double added_strain(const std::vector<Index>& rows) const;
   void let_go(const std::vector<Index>& twigs);
+  std::vector<Offer> offers(double most_added) const;
 
   const SurfaceMesh& mesh_;
   const Vec& cost_;
@@ -69,6 +85,7 @@ class CutTree {
   Index root_;                              // number of the root as a node
   Index outer_ = -1;                        // a half-edge that leaves a vertex of the root
   std::vector<Twig> twigs_;
+  std::vector<Step> steps_;
   Eigen::MatrixXd precision_;  // P
   Vec pull_;                   // x
 };

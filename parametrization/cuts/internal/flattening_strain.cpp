@@ -32,8 +32,8 @@ void add(Row& row, Index unknown, double value) {
 double loop_length(const SurfaceMesh& mesh, const std::vector<Index>& loop) {
   double length = 0;
   for (std::size_t i = 0; i < loop.size(); ++i)
-    length += (mesh.positions().row(loop[i]) - mesh.positions().row(loop[(i + 1) % loop.size()]))
-                  .norm();
+    length +=
+        (mesh.positions().row(loop[i]) - mesh.positions().row(loop[(i + 1) % loop.size()])).norm();
   return length;
 }
 
@@ -145,12 +145,20 @@ double FlatteningStrain::apply(const Functional& functional, const Vec& chi) con
   return sum;
 }
 
-Vec FlatteningStrain::response(const Functional& functional) const {
-  Vec load = Vec::Zero(unknowns_), chi;
+Vec FlatteningStrain::load_of(const Functional& functional) const {
+  Vec load = Vec::Zero(unknowns_);
   for (const auto& [v, factor] : functional)
     if (row_[at(v)] >= 0) load[row_[at(v)]] += factor;
-  if (unknowns_ == 0 || load.isZero(0)) return chi;
-  solver_->solve(load, chi);
+  return load;
+}
+
+bool FlatteningStrain::is_zero(const Functional& functional) const {
+  return load_of(functional).isZero(0);
+}
+
+Vec FlatteningStrain::response(const Functional& functional) const {
+  Vec chi;
+  solver_->solve(load_of(functional), chi);
   return chi;
 }
 

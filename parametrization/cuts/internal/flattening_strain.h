@@ -5,10 +5,10 @@
 //   const double energy = 4 + 4 * sheet.strain();   // about, symmetric Dirichlet, degree 1
 //   const double stretch = stretch_of_strain(sheet.strain());
 //
-// Near an isometry the singular values of a map are 1 + e_1 and 1 + e_2, and the symmetric Dirichlet
-// energy is 4 + 4 (e_1^2 + e_2^2) but for higher orders: that of a thin elastic sheet without
-// lateral contraction. What presses a sheet with Gauss curvature K flat is given by its stress
-// function chi [LL86] Sec. 14,
+// Near an isometry the singular values of a map are 1 + e_1 and 1 + e_2, and the symmetric
+// Dirichlet energy is 4 + 4 (e_1^2 + e_2^2) but for higher orders: that of a thin elastic sheet
+// without lateral contraction. What presses a sheet with Gauss curvature K flat is given by its
+// stress function chi [LL86] Sec. 14,
 //     Laplace Laplace chi = K,   chi = 0 and d chi / dn = 0 on the boundary, which is free,
 // and then  mean |e|^2 = int K chi / area.  Along a loop around a hole chi is a constant such that
 // the image closes up: K includes what the loop would have to turn.
@@ -40,13 +40,15 @@ class FlatteningStrain {
   // A sum of factors times chi at vertices.
   using Functional = std::vector<std::pair<Index, double>>;
   double apply(const Functional& functional, const Vec& chi) const;
-  const Vec& chi() const { return chi_; }  // by unknown, for apply()
-  // What chi becomes when the curvature is `functional`. Empty if that is 0 for all chi.
+  const Vec& chi() const { return chi_; }            // by unknown, for apply()
+  bool is_zero(const Functional& functional) const;  // for all chi
+  // What chi becomes when the curvature is `functional`, which is not zero.
   Vec response(const Functional& functional) const;
 
  private:
   void measure(const SurfaceMesh& piece);
   void number_unknowns(const SurfaceMesh& piece, Index outer);
+  Vec load_of(const Functional& functional) const;
   void factorize(const SurfaceMesh& piece, const StopCheck& stop);
 
   Vec area_, load_;         // #V

@@ -16,9 +16,8 @@ enum class Found { Nothing, InnerEdge, Edge };
 
 [[noreturn]] void refuse(const SurfaceMesh& mesh, const std::pair<Index, Index>& edge,
                          const char* what) {
-  throw Error(ErrorKind::Usage,
-              fmt::format("{}: cut: vertices {} and {} (counting from 0) {}", mesh.file(),
-                          edge.first, edge.second, what));
+  throw Error(ErrorKind::Usage, fmt::format("{}: cut: vertices {} and {} (counting from 0) {}",
+                                            mesh.file(), edge.first, edge.second, what));
 }
 
 }  // namespace
@@ -30,8 +29,8 @@ std::vector<char> flags_of_edges(const SurfaceMesh& mesh,
   std::vector<char> is_cut(at(mesh.half_edge_count()), 0);
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
     const Index o = mesh.opposite(h);
-    const auto edge = wanted.find(std::minmax(mesh.input_vertex(mesh.from_vertex(h)),
-                                              mesh.input_vertex(mesh.to_vertex(h))));
+    const auto edge = wanted.find(
+        std::minmax(mesh.input_vertex(mesh.from_vertex(h)), mesh.input_vertex(mesh.to_vertex(h))));
     if (edge == wanted.end()) continue;
     if (o >= 0 && mesh.input_face(face_of(h)) == mesh.input_face(face_of(o))) {
       edge->second = std::max(edge->second, Found::InnerEdge);

@@ -16,8 +16,8 @@ Index genus(const SurfaceMesh& mesh);
 // Whether the surface, which is connected, is a disk with or without holes.
 bool is_planar(const SurfaceMesh& mesh);
 
-// Cuts pieces that are closed or have handles along planar_cut. is_cut: 3 #F flags, both sides of an
-// edge or none; edge_cost: 3 #F.
+// Cuts pieces that are closed or have handles along planar_cut. is_cut: 3 #F flags, both sides of
+// an edge or none; edge_cost: 3 #F.
 void open_pieces(const SurfaceMesh& mesh, const Vec& edge_cost, std::vector<char>& is_cut,
                  const StopCheck& stop);
 

@@ -1,0 +1,106 @@
+#include "majorant/parametrization/cuts/internal/sharp_charts.h"
+
+#include <algorithm>
+#include <map>
+#include <numbers>
+#include <set>
+#include <utility>
+
+#include "majorant/mesh/internal/union_find.h"
+#include "majorant/parametrization/cuts/internal/edge_costs.h"
+
+namespace majorant {
+namespace {
+
+// A component of n faces has at most kFewCharts + n / kFacesPerChart charts. Origin: what a texture
+// artist still handles; a box has six.
+constexpr Index kFewCharts = 2, kFacesPerChart = 200;
+
+class Charts {
+ public:
+  Charts(const SurfaceMesh& mesh, double radians)
+      : mesh_(mesh),
+        charts_(mesh.face_count()),
+        component_(face_components(mesh.opposites())),
+        size_(at(mesh.face_count()), 0),
+        borders_(at(mesh.face_count())) {
+    const Vec angle = dihedral_angles(mesh);
+    for (Index h = 0; h < mesh.half_edge_count(); ++h)
+      if (const Index o = mesh.opposite(h); o > h && angle[h] <= radians)
+        charts_.join(face_of(h), face_of(o));
+    for (Index f = 0; f < mesh.face_count(); ++f) ++size_[at(charts_.find(f))];
+    for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+      if (mesh.opposite(h) < 0) continue;
+      const Index a = charts_.find(face_of(h)), b = charts_.find(face_of(mesh.opposite(h)));
+      if (a != b) borders_[at(a)][b] += mesh.edge_length(h);
+    }
+  }
+
+  void join_small() {
+    const Index components =
+        component_.empty() ? 0 : *std::max_element(component_.begin(), component_.end()) + 1;
+    std::vector<Index> faces(at(components), 0), charts(at(components), 0);
+    std::set<std::pair<Index, Index>> by_size;
+    for (Index f = 0; f < mesh_.face_count(); ++f) {
+      ++faces[at(component_[at(f)])];
+      if (charts_.find(f) != f) continue;
+      ++charts[at(component_[at(f)])];
+      by_size.emplace(size_[at(f)], f);
+    }
+    while (!by_size.empty()) {
+      const auto [size, chart] = *by_size.begin();
+      by_size.erase(by_size.begin());
+      const std::size_t c = at(component_[at(chart)]);
+      const bool few = charts[c] <= kFewCharts + faces[c] / kFacesPerChart;
+      if (borders_[at(chart)].empty() || (few && size > 1)) continue;
+      Index best = -1;
+      double longest = -1;
+      for (const auto& [other, length] : borders_[at(chart)])
+        if (length > longest) longest = length, best = other;
+      by_size.erase({size_[at(best)], best});
+      by_size.emplace(size + size_[at(best)], join(chart, best));
+      --charts[c];
+    }
+  }
+
+  std::vector<char> borders() {
+    std::vector<char> is_cut(at(mesh_.half_edge_count()), 0);
+    for (Index h = 0; h < mesh_.half_edge_count(); ++h)
+      if (const Index o = mesh_.opposite(h); o >= 0)
+        is_cut[at(h)] = charts_.find(face_of(h)) != charts_.find(face_of(o));
+    return is_cut;
+  }
+
+ private:
+  // The number of the chart that both become.
+  Index join(Index a, Index b) {
+    charts_.join(a, b);
+    const Index joint = charts_.find(a), gone = joint == a ? b : a;
+    borders_[at(joint)].erase(gone);
+    borders_[at(gone)].erase(joint);
+    for (const auto& [other, length] : borders_[at(gone)]) {
+      borders_[at(joint)][other] += length;
+      borders_[at(other)].erase(gone);
+      borders_[at(other)][joint] += length;
+    }
+    borders_[at(gone)].clear();
+    size_[at(joint)] += size_[at(gone)];
+    return joint;
+  }
+
+  const SurfaceMesh& mesh_;
+  UnionFind charts_;
+  const std::vector<Index> component_;            // #F
+  std::vector<Index> size_;                       // faces, by number of the chart
+  std::vector<std::map<Index, double>> borders_;  // by number of the chart: length with each other
+};
+
+}  // namespace
+
+std::vector<char> sharp_charts(const SurfaceMesh& mesh, double angle) {
+  Charts charts(mesh, angle * std::numbers::pi / 180);
+  charts.join_small();
+  return charts.borders();
+}
+
+}  // namespace majorant
