@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "apps/seam_request.h"
 #include "apps/streams.h"
 #include "majorant/framework/thread_count.h"
 #include "majorant/io/atlas_file.h"
@@ -147,13 +148,9 @@ Json result_section(const FinishedAtlas& run) {
               {"globally_injective", atlas.packing ? Json(true) : Json()},
               {"min_det_bound", min_det},
               {"charts", atlas.charts.size()},
-              {"seam_length", atlas.cuts.length},
-              {"seam_length_relative", relative_seam_length(run)},
-              {"seam_edges", atlas.cuts.edges},
-              {"added_seam_length", atlas.cuts.added_length},
-              {"added_seam_edges", atlas.cuts.added_edges},
               {"stretch_l2", stretch.l2},
               {"stretch_max", stretch.max}};
+  result.update(cuts_section(atlas.cuts, run.surface.mesh->area()));
   if (!atlas.packing) return result;
   result["fill"] = atlas.packing->fill;
   result["side"] = atlas.packing->side;

@@ -1,11 +1,13 @@
 // majorant info IN: what a mesh is, what is wrong with it, and which verb maps it.
 #include <CLI/App.hpp>
+#include <algorithm>
 #include <memory>
 #include <optional>
 
 #include "apps/command.h"
 #include "apps/outputs.h"
 #include "apps/report.h"
+#include "apps/seam_request.h"
 #include "apps/streams.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/mesh/repair.h"
@@ -19,6 +21,7 @@ namespace {
 struct Request {
   CommonOptions common;
   std::string input;
+  bool plan = false;
 };
 
 // The same in words and as JSON.
@@ -122,6 +125,23 @@ std::string verdict(const PolygonMesh& polygons, Description& out) {
                      refusal, polygons.file, other_verb);
 }
 
+// What `majorant unwrap` would do, up to the solve.
+void describe_plan(const SurfaceMesh& mesh, Description& out) {
+  const SurfaceCuts cuts = choose_cuts(mesh, {});
+  Index charts = 0;
+  double stretch = 1;
+  for (const ComponentCuts& component : cuts.components) {
+    charts += component.pieces;
+    stretch = std::max(stretch, component.estimated_stretch);
+  }
+  out.add(
+      "plan: unwrap makes {} chart{}, cut along {} edges of length {:.6g}, stretch about {:.3f}\n",
+      charts, charts == 1 ? "" : "s", cuts.edges, cuts.length, stretch);
+  out.report["plan"] = cuts_section(cuts, mesh.area());
+  out.report["plan"]["charts"] = charts;
+  out.report["plan"]["estimated_stretch"] = stretch;
+}
+
 int info(const Request& request) {
   require_writable(request.common, {}, {request.input});
   const PolygonMesh polygons = read_mesh(request.input);
@@ -132,6 +152,7 @@ int info(const Request& request) {
   const std::string message = verdict(polygons, out);
   out.add("verdict: {}\n", message);
   out.report["message"] = message;
+  if (request.plan) describe_plan(*repaired.mesh, out);
   if (request.common.report != kStandardOutput) print_text(out.text);
   if (!request.common.report.empty()) write_json(request.common.report, out.report);
   return kSuccess;
@@ -143,8 +164,9 @@ void add_info(CLI::App& app, Action* run) {
   auto request = std::make_shared<Request>();
   CLI::App& verb = *app.add_subcommand("info", "describe a mesh, its defects, and what maps it");
   verb.add_option("input", request->input, "mesh: .obj .off .ply .stl .vtu, also .gz")->required();
+  verb.add_flag("--plan", request->plan, "what unwrap would do: charts and cuts");
   request->common.add_to(verb);
-  verb.footer("Example: majorant info bunny.obj");
+  verb.footer("Example: majorant info bunny.obj --plan");
   verb.callback([request, run] { *run = [request] { return info(*request); }; });
 }
 
