@@ -311,6 +311,9 @@ TEST(Repair, WeldsIndexedMeshesOnRequest) {
   const auto one = [](const Vector3&) { return 0; };
   RepairedSurface islands = repaired(textured(slit, side), {.weld = 0});
   EXPECT_EQ(std::count(islands.given_cuts.begin(), islands.given_cuts.end(), 1), 8);
+  islands =
+      repaired(textured(grid(4, bumpy), side), {.weld = 0});  // not welded: a seam of the file
+  EXPECT_EQ(std::count(islands.given_cuts.begin(), islands.given_cuts.end(), 1), 0);
   islands = repaired(textured(slit, one), {.weld = 0});
   EXPECT_EQ(std::count(islands.given_cuts.begin(), islands.given_cuts.end(), 1), 0);
 
@@ -424,6 +427,17 @@ TEST(Repair, SplitsIntoPieces) {
   EXPECT_EQ(times, std::vector<Index>(times.size(), 1));
   ASSERT_EQ(pieces[3].mesh->rest_triangles().size(), 1u);
   EXPECT_EQ(pieces[3].mesh->rest_triangles()[0].face, 0);
+}
+
+// Components whose faces alternate in the file keep their own rest triangles.
+TEST(Repair, PiecesKeepTheirRestTriangles) {
+  std::vector<Vector3> line;
+  for (int k = 0; k < 7; ++k) line.push_back({1.0 * k * k, 0, 0});
+  const RepairedSurface out = repaired(polygon_mesh(line, {{0, 1, 2}, {4, 5, 6}, {1, 0, 3}}));
+  const std::vector<SurfacePiece> pieces = out.mesh->split();
+  ASSERT_EQ(pieces.size(), 2u);
+  for (const SurfacePiece& piece : pieces)
+    EXPECT_EQ(piece.mesh->rest_triangles().size(), piece.face.size());
 }
 
 // All of it at once, at random: what is promised holds whatever comes.
