@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "expected_error.h"
+#include "majorant/parametrization/packing/internal/chart_motion.h"
 #include "parametrization/packing/chart_cases.h"
 
 namespace majorant {
@@ -98,8 +99,8 @@ TEST(Pack, any_unit_of_length_gives_the_same_layout) {
     EXPECT_EQ(packing.charts[k].control_points(), pack(charts).charts[k].control_points());
 }
 
-// A triangle so thin that only its own digits hold it: it must not be turned or moved.
-TEST(Pack, what_rounding_would_turn_over_stays_where_it_is) {
+// A triangle so thin that most turns round it to nothing.
+TEST(Pack, what_rounding_turns_over_is_turned_otherwise) {
   const double thin = std::ldexp(1, -60);
   const BezierMap triangle = test::polygon_chart(test::regular(3, 1));
   Vec x(6);
@@ -107,7 +108,7 @@ TEST(Pack, what_rounding_would_turn_over_stays_where_it_is) {
   const std::vector<BezierMap> charts{triangle.with(triangle.shared_space(), x),
                                       test::polygon_chart(test::regular(5, 1, Vector2(3, 3)))};
   expect_packed(charts, {}, 1, "thin");
-  EXPECT_EQ(pack(charts).charts[0].control_points(), x);
+  EXPECT_TRUE(has_positive_determinants(pack(charts).charts[0]));
 }
 
 TEST(Pack, padding_that_leaves_no_room_is_refused) {
