@@ -1,6 +1,7 @@
 // majorant info IN: what a mesh is, what is wrong with it, and which verb maps it.
 #include <CLI/App.hpp>
 #include <memory>
+#include <new>
 #include <optional>
 
 #include "apps/command.h"
@@ -117,6 +118,8 @@ std::string verdict(const PolygonMesh& polygons, Description& out) {
     return runnable(mesh, out);
   } catch (const Error& e) {
     refusal = e.what();
+  } catch (const std::bad_alloc&) {
+    return "parametrize would refuse: out of memory while making the start";
   }
   return fmt::format("parametrize would refuse: {}; `majorant unwrap {} -o OUT.obj` maps it{}",
                      refusal, polygons.file, other_verb);
