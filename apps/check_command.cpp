@@ -144,7 +144,10 @@ int check(const Request& request) {
   say_warnings(file.warnings);
   const Claims claims = parse_claims(file.claims, request.result);
   std::optional<PolygonMesh> surface;
-  if (!request.surface.empty()) surface = read(request.surface, read_mesh);
+  if (!request.surface.empty()) {
+    surface = read(request.surface, read_mesh);
+    say_warnings(surface->warnings);
+  }
   Check check{request, file, claims, surface};
   check.report = {{"schema_version", 1}, {"version", MAJORANT_VERSION}, {"command", "check"}};
   prove(check, stop);

@@ -2,6 +2,7 @@
 #include <CLI/App.hpp>
 #include <algorithm>
 #include <memory>
+#include <new>
 #include <optional>
 
 #include "apps/command.h"
@@ -120,6 +121,8 @@ std::string verdict(const PolygonMesh& polygons, Description& out) {
     return runnable(mesh, out);
   } catch (const Error& e) {
     refusal = e.what();
+  } catch (const std::bad_alloc&) {
+    return "parametrize would refuse: out of memory while making the start";
   }
   return fmt::format("parametrize would refuse: {}; `majorant unwrap {} -o OUT.obj` maps it{}",
                      refusal, polygons.file, other_verb);

@@ -226,7 +226,8 @@ WrittenFiles write(const Request& request, const Comparison& comparison) {
     written.write(path, [&] {
       if (extension(path) == ".csv") write_comparison_csv(path, comparison);
       if (extension(path) == ".html") write_comparison_html(path, comparison);
-      if (extension(path) == ".json") write_json(path, report_of(request, comparison));
+      if (extension(path) == ".json" || path == kStandardOutput)
+        write_json(path, report_of(request, comparison));
     });
   return written;
 }
