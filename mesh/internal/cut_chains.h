@@ -1,7 +1,9 @@
 // The parts of a cut that can be taken back one by one, and which of them a plane can do without.
 //
-//   for (const CutChain& chain : cut_chains(*mesh, is_cut, is_terminal))
-//     if (can_reopen(*mesh, is_cut, chain)) set_cut(*mesh, chain, 0, is_cut);
+//   std::vector<char> opened = planar_cut(*mesh, edge_lengths(*mesh));
+//   const std::vector<char> no_terminal(mesh->vertex_count(), 0);
+//   for (const CutChain& chain : cut_chains(*mesh, opened, no_terminal))
+//     set_cut(*mesh, chain, 0, opened);   // closed again
 //
 // Gluing a surface along a chain joins two boundary loops, or splits one in two. The first makes a
 // handle when the loops belong to one piece, the second never does.

@@ -1,9 +1,8 @@
 // Where to cut a surface so that every piece can be mapped onto the plane: as little as possible,
 // and where it helps most.
 //
-//   SurfaceMesh mesh = SurfaceMesh::from_polygons(read_mesh("spot.obj"), {}, Components::Any);
-//   SurfaceCuts cuts = choose_cuts(mesh, {});
-//   SurfaceMesh open = mesh.cut_along(cuts.is_cut, nullptr);   // disks, some with holes
+//   SurfaceCuts cuts = choose_cuts(*mesh, {});
+//   SurfaceMesh charts = mesh->cut_along(cuts.is_cut, nullptr);   // disks, some with holes
 //
 // Not for seamless maps, whose cuts go through all cones (mesh/internal/cut_graph.h).
 //

@@ -1,7 +1,9 @@
 // A cut as a tree, and what each of its twigs is worth.
 //
+//   const std::vector<char> is_terminal(mesh->vertex_count(), 0);
+//   const Vec edge_cost = cut_costs(*mesh);
 //   CutTree tree(*mesh, is_cut, is_terminal, edge_cost, 150, {});
-//   tree.peel(strain_of_cut, 0.02, {});
+//   tree.peel(FlatteningStrain(mesh->cut_along(is_cut, nullptr)).strain(), 0.02, {});
 //   is_cut = tree.after(tree.steps_within(0.02)).is_cut;
 //
 // Boundary loops count as one node each. The parts of the cut that make a disk of a surface with

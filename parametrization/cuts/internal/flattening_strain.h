@@ -1,7 +1,7 @@
 // How much a piece of a surface is distorted in the plane, at best: estimated by one linear solve,
 // without a map.
 //
-//   const FlatteningStrain sheet(piece);
+//   const FlatteningStrain sheet(*mesh);
 //   const double energy = 4 + 4 * sheet.strain();   // about, symmetric Dirichlet, degree 1
 //   const double stretch = stretch_of_strain(sheet.strain());
 //
