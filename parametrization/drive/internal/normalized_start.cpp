@@ -107,8 +107,8 @@ std::vector<FixedPoint> place_pins(const SurfaceMesh& mesh, const Seams& seams,
   return points;
 }
 
-void require_injective(const BezierMap& map) {
-  const RestShapes rest = flat_triangles(map.mesh().positions(), map.mesh().faces());
+// Of the normalized map: as it is solved, whatever the size of the mesh.
+void require_injective(const BezierMap& map, const RestShapes& rest) {
   const Verdict faces =
       LocalInjectivity(map.shared_space(), 2 * rest.measure).check(map.control_points());
   if (!faces.feasible)
@@ -192,7 +192,6 @@ NormalizedStart::NormalizedStart(const BezierMap& given, const MapOptions& asked
   spec.aligned = nearest_axes(given, asked.aligned);
   const BezierMap start = spec.aligned.empty() ? given : aligned_map(given, spec.aligned);
   moved_ = largest_distance(given.control_points(), start.control_points());
-  require_injective(start);
   spec.rest = flat_triangles(start.mesh().positions() * scale_, start.mesh().faces());
   spec.seams = start.shared_seams();
   spec.pins = place_pins(start.mesh(), start.seams(), asked, start.control_points());
@@ -208,6 +207,7 @@ NormalizedStart::NormalizedStart(const BezierMap& given, const MapOptions& asked
   for (auto* points : {&spec.pins, &spec.handles})
     for (FixedPoint& p : *points) p.position = (p.position - origin_) * scale_;
   map_ = start.with(start.shared_space(), translated(start.control_points(), -origin_) * scale_);
+  require_injective(map_, spec.rest);
 }
 
 BezierMap NormalizedStart::in_model_units(const BezierMap& normalized) const {
