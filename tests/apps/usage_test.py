@@ -273,7 +273,7 @@ class Valid(CommandTest):
     def test_public_files(self):
         folder = os.path.join(SHARED, 'data/public/bad')
         valid = {'tiny_1e-9', 'negative_indices', 'crlf', 'unreferenced_vertices', 'all_reversed',
-                 'single_triangle', 'syntax_zoo', 'quads_and_polygons', 'slivers_1e6'}
+                 'single_triangle', 'syntax_zoo', 'quads_and_polygons', 'slivers_1e6', 'annulus'}
         unreadable = {'nan_coordinate', 'inf_coordinate', 'index_out_of_range', 'index_zero',
                       'index_overflow', 'empty', 'no_faces', 'truncated', 'binary_garbage',
                       'html_error_page', 'face_not_a_number', 'vertex_two_coordinates'}
