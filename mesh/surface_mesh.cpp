@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "majorant/framework/error.h"
+#include "majorant/mesh/internal/length_of.h"
 #include "majorant/mesh/internal/mesh_validation.h"
 #include "majorant/mesh/internal/triangle_list.h"
 
@@ -94,7 +95,7 @@ void SurfaceMesh::build_connectivity(const StopCheck& stop) {
     }
     const Vector3 a = positions_.row(faces_(f, 1)) - positions_.row(faces_(f, 0));
     const Vector3 b = positions_.row(faces_(f, 2)) - positions_.row(faces_(f, 0));
-    area_ += 0.5 * a.cross(b).norm();
+    area_ += 0.5 * length_of(a.cross(b));
   }
 }
 

@@ -167,12 +167,12 @@ void PinPull::walk(int steps, double weight) {
 }
 
 bool PinPull::hold() {
-  if (set_pins()) return true;
+  if (set_pins() || (going_on() && untangle_with_pins())) return true;
   for (double w = kFirstStiffness; w <= kStiffest && going_on(); w *= kStiffer) {
     pull(1, w);
-    if (set_pins()) return true;
+    if (set_pins() || (going_on() && untangle_with_pins())) return true;
   }
-  return going_on() && untangle_with_pins();
+  return false;
 }
 
 // Seams hold again, too: the closest such map. None where seams contradict the pins.
@@ -254,14 +254,17 @@ BezierMap reach_pins(const BezierMap& given, const ParametrizationOptions& optio
     if (options.map.pins.size() > 1) start = roughly_optimized(start, options, record);
     start = moved_to_pins(start, options.map.pins);
   }
-  for (const int steps : {0, kSteps, kSmallSteps}) {
-    PinPull way(start, options, record);
-    way.walk(steps, kFirstStiffness);
-    if (way.hold()) return way.map();
-    const bool is_over = record.iterations_left() <= 0 || record.directive() != Directive::Continue;
-    if (steps == kSmallSteps || is_over) way.refuse();
-  }
-  return start;
+  PinPull way(start, options, record);
+  if (way.set_pins()) return way.map();
+  way.walk(kSteps, kFirstStiffness);
+  if (way.hold()) return way.map();
+  if (!way.going_on()) way.refuse();
+  PinPull slowly(start, options, record);
+  slowly.walk(kSmallSteps, kFirstStiffness);
+  if (slowly.hold()) return slowly.map();
+  PinPull at_once(start, options, record);
+  if (!slowly.going_on() || !at_once.untangle_with_pins()) slowly.refuse();
+  return at_once.map();
 }
 
 }  // namespace majorant

@@ -35,17 +35,19 @@ class PinPull {
   const BezierMap& map() const { return map_; }
   // Solves at degree 1 with all pins and handles soft, at equal parts of their ways.
   void walk(int steps, double weight);
-  // Stiffer and stiffer springs until the pins can be held exactly; at last, untangling. False:
-  // there was no way, or a limit.
+  // Sets the pins exactly, if the map stays valid: nothing else moves.
+  bool set_pins();
+  // Sets them and moves the rest until the map is valid, if it can.
+  bool untangle_with_pins();
+  // Stiffer and stiffer springs until the pins can be set, or what turns over then be untangled.
+  // False: there was no way, or a limit.
   bool hold();
   // Throws Error(Infeasible) that names the pin farthest from its target, or the limit.
   [[noreturn]] void refuse() const;
+  bool going_on() const;  // no limit was met, nor Ctrl-C
 
  private:
-  bool going_on() const;
   void pull(double part, double weight);
-  bool set_pins();
-  bool untangle_with_pins();
   std::optional<BezierMap> with_pins() const;
   bool is_valid(const BezierMap& map) const;
 
