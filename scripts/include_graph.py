@@ -23,6 +23,7 @@ FLOORS = [
     ['parametrization/maps'],
     ['parametrization/injectivity', 'parametrization/starts', 'parametrization/scaffold'],
     ['parametrization/drive', 'io'],
+    ['apps/arguments'],
     ['apps'],
     ['apps/compare'],
 ]
