@@ -8,16 +8,16 @@
 #include <memory>
 #include <optional>
 
+#include "apps/arguments/number_check.h"
+#include "apps/arguments/suggestion.h"
 #include "apps/check_claims.h"
 #include "apps/command.h"
 #include "apps/energy_option.h"
 #include "apps/global_verdict.h"
-#include "apps/number_check.h"
 #include "apps/outputs.h"
 #include "apps/process.h"
 #include "apps/report.h"
 #include "apps/streams.h"
-#include "apps/suggestion.h"
 #include "apps/unless_stopped.h"
 #include "majorant/framework/thread_count.h"
 #include "majorant/io/map_file.h"

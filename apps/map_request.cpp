@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
+#include "apps/arguments/number_check.h"
+#include "apps/arguments/suggestion.h"
 #include "apps/energy_option.h"
-#include "apps/number_check.h"
 #include "apps/outputs.h"
 #include "apps/streams.h"
-#include "apps/suggestion.h"
 #include "apps/unless_stopped.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/curvature_name.h"

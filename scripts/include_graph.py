@@ -23,6 +23,8 @@ FLOORS = [
     ['parametrization/maps', 'parametrization/cuts'],
     ['parametrization/injectivity', 'parametrization/starts', 'parametrization/scaffold'],
     ['parametrization/packing', 'parametrization/drive', 'io'],
+    ['parametrization/atlas'],
+    ['apps/arguments'],
     ['apps'],
     ['apps/compare'],
 ]

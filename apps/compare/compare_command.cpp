@@ -13,6 +13,8 @@
 #include <limits>
 #include <memory>
 
+#include "apps/arguments/number_check.h"
+#include "apps/arguments/suggestion.h"
 #include "apps/command.h"
 #include "apps/compare/ceres_log.h"
 #include "apps/compare/comparison_table.h"
@@ -20,12 +22,10 @@
 #include "apps/compare/write_comparison.h"
 #include "apps/energy_option.h"
 #include "apps/map_request.h"
-#include "apps/number_check.h"
 #include "apps/outputs.h"
 #include "apps/process.h"
 #include "apps/report.h"
 #include "apps/streams.h"
-#include "apps/suggestion.h"
 #include "apps/unless_stopped.h"
 #include "majorant/framework/evaluator.h"
 #include "majorant/framework/thread_count.h"
