@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "apps/number_check.h"
+#include "apps/arguments/number_check.h"
 #include "majorant/framework/error.h"
 #include "majorant/io/internal/read_vertex_lists.h"
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "apps/number_check.h"
+#include "apps/arguments/number_check.h"
 #include "majorant/framework/error.h"
 
 namespace majorant::app {

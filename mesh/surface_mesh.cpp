@@ -191,16 +191,6 @@ std::vector<SurfacePiece> SurfaceMesh::split(const StopCheck& stop) const {
   return pieces;
 }
 
-SurfaceMesh SurfaceMesh::with_components(const std::vector<Index>& faces,
-                                         std::vector<Index>* surface_vertex) const {
-  for (SurfacePiece& piece : split())
-    if (piece.face == faces) {
-      if (surface_vertex) *surface_vertex = std::move(piece.vertex);
-      return *piece.mesh;
-    }
-  throw std::invalid_argument("with_components: no component");
-}
-
 SurfaceMesh SurfaceMesh::with_faces(const Cells& faces, std::vector<Index> input_face) const {
   SurfaceParts out;
   out.file = file_;

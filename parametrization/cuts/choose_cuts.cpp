@@ -43,14 +43,17 @@ std::vector<char> asked_cuts(const SurfaceMesh& mesh, const CutOptions& options)
   return is_cut;
 }
 
-// Cuts the pieces that are left so far, each to one chart.
-void cut_automatically(const SurfaceMesh& mesh, double max_stretch,
-                       const std::vector<Index>& component, SurfaceCuts& cuts,
+// Which of the pieces that are left so far.
+enum class Pieces { All, Closed };
+
+// Cuts them, each to one chart.
+void cut_automatically(const SurfaceMesh& mesh, double max_stretch, Pieces which, SurfaceCuts& cuts,
                        const StopCheck& stop) {
-  const SurfaceMesh cut = mesh.cut_along(cuts.is_cut, nullptr);
-  for (const std::vector<Index>& faces : component_faces(cut.opposites())) {
+  const std::vector<Index> component = face_components(mesh.opposites());
+  for (const auto& [part, faces, vertices] : mesh.cut_along(cuts.is_cut, nullptr).split(stop)) {
     stop.poll();
-    const SurfaceMesh piece = cut.with_components(faces, nullptr);
+    const SurfaceMesh& piece = *part;
+    if (which == Pieces::Closed && piece.topology().boundary_loops > 0) continue;
     const AutomaticCut more = automatic_cut(piece, cut_costs(piece), max_stretch, stop);
     for (Index h = 0; h < piece.half_edge_count(); ++h)
       if (more.is_cut[at(h)]) cuts.is_cut[at(3 * faces[at(face_of(h))] + corner_of(h))] = 1;
@@ -93,18 +96,19 @@ SurfaceCuts choose_cuts(const SurfaceMesh& mesh, const CutOptions& options, cons
   out.is_cut = asked_cuts(mesh, options);
   std::vector<char> asked = out.is_cut;
   const auto components = component_faces(mesh.opposites());
-  for (const std::vector<Index>& faces : components) {
+  for (const SurfacePiece& part : mesh.split(stop)) {
     stop.poll();
-    const SurfaceMesh part = mesh.with_components(faces, nullptr);
     ComponentCuts facts;
-    facts.first_face = faces.front();
-    facts.faces = part.face_count();
-    facts.genus = genus(part);
-    facts.boundary_loops = part.topology().boundary_loops;
+    facts.first_face = part.face.front();
+    facts.faces = part.mesh->face_count();
+    facts.genus = genus(*part.mesh);
+    facts.boundary_loops = part.mesh->topology().boundary_loops;
     out.components.push_back(facts);
   }
   if (options.method == CutMethod::Automatic || options.method == CutMethod::Sharp)
-    cut_automatically(mesh, options.max_stretch, face_components(mesh.opposites()), out, stop);
+    cut_automatically(mesh, options.max_stretch, Pieces::All, out, stop);
+  if (options.method == CutMethod::Texture)  // no coordinates cut these: all zero, say
+    cut_automatically(mesh, options.max_stretch, Pieces::Closed, out, stop);
   if (options.method == CutMethod::Automatic) asked = out.is_cut;
   open_pieces(mesh, cut_costs(mesh), out.is_cut, stop);
   add_up(mesh, asked, components, out);

@@ -18,7 +18,8 @@ namespace majorant {
 
 enum class CutMethod {
   Automatic,  // where distortion is saved; one piece per component
-  Texture,    // along the islands of the file's texture coordinates
+  Texture,    // along the islands of the file's texture coordinates; components that these do not
+              // cut, though they are closed, as Automatic
   Sharp,      // along edges with a dihedral angle above sharp_angle that enclose pieces
               // (sharp_charts.h), then as Automatic in each of them
   Given,      // along CutOptions::edges and nothing else

@@ -10,7 +10,7 @@
 
 #include "apps/arguments/number_check.h"
 #include "apps/arguments/suggestion.h"
-#include "apps/check_claims.h"
+#include "apps/check/check_claims.h"
 #include "apps/command.h"
 #include "apps/energy_option.h"
 #include "apps/global_verdict.h"

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "apps/claims.h"
-#include "apps/findings.h"
+#include "apps/check/findings.h"
 #include "majorant/io/map_proof.h"
 #include "majorant/parametrization/maps/measure.h"
 
