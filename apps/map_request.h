@@ -46,9 +46,8 @@ Index used_vertex(const std::string& path, const SurfaceMesh& mesh, Index input_
 
 // Reads the files and translates the options. make_start: gives the seamless map to start from;
 // empty: that of the texture coordinates if `request` is seamless, else a map of a disk with or
-// without holes. Throws Error as the readers and starts do; Error(Unsupported) when a mesh should be
-// such a disk and is not,
-// Error(Usage) for energies that collapse, Error(Invalid) when stopped.
+// without holes. Throws Error as the readers and starts do; Error(Unsupported) when a mesh should
+// be such a disk and is not, Error(Usage) for energies that collapse, Error(Invalid) when stopped.
 using StartMaker = std::function<Start(const PolygonMesh&, const SurfaceMesh&)>;
 MapInput read_input(const MapRequest& request, const StopCheck& stop,
                     const StartMaker& make_start = {});
