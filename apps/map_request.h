@@ -46,15 +46,15 @@ struct MapInput {
 // uses it.
 Index used_vertex(const std::string& path, const SurfaceMesh& mesh, Index input_vertex);
 
+// The options alone, of any surface of the file, cut or not: energy, degree, curvature, points and
+// weights. Throws Error as the readers do.
+ParametrizationOptions read_options(const MapRequest& request, const PolygonMesh& polygons,
+                                    const SurfaceMesh& mesh);
+
 // Reads the files and translates the options. make_start: gives the seamless map to start from;
 // empty: that of the texture coordinates if `request` is seamless, else a map of a disk with or
 // without holes. Throws Error as the readers and starts do; Error(Unsupported) when a mesh should
 // be such a disk and is not, Error(Usage) for energies that collapse, Error(Invalid) when stopped.
-// The options alone, of any surface of the file, cut or not: energy, degree, curvature, points and
-// weights. Throws as above.
-ParametrizationOptions read_options(const MapRequest& request, const PolygonMesh& polygons,
-                                    const SurfaceMesh& mesh);
-
 using StartMaker = std::function<Start(const PolygonMesh&, const SurfaceMesh&)>;
 MapInput read_input(const MapRequest& request, const StopCheck& stop,
                     const StartMaker& make_start = {});
