@@ -101,12 +101,14 @@ TEST(LenientReaders, MaterialFilesAreNamedFromTheOutput) {
   std::filesystem::create_directories(folder.path() / "in" / "sub");
   std::filesystem::create_directory(folder.path() / "out");
   const std::string from = folder.file("in/a.obj"), to = folder.file("out/b.obj");
-  for (const char* name : {"in/my own.mtl", "in/plain", "in/sub/c.mtl"}) folder.write(name, "");
+  for (const char* name : {"in/my own.mtl", "in/plain", "in/two words", "in/sub/c.mtl"})
+    folder.write(name, "");
   const auto moved = [&](const std::string& line) { return repoint_materials(line, from, to); };
   EXPECT_EQ(moved("mtllib a.mtl"), "mtllib ../in/a.mtl");
   EXPECT_EQ(moved("mtllib  sub/c.mtl  ../x.mtl # y"), "mtllib ../in/sub/c.mtl ../x.mtl");
   EXPECT_EQ(moved("mtllib a.mtl my own.mtl plain"),
             "mtllib ../in/a.mtl ../in/plain\nmtllib ../in/my own.mtl");
+  EXPECT_EQ(moved("mtllib two words"), "mtllib ../in/two words");
   EXPECT_EQ(moved("mtllib not there.mtl"), "mtllib ../in/not there.mtl");
   EXPECT_EQ(moved("mtllib /abs/a.mtl"), "mtllib /abs/a.mtl");
   EXPECT_EQ(moved("mtllib"), "mtllib");
