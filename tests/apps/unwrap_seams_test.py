@@ -1,0 +1,215 @@
+"""Where unwrap cuts as it is told to, and how it places the charts."""
+import json
+from fractions import Fraction
+
+from command_helpers import *
+from unwrap_helpers import *
+
+
+class Seams(UnwrapTest):
+    def box(self):
+        return self.mesh(cube(2)[0], cube(2)[1])
+
+    def cut_edges(self, points):
+        """Seven edges of the cube, whole: what opens it to a cross."""
+        corner = lambda *p: points.index(tuple(map(float, p)))
+        path = [((0, 0, 0), (0, 0, 1)), ((1, 0, 0), (1, 0, 1)), ((0, 1, 0), (0, 1, 1)),
+                ((1, 1, 0), (1, 1, 1)), ((0, 0, 1), (1, 0, 1)), ((0, 0, 1), (0, 1, 1)),
+                ((0, 1, 1), (1, 1, 1))]
+        edges = []
+        for a, b in path:
+            middle = tuple((x + y) / 2 for x, y in zip(a, b))
+            edges += [(corner(*a), corner(*middle)), (corner(*middle), corner(*b))]
+        return edges
+
+    def test_a_file(self):
+        points, faces = cube(2)
+        edges = self.cut_edges(points)
+        for base in (0, 1):
+            path = self.write('seams.json', json.dumps(
+                {'index_base': base, 'edges': [[a + base, b + base] for a, b in edges]}))
+            layout, report = self.clean(self.box(), '--seams', path)
+            self.judged()
+            self.assertEqual(report['result']['seam_edges'], 14)
+            self.assertEqual(report['result']['added_seam_edges'], 0)
+            self.assertAlmostEqual(report['result']['seam_length'], 7)
+            self.assertAlmostEqual(report['result']['value'], 4, places=9)
+            self.assertEqual(len(layout.charts), 1)
+
+    def test_what_a_file_leaves_closed_is_opened(self):
+        points, faces = cube(2)
+        path = self.write('seams.json', json.dumps({'edges': self.cut_edges(points)[:2]}))
+        _, report = self.clean(self.box(), '--seams', path)
+        self.assertEqual(report['result']['seam_edges'] - report['result']['added_seam_edges'], 2)
+        path = self.write('none.json', '{"edges": []}')
+        _, report = self.clean(self.box(), '--seams', path)
+        self.assertEqual(report['result']['seam_edges'], report['result']['added_seam_edges'])
+        self.assertGreater(report['result']['added_seam_length'], 0)
+
+    def test_pairs_that_are_no_edges(self):
+        points, faces = cube(2)
+        far = (points.index((0, 0, 0)), points.index((1, 1, 1)))
+        for a, b in (far, faces[0][0::2]):  # also the diagonal of a polygon
+            path = self.write('seams.json', json.dumps({'edges': [[int(a), int(b)]]}))
+            self.refused(USAGE, 'unwrap', self.box(), self.path('o.obj'), '--seams', path,
+                         says=('seams.json', '%d and %d' % (a, b)))
+        path = self.write('seams.json', '{"edges": [[0, 99]]}')
+        self.refused(UNREADABLE, 'unwrap', self.box(), self.path('o.obj'), '--seams', path,
+                     says=('seams.json', '99'))
+        self.refused(UNREADABLE, 'unwrap', self.box(), self.path('o.obj'), '--seams',
+                     self.path('no.json'), says='no.json')
+
+    def test_sharp(self):
+        layout, report = self.clean(self.box(), '--seams', 'sharp')
+        self.judged()
+        self.assertAlmostEqual(report['result']['seam_length'], 7)
+        self.assertAlmostEqual(report['result']['value'], 4, places=6)
+        self.assertLessEqual(len(layout.charts), 2 + 24 / 200)
+        _, report = self.clean(self.mesh(*sphere(4)), '--seams', 'sharp=30')
+        self.assertEqual(report['result']['seam_edges'], report['result']['added_seam_edges'])
+        for angle in ('x', '0', '180', ''):
+            self.refused(USAGE, 'unwrap', self.box(), self.path('o.obj'), '--seams', 'sharp=' + angle,
+                         says='--seams sharp=' + angle)
+
+    def islands(self, change=lambda face, uv: uv, shared=True):
+        """The cube with one square island a side, as OBJ; equal vt have one number, or a new one."""
+        points, faces = cube(2)
+        lines, number = ['v %r %r %r' % p for p in points], {}
+        for k, face in enumerate(faces):
+            corners = []
+            side = k // 4
+            for v in face:
+                uv = [x for axis, x in enumerate(points[v]) if axis != side // 2]
+                if (side % 2 == 0) != (side // 2 == 1):
+                    uv = uv[::-1]
+                uv = change(k, (uv[0] + 2 * side, uv[1]))
+                key = (uv, side) if shared else (k, v)
+                if key not in number:
+                    number[key] = len(number) + 1
+                    lines.append('vt %r %r' % uv)
+                corners.append('%d/%d' % (v + 1, number[key]))
+            lines.append('f ' + ' '.join(corners))
+        return self.write('islands.obj', '\n'.join(lines) + '\n')
+
+    def starts(self, report):
+        return [chart['start'] for chart in report['charts']]
+
+    def test_islands_of_the_file(self):
+        mesh = self.islands()
+        layout, report = self.clean(mesh, '--seams', 'uv')
+        self.judged()
+        self.assertEqual((len(layout.charts), self.starts(report)), (6, ['texture'] * 6))
+        self.assertAlmostEqual(report['result']['seam_length'], 12)
+        self.assertEqual(report['result']['added_seam_edges'], 0)
+
+    def test_islands_by_value(self):
+        """Many programs write a vt of its own for every corner."""
+        layout, report = self.clean(self.islands(shared=False), '--seams', 'uv')
+        self.assertEqual((len(layout.charts), self.starts(report)), (6, ['texture'] * 6))
+
+    def test_islands_turned_and_mirrored(self):
+        mirrored = self.islands(lambda k, uv: (-uv[0], uv[1]))
+        _, report = self.clean(mirrored, '--seams', 'uv')
+        self.assertEqual(self.starts(report), ['texture'] * 6)
+        stacked = self.islands(lambda k, uv: (uv[0] % 2, uv[1]) if k >= 4 else (uv[1], -uv[0]))
+        layout, report = self.clean(stacked, '--seams', 'uv')
+        self.assertEqual((len(layout.charts), set(self.starts(report))), (6, {'texture'}))
+
+    def test_islands_that_are_no_maps(self):
+        flat = self.islands(lambda k, uv: (0, 0) if k // 4 == 2 else uv)
+        _, report = self.clean(flat, '--seams', 'uv')
+        self.assertEqual(self.starts(report).count('anew'), 1)
+        folded = self.islands(lambda k, uv: (uv[0] + 0.9, uv[1] + 0.9)
+                              if k // 4 == 3 and uv == (6.5, 0.5) else uv)
+        _, report = self.clean(folded, '--seams', 'uv')
+        self.assertEqual(self.starts(report).count('untangled'), 1)
+        self.assertEqual(self.starts(report).count('texture'), 5)
+
+    def test_islands_that_are_not_there(self):
+        self.refused(UNSUPPORTED, 'unwrap', self.box(), self.path('o.obj'), '--seams', 'uv',
+                     says=('texture coordinates', '--seams auto'))
+
+    def test_less_stretch_takes_longer_seams(self):
+        mesh = self.mesh(*sphere(8))
+        (_, loose), (_, tight) = (self.unwrap(mesh, '--max-stretch', s) for s in (1.2, 1.01))
+        self.assertLess(loose['result']['seam_length'], tight['result']['seam_length'])
+        self.assertGreater(loose['result']['stretch_l2'], tight['result']['stretch_l2'])
+        self.refused(USAGE, 'unwrap', mesh, self.path('o.obj'), '--max-stretch', 1,
+                     says='--max-stretch')
+
+
+class Packed(UnwrapTest):
+    def many(self):
+        mesh = sphere(2)
+        for k in range(3):
+            mesh = both(mesh, grid(2 + k, lambda x, y: 0), (0, 0, 3 + k))
+        return self.mesh(*both(mesh, torus(6, 4, 0)))
+
+    def test_padding(self):
+        for padding, resolution in ((4, 1024), (16, 256), (0.5, 4096)):
+            layout, report = self.clean_but_padding(padding, resolution)
+            self.assertGreaterEqual(report['result']['distance'],
+                                    padding / resolution * report['result']['side'])
+            self.assertAlmostEqual(report['result']['side'], layout.side() / layout.scale)
+            self.assertAlmostEqual(report['result']['fill'], self.filled(layout), places=9)
+
+    def clean_but_padding(self, padding, resolution):
+        layout, report = self.unwrap(self.many(), '--padding', padding, '--resolution', resolution)
+        self.assertEqual(layout.overlapping(), [])
+        self.apart(layout, str(padding), str(resolution))
+        return layout, report
+
+    def filled(self, layout):
+        return sum(layout.area(k) for k in range(len(layout.faces))) / 2 / layout.side() ** 2
+
+    def test_no_padding(self):
+        layout, _ = self.unwrap(self.many(), '--padding', 0)
+        self.assertEqual(layout.overlapping(), [])
+        self.judged()
+
+    def test_padding_that_leaves_no_room(self):
+        self.refused(UNSUPPORTED, 'unwrap', self.many(), self.path('o.obj'), '--padding', 2000,
+                     says='padding')
+        for flags in (['--padding', '-1'], ['--resolution', '0'], ['--padding', 'nan']):
+            self.refused(USAGE, 'unwrap', self.many(), self.path('o.obj'), *flags, says=flags[0])
+
+    def test_not_packed(self):
+        layout, report = self.unwrap(self.many(), '--no-pack')
+        self.assertEqual(report['result']['globally_injective'], None)
+        self.assertNotIn('fill', report['result'])
+        for chart in layout.charts:
+            alone = set(chart)
+            self.assertFalse([p for p in layout.overlapping() if set(p) <= alone])
+
+    def test_normalized(self):
+        layout, report = self.clean(self.many(), '--normalize')
+        self.judged()
+        self.assertTrue(all(0 <= x <= layout.scale for p in layout.uv for x in p))
+        self.assertGreater(layout.side() / layout.scale, 0.999)
+
+    def pinned(self, targets):
+        return self.write('pins.json', json.dumps(
+            {'handles': [{'vertex': v, 'target': uv} for v, uv in targets.items()]}))
+
+    def test_charts_with_pins_stay(self):
+        flat, ball = grid(3, lambda x, y: 0), sphere(2)
+        mesh = self.mesh(*both(flat, ball))
+        for targets in ({0: (7, -3)}, {0: (7, -3), 3: (7, -2)}, {0: (1e4, 1e4), 15: (1e4 - 1, 1e4 + 1)},
+                        {5: (0.25, 0.5), 9: (0.75, 0.25)}):
+            layout, report = self.clean(mesh, '--pins', self.pinned(targets))
+            self.judged()
+            self.assertEqual([chart['pinned'] for chart in report['charts']], [True, False])
+            at_vertex = {v: layout.uv[t] for face, texture in zip(layout.faces, layout.texture)
+                         for v, t in zip(face, texture)}
+            for v, uv in targets.items():
+                self.assertEqual(at_vertex[v], tuple(Fraction(x) * layout.scale for x in uv))
+
+    def test_a_pin_on_every_chart(self):
+        flat = grid(2, lambda x, y: 0)
+        mesh = self.mesh(*both(flat, flat))
+        layout, report = self.clean(mesh, '--pins', self.pinned({0: (0, 0), 9: (3, 0)}))
+        self.assertEqual([chart['pinned'] for chart in report['charts']], [True, True])
+
+
+if __name__ == '__main__':
+    main()

@@ -1,0 +1,308 @@
+"""majorant unwrap: any mesh becomes charts side by side; repairs, files and numbers of the report."""
+import json
+import os
+import re
+import shlex
+import xml.etree.ElementTree as xml
+
+from command_helpers import *
+from unwrap_helpers import *
+
+
+class Surfaces(UnwrapTest):
+    def test_closed_ones_of_any_genus(self):
+        for name, mesh, charts in [('cube', (cube(3)[0], triangles(cube(3)[1])), 1),
+                                   ('sphere', sphere(4), 1), ('torus', torus(12, 8, 0), 1),
+                                   ('two', both(sphere(3), torus(8, 6, 0)), 2)]:
+            with self.subTest(name):
+                layout, report = self.clean(self.mesh(*mesh))
+                self.judged()
+                self.assertEqual((report['status'], report['repairs']), ('converged', []))
+                self.assertEqual(len(layout.charts), charts)
+                self.assertGreater(report['result']['seam_length'], 0)
+                self.assertEqual(report['result']['degree'], 1)
+
+    def test_a_cube_is_unfolded_whole(self):
+        _, report = self.clean(self.mesh(cube(3)[0], triangles(cube(3)[1])))
+        self.assertAlmostEqual(report['result']['value'], 4, places=9)
+        self.assertAlmostEqual(report['result']['stretch_max'], 1, places=6)
+        self.assertAlmostEqual(report['result']['seam_length'], 7, places=9)
+
+    def test_one_scale_for_all(self):
+        """A developable surface keeps all its lengths, whatever is beside it."""
+        flat = grid(3, lambda x, y: 0)
+        layout, report = self.clean(self.mesh(*both(flat, sphere(3))))
+        k = next(k for k, chart in enumerate(layout.charts) if 0 in chart)
+        area = sum(layout.area(face) for face in layout.charts[k]) / 2 / layout.scale ** 2
+        self.assertAlmostEqual(area, 1, places=6)
+
+    def test_no_verb_means_unwrap(self):
+        mesh = self.mesh(*torus(8, 6, 0))
+        self.run_ok(mesh, self.path('plain.obj'))
+        self.run_ok('unwrap', mesh, self.path('named.obj'))
+        self.assertEqual(self.read('plain.obj'), self.read('named.obj'))
+        self.run_ok(mesh, '-o', self.path('more.obj'), '--quiet', '--normalize')
+
+    def test_threads_change_nothing(self):
+        mesh = self.mesh(*both(sphere(3), torus(8, 6, 0)))
+        for threads in (1, 2):
+            self.run_ok('unwrap', mesh, '-o', self.path('%d.obj' % threads), '--threads', threads)
+        self.assertEqual(self.read('1.obj'), self.read('2.obj'))
+
+    def test_no_time_at_all(self):
+        _, report = self.clean(self.mesh(*both(sphere(4), torus(12, 8, 0))), '--time-limit', 0,
+                               code=LIMIT)
+        self.judged()
+        self.assertEqual(report['status'], 'time_limit')
+
+    def test_charts_that_did_not_converge_are_named(self):
+        mesh = self.mesh(*both(sphere(4), torus(12, 8, 0)))
+        outcome = self.run_ok('unwrap', mesh, self.path('a.obj'), '--max-iterations', 1, code=LIMIT)
+        for start in ('chart 1 (face 1 and 191 more): max_iterations',
+                      'chart 2 (face 193 and 191 more): max_iterations'):
+            self.assertIn('%s: %s' % (mesh, start), outcome.err)
+
+    def test_far_from_the_origin(self):
+        points, faces = sphere(3)
+        far = [tuple(x * 1e-3 + 1e6 for x in p) for p in points]
+        layout, report = self.clean(self.mesh(far, faces))
+        self.assertEqual(self.repaired(report), {'moved_to_origin': 1})
+        self.assertEqual([tuple(p) for p in layout.v], far)  # and there it stays
+
+
+class Repairs(UnwrapTest):
+    def test_moebius(self):
+        points, faces = moebius(20)
+        mesh = self.mesh(points, faces)
+        layout, report = self.unwrap(mesh)
+        repairs = self.repaired(report)
+        self.assertEqual(repairs['cut_edge'], 1)
+        self.same_but_turned(layout, faces, repairs.get('turned_face', 0))
+        self.assertTrue(all(layout.area(k) > 0 for k in range(len(faces))))
+        self.assertEqual(layout.overlapping(), [])
+
+    def same_but_turned(self, layout, faces, turned):
+        backwards = [(f[0],) + f[:0:-1] for f in faces]
+        self.assertEqual(len(layout.faces), len(faces))
+        self.assertEqual(turned, sum(f != g for f, g in zip(layout.faces, faces)))
+        for got, given, turned_over in zip(layout.faces, faces, backwards):
+            self.assertIn(got, (given, turned_over))
+
+    def test_flipped_faces(self):
+        points, faces = sphere(3)
+        flipped = [f[::-1] if k in (5, 6, 40) else f for k, f in enumerate(faces)]
+        layout, report = self.unwrap(self.mesh(points, flipped))
+        self.assertEqual(self.repaired(report), {'turned_face': 3})
+        self.assertEqual(report['repairs'][0]['places'], [5, 6, 40])
+        self.same_but_turned(layout, flipped, 3)
+        self.assertEqual(layout.overlapping(), [])
+        self.judged()
+
+    def test_a_fin(self):
+        points, faces = sphere(3)
+        layout, report = self.clean(self.mesh(points + [(3, 3, 3)], faces + [(*faces[0][:2], len(points))]))
+        self.assertEqual(self.repaired(report), {'split_edge': 1})
+        self.assertEqual(report['repairs'][0]['places'], [sorted(faces[0][:2])])
+        self.assertEqual(sorted(map(len, layout.charts)), [1, len(faces)])
+
+    def test_a_duplicate_face(self):
+        points, faces = sphere(3)
+        for twin in (faces[7], faces[7][::-1]):
+            layout, report = self.clean(self.mesh(points, faces + [twin]))
+            self.assertEqual(self.repaired(report), {'duplicate_face': 1})
+            self.assertEqual(sorted(map(len, layout.charts)), [1, len(faces)])
+
+    def test_faces_without_area(self):
+        points, faces = grid(4, lambda x, y: 0.2 * math.sin(3 * x))
+        points[6] = points[7]                                      # edges of no length, too
+        points[16] = tuple((a + b) / 2 for a, b in zip(points[11], points[21]))
+        points[17] = tuple((a + b) / 2 for a, b in zip(points[16], points[18]))
+        layout, report = self.clean(self.mesh(points, faces))
+        self.assertEqual(set(self.repaired(report)), {'regularized_face'})
+        self.judged()
+
+    def test_a_pinched_vertex(self):
+        one, other = sphere(2), sphere(2)
+        points, faces = both(one, other)
+        meeting = [tuple(0 if v == len(one[0]) else v for v in f) for f in faces]
+        layout, report = self.clean(self.mesh(points, meeting))
+        self.assertEqual(self.repaired(report), {'split_vertex': 1})
+        self.assertEqual(report['repairs'][0]['places'], [0])
+        self.assertEqual(len(layout.charts), 2)
+
+    def test_a_soup_is_welded(self):
+        layout, report = self.clean(self.mesh(*soup(*sphere(2))))
+        self.assertEqual(self.repaired(report), {'welded': 3 * 48 - 26})
+        self.assertEqual(len(layout.charts), 1)
+
+    def halves(self):
+        """A grid whose two halves share no vertex along the line between them."""
+        points, faces = grid(4, lambda x, y: 0)
+        copy = {v: len(points) + k for k, v in enumerate(range(10, 15))}
+        upper = [tuple(copy.get(v, v) if k >= 16 else v for v in f) for k, f in enumerate(faces)]
+        return points + [points[v] for v in copy], upper
+
+    def test_weld_only_when_asked(self):
+        mesh = self.mesh(*self.halves())
+        self.assertEqual(len(self.clean(mesh)[0].charts), 2)
+        layout, report = self.clean(mesh, '--weld', 0)
+        self.assertEqual((len(layout.charts), self.repaired(report)), (1, {'welded': 5}))
+        points, faces = self.halves()
+        moved = [(x + 1e-6, y, z) for x, y, z in points[25:]]
+        mesh = self.mesh(points[:25] + moved, faces)
+        self.assertEqual(len(self.clean(mesh, '--weld', 0)[0].charts), 2)
+        self.assertEqual(len(self.clean(mesh, '--weld', '1e-5')[0].charts), 1)
+
+    def test_strict_refuses_what_would_be_repaired(self):
+        points, faces = sphere(2)
+        self.clean(self.mesh(points, faces), '--strict')
+        for says, mesh in [('turned', (points, [faces[0][::-1]] + faces[1:])),
+                           ('duplicate', (points, faces + faces[:1])),
+                           ('edge', (points + [(3, 3, 3)], faces + [(*faces[0][:2], len(points))])),
+                           ('area', (points, faces + [(faces[0][0], faces[0][1], faces[0][1])])),
+                           ('welded', soup(points, faces)), ('one side', moebius(9))]:
+            with self.subTest(says):
+                outcome = self.refused(UNSUPPORTED, 'unwrap', self.mesh(*mesh), self.path('bad.obj'),
+                                       '--strict', says=(self.path('mesh.obj'), '--strict'))
+                self.assertFalse(os.path.exists(self.path('bad.obj')))
+                if says not in ('one side', 'area'):
+                    self.assertIn(says, outcome.err)
+
+
+class Files(UnwrapTest):
+    def test_curved(self):
+        mesh = self.mesh(*both(sphere(2), torus(6, 4, 0)))
+        values = []
+        for degree in (1, 2, 3):
+            out = self.path('%d.vtu' % degree)
+            outcome = self.run_ok('unwrap', mesh, '-o', out, '-o', self.path('%d.obj' % degree),
+                                  '--degree', degree, '--refine', 2, '--report', self.path('r.json'))
+            for line in re.findall(r'^proof: majorant (.*)$', outcome.err, re.M):
+                self.run_ok(*shlex.split(line))
+            self.judge_alone(out, '--cuts', 'free', '--overlap')
+            self.judge_alone(self.path('%d.obj' % degree), '--cuts', 'free', '--overlap')
+            with open(self.path('r.json')) as f:
+                result = json.load(f)['result']
+            values.append(result['value'])
+            vtu = Vtu(out)
+            self.assertEqual(sorted(set(vtu.arrays['chart'])), [0, 1])
+            self.assertEqual(vtu.arrays['chart'].count(0), 48)
+            self.assertEqual(len(vtu.arrays['input_face']), 96)
+            self.assertEqual(vtu.claims['bijective'], True)
+            layout = Layout(self.path('%d.obj' % degree))
+            self.assertGreaterEqual(len(layout.faces), 4 * 96)
+            self.assertEqual(layout.overlapping(), [])
+        self.assertGreater(values[0], values[1])
+        self.assertGreater(values[1], values[2])
+
+    def test_picture(self):
+        mesh = self.mesh(*both(sphere(2), torus(6, 4, 0)))
+        self.run_ok('unwrap', mesh, '-o', self.path('a.svg'), '--grid')
+        root = xml.parse(self.path('a.svg')).getroot()
+        self.assertTrue(root.tag.endswith('svg'))
+        self.assertEqual(self.read('a.svg').count(b'nan'), 0)
+
+    MODEL = '''mtllib paint.mtl
+o thing
+v 0 0 0 0.5 0.25 1
+v 1 0 0 1 0 0
+v 1 1 0 0 1 0
+v 0 1 0 0 0 1
+v 0 0 1 0 0 0
+v 1 0 1 1 1 1
+v 1 1 1 0.5 0.5 0.5
+v 0 1 1 0.25 0.25 0.25
+v 9 9 9 0 0 0
+vn 0 0 -1
+vn 0 0 1
+g low
+s 1
+usemtl red paint
+f 1//1 4//1 3//1 2//1
+g high
+f 5//2 6//2 7//2 8//2
+usemtl blue
+s off
+f 1 2 6 5
+f 2 3 7 6
+f 3 4 8 7
+f 4 1 5
+f 4 5 8
+p 9
+l 1 9
+'''
+
+    def test_everything_but_vt_is_as_given(self):
+        mesh = self.write('model.obj', self.MODEL)
+        self.write('paint.mtl', 'newmtl red paint\nnewmtl blue\n')
+        layout, report = self.clean(mesh)
+        kept = []
+        for line in layout.text.splitlines():
+            words = line.split()
+            if words and words[0] not in ('vt', '#'):
+                if words[0] == 'f':
+                    corners = [(c.split('/') + ['', ''])[:3] for c in words[1:]]
+                    words[1:] = [v + '//' + n if n else v for v, _, n in corners]
+                kept.append(words)
+        expected = [line.split() for line in self.MODEL.splitlines()]
+        self.assertEqual([l for l in kept if l[0] != 'v'], [l for l in expected if l[0] != 'v'])
+        self.assertEqual([l for l in kept if l[0] == 'v'], [l for l in expected if l[0] == 'v'])
+        self.assertEqual(report['input']['faces'], 12)
+        os.mkdir(self.path('other'))
+        self.run_ok('unwrap', mesh, '-o', self.path('other/out.obj'))
+        self.assertIn(b'mtllib ../paint.mtl', self.read('other/out.obj'))
+
+    def test_several_at_once(self):
+        mesh = self.mesh(*torus(6, 4, 0))
+        self.run_ok('unwrap', mesh, self.path('a.obj'), '-o', self.path('a.vtu'), '-o',
+                    self.path('a.svg'), '-o', self.path('a.json'), '--quiet')
+        self.assertEqual(self.files(), ['a.json', 'a.obj', 'a.svg', 'a.vtu', 'mesh.obj'])
+        with open(self.path('a.json')) as f:
+            report = json.load(f)
+        self.assertEqual([o['file'] for o in report['outputs']],
+                         [self.path(n) for n in ('a.vtu', 'a.svg', 'a.obj')])
+        self.refused(USAGE, 'unwrap', mesh, self.path('a.csv'), says='.csv')
+        self.refused(USAGE, 'unwrap', mesh, says='output')
+
+    def test_numbers_of_the_report_are_those_of_the_layout(self):
+        points, faces = both(sphere(2), torus(6, 4, 0))
+        layout, report = self.clean(self.mesh(points, faces))
+        sides = {}
+        for face, texture in zip(layout.faces, layout.texture):
+            for i in range(3):
+                sides.setdefault(frozenset((face[i - 1], face[i])), []).append(
+                    frozenset((texture[i - 1], texture[i])))
+        seam = [edge for edge, used in sides.items() if len(set(used)) == 2]
+        length = sum(math.dist(*(points[v] for v in edge)) for edge in seam)
+        self.assertEqual(report['result']['seam_edges'], len(seam))
+        self.assertAlmostEqual(report['result']['seam_length'], length, places=9)
+        area = report['input']['area']
+        self.assertAlmostEqual(report['result']['seam_length_relative'], length / math.sqrt(area))
+        self.assertEqual([chart['faces'] for chart in report['charts']], [48, 48])
+        self.assertAlmostEqual(sum(chart['area'] for chart in report['charts']), area)
+        value = sum(chart['area'] * chart['value'] for chart in report['charts']) / area
+        self.assertAlmostEqual(report['result']['value'], value)
+        self.assertAlmostEqual(report['result']['value'], self.energy(points, layout), places=6)
+
+    def energy(self, points, layout):
+        """Mean symmetric Dirichlet energy of the digits written, from cotangents and edges."""
+        total = area = 0
+        for k, (face, texture) in enumerate(zip(layout.faces, layout.texture)):
+            p, q = ([c[i] for i in f] for c, f in ((points, face), (layout.uv, texture)))
+            q = [tuple(x / layout.scale for x in a) for a in q]
+            dirichlet, doubled = [], []
+            for own, other in ((p, q), (q, p)):  # of the map from own to other
+                a, b, c = (math.dist(own[i - 2], own[i - 1]) for i in range(3))
+                twice = math.sqrt((a + b + c) * (b + c - a) * (a + c - b) * (a + b - c)) / 2
+                squares = [a * a, b * b, c * c]
+                cots = [(sum(squares) - 2 * s) / (2 * twice) for s in squares]
+                far = [math.dist(other[i - 2], other[i - 1]) ** 2 for i in range(3)]
+                dirichlet.append(sum(c * f for c, f in zip(cots, far)))  # area times |J|^2, doubled
+                doubled.append(twice)
+            total += dirichlet[0] / 2 + dirichlet[1] / 2 * doubled[0] / doubled[1]
+            area += doubled[0] / 2
+        return total / area
+
+
+if __name__ == '__main__':
+    main()
