@@ -20,9 +20,9 @@ from collections import namedtuple
 from pathlib import Path
 
 ROOMS = ['framework', 'elements', 'mesh', 'energies', 'constraints', 'parametrization/fields',
-         'parametrization/cuts', 'parametrization/maps', 'parametrization/injectivity', 'parametrization/starts',
-         'parametrization/scaffold', 'parametrization/packing', 'parametrization/drive',
-         'parametrization/atlas', 'io']
+         'parametrization/cuts', 'parametrization/maps', 'parametrization/injectivity',
+         'parametrization/starts', 'parametrization/scaffold', 'parametrization/packing',
+         'parametrization/drive', 'parametrization/atlas', 'io']
 OPTIONS = ('LineSearchOptions', 'NewtonOptions', 'LbfgsOptions')
 # "file kName", or a file with all of its constants.
 EXEMPT = {

@@ -11,6 +11,7 @@
 #include "majorant/framework/internal/elimination.h"
 #include "majorant/mesh/internal/exact_predicates.h"
 #include "majorant/parametrization/injectivity/global_injectivity.h"
+#include "majorant/parametrization/maps/rest_shapes_of.h"
 #include "majorant/parametrization/starts/internal/untangle.h"
 
 namespace majorant {
@@ -217,7 +218,7 @@ bool PinPull::untangle_with_pins() {
   const std::optional<BezierMap> held = with_pins();
   if (!held) return false;
   MapSpecification spec;
-  spec.rest = flat_triangles(map_.mesh().positions(), map_.mesh().faces());
+  spec.rest = rest_shapes(map_.mesh());
   spec.seams = map_.shared_seams();
   spec.boundary = options_.map.boundary;
   spec.pins = fixed_points(options_.map.pins);
