@@ -203,7 +203,7 @@ void name_charts(const FinishedAtlas& run) {
   }
 }
 
-void summarize(const FinishedAtlas& run) {
+void summarize(const FinishedAtlas& run, const WrittenFiles& written) {
   const Atlas& atlas = run.atlas;
   name_charts(run);
   if (run.common.quiet || atlas.status() == Status::Failed) return;
@@ -216,7 +216,7 @@ void summarize(const FinishedAtlas& run) {
       relative_seam_length(run), atlas.stretch().l2, fill, run.map.degree,
       seconds_since(run.start));
   for (const std::string& path : run.outputs.files)
-    if (extension(path) == ".obj" || extension(path) == ".vtu")
+    if ((extension(path) == ".obj" || extension(path) == ".vtu") && written.has(path))
       say("proof: majorant check {} --cuts free{}\n", path, atlas.packing ? " --certify" : "");
 }
 
@@ -227,7 +227,7 @@ int write_atlas(const FinishedAtlas& run) {
   WrittenFiles written;
   if (run.atlas.status() != Status::Failed) write_maps(run, written);
   write_reports(run, seconds_since(run.start) - before, written);
-  summarize(run);
+  summarize(run, written);
   return written.conclude(exit_code(run.atlas.status()));
 }
 

@@ -48,6 +48,11 @@ std::string SeamRequest::file() const {
 
 CutOptions SeamRequest::options(const PolygonMesh& polygons) const {
   CutOptions cuts;
+  if (max_stretch && !(*max_stretch > 1))
+    throw Error(
+        ErrorKind::Usage,
+        fmt::format("--max-stretch {:g}: an isometry has 1 already; write --max-stretch {:g}",
+                    *max_stretch, cuts.max_stretch));
   if (max_stretch) cuts.max_stretch = *max_stretch;
   if (seams == "uv") cuts.method = CutMethod::Texture;
   if (is_sharp(seams)) cuts.method = CutMethod::Sharp;

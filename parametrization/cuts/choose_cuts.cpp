@@ -1,5 +1,7 @@
 #include "majorant/parametrization/cuts/choose_cuts.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -19,7 +21,10 @@ namespace {
 
 void require_valid(const SurfaceMesh& mesh, const CutOptions& options) {
   if (!(options.max_stretch > 1) || !std::isfinite(options.max_stretch))
-    throw Error(ErrorKind::Usage, "the largest stretch of a cut must be a number above 1");
+    throw Error(ErrorKind::Usage,
+                fmt::format("the largest stretch of a chart, {:g}, must be above 1, that of an "
+                            "isometry; try {:g}",
+                            options.max_stretch, CutOptions().max_stretch));
   if (!(options.sharp_angle > 0) || !(options.sharp_angle < 180))
     throw Error(ErrorKind::Usage, "the angle of sharp edges must lie between 0 and 180 degrees");
   if (!options.given.empty() && options.given.size() != at(mesh.half_edge_count()))

@@ -18,7 +18,7 @@ sys.path.insert(0, os.path.join(SOURCE, 'tests', 'apps'))
 import command_helpers as helpers  # noqa: E402
 from command_helpers import INVALID, LIMIT, CommandTest, majorant  # noqa: E402
 
-VERBS = ['parametrize', 'seamless', 'deform', 'check', 'compare', 'convert', 'info']
+VERBS = ['parametrize', 'unwrap', 'seamless', 'deform', 'check', 'compare', 'convert', 'info']
 
 
 def page():
@@ -126,6 +126,9 @@ class Reports(CommandTest):
         result, cut = self.path('result.vtu'), self.path('cut.vtu')
         self.report('parametrize', disk, result, '--degree', 2, '--pins', pins)
         self.report('parametrize', disk, self.path('b.vtu'), '--time-limit', 0, code=LIMIT)
+        self.report('unwrap', helpers.generated('buckle'), self.path('b.obj'), '--normalize')
+        self.report('unwrap', self.write('flipped.obj', helpers.obj_text(
+            points, [faces[0][::-1], *faces[1:]])), self.path('b.obj'), '--no-pack')
         self.report('seamless', helpers.generated('buckle'), cut, '--degree', 1)
         self.report('parametrize', cut, self.path('b.vtu'), '--seamless', '--degree', 1)
         self.report('parametrize', overlapping, self.path('b.vtu'), '--init', 'input',
@@ -148,7 +151,8 @@ class Reports(CommandTest):
         """Keys of no * are in every report of their verbs, the others in one at least."""
         self.found = {}
         self.run_all()
-        verbs = {'all': VERBS, 'runs': ['parametrize', 'seamless', 'deform']}
+        runs = ['parametrize', 'seamless', 'deform']
+        verbs = {'all': VERBS, 'runs': runs, 'maps': runs + ['unwrap']}
         always, sometimes, listed = {}, {}, []
         for key, where, *_ in rows(section('Reports')):
             name = re.match(r'`(.*?)`', key)[1]

@@ -16,7 +16,7 @@ enum class Found { Nothing, InnerEdge, Edge };
 
 [[noreturn]] void refuse(const SurfaceMesh& mesh, const std::pair<Index, Index>& edge,
                          const char* what) {
-  throw Error(ErrorKind::Usage, fmt::format("{}: cut: vertices {} and {} (counting from 0) {}",
+  throw Error(ErrorKind::Usage, fmt::format("{}: seams: vertices {} and {} (counting from 0) {}",
                                             mesh.file(), edge.first, edge.second, what));
 }
 
@@ -40,7 +40,8 @@ std::vector<char> flags_of_edges(const SurfaceMesh& mesh,
     }
   }
   for (const auto& [edge, found] : wanted) {
-    if (found == Found::Nothing) refuse(mesh, edge, "are not joined by an edge of the file");
+    if (found == Found::Nothing)
+      refuse(mesh, edge, "are not joined by an edge; correct the list of seams");
     if (found == Found::InnerEdge)
       refuse(mesh, edge, "are joined inside a polygon only; cut along its edges");
   }
