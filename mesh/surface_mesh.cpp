@@ -110,9 +110,9 @@ void SurfaceMesh::build_connectivity(const StopCheck& stop) {
   stop.poll();
   if (const Index v = find_touching_vertex(faces_, opposite_); v >= 0)
     throw Error(ErrorKind::Unsupported,
-                fmt::format("{}: vertex {}: sheets of the surface touch there (non-manifold); "
-                            "duplicate the vertex",
-                            file_, input_vertex(v) + 1));
+                fmt::format("{}: vertex {}: sheets of the surface touch there (non-manifold)",
+                            file_, input_vertex(v) + 1) +
+                    unwrap_remedy(file_, "duplicates the vertex"));
   const OpenMesh::TriConnectivity kernel = half_edge_structure(faces_, vertex_count(), stop);
   boundary_loops_ = boundary_loops_of(kernel);
   const std::vector<Index> component = face_components(opposite_);
@@ -242,23 +242,21 @@ Vector3 SurfaceMesh::input_position(Index v) const {
 }
 
 void SurfaceMesh::require_disk() const {
-  const auto refuse = [&](const std::string& what) {
-    throw Error(ErrorKind::Unsupported, fmt::format("{}: {}", file_, what));
+  const auto refuse = [&](const std::string& what, std::string_view does) {
+    throw Error(ErrorKind::Unsupported, file_ + ": " + what + unwrap_remedy(file_, does));
   };
   const Index genus_twice = 2 - topology_.boundary_loops - topology_.euler_characteristic();
   if (topology_.boundary_loops == 0)
-    refuse(fmt::format("the surface is closed (genus {}, no boundary); cut it open to a disk",
-                       genus_twice / 2));
+    refuse(fmt::format("the surface is closed (genus {}, no boundary)", genus_twice / 2),
+           "cuts it open, along --seams auto");
   if (topology_.boundary_loops > 1)
-    refuse(
-        fmt::format("the surface has {} boundary loops (a second one passes vertex {}); close "
-                    "the holes or cut it open to a disk",
-                    topology_.boundary_loops, input_vertex(boundary_loops_[1].front()) + 1));
+    refuse(fmt::format("the surface has {} boundary loops (a second one passes vertex {})",
+                       topology_.boundary_loops, input_vertex(boundary_loops_[1].front()) + 1),
+           "maps it with its holes");
   if (topology_.euler_characteristic() != 1)
-    refuse(
-        fmt::format("the surface has genus {} (one boundary loop, Euler characteristic {}); cut "
-                    "it open to a disk",
-                    genus_twice / 2, topology_.euler_characteristic()));
+    refuse(fmt::format("the surface has genus {} (one boundary loop, Euler characteristic {})",
+                       genus_twice / 2, topology_.euler_characteristic()),
+           "cuts it open, along --seams auto");
 }
 
 void SurfaceMesh::require_planar() const {

@@ -69,7 +69,8 @@ struct SurfacePiece;
 
 class SurfaceMesh {
  public:
-  // Throws Error(Unsupported) naming file, place and remedy for the first defect found; Stopped.
+  // Throws Error(Unsupported) naming file, place and the command that works for the first defect
+  // found; Stopped.
   static SurfaceMesh from_polygons(const PolygonMesh& input, const StopCheck& stop = {},
                                    Components components = Components::One,
                                    Shapes shapes = Shapes::Proper);

@@ -16,8 +16,10 @@
 namespace majorant {
 namespace {
 
-[[noreturn]] void refuse(const std::string& place, const std::string& what) {
-  throw Error(ErrorKind::Unsupported, place + ": " + what);
+// With what unwrap does about it.
+[[noreturn]] void refuse(const PolygonMesh& input, const std::string& place,
+                         const std::string& what, std::string_view does) {
+  throw Error(ErrorKind::Unsupported, place + ": " + what + unwrap_remedy(input.file, does));
 }
 
 // A triangle is degenerate when its height over the longest edge is below this fraction of it.
@@ -64,6 +66,10 @@ bool orientable(const TriangleList& list, const std::vector<HalfEdge>& edges) {
 
 }  // namespace
 
+std::string unwrap_remedy(const std::string& file, std::string_view does) {
+  return fmt::format("; `majorant unwrap {} -o OUT.obj` {}", file.empty() ? "FILE" : file, does);
+}
+
 bool has_area(const Vector3& a, const Vector3& b, const Vector3& c) {
   const Vector3 u = b - a, v = c - a;
   const double longest = std::max({u.norm(), v.norm(), (u - v).norm()});
@@ -87,10 +93,11 @@ void require_usable_coordinates(const PolygonMesh& input) {
   }
   const double spacing = std::numeric_limits<double>::epsilon() * largest;
   if (spacing * kUsableUlps > shortest)
-    refuse(face_place(input, where),
+    refuse(input, face_place(input, where),
            fmt::format("an edge of length {:.3g} at coordinates near {:.3g} keeps fewer than 8 "
-                       "digits; move the mesh to the origin (or remove slivers)",
-                       shortest, largest));
+                       "digits",
+                       shortest, largest),
+           "moves the mesh to the origin and back");
 }
 
 void require_proper_faces(const PolygonMesh& input, const TriangleList& list, Shapes shapes,
@@ -101,13 +108,15 @@ void require_proper_faces(const PolygonMesh& input, const TriangleList& list, Sh
     std::array<Index, 3> f = list.triangles[t];
     const std::string place = face_place(input, list.polygon[t]);
     if (f[0] == f[1] || f[1] == f[2] || f[2] == f[0])
-      refuse(place, "a vertex occurs twice; remove the face");
+      refuse(input, place, "a vertex occurs twice", "makes it a piece of its own");
     if (shapes == Shapes::Proper &&
         !has_area(position(input, f[0]), position(input, f[1]), position(input, f[2])))
-      refuse(place, fmt::format("zero area (vertices {}, {}, {}); collapse it or move a vertex",
-                                f[0] + 1, f[1] + 1, f[2] + 1));
+      refuse(input, place,
+             fmt::format("zero area (vertices {}, {}, {})", f[0] + 1, f[1] + 1, f[2] + 1),
+             "measures it against a needle");
     std::sort(f.begin(), f.end());
-    if (!seen.insert(f).second) refuse(place, "the same face occurs twice; remove one");
+    if (!seen.insert(f).second)
+      refuse(input, place, "the same face occurs twice", "makes each a piece");
   }
 }
 
@@ -115,21 +124,24 @@ void require_manifold_edges(const PolygonMesh& input, const TriangleList& list) 
   const std::vector<HalfEdge> edges = sorted_half_edges(list);
   for (std::size_t k = 0; k + 2 < edges.size(); ++k)
     if (edges[k].low == edges[k + 2].low && edges[k].high == edges[k + 2].high)
-      refuse(face_place(input, list.polygon[at(edges[k + 2].triangle)]),
-             fmt::format("edge ({}, {}) has more than two faces (non-manifold); split the surface "
-                         "there",
-                         edges[k].low + 1, edges[k].high + 1));
+      refuse(input, face_place(input, list.polygon[at(edges[k + 2].triangle)]),
+             fmt::format("edge ({}, {}) has more than two faces (non-manifold)", edges[k].low + 1,
+                         edges[k].high + 1),
+             "splits the surface there");
   for (std::size_t k = 0; k + 1 < edges.size(); ++k) {
     const HalfEdge &a = edges[k], &b = edges[k + 1];
     if (a.low != b.low || a.high != b.high || a.forward != b.forward) continue;
     const std::string place = face_place(input, list.polygon[at(b.triangle)]);
     if (orientable(list, edges))
-      refuse(place, fmt::format("faces on both sides of edge ({}, {}) run against each other "
-                                "(inconsistent orientation); flip the faces that disagree",
-                                a.low + 1, a.high + 1));
-    refuse(place, fmt::format("the surface is not orientable (a Moebius strip passes edge "
-                              "({}, {})); cut it",
-                              a.low + 1, a.high + 1));
+      refuse(input, place,
+             fmt::format("faces on both sides of edge ({}, {}) run against each other "
+                         "(inconsistent orientation)",
+                         a.low + 1, a.high + 1),
+             "turns the faces that disagree");
+    refuse(input, place,
+           fmt::format("the surface is not orientable (a Moebius strip passes edge ({}, {}))",
+                       a.low + 1, a.high + 1),
+           "cuts it");
   }
 }
 
@@ -144,17 +156,17 @@ void require_one_component(const PolygonMesh& input, const TriangleList& list) {
     first.emplace(components.find(list.triangles[t][0]), static_cast<Index>(t));
   if (first.size() <= 1) return;
   if (first.size() == list.triangles.size())
-    refuse(input.file, fmt::format("none of the {} faces shares a vertex with another (unwelded "
-                                   "soup); merge coincident vertices",
-                                   first.size()));
+    refuse(input, input.file,
+           fmt::format("none of the {} faces shares a vertex with another (unwelded soup)",
+                       first.size()),
+           "merges coincident vertices");
   Index other = 0;
   const Index home = components.find(list.triangles[0][0]);
   for (const auto& [component, triangle] : first)
     if (component != home && (other == 0 || triangle < other)) other = triangle;
-  refuse(face_place(input, list.polygon[at(other)]),
-         fmt::format("the mesh has {} components, a second one starts here; give one component "
-                     "per file",
-                     first.size()));
+  refuse(input, face_place(input, list.polygon[at(other)]),
+         fmt::format("the mesh has {} components, a second one starts here", first.size()),
+         "maps all of them");
 }
 
 }  // namespace majorant

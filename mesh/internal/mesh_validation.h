@@ -1,6 +1,9 @@
 // Finds the first defect of a polygon mesh that the library cannot work with, and says where it is.
 #pragma once
 
+#include <string>
+#include <string_view>
+
 #include "majorant/framework/stop_check.h"
 #include "majorant/mesh/internal/triangle_list.h"
 #include "majorant/mesh/polygon_mesh.h"
@@ -8,10 +11,13 @@
 
 namespace majorant {
 
+// "; `majorant unwrap mesh.obj -o OUT.obj DOES": the end of a refusal by those who solve.
+std::string unwrap_remedy(const std::string& file, std::string_view does);
+
 // Whether a triangle has a height over its longest edge that is more than rounding.
 bool has_area(const Vector3& a, const Vector3& b, const Vector3& c);
 
-// Each throws Error(Unsupported) with "file: place: what; remedy".
+// Each throws Error(Unsupported) with "file: place: what; remedy", the command that works.
 void require_usable_coordinates(const PolygonMesh& input);  // precision
 void require_proper_faces(const PolygonMesh& input, const TriangleList& list, Shapes shapes,
                           const StopCheck& stop);  // degenerate, twice

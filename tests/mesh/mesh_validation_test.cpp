@@ -33,7 +33,8 @@ TEST(MeshValidation, AcceptsAllFacesReversed) {
 TEST(MeshValidation, RefusesCollinearCorners) {
   const PolygonMesh mesh =
       polygon_mesh({{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {1, 0, 0}}, {{0, 1, 2}, {0, 3, 1}});
-  expect_contains(refusal(mesh), {"inline.obj:102: face 2", "zero area", "1, 4, 2"});
+  expect_contains(refusal(mesh), {"inline.obj:102: face 2", "zero area", "1, 4, 2",
+                                  "`majorant unwrap inline.obj -o OUT.obj` measures it"});
 }
 
 TEST(MeshValidation, RefusesCoincidentCorners) {
@@ -90,7 +91,8 @@ TEST(MeshValidation, RefusesAnEdgeWithThreeFaces) {
 TEST(MeshValidation, RefusesSheetsThatTouchInAVertex) {
   const PolygonMesh bow_tie = polygon_mesh(
       {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}}, {{0, 1, 2}, {0, 3, 4}});
-  expect_contains(refusal(bow_tie), {"inline.obj", "vertex 1:", "non-manifold", "duplicate"});
+  expect_contains(refusal(bow_tie), {"inline.obj", "vertex 1:", "non-manifold",
+                                     "`majorant unwrap inline.obj -o OUT.obj` duplicates"});
 
   // Two corners of one sheet, far from each other, become one vertex.
   PolygonMesh pinched = grid(4);
@@ -124,7 +126,7 @@ TEST(MeshValidation, NamesVerticesAsTheFileDoes) {
 TEST(MeshValidation, RefusesAFlippedFace) {
   PolygonMesh mesh = grid(4);
   std::swap(mesh.polygons[10][0], mesh.polygons[10][1]);
-  expect_contains(refusal(mesh), {"inline.obj:1", "face ", "inconsistent orientation", "flip"});
+  expect_contains(refusal(mesh), {"inline.obj:1", "face ", "inconsistent orientation", "turns"});
 }
 
 TEST(MeshValidation, RefusesAMoebiusStrip) {
@@ -155,7 +157,7 @@ TEST(MeshValidation, RefusesTwoComponents) {
     mesh.polygons.push_back(polygon);
     mesh.polygon_lines.push_back(101 + static_cast<long>(mesh.polygon_lines.size()));
   }
-  expect_contains(refusal(mesh), {"inline.obj:133: face 33", "2 components"});
+  expect_contains(refusal(mesh), {"inline.obj:133: face 33", "2 components", "unwrap"});
 }
 
 TEST(MeshValidation, RefusesSoup) {
@@ -173,7 +175,7 @@ TEST(MeshValidation, RefusesSoup) {
 TEST(MeshValidation, RefusesCoordinatesWithoutDigits) {
   PolygonMesh mesh = grid(4, bumpy);
   for (Vector3& p : mesh.positions) p += Vector3(1e12, -1e12, 1e12);
-  expect_contains(refusal(mesh), {"inline.obj:1", "face ", "e+12", "move the mesh"});
+  expect_contains(refusal(mesh), {"inline.obj:1", "face ", "e+12", "moves the mesh"});
 }
 
 TEST(MeshValidation, AcceptsAModerateOffset) {
@@ -185,7 +187,8 @@ TEST(MeshValidation, AcceptsAModerateOffset) {
 TEST(MeshValidation, AClosedSurfaceIsNoDisk) {
   const PolygonMesh tetrahedron = polygon_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
                                                {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
-  expect_contains(disk_refusal(tetrahedron), {"inline.obj", "closed", "genus 0", "cut"});
+  expect_contains(disk_refusal(tetrahedron),
+                  {"inline.obj", "closed", "genus 0", "cuts it open, along --seams auto"});
   expect_contains(disk_refusal(torus(8, 6, 0)), {"inline.obj", "closed", "genus 1", "cut"});
 }
 
@@ -194,7 +197,8 @@ TEST(MeshValidation, AnAnnulusIsNoDisk) {
   mesh.polygons.erase(mesh.polygons.begin() + 10, mesh.polygons.begin() + 12);  // quad (1, 1)
   mesh.polygon_lines.resize(30);
   // The hole's smallest vertex is 6, counted from 1: 7.
-  expect_contains(disk_refusal(mesh), {"inline.obj", "2 boundary loops", "vertex 7"});
+  expect_contains(disk_refusal(mesh),
+                  {"inline.obj", "2 boundary loops", "vertex 7", "with its holes"});
 }
 
 TEST(MeshValidation, GenusOneWithOneLoopIsNoDisk) {
