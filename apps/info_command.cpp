@@ -11,6 +11,7 @@
 #include "apps/seam_request.h"
 #include "apps/streams.h"
 #include "majorant/io/read_mesh.h"
+#include "majorant/mesh/defects.h"
 #include "majorant/mesh/repair.h"
 #include "majorant/parametrization/drive/internal/normalized_start.h"
 #include "majorant/parametrization/drive/parametrize.h"
@@ -51,15 +52,14 @@ void describe_surface(const PolygonMesh& polygons, const SurfaceMesh& mesh, Desc
     out.add("note: {}\n", note.get<std::string>());
 }
 
-// What `majorant unwrap` would mend.
-void describe_defects(const std::vector<Repair>& repairs, Description& out) {
+void describe_defects(const std::vector<Defect>& defects, Description& out) {
   Json list = Json::array();
-  for (const Repair& r : repairs) {
-    out.add("defect: {}\n", describe(r));
+  for (const Defect& d : defects) {
+    out.add("defect: {}\n", describe(d));
     Json places = Json::array();
-    for (const auto& [first, second] : r.places)
+    for (const auto& [first, second] : d.places)
       places.push_back(second < 0 ? Json{first} : Json{first, second});
-    list.push_back({{"repair", name_of(r.kind)}, {"count", r.count}, {"places", places}});
+    list.push_back({{"kind", name_of(d.kind)}, {"count", d.count}, {"places", places}});
   }
   out.report["defects"] = list;
 }
@@ -124,8 +124,12 @@ std::string verdict(const PolygonMesh& polygons, Description& out) {
   } catch (const std::bad_alloc&) {
     return "parametrize would refuse: out of memory while making the start";
   }
-  return fmt::format("parametrize would refuse: {}; `majorant unwrap {} -o OUT.obj` maps it{}",
-                     refusal, polygons.file, other_verb);
+  // Most refusals name it themselves.
+  const bool names_unwrap = refusal.find("`majorant unwrap") != std::string::npos;
+  return fmt::format(
+      "parametrize would refuse: {}{}{}", refusal,
+      names_unwrap ? "" : fmt::format("; `majorant unwrap {} -o OUT.obj` maps it", polygons.file),
+      refusal.find("`majorant seamless") != std::string::npos ? "" : other_verb);
 }
 
 // What `majorant unwrap` would do, up to the solve.
@@ -149,9 +153,8 @@ int info(const Request& request) {
   require_writable(request.common, {}, {request.input});
   const PolygonMesh polygons = read_mesh(request.input);
   Description out;
-  const RepairedSurface repaired = repair(polygons);
-  describe_surface(polygons, *repaired.mesh, out);
-  describe_defects(repaired.repairs, out);
+  describe_surface(polygons, *repair(polygons).mesh, out);
+  describe_defects(find_defects(polygons).defects, out);
   const std::string message = verdict(polygons, out);
   out.add("verdict: {}\n", message);
   out.report["message"] = message;
