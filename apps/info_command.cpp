@@ -153,7 +153,8 @@ int info(const Request& request) {
   require_writable(request.common, {}, {request.input});
   const PolygonMesh polygons = read_mesh(request.input);
   Description out;
-  describe_surface(polygons, *repair(polygons).mesh, out);
+  const RepairedSurface repaired = repair(polygons);
+  describe_surface(polygons, *repaired.mesh, out);
   describe_defects(find_defects(polygons).defects, out);
   const std::string message = verdict(polygons, out);
   out.add("verdict: {}\n", message);

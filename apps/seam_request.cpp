@@ -59,6 +59,7 @@ CutOptions SeamRequest::options(const PolygonMesh& polygons) const {
   if (is_sharp(seams) && seams != kSharp) cuts.sharp_angle = sharp_angle(seams);
   if (file().empty()) return cuts;
   cuts.method = CutMethod::Given;
+  cuts.edges_source = file();
   cuts.edges = read_seams(file(), static_cast<Index>(polygons.positions.size()));
   return cuts;
 }

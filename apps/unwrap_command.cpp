@@ -55,7 +55,7 @@ int unwrap_file(Request request) {
     polygons = read_mesh(request.map.input, record.start_stop());
     say_warnings(polygons.warnings);
     surface = request.unwrap.repaired(polygons, record.start_stop());
-    polygons = with_turned_faces(std::move(polygons), surface);
+    polygons = with_welded_vertices(std::move(polygons), surface);
     options = request.unwrap.options(polygons, surface);
     options.chart = read_options(request.map, polygons, *surface.mesh);
   });

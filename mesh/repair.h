@@ -63,12 +63,17 @@ inline constexpr double kFarAway = 1e3;
 // the orientation means something already: they are open there.
 enum class Orientation { MadeConsistent, AsGiven };
 
+// What is done for the sake of computing: needles regularized and far coordinates moved, see above;
+// or only what a map cannot be judged without: rest triangles of faces that have no area.
+enum class Numerics { ForSolving, AsGiven };
+
 struct RepairOptions {
   // Vertices no farther apart become one; 0: at equal positions. Nothing: where no face shares a
   // vertex with another, at equal positions, else none. Where the texture coordinates of welded
   // faces differ across an edge, that is a given cut.
   std::optional<double> weld = std::nullopt;
   Orientation orientation = Orientation::MadeConsistent;
+  Numerics numerics = Numerics::ForSolving;
 };
 
 enum class RepairKind {
@@ -116,8 +121,8 @@ struct RepairedSurface {
 RepairedSurface repair(const PolygonMesh& input, const RepairOptions& options = {},
                        const StopCheck& stop = {});
 
-// The file's polygons as the surface has them: those of turned faces in the opposite order, from
-// their first corner on, with their texture coordinates and normals. What writers need.
-PolygonMesh with_turned_faces(PolygonMesh input, const RepairedSurface& surface);
+// The file's polygons as the surface has them: where vertices at different places were welded, with
+// the first of these. What writers are given.
+PolygonMesh with_welded_vertices(PolygonMesh input, const RepairedSurface& surface);
 
 }  // namespace majorant

@@ -43,7 +43,8 @@ std::optional<BezierMap> glued(const BezierMap& map) {
     }
   }
   if (!is_other) return std::nullopt;
-  const auto mesh = repair(welded, {.orientation = Orientation::AsGiven}).mesh;
+  const auto mesh =
+      repair(welded, {.orientation = Orientation::AsGiven, .numerics = Numerics::AsGiven}).mesh;
   auto space = std::make_shared<const BezierTriangleSpace>(mesh->faces(), mesh->vertex_count(),
                                                            map.degree());
   Vec x(2 * space->node_count());

@@ -41,7 +41,8 @@ std::vector<char> asked_cuts(const SurfaceMesh& mesh, const CutOptions& options)
   std::vector<char> is_cut(at(mesh.half_edge_count()), 0);
   if (options.method == CutMethod::Texture) is_cut = texture_borders(mesh);
   if (options.method == CutMethod::Sharp) is_cut = sharp_charts(mesh, options.sharp_angle);
-  if (options.method == CutMethod::Given) is_cut = flags_of_edges(mesh, options.edges);
+  if (options.method == CutMethod::Given)
+    is_cut = flags_of_edges(mesh, options.edges, options.edges_source);
   for (std::size_t h = 0; h < options.given.size(); ++h)
     if (const Index o = mesh.opposite(static_cast<Index>(h)); options.given[h] && o >= 0)
       is_cut[h] = is_cut[at(o)] = 1;

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <vector>
 
 #include "majorant/mesh/surface_mesh.h"
@@ -35,6 +36,7 @@ struct CutOptions {
   double sharp_angle = 40;  // Sharp: degrees between the normals of two faces
   // Given: vertices of the file from 0, two for every edge.
   std::vector<std::array<Index, 2>> edges;
+  std::string edges_source;  // for messages: where they come from
   std::vector<char> given;  // 3 #F flags, one side is enough, or empty: cut in any case
 };
 
