@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "apps/seam_request.h"
 #include "apps/streams.h"
 #include "majorant/framework/thread_count.h"
 #include "majorant/io/atlas_file.h"
@@ -147,13 +148,9 @@ Json result_section(const FinishedAtlas& run) {
               {"globally_injective", atlas.packing ? Json(true) : Json()},
               {"min_det_bound", min_det},
               {"charts", atlas.charts.size()},
-              {"seam_length", atlas.cuts.length},
-              {"seam_length_relative", relative_seam_length(run)},
-              {"seam_edges", atlas.cuts.edges},
-              {"added_seam_length", atlas.cuts.added_length},
-              {"added_seam_edges", atlas.cuts.added_edges},
               {"stretch_l2", stretch.l2},
               {"stretch_max", stretch.max}};
+  result.update(cuts_section(atlas.cuts, run.surface.mesh->area()));
   if (!atlas.packing) return result;
   result["fill"] = atlas.packing->fill;
   result["side"] = atlas.packing->side;
@@ -206,7 +203,7 @@ void name_charts(const FinishedAtlas& run) {
   }
 }
 
-void summarize(const FinishedAtlas& run) {
+void summarize(const FinishedAtlas& run, const WrittenFiles& written) {
   const Atlas& atlas = run.atlas;
   name_charts(run);
   if (run.common.quiet || atlas.status() == Status::Failed) return;
@@ -219,7 +216,7 @@ void summarize(const FinishedAtlas& run) {
       relative_seam_length(run), atlas.stretch().l2, fill, run.map.degree,
       seconds_since(run.start));
   for (const std::string& path : run.outputs.files)
-    if (extension(path) == ".obj" || extension(path) == ".vtu")
+    if ((extension(path) == ".obj" || extension(path) == ".vtu") && written.has(path))
       say("proof: majorant check {} --cuts free{}\n", path, atlas.packing ? " --certify" : "");
 }
 
@@ -230,7 +227,7 @@ int write_atlas(const FinishedAtlas& run) {
   WrittenFiles written;
   if (run.atlas.status() != Status::Failed) write_maps(run, written);
   write_reports(run, seconds_since(run.start) - before, written);
-  summarize(run);
+  summarize(run, written);
   return written.conclude(exit_code(run.atlas.status()));
 }
 

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-#include "apps/suggestion.h"
+#include "apps/arguments/suggestion.h"
 #include "majorant/framework/error.h"
 #include "majorant/parametrization/maps/map_problem.h"
 

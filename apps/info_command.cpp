@@ -1,13 +1,17 @@
 // majorant info IN: what a mesh is, what is wrong with it, and which verb maps it.
 #include <CLI/App.hpp>
+#include <algorithm>
 #include <memory>
+#include <new>
 #include <optional>
 
 #include "apps/command.h"
 #include "apps/outputs.h"
 #include "apps/report.h"
+#include "apps/seam_request.h"
 #include "apps/streams.h"
 #include "majorant/io/read_mesh.h"
+#include "majorant/mesh/defects.h"
 #include "majorant/mesh/repair.h"
 #include "majorant/parametrization/drive/internal/normalized_start.h"
 #include "majorant/parametrization/drive/parametrize.h"
@@ -19,6 +23,7 @@ namespace {
 struct Request {
   CommonOptions common;
   std::string input;
+  bool plan = false;
 };
 
 // The same in words and as JSON.
@@ -47,15 +52,14 @@ void describe_surface(const PolygonMesh& polygons, const SurfaceMesh& mesh, Desc
     out.add("note: {}\n", note.get<std::string>());
 }
 
-// What `majorant unwrap` would mend.
-void describe_defects(const std::vector<Repair>& repairs, Description& out) {
+void describe_defects(const std::vector<Defect>& defects, Description& out) {
   Json list = Json::array();
-  for (const Repair& r : repairs) {
-    out.add("defect: {}\n", describe(r));
+  for (const Defect& d : defects) {
+    out.add("defect: {}\n", describe(d));
     Json places = Json::array();
-    for (const auto& [first, second] : r.places)
+    for (const auto& [first, second] : d.places)
       places.push_back(second < 0 ? Json{first} : Json{first, second});
-    list.push_back({{"repair", name_of(r.kind)}, {"count", r.count}, {"places", places}});
+    list.push_back({{"kind", name_of(d.kind)}, {"count", d.count}, {"places", places}});
   }
   out.report["defects"] = list;
 }
@@ -117,9 +121,32 @@ std::string verdict(const PolygonMesh& polygons, Description& out) {
     return runnable(mesh, out);
   } catch (const Error& e) {
     refusal = e.what();
+  } catch (const std::bad_alloc&) {
+    return "parametrize would refuse: out of memory while making the start";
   }
-  return fmt::format("parametrize would refuse: {}; `majorant unwrap {} -o OUT.obj` maps it{}",
-                     refusal, polygons.file, other_verb);
+  // Most refusals name it themselves.
+  const bool names_unwrap = refusal.find("`majorant unwrap") != std::string::npos;
+  return fmt::format(
+      "parametrize would refuse: {}{}{}", refusal,
+      names_unwrap ? "" : fmt::format("; `majorant unwrap {} -o OUT.obj` maps it", polygons.file),
+      refusal.find("`majorant seamless") != std::string::npos ? "" : other_verb);
+}
+
+// What `majorant unwrap` would do, up to the solve.
+void describe_plan(const SurfaceMesh& mesh, Description& out) {
+  const SurfaceCuts cuts = choose_cuts(mesh, {});
+  Index charts = 0;
+  double stretch = 1;
+  for (const ComponentCuts& component : cuts.components) {
+    charts += component.pieces;
+    stretch = std::max(stretch, component.estimated_stretch);
+  }
+  out.add(
+      "plan: unwrap makes {} chart{}, cut along {} edges of length {:.6g}, stretch about {:.3f}\n",
+      charts, charts == 1 ? "" : "s", cuts.edges, cuts.length, stretch);
+  out.report["plan"] = cuts_section(cuts, mesh.area());
+  out.report["plan"]["charts"] = charts;
+  out.report["plan"]["estimated_stretch"] = stretch;
 }
 
 int info(const Request& request) {
@@ -128,10 +155,11 @@ int info(const Request& request) {
   Description out;
   const RepairedSurface repaired = repair(polygons);
   describe_surface(polygons, *repaired.mesh, out);
-  describe_defects(repaired.repairs, out);
+  describe_defects(find_defects(polygons).defects, out);
   const std::string message = verdict(polygons, out);
   out.add("verdict: {}\n", message);
   out.report["message"] = message;
+  if (request.plan) describe_plan(*repaired.mesh, out);
   if (request.common.report != kStandardOutput) print_text(out.text);
   if (!request.common.report.empty()) write_json(request.common.report, out.report);
   return kSuccess;
@@ -143,8 +171,9 @@ void add_info(CLI::App& app, Action* run) {
   auto request = std::make_shared<Request>();
   CLI::App& verb = *app.add_subcommand("info", "describe a mesh, its defects, and what maps it");
   verb.add_option("input", request->input, "mesh: .obj .off .ply .stl .vtu, also .gz")->required();
+  verb.add_flag("--plan", request->plan, "what unwrap would do: charts and cuts");
   request->common.add_to(verb);
-  verb.footer("Example: majorant info bunny.obj");
+  verb.footer("Example: majorant info bunny.obj --plan");
   verb.callback([request, run] { *run = [request] { return info(*request); }; });
 }
 

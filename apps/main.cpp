@@ -8,8 +8,8 @@
 #include <new>
 #include <sstream>
 
+#include "apps/arguments/command_line.h"
 #include "apps/command.h"
-#include "apps/command_line.h"
 #include "apps/process.h"
 #include "apps/streams.h"
 

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
+#include "apps/arguments/number_check.h"
+#include "apps/arguments/suggestion.h"
 #include "apps/energy_option.h"
-#include "apps/number_check.h"
 #include "apps/outputs.h"
 #include "apps/streams.h"
-#include "apps/suggestion.h"
 #include "apps/unless_stopped.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/curvature_name.h"
@@ -27,22 +27,20 @@ Curvature find_curvature(const std::string& wanted) {
   throw Error(ErrorKind::Usage, "no curvature model is called '" + wanted + "'");
 }
 
+// Of a vertex with several copies, on a cut or where sheets were split, every one is held.
 std::vector<Pin> read_points(const std::string& path, const PolygonMesh& polygons,
                              const SurfaceMesh& mesh) {
+  std::vector<std::pair<Index, Index>> vertices;  // of the input, of the mesh
+  for (Index v = 0; v < mesh.vertex_count(); ++v) vertices.emplace_back(mesh.input_vertex(v), v);
+  std::sort(vertices.begin(), vertices.end());
   std::vector<Pin> points;
-  for (const Handle& h : read_handles(path, static_cast<Index>(polygons.positions.size())))
-    points.push_back({used_vertex(path, mesh, h.vertex), h.target});
+  for (const Handle& h : read_handles(path, static_cast<Index>(polygons.positions.size()))) {
+    used_vertex(path, mesh, h.vertex);
+    for (auto copy = std::lower_bound(vertices.begin(), vertices.end(), std::pair(h.vertex, 0));
+         copy != vertices.end() && copy->first == h.vertex; ++copy)
+      points.push_back({copy->second, h.target});
+  }
   return points;
-}
-
-// Every copy of a vertex on a seam is held, each by itself.
-std::vector<Pin> on_cut_surface(const std::vector<Pin>& points, const Seams& seams) {
-  if (seams.empty()) return points;
-  std::vector<Pin> out;
-  for (const Pin& p : points)
-    for (std::size_t v = 0; v < seams.surface_vertex().size(); ++v)
-      if (seams.surface_vertex()[v] == p.vertex) out.push_back({static_cast<Index>(v), p.target});
-  return out;
 }
 
 Vec read_weights(const std::string& path, const PolygonMesh& polygons, const SurfaceMesh& mesh) {
@@ -153,9 +151,7 @@ MapInput read_input(const MapRequest& request, const StopCheck& stop,
     in.start = seamless_from_texture(*in.mesh);
   else
     in.mesh->require_planar();
-  in.options = read_options(request, in.polygons, *in.mesh);
-  for (std::vector<Pin>* points : {&in.options.map.pins, &in.options.map.handles})
-    if (in.start) *points = on_cut_surface(*points, in.start->map.seams());
+  in.options = read_options(request, in.polygons, in.start ? in.start->map.mesh() : *in.mesh);
   if (request.init == "input" && !request.seamless) in.options.map.initial = texture_map(*in.mesh);
   require_scale(request, in);
   return in;

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "apps/report.h"
+#include "majorant/parametrization/cuts/choose_cuts.h"
 #include "majorant/parametrization/drive/parametrize.h"
 #include "majorant/parametrization/starts/start.h"
 
@@ -37,23 +38,23 @@ struct MapInput {
   PolygonMesh polygons;
   std::shared_ptr<const SurfaceMesh> mesh;  // of the file, not cut
   ParametrizationOptions options;           // vertices are those of start's mesh, if there is one
-  std::optional<Start> start;               // of seamless maps
+  std::optional<Start> start;               // of seamless maps, and of surfaces cut open
+  std::optional<SurfaceCuts> cuts;          // of the latter
 };
 
 // Vertex of the mesh for one of its file that `path` names. Throws Error(Unsupported) when no face
 // uses it.
 Index used_vertex(const std::string& path, const SurfaceMesh& mesh, Index input_vertex);
 
-// Reads the files and translates the options. make_start: gives the seamless map to start from;
-// empty: that of the texture coordinates if `request` is seamless, else a map of a disk with or
-// without holes. Throws Error as the readers and starts do; Error(Unsupported) when a mesh should be
-// such a disk and is not,
-// Error(Usage) for energies that collapse, Error(Invalid) when stopped.
 // The options alone, of any surface of the file, cut or not: energy, degree, curvature, points and
-// weights. Throws as above.
+// weights. Throws Error as the readers do.
 ParametrizationOptions read_options(const MapRequest& request, const PolygonMesh& polygons,
                                     const SurfaceMesh& mesh);
 
+// Reads the files and translates the options. make_start: gives the seamless map to start from;
+// empty: that of the texture coordinates if `request` is seamless, else a map of a disk with or
+// without holes. Throws Error as the readers and starts do; Error(Unsupported) when a mesh should
+// be such a disk and is not, Error(Usage) for energies that collapse, Error(Invalid) when stopped.
 using StartMaker = std::function<Start(const PolygonMesh&, const SurfaceMesh&)>;
 MapInput read_input(const MapRequest& request, const StopCheck& stop,
                     const StartMaker& make_start = {});

@@ -97,6 +97,11 @@ void WrittenFiles::write(const std::string& path, const std::function<void()>& w
   entries_.push_back(std::move(entry));
 }
 
+bool WrittenFiles::has(const std::string& path) const {
+  return std::any_of(entries_.begin(), entries_.end(),
+                     [&](const Entry& e) { return e.path == path && e.code == kSuccess; });
+}
+
 Json WrittenFiles::to_json() const {
   Json list = Json::array();
   for (const Entry& e : entries_)

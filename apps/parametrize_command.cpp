@@ -4,31 +4,60 @@
 
 #include "apps/energy_option.h"
 #include "apps/map_run.h"
+#include "apps/seam_request.h"
 #include "apps/unless_stopped.h"
+#include "majorant/framework/error.h"
 #include "majorant/parametrization/drive/parametrize.h"
 
 namespace majorant::app {
 namespace {
 
-int run_job(MapVerb request) {
-  MapRun run("parametrize", request);
-  const MapInput& in = run.read();
-  return run.finish(unless_stopped("making the start of " + request.map.input, [&] {
+struct Request : MapVerb {
+  SeamRequest seams;
+};
+
+// Tutte's map of the surface cut open to one piece.
+Start cut_start(const Request& request, const PolygonMesh& polygons, const SurfaceMesh& mesh,
+                const StopCheck& stop, std::optional<SurfaceCuts>& cuts) {
+  cuts = choose_cuts(mesh, request.seams.options(polygons), stop);
+  const auto open = std::make_shared<const SurfaceMesh>(mesh.cut_along(cuts->is_cut, nullptr));
+  if (const Index pieces = open->topology().components; pieces > 1)
+    throw Error(
+        ErrorKind::Unsupported,
+        fmt::format("{}: --seams {} leaves {} pieces, parametrize maps one; `majorant "
+                    "unwrap {} --seams {} -o OUT` maps them all",
+                    mesh.file(), request.seams.seams, pieces, mesh.file(), request.seams.seams));
+  return Start{BezierMap::linear(open, initial_map(*open, MapOptions(), stop))};
+}
+
+int run_job(Request request) {
+  MapRun run("parametrize", request, {request.seams.file()});
+  std::optional<SurfaceCuts> cuts;
+  const auto cut_open = [&](const PolygonMesh& polygons, const SurfaceMesh& mesh) {
+    return cut_start(request, polygons, mesh, run.record().start_stop(), cuts);
+  };
+  MapInput& in = request.seams.seams.empty() ? run.read() : run.read(cut_open);
+  in.cuts = std::move(cuts);
+  const auto solve = [&] {
     return in.start ? parametrize(in.start->map, in.options, run.record())
                     : parametrize(in.mesh, in.options, run.record());
-  }));
+  };
+  return run.finish(unless_stopped("making the start of " + request.map.input, solve),
+                    request.seams.to_json());
 }
 
 }  // namespace
 
 void add_parametrize(CLI::App& app, Action* run) {
-  auto request = std::make_shared<MapVerb>();
+  auto request = std::make_shared<Request>();
   CLI::App& verb = *app.add_subcommand(
       "parametrize", "map a surface mesh onto the plane, injectively and with low distortion");
   request->add_to(verb);
   request->map.add_start_to(verb);
   verb.add_flag("--seamless", request->map.seamless,
                 "hold the seams of the input's texture coordinates, up to rotations by 90 degrees");
+  request->seams.add_to(verb);
+  verb.get_option("--seams")->excludes("--seamless")->excludes("--init");
   verb.footer(energy_help() +
               "Example: majorant parametrize bunny.obj -o bunny.vtu -o bunny.svg --degree 3 "
               "--report bunny.json");

@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "apps/global_verdict.h"
+#include "apps/seam_request.h"
 #include "apps/streams.h"
 #include "majorant/framework/thread_count.h"
 #include "majorant/io/map_proof.h"
@@ -57,6 +58,7 @@ ProofRequest promise(const FinishedRun& run, const std::string& path) {
   ProofRequest promise;
   promise.surface = &run.in.polygons;
   if (!run.result.map->seams().trivial()) promise.cuts = CutRule::Seams;
+  if (run.in.cuts) promise.cuts = CutRule::Free;
   if (run.in.options.map.injectivity == MapInjectivity::Global)
     promise.overlap = ProofRequest::Overlap::Forbidden;
   if (extension(path) == ".vtu") promise.labels = ProofRequest::FaceLabels::Compared;
@@ -108,6 +110,7 @@ Json result_section(const FinishedRun& run) {
   result["newton_decrement"] = r.newton_decrement;
   result["constraint_residual"] = r.constraint_residual;
   result["handle_distance"] = r.handle_distance;
+  if (run.in.cuts) result.update(cuts_section(*run.in.cuts, run.in.mesh->area()));
   return result;
 }
 

@@ -2,10 +2,10 @@
 #include <CLI/App.hpp>
 #include <memory>
 
+#include "apps/arguments/number_check.h"
+#include "apps/arguments/suggestion.h"
 #include "apps/energy_option.h"
 #include "apps/map_run.h"
-#include "apps/number_check.h"
-#include "apps/suggestion.h"
 #include "majorant/io/internal/read_vertex_lists.h"
 #include "majorant/parametrization/drive/parametrize.h"
 #include "majorant/parametrization/starts/make_seamless.h"

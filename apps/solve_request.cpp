@@ -2,10 +2,10 @@
 
 #include <vector>
 
-#include "apps/number_check.h"
+#include "apps/arguments/number_check.h"
+#include "apps/arguments/suggestion.h"
 #include "apps/process.h"
 #include "apps/progress.h"
-#include "apps/suggestion.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/curvature_name.h"
 

@@ -37,9 +37,10 @@ Json options_of(const Request& request) {
 void require_usable(Request& request) {
   request.outputs.require_usable(request.map);
   if (request.map.degree == 0) request.map.degree = 1;
+  if (request.unwrap.seams.seams.empty()) request.unwrap.seams.seams = "auto";
   require_writable(request.common, {{request.outputs.files, {".vtu", ".obj", ".svg", ".json"}}},
                    {request.map.input, request.map.pins, request.map.handles, request.map.weights,
-                    request.unwrap.seams_file()});
+                    request.unwrap.seams.file()});
 }
 
 int unwrap_file(Request request) {
@@ -54,7 +55,7 @@ int unwrap_file(Request request) {
     polygons = read_mesh(request.map.input, record.start_stop());
     say_warnings(polygons.warnings);
     surface = request.unwrap.repaired(polygons, record.start_stop());
-    polygons = with_turned_faces(std::move(polygons), surface);
+    polygons = with_welded_vertices(std::move(polygons), surface);
     options = request.unwrap.options(polygons, surface);
     options.chart = read_options(request.map, polygons, *surface.mesh);
   });

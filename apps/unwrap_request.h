@@ -1,4 +1,4 @@
-// What the user can say of a layout: where to cut, how to repair, how to pack.
+// What the user can say of a layout: how to repair, where to cut, how to pack.
 //
 //   UnwrapRequest request;
 //   request.add_to(verb);
@@ -10,25 +10,22 @@
 #include <optional>
 #include <string>
 
-#include "apps/report.h"
+#include "apps/seam_request.h"
 #include "majorant/mesh/repair.h"
 #include "majorant/parametrization/atlas/unwrap.h"
 
 namespace majorant::app {
 
 struct UnwrapRequest {
-  std::string seams = "auto";
-  std::optional<double> weld, max_stretch;
+  SeamRequest seams;
+  std::optional<double> weld;
   double padding = 4, resolution = 1024;
   bool no_pack = false, strict = false;
 
   void add_to(CLI::App& verb);
-  // --seams names a file to read; empty where it is one of the words.
-  std::string seams_file() const;
   // The surface of the file. Throws Error(Unsupported) where --strict refuses what was repaired.
   RepairedSurface repaired(const PolygonMesh& polygons, const StopCheck& stop) const;
-  // Of cuts and packing; `chart` is left as it is. Throws Error(Usage) for seams that make no sense
-  // and as read_seams.
+  // Of cuts and packing; `chart` is left as it is. Throws as SeamRequest::options.
   UnwrapOptions options(const PolygonMesh& polygons, const RepairedSurface& surface) const;
   Json to_json() const;  // for reports and claims
 };

@@ -17,7 +17,7 @@ from pathlib import Path
 
 import common
 
-VALID = 'tiny_1e-9 negative_indices crlf unreferenced_vertices all_reversed single_triangle syntax_zoo ' \
+VALID = 'annulus tiny_1e-9 negative_indices crlf unreferenced_vertices all_reversed single_triangle syntax_zoo ' \
         'quads_and_polygons'
 HARD = 'huge_offset_1e12 slivers_1e6'
 UNREADABLE = 'binary_garbage truncated face_not_a_number vertex_two_coordinates html_error_page ' \
@@ -25,7 +25,7 @@ UNREADABLE = 'binary_garbage truncated face_not_a_number vertex_two_coordinates 
              'handles_out_of_range handles_truncated'
 UNSUPPORTED = 'nonmanifold_edge nonmanifold_vertex duplicate_face zero_area_face coincident_vertices ' \
               'face_repeats_vertex flipped_faces moebius triangle_soup two_components closed_surface ' \
-              'annulus torus_one_hole uv_flipped_triangle uv_not_seamless uv_missing_on_some_faces'
+              'torus_one_hole uv_flipped_triangle uv_not_seamless uv_missing_on_some_faces'
 CONTRADICTORY = 'handles_twice'
 ALLOWED = {VALID: (0,), HARD: (0, 3), UNREADABLE: (2,), UNSUPPORTED: (3,), CONTRADICTORY: (2, 3)}
 EXPECTED = {stem: codes for stems, codes in ALLOWED.items() for stem in stems.split()}

@@ -1,5 +1,6 @@
 # libnest2d 5 is header-only; Debian's config asks for modules that it does not ship. It needs Clipper
-# and NLopt (and Boost's headers). Defines Nest2D::Nest2D.
+# and NLopt (and Boost's headers). Its threads are OpenMP's, so it has
+# none where OpenMP is off, as here. Defines Nest2D::Nest2D.
 find_path(NEST2D_INCLUDE_DIR libnest2d/libnest2d.hpp)
 find_path(POLYCLIPPING_INCLUDE_DIR clipper.hpp PATH_SUFFIXES polyclipping)
 find_path(NLOPT_INCLUDE_DIR nlopt.hpp)
@@ -18,7 +19,7 @@ if(Nest2D_FOUND AND NOT TARGET Nest2D::Nest2D)
     INTERFACE_INCLUDE_DIRECTORIES
     "${NEST2D_INCLUDE_DIR};${POLYCLIPPING_INCLUDE_DIR};${NLOPT_INCLUDE_DIR};${NEST2D_BOOST_INCLUDE_DIR}"
     INTERFACE_COMPILE_DEFINITIONS
-    "LIBNEST2D_GEOMETRIES_clipper;LIBNEST2D_OPTIMIZER_nlopt;LIBNEST2D_THREADING_std"
+    "LIBNEST2D_GEOMETRIES_clipper;LIBNEST2D_OPTIMIZER_nlopt;LIBNEST2D_THREADING_omp"
     INTERFACE_LINK_LIBRARIES
     "${POLYCLIPPING_LIBRARY};${NLOPT_CXX_LIBRARY};${NLOPT_LIBRARY};Threads::Threads")
 endif()

@@ -77,8 +77,7 @@ MapFile to_map_file(const BezierMap& map) {
     for (int l = 0; l < ix.count(); ++l) {
       Vector3 point = Vector3::Zero();
       for (int k = 0; k < 3; ++k)
-        point +=
-            ix.multi(l)[at(k)] * map.mesh().input_position(map.mesh().faces()(f, k));
+        point += ix.multi(l)[at(k)] * map.mesh().input_position(map.mesh().faces()(f, k));
       file.points.row(space.cells()(f, l)) = point / map.degree();
     }
   }
@@ -162,8 +161,8 @@ BezierMap to_bezier_map(const MapFile& file, const std::string& name) {
   for (Index p = 0; p < file.points.rows(); ++p) polygons.positions.push_back(file.points.row(p));
   for (Index c = 0; c < file.cells.rows(); ++c)
     polygons.polygons.push_back({file.cells(c, 0), file.cells(c, 1), file.cells(c, 2)});
-  auto mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(
-      polygons, {}, Components::One, Shapes::Any));
+  auto mesh = std::make_shared<const SurfaceMesh>(
+      SurfaceMesh::from_polygons(polygons, {}, Components::One, Shapes::Any));
   auto space =
       std::make_shared<const BezierTriangleSpace>(mesh->faces(), mesh->vertex_count(), file.degree);
   Vec x = node_values(file, *space, name);

@@ -11,6 +11,7 @@
 #include "majorant/elements/element_space.h"
 #include "majorant/framework/error.h"
 #include "majorant/io/internal/cut_map.h"
+#include "majorant/io/internal/glued_map.h"
 #include "majorant/io/internal/surface_match.h"
 #include "majorant/parametrization/injectivity/internal/exact_positivity.h"
 
@@ -316,9 +317,14 @@ class MapProof::Judge {
         proof_.injective = stopped_finding();
       return;
     }
-    proof_.global = check_boundary(plain, {.stopped = [this] { return is_stopped(); }});
+    const auto check = [&](const BezierMap& map) {
+      proof_.global = check_boundary(map, {.stopped = [this] { return is_stopped(); }});
+    };
+    check(plain);
+    if (proof_.global->result != Injectivity::Proven)
+      if (const std::optional<BezierMap> one = glued(plain)) check(*one);
     if (request_.overlap == ProofRequest::Overlap::Reported) return;
-    const SurfaceMesh& mesh = plain.mesh();
+    const SurfaceMesh& mesh = plain.mesh();  // faces are those of the glued one
     const std::string reason = describe(*proof_.global, [&](Index face, Index corner) {
       return mesh.input_vertex(mesh.faces()(face, corner));
     });

@@ -1,12 +1,13 @@
 // All that is wrong with a polygon mesh, or unusual, with counts and places: for reports.
 //
 //   const MeshDefects found = find_defects(read_mesh("scan.obj"));
-//   for (const Defect& d : found.defects) fmt::print("{}\n", describe(d));   // "2 edges have more..."
-//   for (const ComponentShape& c : found.components) fmt::print("genus {}\n", c.genus());
+//   for (const Defect& d : found.defects) std::cerr << describe(d) << "\n";   // "2 edges have..."
+//   for (const ComponentShape& c : found.components) std::cout << c.genus() << "\n";
 //
-// SurfaceMesh::from_polygons refuses a mesh with any of the first kinds, up to FarFromOrigin;
-// repair() (repair.h) makes it usable, and says the same in other words. The others stay as they
-// are: welding is up to the user, and T-junctions are boundaries.
+// SurfaceMesh::from_polygons refuses a mesh with any of the kinds before Needle; repair()
+// (repair.h) makes it usable, as it does with needles and offsets, and says the same in other
+// words. The last three stay as they are: welding is up to the user, and T-junctions are
+// boundaries.
 #pragma once
 
 #include <array>

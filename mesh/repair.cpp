@@ -123,14 +123,14 @@ class Repairing {
     parts.input_face = list_.polygon;
     parts.faces = sheets_.faces;
     parts.input_vertex = sheets_.vertex;
-    parts.origin = origin_of(input_, sheets_.vertex);
+    if (options_.numerics == Numerics::ForSolving) parts.origin = origin_of(input_, sheets_.vertex);
     parts.positions.resize(static_cast<Index>(sheets_.vertex.size()), 3);
     for (Index v = 0; v < parts.positions.rows(); ++v) {
       const Vector3& p = input_.positions[at(sheets_.vertex[at(v)])];
       parts.positions.row(v) = parts.origin.isZero(0) ? p : Vector3(p - parts.origin);
     }
     place_texcoords(input_, list_, parts);
-    parts.rest_triangles = regularized_faces(parts.positions, parts.faces);
+    parts.rest_triangles = regularized_faces(parts.positions, parts.faces, options_.numerics);
     out_.mesh =
         std::make_shared<const SurfaceMesh>(SurfaceMesh::from_parts(std::move(parts), stop_));
     out_.polygon_corner.resize(given_.rows(), 3);
@@ -234,21 +234,15 @@ RepairedSurface repair(const PolygonMesh& input, const RepairOptions& options,
   return Repairing(input, options, stop).run();
 }
 
-PolygonMesh with_turned_faces(PolygonMesh input, const RepairedSurface& surface) {
-  const auto turn = [](std::vector<Index>& corners) {
-    if (!corners.empty()) std::reverse(corners.begin() + 1, corners.end());
-  };
-  Index last = -1;
-  for (Index f = 0; f < surface.mesh->face_count(); ++f) {
-    const Index p = surface.mesh->input_face(f);
-    const auto k = surface.polygon_corner.row(f);
-    const bool is_as_given = (k[0] < k[1]) + (k[1] < k[2]) + (k[2] < k[0]) == 2;  // around it
-    if (is_as_given || p == last) continue;
-    last = p;
-    turn(input.polygons[at(p)]);
-    if (!input.polygon_texcoords.empty()) turn(input.polygon_texcoords[at(p)]);
-    if (!input.polygon_normals.empty()) turn(input.polygon_normals[at(p)]);
-  }
+PolygonMesh with_welded_vertices(PolygonMesh input, const RepairedSurface& surface) {
+  const SurfaceMesh& mesh = *surface.mesh;
+  for (Index f = 0; f < mesh.face_count(); ++f)
+    for (Index k = 0; k < 3; ++k) {
+      auto& polygon = input.polygons[at(mesh.input_face(f))];
+      Index& vertex = polygon[at(surface.polygon_corner(f, k))];
+      const Index welded = mesh.input_vertex(mesh.faces()(f, k));
+      if (input.positions[at(vertex)] != input.positions[at(welded)]) vertex = welded;
+    }
   return input;
 }
 

@@ -1,42 +1,41 @@
 // Any polygon mesh -> a surface that the library can work with, and what was done to it.
 //
 //   const RepairedSurface out = repair(read_mesh("scan.obj"));
-//   for (const Repair& r : out.repairs) fmt::print("{}\n", describe(r));   // "2 edges of more than..."
-//   for (const SurfacePiece& piece : out.mesh->split()) use(piece.mesh);
+//   for (const Repair& r : out.repairs) std::cerr << describe(r) << "\n";   // "2 edges of more..."
+//   for (const SurfacePiece& piece : out.mesh->split()) std::cout << piece.mesh->area() << "\n";
 //
 // Nothing is removed and nothing moves: every polygon of the file is there, in order, its vertices
 // where the file has them. What cannot be one surface is taken apart along edges and in vertices.
 // A mesh without defects comes out as SurfaceMesh::from_polygons makes it, bit for bit; who wants a
 // mesh refused rather than repaired calls that, or refuses repairs that are not empty.
 //
-//     welded              vertices at one place become one, the first of them: of a file in which no
-//                         face shares a vertex with another (STL, soups), else only on request;
-//                         never two corners of one face
-//     repeated_vertex     a face that has a vertex twice is a piece of its own; its corners are
-//                         three vertices nevertheless
-//     duplicate_face      of faces with the same vertices, turned over or not, the first stays in the
-//                         surface; the second ones make a surface of their own, and so on
-//     split_edge          an edge with more than two faces is open on all its sides, unless two of
-//                         them hang together around both its ends: these stay together
-//     split_vertex        a vertex gets a copy for every further fan of faces; the first fan keeps it.
-//                         Counted where sheets merely touch, not where they meet in a split or cut
-//                         edge or a face named above
-//     turned_face         within a component the fewer faces are turned (of equally many, those
-//                         that disagree with its first face). Their corners run 0, 2, 1
-//     cut_edge            a component that has only one side (Moebius strip, Klein bottle) is cut
-//                         where faces disagree, along short edges; where orientation is AsGiven, all
-//                         edges whose faces disagree
-//     regularized_face    a face without area, or a needle (kNeedleHeight), is measured against a
-//                         rest triangle of the same longest edge L and the height kNeedleHeight L.
-//                         One whose corners are at one place: equilateral, of kNeedleHeight times the
-//                         mean length of the edges of the faces around it
-//     moved_to_origin     where coordinates are far from the origin for the size of the mesh
-//                         (kFarAway), a point that all of them can be moved by exactly is subtracted
+//     welded            vertices at one place become one, the first of them: of a file in which no
+//                       face shares a vertex with another (STL, soups), else only on request; never
+//                       two corners of one face
+//     repeated_vertex   a face that has a vertex twice is a piece of its own; its corners are three
+//                       vertices nevertheless
+//     duplicate_face    of faces with the same vertices, turned over or not, the first stays in the
+//                       surface; the second ones make a surface of their own, and so on
+//     split_edge        an edge with more than two faces is open on all its sides, unless two of
+//                       them hang together around both its ends: these stay together
+//     split_vertex      a vertex gets a copy for every further fan of faces; the first fan keeps
+//                       it. Counted where sheets merely touch, not where they meet in a split or
+//                       cut edge or a face named above
+//     turned_face       within a component the fewer faces are turned (of equally many, those that
+//                       disagree with its first face). Their corners run 0, 2, 1
+//     cut_edge          a component that has only one side (Moebius strip, Klein bottle) is cut
+//                       where faces disagree, along short edges; where orientation is AsGiven, all
+//                       edges whose faces disagree
+//     regularized_face  a face without area, or a needle (kNeedleHeight), is measured against a
+//                       rest triangle of the same longest edge L and the height kNeedleHeight L.
+//                       One whose corners are at one place: equilateral, of kNeedleHeight times the
+//                       mean length of the edges of the faces around it
+//     moved_to_origin   where coordinates are far from the origin for the size of the mesh
+//                       (kFarAway), a point that all of them can be moved by exactly is subtracted
 //
-// Distortion of regularized faces is that of the map from their rest triangles. Its mean hardly
-// counts them (their area is some 1e-6 of their neighbours'), its extremes do: they say how far the
-// map is from showing such a face as thin as it is; a map that is an isometry everywhere else has a
-// density there that is bounded by what its neighbours leave room for.
+// Distortion of regularized faces is that of the map from their rest triangles. Means hardly count
+// them (their area is some 1e-6 of their neighbours'); extremes do, and say how far the map is from
+// showing such a face as thin as its rest triangle.
 #pragma once
 
 #include <array>
@@ -64,12 +63,17 @@ inline constexpr double kFarAway = 1e3;
 // the orientation means something already: they are open there.
 enum class Orientation { MadeConsistent, AsGiven };
 
+// What is done for the sake of computing: needles regularized and far coordinates moved, see above;
+// or only what a map cannot be judged without: rest triangles of faces that have no area.
+enum class Numerics { ForSolving, AsGiven };
+
 struct RepairOptions {
   // Vertices no farther apart become one; 0: at equal positions. Nothing: where no face shares a
   // vertex with another, at equal positions, else none. Where the texture coordinates of welded
   // faces differ across an edge, that is a given cut.
   std::optional<double> weld = std::nullopt;
   Orientation orientation = Orientation::MadeConsistent;
+  Numerics numerics = Numerics::ForSolving;
 };
 
 enum class RepairKind {
@@ -117,8 +121,8 @@ struct RepairedSurface {
 RepairedSurface repair(const PolygonMesh& input, const RepairOptions& options = {},
                        const StopCheck& stop = {});
 
-// The file's polygons as the surface has them: those of turned faces in the opposite order, from
-// their first corner on, with their texture coordinates and normals. What writers need.
-PolygonMesh with_turned_faces(PolygonMesh input, const RepairedSurface& surface);
+// The file's polygons as the surface has them: where vertices at different places were welded, with
+// the first of these. What writers are given.
+PolygonMesh with_welded_vertices(PolygonMesh input, const RepairedSurface& surface);
 
 }  // namespace majorant

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "majorant/framework/error.h"
+#include "majorant/mesh/internal/length_of.h"
 #include "majorant/mesh/internal/mesh_validation.h"
 #include "majorant/mesh/internal/triangle_list.h"
 
@@ -94,7 +95,7 @@ void SurfaceMesh::build_connectivity(const StopCheck& stop) {
     }
     const Vector3 a = positions_.row(faces_(f, 1)) - positions_.row(faces_(f, 0));
     const Vector3 b = positions_.row(faces_(f, 2)) - positions_.row(faces_(f, 0));
-    area_ += 0.5 * a.cross(b).norm();
+    area_ += 0.5 * length_of(a.cross(b));
   }
 }
 
@@ -188,16 +189,6 @@ std::vector<SurfacePiece> SurfaceMesh::split(const StopCheck& stop) const {
     piece.mesh = std::make_shared<const SurfaceMesh>(from_parts(std::move(parts)));
   }
   return pieces;
-}
-
-SurfaceMesh SurfaceMesh::with_components(const std::vector<Index>& faces,
-                                         std::vector<Index>* surface_vertex) const {
-  for (SurfacePiece& piece : split())
-    if (piece.face == faces) {
-      if (surface_vertex) *surface_vertex = std::move(piece.vertex);
-      return *piece.mesh;
-    }
-  throw std::invalid_argument("with_components: no component");
 }
 
 SurfaceMesh SurfaceMesh::with_faces(const Cells& faces, std::vector<Index> input_face) const {

@@ -23,8 +23,10 @@ FLOORS = [
     ['parametrization/maps', 'parametrization/cuts'],
     ['parametrization/injectivity', 'parametrization/starts', 'parametrization/scaffold'],
     ['parametrization/packing', 'parametrization/drive', 'io'],
+    ['parametrization/atlas'],
+    ['apps/arguments'],
     ['apps'],
-    ['apps/compare'],
+    ['apps/compare', 'apps/check'],
 ]
 LARGE = {'io', 'elements', 'framework'}  # one subject each, however large
 MAX_SHARE = 0.12                         # of the lines of the library, for all other rooms

@@ -13,6 +13,8 @@
 #include <limits>
 #include <memory>
 
+#include "apps/arguments/number_check.h"
+#include "apps/arguments/suggestion.h"
 #include "apps/command.h"
 #include "apps/compare/ceres_log.h"
 #include "apps/compare/comparison_table.h"
@@ -20,12 +22,10 @@
 #include "apps/compare/write_comparison.h"
 #include "apps/energy_option.h"
 #include "apps/map_request.h"
-#include "apps/number_check.h"
 #include "apps/outputs.h"
 #include "apps/process.h"
 #include "apps/report.h"
 #include "apps/streams.h"
-#include "apps/suggestion.h"
 #include "apps/unless_stopped.h"
 #include "majorant/framework/evaluator.h"
 #include "majorant/framework/thread_count.h"
@@ -226,7 +226,8 @@ WrittenFiles write(const Request& request, const Comparison& comparison) {
     written.write(path, [&] {
       if (extension(path) == ".csv") write_comparison_csv(path, comparison);
       if (extension(path) == ".html") write_comparison_html(path, comparison);
-      if (extension(path) == ".json") write_json(path, report_of(request, comparison));
+      if (extension(path) == ".json" || path == kStandardOutput)
+        write_json(path, report_of(request, comparison));
     });
   return written;
 }

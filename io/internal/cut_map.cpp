@@ -47,7 +47,8 @@ SurfaceMesh weld(const MapFile& file, const std::string& name) {
       polygons.polygons.back().push_back(v);
     }
   }
-  return *repair(polygons, {.orientation = Orientation::AsGiven}).mesh;
+  return *repair(polygons, {.orientation = Orientation::AsGiven, .numerics = Numerics::AsGiven})
+              .mesh;
 }
 
 // Nearest numbers of quarter turns, 0 at the boundary of the uncut surface.

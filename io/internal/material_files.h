@@ -11,9 +11,9 @@ namespace majorant {
 // that ends with .mtl.
 std::vector<std::string> split_material_names(const std::string& names, const std::string& folder);
 
-// `line`, an `mtllib` line of the OBJ file `from`, for the OBJ file `to`: relative names lead to the
-// same files. Unchanged where both are in one folder. Names with blanks get a line of their own,
-// since readers take the whole line for one name, or divide it.
+// `line`, an `mtllib` line of the OBJ file `from`, for the OBJ file `to`: relative names lead to
+// the same files. Unchanged where both are in one folder. Names with blanks get a line of their
+// own, since readers take the whole line for one name, or divide it.
 std::string repoint_materials(const std::string& line, const std::string& from,
                               const std::string& to);
 

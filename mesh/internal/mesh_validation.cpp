@@ -22,9 +22,6 @@ namespace {
   throw Error(ErrorKind::Unsupported, place + ": " + what + unwrap_remedy(input.file, does));
 }
 
-// A triangle is degenerate when its height over the longest edge is below this fraction of it.
-// Origin: angles of thinner ones have fewer than four digits left.
-constexpr double kDegenerateHeight = 1e-12;
 // Shortest edges must span this many units in the last place of the largest coordinate. Origin:
 // leaves an edge eight digits.
 constexpr double kUsableUlps = 1e8;

@@ -11,6 +11,10 @@
 
 namespace majorant {
 
+// A triangle is degenerate when its height over the longest edge is at most this fraction of it.
+// Origin: angles of thinner ones have fewer than four digits left.
+inline constexpr double kDegenerateHeight = 1e-12;
+
 // "; `majorant unwrap mesh.obj -o OUT.obj DOES": the end of a refusal by those who solve.
 std::string unwrap_remedy(const std::string& file, std::string_view does);
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "majorant/mesh/repair.h"
+#include "majorant/mesh/internal/mesh_validation.h"
 
 namespace majorant {
 namespace {
@@ -30,7 +30,7 @@ class Regularizing {
     mean_ = edges > 0 ? total / edges : 1;
   }
 
-  std::vector<RestTriangle> triangles() const {
+  std::vector<RestTriangle> triangles(double least_height) const {
     std::vector<RestTriangle> out;
     for (Index f = 0; f < faces_.rows(); ++f) {
       Index longest = 0;
@@ -39,7 +39,7 @@ class Regularizing {
       const double size = length(f, longest);
       if (!(size > 0))
         out.push_back({f, point(f)});
-      else if (!(height(f) > kNeedleHeight))
+      else if (!(height(f) > least_height))
         out.push_back({f, needle(f, longest, size)});
     }
     return out;
@@ -88,8 +88,10 @@ class Regularizing {
 
 }  // namespace
 
-std::vector<RestTriangle> regularized_faces(const Points3& positions, const Cells& faces) {
-  return Regularizing(positions, faces).triangles();
+std::vector<RestTriangle> regularized_faces(const Points3& positions, const Cells& faces,
+                                            Numerics numerics) {
+  return Regularizing(positions, faces)
+      .triangles(numerics == Numerics::ForSolving ? kNeedleHeight : kDegenerateHeight);
 }
 
 }  // namespace majorant

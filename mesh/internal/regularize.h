@@ -3,11 +3,14 @@
 
 #include <vector>
 
+#include "majorant/mesh/repair.h"
 #include "majorant/mesh/surface_mesh.h"
 
 namespace majorant {
 
-// Of faces #F by 3 over positions #V by 3, ordered by face; nothing for others.
-std::vector<RestTriangle> regularized_faces(const Points3& positions, const Cells& faces);
+// Of faces #F by 3 over positions #V by 3, ordered by face; nothing for others. Numerics::AsGiven:
+// only of those that from_polygons() calls faces without an area.
+std::vector<RestTriangle> regularized_faces(const Points3& positions, const Cells& faces,
+                                            Numerics numerics);
 
 }  // namespace majorant

@@ -47,10 +47,6 @@ class Gluing {
       open_disagreeing();
     stop_.poll();
     number_corners();
-    while (part_shared_edges()) {
-      stop_.poll();
-      number_corners();
-    }
     note_split_edges();
     return finished();
   }
@@ -99,33 +95,26 @@ class Gluing {
     }
   };
 
-  // Calls group(first, last) for the sides of every edge of every layer; ends: h -> its two ends.
-  template <class Ends, class Group>
-  void for_edges(const Ends& ends, const Group& group) const {
+  // Pairs of sides; of more than two none. The sides of such an edge that hang together around both
+  // its ends are the two ends of a fan there, so that they are two, run against each other and have
+  // the same copies of the ends: SurfaceMesh glues them.
+  void glue() {
     std::vector<Side> sides;
     sides.reserve(opposite_.size());
-    for (Index h = 0; h < half_edge_count(); ++h) {
-      if (layer_[at(face_of(h))] < 0) continue;
-      const auto [a, b] = ends(h);
-      sides.push_back({std::min(a, b), std::max(a, b), layer_[at(face_of(h))], h});
-    }
+    for (Index h = 0; h < half_edge_count(); ++h)
+      if (layer_[at(face_of(h))] >= 0)
+        sides.push_back(
+            {std::min(from(h), to(h)), std::max(from(h), to(h)), layer_[at(face_of(h))], h});
     std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
       return std::tie(a.low, a.high, a.layer, a.half_edge) <
              std::tie(b.low, b.high, b.layer, b.half_edge);
     });
-    for (std::size_t k = 0, end = 0; k < sides.size(); k = end) {
-      while (end < sides.size() && sides[end].same_edge(sides[k])) ++end;
-      group(&sides[k], sides.data() + end);
+    for (std::size_t first = 0, last = 0; first < sides.size(); first = last) {
+      while (last < sides.size() && sides[last].same_edge(sides[first])) ++last;
+      if (last - first == 2) join(sides[first].half_edge, sides[first + 1].half_edge);
+      for (std::size_t s = first; last - first > 2 && s < last; ++s)
+        crowded_.push_back(sides[s].half_edge);
     }
-  }
-
-  void glue() {
-    for_edges([&](Index h) { return std::pair(from(h), to(h)); },
-              [&](const Side* first, const Side* last) {
-                if (last - first == 2) join(first[0].half_edge, first[1].half_edge);
-                if (last - first > 2)
-                  for (const Side* s = first; s < last; ++s) crowded_.push_back(s->half_edge);
-              });
   }
 
   void open_disagreeing() {
@@ -238,47 +227,6 @@ class Gluing {
     }
     copy_.resize(opposite_.size());
     for (Index h = 0; h < half_edge_count(); ++h) copy_[at(h)] = fans.find(h);
-  }
-
-  // Where sides that are not glued have the same ends, copies told apart: two that fit are glued
-  // after all, of others one face after the other is taken out. Whether there were any.
-  bool part_shared_edges() {
-    bool is_changed = false;
-    const auto runs_up = [&](Index h) {
-      return (copy_[at(h)] < copy_[at(next(h))]) != (is_turned_[at(face_of(h))] != 0);
-    };
-    for_edges([&](Index h) { return std::pair(copy_[at(h)], copy_[at(next(h))]); },
-              [&](const Side* first, const Side* last) {
-                if (last - first < 2) return;
-                if (last - first == 2 && opposite_[at(first->half_edge)] == first[1].half_edge)
-                  return;
-                is_changed = true;
-                const auto [one, other] = pair_of(first, last, runs_up);
-                for (const Side* s = first; s < last; ++s) {
-                  const Index h = s->half_edge;
-                  if (h == one || h == other) continue;
-                  for (Index k = 3 * face_of(h); k < 3 * face_of(h) + 3; ++k) open(k);
-                }
-                if (other >= 0 && opposite_[at(one)] < 0 && opposite_[at(other)] < 0)
-                  join(one, other);
-              });
-    return is_changed;
-  }
-
-  // Of the sides of an edge the two that belong together: glued ones, or the first that run against
-  // each other; else the first alone.
-  template <class RunsUp>
-  std::pair<Index, Index> pair_of(const Side* first, const Side* last,
-                                  const RunsUp& runs_up) const {
-    for (const Side* s = first; s < last; ++s)
-      for (const Side* t = s + 1; t < last; ++t)
-        if (opposite_[at(s->half_edge)] == t->half_edge) return {s->half_edge, t->half_edge};
-    for (const Side* s = first; s < last; ++s)
-      for (const Side* t = s + 1; t < last; ++t)
-        if (face_of(s->half_edge) != face_of(t->half_edge) && opposite_[at(s->half_edge)] < 0 &&
-            opposite_[at(t->half_edge)] < 0 && runs_up(s->half_edge) != runs_up(t->half_edge))
-          return {s->half_edge, t->half_edge};
-    return {first->half_edge, -1};
   }
 
   // One side of each edge with more than two faces.

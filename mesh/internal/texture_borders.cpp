@@ -16,7 +16,8 @@ std::vector<char> texture_borders(const SurfaceMesh& mesh) {
     if (o < 0) continue;
     by_id[at(h)] = id(h) != id(next(o)) || id(next(h)) != id(o);
     by_value[at(h)] = value(h) != value(next(o)) || value(next(h)) != value(o);
-    any_shared = any_shared || !by_id[at(h)];
+    const bool is_inside = mesh.input_face(face_of(h)) == mesh.input_face(face_of(o));
+    any_shared = any_shared || (!by_id[at(h)] && !is_inside);
   }
   return any_shared ? by_id : by_value;
 }

@@ -8,8 +8,8 @@
 namespace majorant {
 
 // Half-edges (3 #F flags, both sides) across which the two faces use different texture coordinates
-// of the file. Files that share none, a soup, are cut where the values differ. Every corner must
-// have texture coordinates.
+// of the file. Files in which no two polygons share one, a soup, are cut where the values differ.
+// Every corner must have texture coordinates.
 std::vector<char> texture_borders(const SurfaceMesh& mesh);
 
 }  // namespace majorant

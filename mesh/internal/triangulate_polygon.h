@@ -1,6 +1,7 @@
 // A polygon of a file as triangles.
 //
-//   for (const auto& [a, b, c] : triangulate_polygon(corners)) ...   // numbers of corners
+//   const std::vector<Vector3> square{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+//   for (const auto& [a, b, c] : triangulate_polygon(square)) ...   // numbers of corners
 #pragma once
 
 #include <array>

@@ -1,5 +1,7 @@
 #include "majorant/parametrization/cuts/choose_cuts.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -19,7 +21,10 @@ namespace {
 
 void require_valid(const SurfaceMesh& mesh, const CutOptions& options) {
   if (!(options.max_stretch > 1) || !std::isfinite(options.max_stretch))
-    throw Error(ErrorKind::Usage, "the largest stretch of a cut must be a number above 1");
+    throw Error(ErrorKind::Usage,
+                fmt::format("the largest stretch of a chart, {:g}, must be above 1, that of an "
+                            "isometry; try {:g}",
+                            options.max_stretch, CutOptions().max_stretch));
   if (!(options.sharp_angle > 0) || !(options.sharp_angle < 180))
     throw Error(ErrorKind::Usage, "the angle of sharp edges must lie between 0 and 180 degrees");
   if (!options.given.empty() && options.given.size() != at(mesh.half_edge_count()))
@@ -36,21 +41,25 @@ std::vector<char> asked_cuts(const SurfaceMesh& mesh, const CutOptions& options)
   std::vector<char> is_cut(at(mesh.half_edge_count()), 0);
   if (options.method == CutMethod::Texture) is_cut = texture_borders(mesh);
   if (options.method == CutMethod::Sharp) is_cut = sharp_charts(mesh, options.sharp_angle);
-  if (options.method == CutMethod::Given) is_cut = flags_of_edges(mesh, options.edges);
+  if (options.method == CutMethod::Given)
+    is_cut = flags_of_edges(mesh, options.edges, options.edges_source);
   for (std::size_t h = 0; h < options.given.size(); ++h)
     if (const Index o = mesh.opposite(static_cast<Index>(h)); options.given[h] && o >= 0)
       is_cut[h] = is_cut[at(o)] = 1;
   return is_cut;
 }
 
-// Cuts the pieces that are left so far, each to one chart.
-void cut_automatically(const SurfaceMesh& mesh, double max_stretch,
-                       const std::vector<Index>& component, SurfaceCuts& cuts,
+// Which of the pieces that are left so far.
+enum class Pieces { All, Closed };
+
+// Cuts them, each to one chart.
+void cut_automatically(const SurfaceMesh& mesh, double max_stretch, Pieces which, SurfaceCuts& cuts,
                        const StopCheck& stop) {
-  const SurfaceMesh cut = mesh.cut_along(cuts.is_cut, nullptr);
-  for (const std::vector<Index>& faces : component_faces(cut.opposites())) {
+  const std::vector<Index> component = face_components(mesh.opposites());
+  for (const auto& [part, faces, vertices] : mesh.cut_along(cuts.is_cut, nullptr).split(stop)) {
     stop.poll();
-    const SurfaceMesh piece = cut.with_components(faces, nullptr);
+    const SurfaceMesh& piece = *part;
+    if (which == Pieces::Closed && piece.topology().boundary_loops > 0) continue;
     const AutomaticCut more = automatic_cut(piece, cut_costs(piece), max_stretch, stop);
     for (Index h = 0; h < piece.half_edge_count(); ++h)
       if (more.is_cut[at(h)]) cuts.is_cut[at(3 * faces[at(face_of(h))] + corner_of(h))] = 1;
@@ -93,18 +102,19 @@ SurfaceCuts choose_cuts(const SurfaceMesh& mesh, const CutOptions& options, cons
   out.is_cut = asked_cuts(mesh, options);
   std::vector<char> asked = out.is_cut;
   const auto components = component_faces(mesh.opposites());
-  for (const std::vector<Index>& faces : components) {
+  for (const SurfacePiece& part : mesh.split(stop)) {
     stop.poll();
-    const SurfaceMesh part = mesh.with_components(faces, nullptr);
     ComponentCuts facts;
-    facts.first_face = faces.front();
-    facts.faces = part.face_count();
-    facts.genus = genus(part);
-    facts.boundary_loops = part.topology().boundary_loops;
+    facts.first_face = part.face.front();
+    facts.faces = part.mesh->face_count();
+    facts.genus = genus(*part.mesh);
+    facts.boundary_loops = part.mesh->topology().boundary_loops;
     out.components.push_back(facts);
   }
   if (options.method == CutMethod::Automatic || options.method == CutMethod::Sharp)
-    cut_automatically(mesh, options.max_stretch, face_components(mesh.opposites()), out, stop);
+    cut_automatically(mesh, options.max_stretch, Pieces::All, out, stop);
+  if (options.method == CutMethod::Texture)  // no coordinates cut these: all zero, say
+    cut_automatically(mesh, options.max_stretch, Pieces::Closed, out, stop);
   if (options.method == CutMethod::Automatic) asked = out.is_cut;
   open_pieces(mesh, cut_costs(mesh), out.is_cut, stop);
   add_up(mesh, asked, components, out);

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <vector>
 
 #include "majorant/mesh/surface_mesh.h"
@@ -18,7 +19,8 @@ namespace majorant {
 
 enum class CutMethod {
   Automatic,  // where distortion is saved; one piece per component
-  Texture,    // along the islands of the file's texture coordinates
+  Texture,    // along the islands of the file's texture coordinates; components that these do not
+              // cut, though they are closed, as Automatic
   Sharp,      // along edges with a dihedral angle above sharp_angle that enclose pieces
               // (sharp_charts.h), then as Automatic in each of them
   Given,      // along CutOptions::edges and nothing else
@@ -34,6 +36,7 @@ struct CutOptions {
   double sharp_angle = 40;  // Sharp: degrees between the normals of two faces
   // Given: vertices of the file from 0, two for every edge.
   std::vector<std::array<Index, 2>> edges;
+  std::string edges_source;  // for messages: where they come from
   std::vector<char> given;  // 3 #F flags, one side is enough, or empty: cut in any case
 };
 

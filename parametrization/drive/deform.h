@@ -6,9 +6,10 @@
 //   options.map.injectivity = MapInjectivity::Global;
 //   ParametrizationResult bent = deform(rest, options, record);
 //
-// Targets are approached in steps at degree 1. Pins are first pulled by springs that get stiffer
-// until the distance left is tiny, then held exactly; the degree is raised after that. Meanwhile
-// soft handles are pulled as hard as pins.
+// Targets are approached in steps at degree 1, so that the mesh bends on its way as it does at the
+// end. Pins are pulled by springs until they can be held exactly, as parametrize() does without
+// these steps (internal/reach_pins.h); the degree is raised after that. Meanwhile soft handles are
+// pulled as hard as pins.
 #pragma once
 
 #include "majorant/parametrization/drive/parametrize.h"
@@ -21,8 +22,7 @@ namespace majorant {
 BezierMap planar_map(std::shared_ptr<const SurfaceMesh> mesh);
 
 // start: of degree 1, locally (for MapInjectivity::Global also globally) injective. options: as for
-// parametrize(), but pins may have targets anywhere. Throws Error(Infeasible) naming the pin that
-// could not be reached, or saying that a limit came first; otherwise as parametrize().
+// parametrize(). Throws as parametrize().
 ParametrizationResult deform(const BezierMap& start, const ParametrizationOptions& options,
                              RunRecord& record);
 

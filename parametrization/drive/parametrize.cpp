@@ -11,8 +11,10 @@
 #include "majorant/framework/internal/curvature_name.h"
 #include "majorant/framework/thread_count.h"
 #include "majorant/parametrization/drive/internal/degree_solver.h"
+#include "majorant/parametrization/drive/internal/free_scale.h"
 #include "majorant/parametrization/drive/internal/normalized_start.h"
 #include "majorant/parametrization/drive/internal/parametrize_by.h"
+#include "majorant/parametrization/drive/internal/reach_pins.h"
 #include "majorant/parametrization/injectivity/global_injectivity.h"
 #include "majorant/parametrization/scaffold/internal/improve_mesh.h"
 #include "majorant/parametrization/starts/tutte.h"
@@ -247,7 +249,12 @@ ParametrizationResult parametrize_by(const SolverRules& rules, const BezierMap& 
   require_valid(options);
   if (start.degree() != 1) throw Error(ErrorKind::Usage, "a start must have degree 1");
   const ThreadCount threads(options.solve.threads);
-  return Run(rules, start, options, record).solve();
+  const ParametrizationOptions resolved = with_targets(start, options);
+  // Edges that stay parallel to an axis leave a start no way to turn.
+  if (meets_pins(start, resolved.map.pins) || !options.map.aligned.empty())
+    return Run(rules, start, options, record).solve();
+  require_scale(resolved.map, start);
+  return Run(rules, reach_pins(start, resolved, record), resolved, record).solve();
 }
 
 ParametrizationResult parametrize(const BezierMap& start, const ParametrizationOptions& options,

@@ -131,8 +131,9 @@ Start assemble(const SurfaceMesh& mesh, const std::vector<char>& is_cut, const C
 
 Vec texture_map(const SurfaceMesh& mesh) {
   if (mesh.corner_texcoords().rows() == 0)
-    throw Error(ErrorKind::Unsupported,
-                mesh.file() + ": not every face corner has texture coordinates; leave out --init input");
+    throw Error(
+        ErrorKind::Unsupported,
+        mesh.file() + ": not every face corner has texture coordinates; leave out --init input");
   Vec x = Vec::Zero(2 * mesh.vertex_count());
   std::vector<char> seen(at(mesh.vertex_count()), 0);
   for (Index f = 0; f < mesh.face_count(); ++f)

@@ -61,8 +61,9 @@ v 2 0.5 0
             if line[0] == 'f':
                 corners = [(c.split('/') + ['', ''])[:3] for c in line[1:]]
                 line[1:] = ['%s//%s' % (v, vn) for v, _, vn in corners]
-        by_kind = lambda lines: (  # v may be anywhere, the others keep their order
-            [l for l in lines if l[0] == 'v'], [l for l in lines if l[0] != 'v'])
+        by_kind = lambda lines: (  # v and vn may be anywhere, the others keep their order
+            [l for l in lines if l[0] == 'v'], [l for l in lines if l[0] == 'vn'],
+            [l for l in lines if l[0] not in ('v', 'vn')])
         self.assertEqual(by_kind(ours), by_kind(expected))
 
     def test_materials_are_found_from_another_folder(self):

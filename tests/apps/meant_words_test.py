@@ -14,7 +14,7 @@ class MeantWords(CommandTest):
                              ('chek', 'check'), ('verify', 'check'), ('inof', 'info')]:
             self.assertIn("did you mean '%s' (see majorant %s --help)?" % (right, right),
                           self.said(wrong, 'x.obj'), wrong)
-        self.assertRegex(self.said('frobnicate', 'x'), 'use one of parametrize, seamless, .*info')
+        self.assertRegex(self.said('frobnicate', 'x'), 'use one of parametrize, unwrap, seamless, .*info')
         self.assertRegex(self.said('flatten', 'x.obj'), "no verb is called 'flatten'")
         self.assertRegex(self.said(), 'name a verb: one of parametrize, ')
 

@@ -24,7 +24,8 @@ TEST(LenientReaders, OffIsAStream) {
         "OFF # a\n# b\n4 # c\n2\n0 # d\n0 0 # e\n0\n1 0 0\n1 1 0 # f\n\n0 1 0\n3 0 1 2\n3 0 2 3\n",
         "OFF\n4 2 0\n0 0 0 9 9 9\n1 0 0 9 9 9\n1 1 0 9 9 9\n0 1 0 9 9 9\n3 0 1 2\n3 0 2 3\n",
         "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2 255 0 0\n3 0 2 3 0.5 0 0 1\n",
-        "COFF\n4 2 0\n0 0 0 1 1 1 1 1 0 0 1 1 1 1\n1 1 0 1 1 1 1\n0 1 0 1 1 1 1\n3 0\n1 2 7\n3 0 2 "
+        "COFF\n4 2 0\n0 0 0 1 1 1 1 1 0 0 1 1 1 1\n1 1 0 1 1 1 1\n0 1 0 1 1 1 1\n3 0\n1\n2 7\n3 0 "
+        "2 "
         "3\n",
         "STCNOFF\n4 2 0\n0 0 0 1 1 1 1 1 1 1 1 1\n1 0 0 1 1 1 1 1 1 1\n1 1\n1 1 0 1 1 1 1 1 1 1 1 "
         "1\n"
@@ -82,7 +83,7 @@ TEST(LenientReaders, PlyStripsTurnAndBeginAnew) {
   const PolygonMesh mesh = read("a.ply", ply("11 0 1 2 3 4 -1 0 1 -1 4 3"));
   EXPECT_EQ(mesh.polygons, (Polygons{{0, 1, 2}, {2, 1, 3}, {2, 3, 4}}));
   // A vertex twice turns the strip without a face.
-  EXPECT_EQ(read("a.ply", ply("6 0 1 2 2 3 4")).polygons, (Polygons{{0, 1, 2}, {2, 3, 4}}));
+  EXPECT_EQ(read("a.ply", ply("6 0 1 2 2 3 4")).polygons, (Polygons{{0, 1, 2}, {3, 2, 4}}));
   const TemporaryFolder folder;
   for (const char* strips : {"3 0 1 5", "3 0 1 -2", "3 0 1 1.5", "3 0 1", "2 0 1"})
     error_message(ErrorKind::Unreadable, [&] { read_mesh(folder.write("bad.ply", ply(strips))); });
@@ -100,12 +101,14 @@ TEST(LenientReaders, MaterialFilesAreNamedFromTheOutput) {
   std::filesystem::create_directories(folder.path() / "in" / "sub");
   std::filesystem::create_directory(folder.path() / "out");
   const std::string from = folder.file("in/a.obj"), to = folder.file("out/b.obj");
-  for (const char* name : {"in/my own.mtl", "in/plain", "in/sub/c.mtl"}) folder.write(name, "");
+  for (const char* name : {"in/my own.mtl", "in/plain", "in/two words", "in/sub/c.mtl"})
+    folder.write(name, "");
   const auto moved = [&](const std::string& line) { return repoint_materials(line, from, to); };
   EXPECT_EQ(moved("mtllib a.mtl"), "mtllib ../in/a.mtl");
   EXPECT_EQ(moved("mtllib  sub/c.mtl  ../x.mtl # y"), "mtllib ../in/sub/c.mtl ../x.mtl");
   EXPECT_EQ(moved("mtllib a.mtl my own.mtl plain"),
             "mtllib ../in/a.mtl ../in/plain\nmtllib ../in/my own.mtl");
+  EXPECT_EQ(moved("mtllib two words"), "mtllib ../in/two words");
   EXPECT_EQ(moved("mtllib not there.mtl"), "mtllib ../in/not there.mtl");
   EXPECT_EQ(moved("mtllib /abs/a.mtl"), "mtllib /abs/a.mtl");
   EXPECT_EQ(moved("mtllib"), "mtllib");

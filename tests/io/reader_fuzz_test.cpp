@@ -45,7 +45,7 @@ std::string example(const std::string& extension) {
            "f 1/1/1 2/1/1 3/1/1\nf -1//1 -2//1 -3//1\nf 1 2 3 # c\n";
   }
   if (extension == "off") return "COFF\n3 1 0\n0 0 0 1\n1 0 0 1\n0 1 0 1\n3 0 1 2 7\n";
-  if (extension == "stream.off") return "OFF 3 1\n0 0 0 0 1 0 0\n0 1 0 3 0\n1 2\n";
+  if (extension == "stream.off") return "OFF 3 1\n0 0 0 1 0 0\n0 1 0 3 0\n1 2\n";
   if (extension == "strips.ply") {
     std::string text = ply("ascii", "0 0 0\n1 0 0\n0 1 0\n7 0 1 2 -1 0 2 1\n");
     return text.replace(text.find("face"), 4, "tristrips");

@@ -180,7 +180,7 @@ TEST(Vtu, RefusesWhatItDoesNotUnderstand) {
     EXPECT_NE(message.find("bad.vtu"), std::string::npos) << message;
   };
   expect_refused("Name='UV'", "Name='VU'", "no PointData array 'uv'");
-  expect_refused("header_type='UInt32'", "compressor='vtkZLibDataCompressor'", "compress");
+  expect_refused("header_type='UInt32'", "compressor='vtkLZ4DataCompressor'", "compress");
   expect_refused("0.1", "nan", "not finite");
   expect_refused("0 1 2", "0 1 3", "out of range");
   expect_refused("0 1 2", "0 1 -1", "out of range");

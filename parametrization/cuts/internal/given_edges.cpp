@@ -14,16 +14,19 @@ namespace {
 
 enum class Found { Nothing, InnerEdge, Edge };
 
-[[noreturn]] void refuse(const SurfaceMesh& mesh, const std::pair<Index, Index>& edge,
-                         const char* what) {
-  throw Error(ErrorKind::Usage, fmt::format("{}: cut: vertices {} and {} (counting from 0) {}",
-                                            mesh.file(), edge.first, edge.second, what));
+[[noreturn]] void refuse(const std::string& source, const std::pair<Index, Index>& edge,
+                         const std::string& what) {
+  throw Error(
+      ErrorKind::Usage,
+      fmt::format("{}{}vertices {} and {} (counting from 0) are joined {}; correct the list",
+                  source, source.empty() ? "" : ": ", edge.first, edge.second, what));
 }
 
 }  // namespace
 
 std::vector<char> flags_of_edges(const SurfaceMesh& mesh,
-                                 const std::vector<std::array<Index, 2>>& edges) {
+                                 const std::vector<std::array<Index, 2>>& edges,
+                                 const std::string& source) {
   std::map<std::pair<Index, Index>, Found> wanted;
   for (const auto& [a, b] : edges) wanted[std::minmax(a, b)] = Found::Nothing;
   std::vector<char> is_cut(at(mesh.half_edge_count()), 0);
@@ -40,9 +43,9 @@ std::vector<char> flags_of_edges(const SurfaceMesh& mesh,
     }
   }
   for (const auto& [edge, found] : wanted) {
-    if (found == Found::Nothing) refuse(mesh, edge, "are not joined by an edge of the file");
+    if (found == Found::Nothing) refuse(source, edge, "by no edge of " + mesh.file());
     if (found == Found::InnerEdge)
-      refuse(mesh, edge, "are joined inside a polygon only; cut along its edges");
+      refuse(source, edge, "inside a polygon only, along whose edges one can cut");
   }
   return is_cut;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <vector>
 
 #include "majorant/mesh/surface_mesh.h"
@@ -9,9 +10,11 @@
 namespace majorant {
 
 // 3 #F flags, both sides, of the edges between these vertices of the file (from 0); all copies of
-// an edge where the surface has several. Edges of the boundary are cut already. Throws Error(Usage)
-// naming a pair that is no edge of the file, or that runs inside one of its polygons.
+// an edge where the surface has several. Edges of the boundary are cut already. source:
+// for messages, may be empty. Throws Error(Usage) naming a pair that is no edge of the file, or
+// that runs inside one of its polygons.
 std::vector<char> flags_of_edges(const SurfaceMesh& mesh,
-                                 const std::vector<std::array<Index, 2>>& edges);
+                                 const std::vector<std::array<Index, 2>>& edges,
+                                 const std::string& source);
 
 }  // namespace majorant

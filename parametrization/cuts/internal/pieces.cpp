@@ -27,10 +27,9 @@ bool is_planar(const SurfaceMesh& mesh) {
 
 void open_pieces(const SurfaceMesh& mesh, const Vec& edge_cost, std::vector<char>& is_cut,
                  const StopCheck& stop) {
-  const SurfaceMesh cut = mesh.cut_along(is_cut, nullptr);
-  for (const std::vector<Index>& faces : component_faces(cut.opposites())) {
+  for (const auto& [part, faces, vertices] : mesh.cut_along(is_cut, nullptr).split(stop)) {
     stop.poll();
-    const SurfaceMesh piece = cut.with_components(faces, nullptr);
+    const SurfaceMesh& piece = *part;
     if (is_planar(piece)) continue;
     Vec cost(piece.half_edge_count());
     for (Index h = 0; h < cost.size(); ++h)

@@ -107,11 +107,11 @@ std::vector<FixedPoint> place_pins(const SurfaceMesh& mesh, const Seams& seams,
   return points;
 }
 
-// asked: what the map would have started from says what helps.
-void require_injective(const BezierMap& map, const MapOptions& asked) {
+// Of the normalized map: as it is solved, whatever the size of the mesh. asked: what the map would
+// have started from says what helps.
+void require_injective(const BezierMap& map, const RestShapes& rest, const MapOptions& asked) {
   const char* remedy =
       asked.initial ? "leave out --init input, or use `majorant unwrap`" : "use `majorant unwrap`";
-  const RestShapes rest = rest_shapes(map.mesh());
   const Verdict faces =
       LocalInjectivity(map.shared_space(), 2 * rest.measure).check(map.control_points());
   if (!faces.feasible)
@@ -195,7 +195,6 @@ NormalizedStart::NormalizedStart(const BezierMap& given, const MapOptions& asked
   spec.aligned = nearest_axes(given, asked.aligned);
   const BezierMap start = spec.aligned.empty() ? given : aligned_map(given, spec.aligned);
   moved_ = largest_distance(given.control_points(), start.control_points());
-  require_injective(start, asked);
   spec.rest = rest_shapes(start.mesh(), scale_);
   spec.seams = start.shared_seams();
   spec.pins = place_pins(start.mesh(), start.seams(), asked, start.control_points());
@@ -211,6 +210,7 @@ NormalizedStart::NormalizedStart(const BezierMap& given, const MapOptions& asked
   for (auto* points : {&spec.pins, &spec.handles})
     for (FixedPoint& p : *points) p.position = (p.position - origin_) * scale_;
   map_ = start.with(start.shared_space(), translated(start.control_points(), -origin_) * scale_);
+  require_injective(map_, spec.rest, asked);
 }
 
 BezierMap NormalizedStart::in_model_units(const BezierMap& normalized) const {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "majorant/mesh/internal/length_of.h"
+
 namespace majorant {
 namespace {
 
@@ -27,7 +29,7 @@ FieldGeometry::FieldGeometry(const SurfaceMesh& mesh)
     for (int k = 0; k < 3; ++k) p[k] = mesh.positions().row(mesh.faces()(f, k));
     for (int k = 0; k < 3; ++k) {
       const Vector3 a = p[(k + 1) % 3] - p[k], b = p[(k + 2) % 3] - p[k];
-      const double twice_area = a.cross(b).norm();
+      const double twice_area = length_of(a.cross(b));
       corner[k] = std::atan2(twice_area, a.dot(b));
       if (k == 0) face_area[f] = twice_area / 2;
       angle_sum[mesh.faces()(f, k)] += corner[k];

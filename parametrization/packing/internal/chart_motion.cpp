@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "majorant/constraints/local_injectivity.h"
-#include "majorant/elements/rest_shapes.h"
 #include "majorant/parametrization/injectivity/internal/exact_positivity.h"
+#include "majorant/parametrization/maps/rest_shapes_of.h"
 
 namespace majorant {
 namespace {
@@ -43,7 +43,7 @@ Placement nudged(const Placement& p, double angle, const Vector2& middle) {
 }  // namespace
 
 bool has_positive_determinants(const BezierMap& map, const StopCheck& stop) {
-  const RestShapes rest = flat_triangles(map.mesh().positions(), map.mesh().faces());
+  const RestShapes rest = rest_shapes(map.mesh());
   const Vec bounds = LocalInjectivity(map.shared_space(), 2 * rest.measure, ProofDepth::kFinal)
                          .lower_bounds(map.control_points());
   const Points2 nodes = map.control_points().reshaped<Eigen::RowMajor>(map.space().node_count(), 2);

@@ -5,6 +5,7 @@
 #include <exception>
 #include <libnest2d/common.hpp>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "majorant/parametrization/packing/internal/outer_polygon.h"
@@ -36,18 +37,11 @@ constexpr int kRounding = 4;
 constexpr std::size_t kQuestionsPerItem = 16;
 
 libnest2d::Item item_of(const Parcel& parcel, double scale) {
-  // The outer loop is the one that encloses the most; it runs counterclockwise.
-  const auto area = [](const std::vector<Vector2>& loop) {
-    double twice = 0;
-    for (std::size_t k = 0; k < loop.size(); ++k)
-      twice += cross(loop[k] - loop[0], loop[(k + 1) % loop.size()] - loop[0]);
-    return twice;
-  };
-  const auto outer =
-      std::max_element(parcel.outline.loops.begin(), parcel.outline.loops.end(),
-                       [&](const auto& a, const auto& b) { return area(a) < area(b); });
+  std::vector<Vector2> points;
+  for (const std::vector<Vector2>& loop : parcel.outline.loops)
+    points.insert(points.end(), loop.begin(), loop.end());
   ClipperLib::Path path;
-  for (const Vector2& p : outer_polygon(*outer, kCorners))
+  for (const Vector2& p : outer_polygon(convex_hull(std::move(points)), kCorners))
     path.emplace_back(std::llround(p.x() * scale), std::llround(p.y() * scale));
   std::reverse(path.begin(), path.end());
   path.push_back(path.front());

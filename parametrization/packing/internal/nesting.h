@@ -2,10 +2,10 @@
 //
 //   const std::optional<Strip> nested = nested_strip(job, width);
 //
-// Better than the raster for some layouts of few parcels, and quadratic in their number. Its
-// results are positions of polygons around the outlines, holes closed; it may overlap them without
-// a word, so nothing is to be believed before it is proven. One thread, no clock: the same result
-// every time.
+// Better than the raster for some layouts of few parcels, and quadratic in their number. Polygons
+// are the convex hulls of the outlines: the no-fit polygons of version 5 are right for convex ones
+// alone, others it would let overlap without a word. So nothing is to be believed before it is
+// proven. One thread, no clock: the same result every time.
 #pragma once
 
 #include "majorant/parametrization/packing/internal/arrangement.h"

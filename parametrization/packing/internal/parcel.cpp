@@ -14,27 +14,6 @@ namespace {
 // areas, far below what shows in a fill ratio.
 constexpr double kWorthTurning = 1e-6;
 
-// Corners of the convex hull, counterclockwise, collinear ones left out (Andrew's monotone chain).
-std::vector<Vector2> convex_hull(std::vector<Vector2> points) {
-  std::sort(points.begin(), points.end(), [](const Vector2& p, const Vector2& q) {
-    return p.x() < q.x() || (p.x() == q.x() && p.y() < q.y());
-  });
-  std::vector<Vector2> hull;
-  const auto chain = [&](auto first, auto last) {
-    const std::size_t base = hull.size();
-    for (; first != last; ++first) {
-      while (hull.size() >= base + 2 &&
-             cross(hull.back() - hull[hull.size() - 2], *first - hull.back()) <= 0)
-        hull.pop_back();
-      hull.push_back(*first);
-    }
-    hull.pop_back();
-  };
-  chain(points.begin(), points.end());
-  chain(points.rbegin(), points.rend());
-  return hull;
-}
-
 struct Extent {
   double width, height;
   double area() const { return width * height; }
@@ -147,6 +126,27 @@ BoundaryLoops boundary_in_units(const BezierMap& chart, double unit) {
 }
 
 }  // namespace
+
+// Andrew's monotone chain.
+std::vector<Vector2> convex_hull(std::vector<Vector2> points) {
+  std::sort(points.begin(), points.end(), [](const Vector2& p, const Vector2& q) {
+    return p.x() < q.x() || (p.x() == q.x() && p.y() < q.y());
+  });
+  std::vector<Vector2> hull;
+  const auto chain = [&](auto first, auto last) {
+    const std::size_t base = hull.size();
+    for (; first != last; ++first) {
+      while (hull.size() >= base + 2 &&
+             cross(hull.back() - hull[hull.size() - 2], *first - hull.back()) <= 0)
+        hull.pop_back();
+      hull.push_back(*first);
+    }
+    hull.pop_back();
+  };
+  chain(points.begin(), points.end());
+  chain(points.rbegin(), points.rend());
+  return hull;
+}
 
 double chart_area(const BezierMap& chart, double unit) {
   return enclosed_area(boundary_in_units(chart, unit));

@@ -8,6 +8,7 @@
 #include "majorant/constraints/seamless_constraint.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/newton.h"
+#include "majorant/mesh/internal/length_of.h"
 #include "majorant/parametrization/maps/map_problem.h"
 #include "majorant/parametrization/starts/internal/cut_surface.h"
 
@@ -61,7 +62,7 @@ class FieldTerm final : public EnergyTerm {
     const auto p = [&](int k) { return Vector3(surface.positions().row(surface.faces()(f, k))); };
     const Vector3 a = p(1) - p(0), b = p(2) - p(0);
     const double length = a.norm();
-    const Vector2 q1(length, 0), q2(a.dot(b) / length, a.cross(b).norm() / length);
+    const Vector2 q1(length, 0), q2(a.dot(b) / length, length_of(a.cross(b)) / length);
     const double twice_area = q1.x() * q2.y();
     const std::array<Vector2, 3> corner{Vector2(0, 0), q1, q2};
     for (int k = 0; k < 3; ++k) {

@@ -1,6 +1,7 @@
 #include "majorant/parametrization/starts/internal/room.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "majorant/mesh/internal/exact_predicates.h"
@@ -15,12 +16,17 @@ constexpr double kLeastHeight = 8;
 }  // namespace
 
 Index faces_without_room(const Cells& faces, const Vec& uv) {
-  const double least =
-      kLeastHeight * std::numeric_limits<double>::epsilon() * uv.cwiseAbs().maxCoeff();
+  const double largest = uv.cwiseAbs().maxCoeff();
+  if (!(largest > 0)) return static_cast<Index>(faces.rows());
+  // Exact signs are exact as long as products neither over- nor underflow.
+  const int exponent = -std::ilogb(largest);
+  const double least = kLeastHeight * std::numeric_limits<double>::epsilon() * 2;
+  const auto point = [&](Index v) {
+    return Vector2(std::scalbn(uv[2 * v], exponent), std::scalbn(uv[2 * v + 1], exponent));
+  };
   Index count = 0;
   for (Index f = 0; f < static_cast<Index>(faces.rows()); ++f) {
-    const Vector2 a = uv.segment<2>(2 * faces(f, 0)), b = uv.segment<2>(2 * faces(f, 1)),
-                  c = uv.segment<2>(2 * faces(f, 2));
+    const Vector2 a = point(faces(f, 0)), b = point(faces(f, 1)), c = point(faces(f, 2));
     const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
     if (!(cross(b - a, c - a) > least * longest) || orientation(a, b, c) <= 0) ++count;
   }

@@ -99,7 +99,7 @@ class Compare(CommandTest):
         outcome = self.compare('--energy', 'amips-exponential', '--degree', 1,
                                mesh=generated('creature'))
         self.assertEqual(outcome.code, 3, outcome.err)
-        self.assertIn('--init', outcome.err)
+        self.assertIn('take another energy', outcome.err)
 
 
 if __name__ == '__main__':

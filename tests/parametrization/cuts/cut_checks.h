@@ -20,10 +20,9 @@ inline CutOptions cuts_by(CutMethod method) {
 
 inline std::vector<SurfaceMesh> pieces_of(const SurfaceMesh& mesh,
                                           const std::vector<char>& is_cut) {
-  const SurfaceMesh cut = mesh.cut_along(is_cut, nullptr);
   std::vector<SurfaceMesh> pieces;
-  for (const auto& faces : component_faces(cut.opposites()))
-    pieces.push_back(cut.with_components(faces, nullptr));
+  for (const SurfacePiece& piece : mesh.cut_along(is_cut, nullptr).split())
+    pieces.push_back(*piece.mesh);
   return pieces;
 }
 

@@ -58,12 +58,73 @@ TEST(Parametrize, ATargetWithinRoundingIsAccepted) {
     }
 }
 
-TEST(Parametrize, APinAwayFromTheStartIsInfeasible) {
+void expect_pins(const ParametrizationResult& r, const std::vector<Pin>& pins) {
+  ASSERT_TRUE(r.map);
+  for (const Pin& p : pins) {
+    const Vector2 place = r.map->control_points().segment<2>(2 * p.vertex);
+    EXPECT_EQ(place.x(), p.target->x()) << "vertex " << p.vertex;
+    EXPECT_EQ(place.y(), p.target->y()) << "vertex " << p.vertex;
+  }
+}
+
+// One pin costs nothing: a translation. More do, but are met to the last digit.
+TEST(Parametrize, PinsAwayFromTheStartAreReached) {
+  const auto mesh = surface(grid(6, bumpy));
+  const std::vector<Pin> pins{{8, Vector2(0.3, 0.2)},
+                              {40, Vector2(-0.45, 0.37)},
+                              {12, Vector2(0.1, 1.3)},
+                              {27, Vector2(-0.3, 0.1)},
+                              {0, Vector2(0.77, -0.21)}};
+  for (const MapInjectivity injectivity : {MapInjectivity::Local, MapInjectivity::Global})
+    for (const std::size_t count : {1, 2, 5}) {
+      SCOPED_TRACE(testing::Message() << count << " pins, " << static_cast<int>(injectivity));
+      ParametrizationOptions options = degree(2);
+      options.map.injectivity = injectivity;
+      const double free = parametrize(mesh, options).measures.value;
+      options.map.pins.assign(pins.begin(), pins.begin() + static_cast<std::ptrdiff_t>(count));
+      const ParametrizationResult r = parametrize(mesh, options);
+      expect_valid(r, 2);
+      expect_pins(r, options.map.pins);
+      if (count == 1) {
+        EXPECT_NEAR(r.measures.value, free, 1e-5 * free);
+      }
+    }
+}
+
+// "initial" is where the start has a vertex, also when the start is moved towards other pins.
+TEST(Parametrize, AnInitialPinStaysWhileAnotherIsReached) {
   const auto mesh = surface(grid(4, bumpy));
-  ParametrizationOptions options = degree(2);
+  ParametrizationOptions options = degree(1);
   options.map.pins = {{12, std::nullopt}, {7, Vector2(0.3, 0.2)}};
-  expect_contains(error_message(ErrorKind::Infeasible, [&] { parametrize(mesh, options); }),
-                  {"inline.obj", "vertex 7", "\"initial\"", "--init"});
+  const Vec start = initial_map(*mesh, options.map);
+  const ParametrizationResult r = parametrize(mesh, options);
+  expect_pins(r, {{12, Vector2(start.segment<2>(24))}, options.map.pins[1]});
+}
+
+TEST(Parametrize, PinsThatContradictEachOtherAreNamed) {
+  const auto mesh = surface(grid(4, bumpy));
+  const auto refused = [&](const std::vector<Pin>& pins, BoundaryCondition boundary,
+                           const std::vector<std::string>& parts) {
+    ParametrizationOptions options = degree(1);
+    options.map.pins = pins;
+    options.map.boundary = boundary;
+    expect_contains(error_message(ErrorKind::Infeasible, [&] { parametrize(mesh, options); }),
+                    parts);
+  };
+  const Vector2 a(0, 0), b(0.2, 0), c(0, 0.2);
+  refused({{7, a}, {12, a}}, BoundaryCondition::Free,
+          {"inline.obj", "vertex 7 and vertex 12 have the same"});
+  refused({{6, a}, {7, c}, {12, b}}, BoundaryCondition::Free, {"inline.obj", "turn face", "over"});
+  refused({{0, a}}, BoundaryCondition::Fixed, {"vertex 0 is on the fixed boundary"});
+}
+
+TEST(Parametrize, ALimitBeforeThePinsAreReachedSaysSo) {
+  const auto mesh = surface(grid(6, bumpy));
+  ParametrizationOptions options = degree(1);
+  options.map.pins = {{8, Vector2(0.3, 0.2)}, {40, Vector2(-0.5, 0.4)}, {24, Vector2(3, 0.1)}};
+  RunRecord record(1e9, 2);
+  expect_contains(error_message(ErrorKind::Infeasible, [&] { parametrize(mesh, options, record); }),
+                  {"inline.obj", "stopped by a limit", "--max-iterations"});
 }
 
 TEST(Parametrize, RefusesTwoPinsOfOneVertex) {

@@ -2,7 +2,7 @@
 // claimed or given. That the seams fit is proven elsewhere (io/map_proof.h).
 #pragma once
 
-#include "apps/check_claims.h"
+#include "apps/check/check_claims.h"
 
 namespace majorant::app {
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "apps/check/findings.h"
 #include "apps/claims.h"
-#include "apps/findings.h"
 #include "majorant/io/map_proof.h"
 #include "majorant/parametrization/maps/measure.h"
 

@@ -8,16 +8,16 @@
 #include <memory>
 #include <optional>
 
-#include "apps/check_claims.h"
+#include "apps/arguments/number_check.h"
+#include "apps/arguments/suggestion.h"
+#include "apps/check/check_claims.h"
 #include "apps/command.h"
 #include "apps/energy_option.h"
 #include "apps/global_verdict.h"
-#include "apps/number_check.h"
 #include "apps/outputs.h"
 #include "apps/process.h"
 #include "apps/report.h"
 #include "apps/streams.h"
-#include "apps/suggestion.h"
 #include "apps/unless_stopped.h"
 #include "majorant/framework/thread_count.h"
 #include "majorant/io/map_file.h"
@@ -144,7 +144,10 @@ int check(const Request& request) {
   say_warnings(file.warnings);
   const Claims claims = parse_claims(file.claims, request.result);
   std::optional<PolygonMesh> surface;
-  if (!request.surface.empty()) surface = read(request.surface, read_mesh);
+  if (!request.surface.empty()) {
+    surface = read(request.surface, read_mesh);
+    say_warnings(surface->warnings);
+  }
   Check check{request, file, claims, surface};
   check.report = {{"schema_version", 1}, {"version", MAJORANT_VERSION}, {"command", "check"}};
   prove(check, stop);

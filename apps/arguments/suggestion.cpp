@@ -1,4 +1,4 @@
-#include "apps/suggestion.h"
+#include "apps/arguments/suggestion.h"
 
 #include <fmt/format.h>
 

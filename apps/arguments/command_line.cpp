@@ -1,4 +1,4 @@
-#include "apps/command_line.h"
+#include "apps/arguments/command_line.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "apps/suggestion.h"
+#include "apps/arguments/suggestion.h"
 #include "majorant/framework/error.h"
 #include "majorant/io/read_mesh.h"
 

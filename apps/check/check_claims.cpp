@@ -1,4 +1,4 @@
-#include "apps/check_claims.h"
+#include "apps/check/check_claims.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <limits>
 #include <map>
 
-#include "apps/check_seams.h"
+#include "apps/check/check_seams.h"
 #include "apps/energy_option.h"
 #include "majorant/framework/error.h"
 #include "majorant/parametrization/starts/texture_seams.h"

@@ -1,4 +1,4 @@
-#include "apps/check_seams.h"
+#include "apps/check/check_seams.h"
 
 #include <fmt/format.h>
 

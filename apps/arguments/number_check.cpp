@@ -1,4 +1,4 @@
-#include "apps/number_check.h"
+#include "apps/arguments/number_check.h"
 
 #include <fmt/format.h>
 

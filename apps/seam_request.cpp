@@ -1,0 +1,79 @@
+#include "apps/seam_request.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "apps/arguments/number_check.h"
+#include "majorant/framework/error.h"
+#include "majorant/io/internal/read_vertex_lists.h"
+
+namespace majorant::app {
+namespace {
+
+constexpr std::string_view kSharp = "sharp", kSharpAngle = "sharp=";
+
+bool is_sharp(const std::string& seams) {
+  return seams == kSharp || seams.compare(0, kSharpAngle.size(), kSharpAngle) == 0;
+}
+
+double sharp_angle(const std::string& seams) {
+  const std::string text = seams.substr(kSharpAngle.size());
+  double angle = 0;
+  if (!CLI::detail::lexical_cast(text, angle) || !(angle > 0) || !(angle < 180))
+    throw Error(ErrorKind::Usage,
+                fmt::format("--seams {}: '{}' is no angle between 0 and 180 degrees; write "
+                            "--seams sharp=40",
+                            seams, text));
+  return angle;
+}
+
+}  // namespace
+
+void SeamRequest::add_to(CLI::App& verb) {
+  verb.add_option("--seams", seams,
+                  "where to cut: auto; uv, the islands of the file's texture coordinates; "
+                  "sharp[=DEGREES], edges between faces that meet at that angle or more; or a JSON "
+                  "FILE {\"edges\": [[0, 1], ...]}");
+  verb.add_option("--max-stretch", max_stretch,
+                  fmt::format("auto, sharp: mean stretch up to which a chart is left uncut, > 1 "
+                              "({:g})",
+                              CutOptions().max_stretch))
+      ->check(positive_number());
+}
+
+std::string SeamRequest::file() const {
+  return seams.empty() || seams == "auto" || seams == "uv" || is_sharp(seams) ? "" : seams;
+}
+
+CutOptions SeamRequest::options(const PolygonMesh& polygons) const {
+  CutOptions cuts;
+  if (max_stretch && !(*max_stretch > 1))
+    throw Error(
+        ErrorKind::Usage,
+        fmt::format("--max-stretch {:g}: an isometry has 1 already; write --max-stretch {:g}",
+                    *max_stretch, cuts.max_stretch));
+  if (max_stretch) cuts.max_stretch = *max_stretch;
+  if (seams == "uv") cuts.method = CutMethod::Texture;
+  if (is_sharp(seams)) cuts.method = CutMethod::Sharp;
+  if (is_sharp(seams) && seams != kSharp) cuts.sharp_angle = sharp_angle(seams);
+  if (file().empty()) return cuts;
+  cuts.method = CutMethod::Given;
+  cuts.edges_source = file();
+  cuts.edges = read_seams(file(), static_cast<Index>(polygons.positions.size()));
+  return cuts;
+}
+
+Json SeamRequest::to_json() const {
+  return {{"seams", seams}, {"max_stretch", max_stretch.value_or(CutOptions().max_stretch)}};
+}
+
+Json cuts_section(const SurfaceCuts& cuts, double area) {
+  return {{"seam_length", cuts.length},
+          {"seam_length_relative", cuts.length / std::sqrt(area)},
+          {"seam_edges", cuts.edges},
+          {"added_seam_length", cuts.added_length},
+          {"added_seam_edges", cuts.added_edges}};
+}
+
+}  // namespace majorant::app

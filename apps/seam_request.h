@@ -1,0 +1,32 @@
+// Where a surface is to be cut, as said: --seams and --max-stretch.
+//
+//   SeamRequest seams;
+//   seams.add_to(verb);
+//   const SurfaceCuts cuts = choose_cuts(mesh, seams.options(polygons));
+#pragma once
+
+#include <CLI/App.hpp>
+#include <optional>
+#include <string>
+
+#include "apps/report.h"
+#include "majorant/parametrization/cuts/choose_cuts.h"
+
+namespace majorant::app {
+
+struct SeamRequest {
+  std::string seams;  // empty: nothing was said
+  std::optional<double> max_stretch;
+
+  void add_to(CLI::App& verb);
+  // The file that --seams names; empty where it is one of the words.
+  std::string file() const;
+  // Throws Error(Usage) for words that make no sense and as read_seams.
+  CutOptions options(const PolygonMesh& polygons) const;
+  Json to_json() const;  // for reports and claims
+};
+
+// {"seam_length": ..., ...}: what reports say of cuts. area: of the surface.
+Json cuts_section(const SurfaceCuts& cuts, double area);
+
+}  // namespace majorant::app

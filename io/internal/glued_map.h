@@ -1,0 +1,17 @@
+// A map whose boundary meets itself where the surface does, too: as the map of one piece.
+#pragma once
+
+#include <optional>
+
+#include "majorant/parametrization/maps/bezier_map.h"
+
+namespace majorant {
+
+// Files may hold a point of the surface several times, with different numbers and the same place
+// and uv: pieces that exporters split, welded by who laid them out. Where two boundary edges of the
+// map run against each other between such points the map is continuous across them, and no
+// boundary. Glues all that are; the image is the same. None where there are none, or control points
+// between the vertices differ.
+std::optional<BezierMap> glued(const BezierMap& map);
+
+}  // namespace majorant

@@ -1,0 +1,20 @@
+// The length of a vector whose square may leave the range of doubles, as the squares of areas of
+// meshes of size 1e100 do.
+//
+//   const double area = 0.5 * length_of(a.cross(b));
+//
+// Bit by bit norm() wherever that is right.
+#pragma once
+
+#include <cmath>
+
+#include "majorant/framework/types.h"
+
+namespace majorant {
+
+inline double length_of(const Vector3& v) {
+  const double norm = v.norm();
+  return std::isnormal(norm) ? norm : v.stableNorm();
+}
+
+}  // namespace majorant

@@ -1,0 +1,271 @@
+#include "majorant/parametrization/drive/internal/reach_pins.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <complex>
+#include <utility>
+
+#include "majorant/constraints/seamless_constraint.h"
+#include "majorant/framework/error.h"
+#include "majorant/framework/internal/elimination.h"
+#include "majorant/mesh/internal/exact_predicates.h"
+#include "majorant/parametrization/injectivity/global_injectivity.h"
+#include "majorant/parametrization/maps/rest_shapes_of.h"
+#include "majorant/parametrization/starts/internal/untangle.h"
+
+namespace majorant {
+namespace {
+
+// Of the largest coordinate: pins this close to where the start has their vertex are there. Origin:
+// targets in files have ten digits.
+constexpr double kPinned = 1e-9;
+// Relative decrease that ends a solve on the way. Origin: a thousand times the final one: they only
+// lead there.
+constexpr double kRoughly = 1e-3;
+// Stiffness of the springs that pull pins. Origin: from a hundred times the default of soft handles
+// to where the energy has three digits left beside them.
+constexpr double kFirstStiffness = 1e5, kStiffer = 100, kStiffest = 1e13;
+// Steps towards the targets, and where these fail. Origin: a right angle is turned by 9 degrees at
+// a time; a quarter of that.
+constexpr int kSteps = 10, kSmallSteps = 40;
+
+Vector2 place_of(const BezierMap& map, Index vertex) {
+  return map.control_points().segment<2>(2 * vertex);
+}
+
+Index name_of(const BezierMap& map, Index vertex) { return map.mesh().input_vertex(vertex); }
+
+[[noreturn]] void refuse_pins(const BezierMap& map, const std::string& why) {
+  throw Error(ErrorKind::Infeasible, fmt::format("{}: no valid way to the pins' targets found: {}",
+                                                 map.mesh().file(), why));
+}
+
+// Nothing but pins holds the map: it may be turned, and is worth optimizing before.
+bool may_move(const MapOptions& asked) { return asked.boundary == BoundaryCondition::Free; }
+
+// The map without pins, by an energy that holds its own scale.
+BezierMap roughly_optimized(const BezierMap& start, const ParametrizationOptions& options,
+                            RunRecord& record) {
+  ParametrizationOptions o = options;
+  o.map.degree = 1;
+  o.map.energy = {{symmetric_dirichlet(), 1.0}};
+  o.map.pins.clear();
+  o.map.handles.clear();
+  o.solve.curvature = Curvature::Projected;
+  o.solve.tolerance = kRoughly;
+  o.solve.triangles = Triangles::Kept;
+  return parametrize(start, o, record).map.value_or(start);
+}
+
+// The map moved so that its pins are closest to their targets, by z -> a z + b; a = 1 for one.
+BezierMap moved_to_pins(const BezierMap& map, const std::vector<Pin>& pins) {
+  using Complex = std::complex<double>;
+  const auto number = [](const Vector2& p) { return Complex(p.x(), p.y()); };
+  const double count = static_cast<double>(pins.size());
+  Vector2 from = Vector2::Zero(), to = Vector2::Zero();
+  for (const Pin& p : pins) {
+    from += place_of(map, p.vertex) / count;
+    to += *p.target / count;
+  }
+  Complex turned = 0;
+  double spread = 0;
+  for (const Pin& p : pins) {
+    const Vector2 d = place_of(map, p.vertex) - from;
+    turned += std::conj(number(d)) * number(*p.target - to);
+    spread += d.squaredNorm();
+  }
+  const Complex a = pins.size() > 1 && std::abs(turned) > 0 ? turned / spread : 1;
+  Vec x = map.control_points();
+  for (Index k = 0; k < x.size(); k += 2) {
+    const Complex z = a * number(x.segment<2>(k) - from);
+    x.segment<2>(k) = to + Vector2(z.real(), z.imag());
+  }
+  return map.with(map.shared_space(), std::move(x));
+}
+
+std::vector<FixedPoint> fixed_points(const std::vector<Pin>& pins) {
+  std::vector<FixedPoint> points;
+  for (const Pin& p : pins) points.push_back({p.vertex, *p.target});
+  return points;
+}
+
+}  // namespace
+
+ParametrizationOptions with_targets(const BezierMap& start, ParametrizationOptions options) {
+  for (auto* points : {&options.map.pins, &options.map.handles})
+    for (Pin& p : *points) {
+      if (p.vertex < 0 || p.vertex >= start.mesh().vertex_count())
+        throw Error(ErrorKind::Usage, fmt::format("{}: pinned vertex {} does not exist",
+                                                  start.mesh().file(), p.vertex));
+      if (!p.target) p.target = place_of(start, p.vertex);
+    }
+  return options;
+}
+
+bool meets_pins(const BezierMap& start, const std::vector<Pin>& pins) {
+  const double tolerance = kPinned * start.control_points().cwiseAbs().maxCoeff();
+  return std::all_of(pins.begin(), pins.end(), [&](const Pin& p) {
+    return (*p.target - place_of(start, p.vertex)).stableNorm() <= tolerance;
+  });
+}
+
+void require_no_contradiction(const BezierMap& start, const MapOptions& asked) {
+  std::vector<const Pin*> pin_of(at(start.mesh().vertex_count()), nullptr);
+  for (const Pin& p : asked.pins) {
+    if (std::exchange(pin_of[at(p.vertex)], &p))
+      throw Error(ErrorKind::Unsupported,
+                  fmt::format("{}: vertex {} is pinned twice; pin it once", start.mesh().file(),
+                              name_of(start, p.vertex)));
+    if (!start.seams().empty()) continue;  // layouts with seams may cover a place several times
+    for (const Pin& q : asked.pins)
+      if (q.vertex < p.vertex && *q.target == *p.target)
+        refuse_pins(start, fmt::format("vertex {} and vertex {} have the same; pin one of them",
+                                       name_of(start, q.vertex), name_of(start, p.vertex)));
+  }
+  const Cells& faces = start.mesh().faces();
+  for (Index f = 0; f < faces.rows(); ++f) {
+    const Pin *a = pin_of[at(faces(f, 0))], *b = pin_of[at(faces(f, 1))],
+              *c = pin_of[at(faces(f, 2))];
+    if (a && b && c && orientation(*a->target, *b->target, *c->target) <= 0)
+      refuse_pins(start, fmt::format("those of vertex {}, vertex {} and vertex {} turn face {} "
+                                     "over; leave one out",
+                                     name_of(start, a->vertex), name_of(start, b->vertex),
+                                     name_of(start, c->vertex), start.mesh().input_face(f) + 1));
+  }
+  if (asked.boundary != BoundaryCondition::Fixed) return;
+  for (const auto& loop : start.mesh().boundary_loops())
+    for (const Index v : loop)
+      if (pin_of[at(v)] && !meets_pins(start, {*pin_of[at(v)]}))
+        refuse_pins(start, fmt::format("vertex {} is on the fixed boundary; leave out --boundary "
+                                       "fixed, or the pin",
+                                       name_of(start, v)));
+}
+
+bool PinPull::going_on() const {
+  return record_.iterations_left() > 0 && record_.directive() == Directive::Continue;
+}
+
+void PinPull::pull(double part, double weight) {
+  ParametrizationOptions o = options_;
+  o.map.degree = 1;
+  o.map.handle_weight = weight;
+  o.map.handles.clear();
+  o.map.pins.clear();
+  o.solve.tolerance = kRoughly;
+  o.solve.triangles = Triangles::Kept;
+  for (const auto* points : {&options_.map.handles, &options_.map.pins})
+    for (const Pin& p : *points) {
+      const Vector2 from = place_of(start_, p.vertex);
+      o.map.handles.push_back({p.vertex, Vector2(from + part * (*p.target - from))});
+    }
+  const ParametrizationResult r = parametrize(map_, o, record_);
+  if (r.map && r.status != Status::Failed) map_ = *r.map;
+}
+
+void PinPull::walk(int steps, double weight) {
+  for (int k = 1; k <= steps && going_on(); ++k) pull(static_cast<double>(k) / steps, weight);
+}
+
+bool PinPull::hold() {
+  if (set_pins() || (going_on() && untangle_with_pins())) return true;
+  for (double w = kFirstStiffness; w <= kStiffest && going_on(); w *= kStiffer) {
+    pull(1, w);
+    if (set_pins() || (going_on() && untangle_with_pins())) return true;
+  }
+  return false;
+}
+
+// Seams hold again, too: the closest such map. None where seams contradict the pins.
+std::optional<BezierMap> PinPull::with_pins() const {
+  Vec x = map_.control_points();
+  if (map_.seams().empty()) {
+    for (const Pin& p : options_.map.pins) x.segment<2>(2 * p.vertex) = *p.target;
+  } else {
+    ConstraintRows rows;
+    SeamlessConstraint(map_.shared_space(), map_.shared_seams()).append_rows(rows);
+    FixedPoints(fixed_points(options_.map.pins)).append_rows(rows);
+    try {
+      const Elimination elimination(static_cast<Index>(x.size()), rows);
+      elimination.expand(elimination.project(map_.control_points()), x);
+    } catch (const Error&) {
+      return std::nullopt;
+    }
+  }
+  return map_.with(map_.shared_space(), std::move(x));
+}
+
+bool PinPull::is_valid(const BezierMap& map) const {
+  if (!LocalInjectivity(map.shared_space(), Vec::Ones(map.mesh().face_count()))
+           .check(map.control_points())
+           .feasible ||
+      !AngleSums(map.shared_space(), AngleSums::Vertices::Interior, map.shared_seams())
+           .check(map.control_points())
+           .feasible)
+    return false;
+  return options_.map.injectivity == MapInjectivity::Local ||
+         check_boundary(map).result == Injectivity::Proven;
+}
+
+bool PinPull::set_pins() {
+  std::optional<BezierMap> held = with_pins();
+  if (!held || !is_valid(*held)) return false;
+  map_ = *std::move(held);
+  return true;
+}
+
+bool PinPull::untangle_with_pins() {
+  const std::optional<BezierMap> held = with_pins();
+  if (!held) return false;
+  MapSpecification spec;
+  spec.rest = rest_shapes(map_.mesh());
+  spec.seams = map_.shared_seams();
+  spec.boundary = options_.map.boundary;
+  spec.pins = fixed_points(options_.map.pins);
+  UntangleResult untangled = untangle(spec, map_.shared_space(), held->control_points(), record_);
+  BezierMap map = map_.with(map_.shared_space(), std::move(untangled.x));
+  if (!untangled.inverted.empty() || !is_valid(map)) return false;
+  map_ = std::move(map);
+  return true;
+}
+
+void PinPull::refuse() const {
+  if (!going_on())
+    throw Error(ErrorKind::Infeasible,
+                start_.mesh().file() +
+                    ": stopped by a limit or Ctrl-C before the pins' targets were reached; raise "
+                    "--max-iterations or --time-limit");
+  Index farthest = -1;
+  double distance = -1;
+  for (const Pin& p : options_.map.pins)
+    if (const double d = (place_of(map_, p.vertex) - *p.target).norm(); d > distance) {
+      distance = d;
+      farthest = p.vertex;
+    }
+  refuse_pins(start_, fmt::format("vertex {} stays {:.3g} away; use soft handles, or targets "
+                                  "nearer to the start",
+                                  name_of(start_, farthest), distance));
+}
+
+BezierMap reach_pins(const BezierMap& given, const ParametrizationOptions& options,
+                     RunRecord& record) {
+  require_no_contradiction(given, options.map);
+  BezierMap start = given;
+  if (may_move(options.map)) {
+    if (options.map.pins.size() > 1) start = roughly_optimized(start, options, record);
+    start = moved_to_pins(start, options.map.pins);
+  }
+  PinPull way(start, options, record);
+  if (way.set_pins()) return way.map();
+  way.walk(kSteps, kFirstStiffness);
+  if (way.hold()) return way.map();
+  if (!way.going_on()) way.refuse();
+  PinPull slowly(start, options, record);
+  slowly.walk(kSmallSteps, kFirstStiffness);
+  if (slowly.hold()) return slowly.map();
+  PinPull at_once(start, options, record);
+  if (!slowly.going_on() || !at_once.untangle_with_pins()) slowly.refuse();
+  return at_once.map();
+}
+
+}  // namespace majorant

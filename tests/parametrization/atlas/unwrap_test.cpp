@@ -1,0 +1,229 @@
+#include "majorant/parametrization/atlas/unwrap.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <set>
+
+#include "counted_stop.h"
+#include "majorant/mesh/repair.h"
+#include "majorant/parametrization/atlas/internal/texture_start.h"
+#include "majorant/parametrization/atlas/unit_square.h"
+#include "majorant/parametrization/injectivity/global_injectivity.h"
+#include "majorant/parametrization/packing/proven_distance.h"
+#include "mesh/surfaces_of_any_genus.h"
+#include "mesh/test_meshes.h"
+
+namespace majorant {
+namespace {
+
+Atlas unwrapped(const PolygonMesh& mesh, const UnwrapOptions& options) {
+  RunRecord record;
+  return unwrap(repair(mesh).mesh, options, record);
+}
+
+UnwrapOptions of_degree(int degree) {
+  UnwrapOptions options;
+  options.chart.map.degree = degree;
+  return options;
+}
+
+// Every face once, every chart injective, charts apart.
+void expect_layout(const Atlas& atlas, const SurfaceMesh& surface) {
+  std::multiset<Index> faces;
+  for (const Chart& chart : atlas.charts) {
+    faces.insert(chart.faces.begin(), chart.faces.end());
+    EXPECT_TRUE(chart.measures.locally_injective);
+    EXPECT_EQ(check_boundary(*chart.map).result, Injectivity::Proven);
+  }
+  EXPECT_EQ(faces.size(), at(surface.face_count()));
+  EXPECT_EQ(std::set<Index>(faces.begin(), faces.end()).size(), faces.size());
+  ASSERT_TRUE(atlas.packing);
+  const double gap = 4.0 / 1024 * atlas.packing->side;
+  EXPECT_GE(proven_distance(maps_of(atlas), gap), gap);
+}
+
+PolygonMesh moved(PolygonMesh mesh, const Vector3& by) {
+  for (Vector3& p : mesh.positions) p += by;
+  return mesh;
+}
+
+PolygonMesh together(PolygonMesh a, const PolygonMesh& b) {
+  const auto first = static_cast<Index>(a.positions.size());
+  a.positions.insert(a.positions.end(), b.positions.begin(), b.positions.end());
+  for (std::vector<Index> polygon : b.polygons) {
+    for (Index& v : polygon) v += first;
+    a.polygons.push_back(polygon);
+  }
+  a.polygon_lines.clear();
+  return a;
+}
+
+// A cylinder of radius 1 / (2 pi) and length 1, open at both ends, n squares around.
+PolygonMesh cylinder(int n) {
+  PolygonMesh mesh;
+  for (int j = 0; j <= n; ++j)
+    for (int i = 0; i < n; ++i) {
+      const double t = 2 * std::numbers::pi * i / n;
+      mesh.positions.emplace_back(std::cos(t) / (2 * std::numbers::pi),
+                                  std::sin(t) / (2 * std::numbers::pi), double(j) / n);
+    }
+  for (Index j = 0; j < n; ++j)
+    for (Index i = 0; i < n; ++i) {
+      const Index next = (i + 1) % n;
+      mesh.polygons.push_back({j * n + i, j * n + next, (j + 1) * n + next, (j + 1) * n + i});
+    }
+  return mesh;
+}
+
+TEST(Unwrap, SeveralComponentsOfAnyGenus) {
+  const PolygonMesh mesh = together(together(cube_sphere(3), moved(torus(10, 8, 0), {5, 0, 0})),
+                                    moved(grid(4, bumpy), {0, 0, 9}));
+  const RepairedSurface surface = repair(mesh);
+  const Atlas atlas = unwrapped(mesh, of_degree(1));
+  EXPECT_EQ(atlas.status(), Status::Converged);
+  EXPECT_EQ(atlas.charts.size(), 3U);
+  expect_layout(atlas, *surface.mesh);
+  EXPECT_GT(atlas.value(), 4);
+  EXPECT_LT(atlas.value(), 4.5);
+  EXPECT_GE(atlas.stretch().l2, 1);
+}
+
+TEST(Unwrap, CurvedCharts) {
+  const PolygonMesh mesh = cube_sphere(3);
+  const double straight = unwrapped(mesh, of_degree(1)).value();
+  const Atlas curved = unwrapped(mesh, of_degree(2));
+  EXPECT_EQ(curved.charts.front().map->degree(), 2);
+  expect_layout(curved, *repair(mesh).mesh);
+  EXPECT_LT(curved.value(), straight);
+}
+
+// A chart that overlaps itself when it is flattened isometrically: a strip that winds twice.
+TEST(Unwrap, OverlapsAreUndoneByAScaffold) {
+  PolygonMesh mesh;
+  constexpr int kSteps = 48;
+  for (int k = 0; k <= kSteps; ++k) {
+    const double t = 4 * std::numbers::pi * k / kSteps;
+    for (const double r : {1.0, 1.4})
+      mesh.positions.emplace_back(r * std::cos(t), r * std::sin(t), 0.02 * t);
+  }
+  for (Index k = 0; k < kSteps; ++k)
+    mesh.polygons.push_back({2 * k, 2 * k + 1, 2 * k + 3, 2 * k + 2});
+  UnwrapOptions options = of_degree(1);
+  options.cuts.max_stretch = 1e3;  // not by cutting
+  const Atlas atlas = unwrapped(mesh, options);
+  expect_layout(atlas, *repair(mesh).mesh);
+  RunRecord record;
+  const ParametrizationResult free =
+      parametrize(repair(mesh).mesh, options.chart, record);  // without a scaffold
+  EXPECT_EQ(check_boundary(*free.map).result, Injectivity::Violated);
+}
+
+TEST(Unwrap, ThreadsDoNotMatter) {
+  PolygonMesh mesh = cube_sphere(2);
+  for (int k = 1; k < 6; ++k) mesh = together(mesh, moved(grid(2 + k % 3, bumpy), {0, 0, 3.0 * k}));
+  UnwrapOptions one = of_degree(1), four = of_degree(1);
+  one.chart.solve.threads = 1;
+  four.chart.solve.threads = 4;
+  const Atlas a = unwrapped(mesh, one), b = unwrapped(mesh, four);
+  ASSERT_EQ(a.charts.size(), b.charts.size());
+  for (std::size_t k = 0; k < a.charts.size(); ++k)
+    EXPECT_EQ(a.charts[k].map->control_points(), b.charts[k].map->control_points());
+}
+
+TEST(Unwrap, AStopLeavesAValidLayout) {
+  const PolygonMesh mesh = together(cube_sphere(4), moved(torus(10, 8, 0), {5, 0, 0}));
+  const std::shared_ptr<const SurfaceMesh> surface = repair(mesh).mesh;
+  RunRecord record(0);  // no time: starts alone
+  const Atlas atlas = unwrap(surface, of_degree(2), record);
+  EXPECT_EQ(atlas.status(), Status::TimeLimit);
+  expect_layout(atlas, *surface);
+}
+
+TEST(Unwrap, PinsHoldTheirChart) {
+  const PolygonMesh mesh = together(grid(4, bumpy), moved(grid(3, bumpy), {0, 0, 9}));
+  UnwrapOptions options = of_degree(1);
+  const Vector2 target(3.25, -1.5);
+  options.chart.map.pins = {{7, target}};
+  const Atlas atlas = unwrapped(mesh, options);
+  const Chart& pinned = atlas.charts.front();
+  ASSERT_EQ(pinned.pins.size(), 1U);
+  EXPECT_EQ(Vector2(pinned.map->control_points().segment<2>(2 * pinned.pins[0].vertex)), target);
+  EXPECT_TRUE(atlas.charts.back().pins.empty());
+  expect_layout(atlas, *repair(mesh).mesh);
+}
+
+TEST(Unwrap, EnergiesWithoutAScaleGetTheSurfaces) {
+  UnwrapOptions options = of_degree(1);
+  options.chart.map.energy = {{mips(), 1.0}};
+  const Atlas atlas = unwrapped(moved(grid(4, bumpy), {1, 2, 3}), options);
+  EXPECT_NEAR(atlas.stretch().image_area / atlas.stretch().surface_area, 1, 1e-9);
+}
+
+// Texture coordinates (x, y) of a grid, after `change`.
+PolygonMesh textured_grid(const std::function<Vector2(const Vector2&)>& change) {
+  PolygonMesh mesh = grid(4, bumpy);
+  for (const Vector3& p : mesh.positions) mesh.texcoords.push_back(change(p.head<2>()));
+  mesh.polygon_texcoords = mesh.polygons;
+  return mesh;
+}
+
+TEST(TextureStart, SaysWhatItFinds) {
+  RunRecord record;
+  const auto start_of = [&](const std::function<Vector2(const Vector2&)>& change) {
+    return texture_start(repair(textured_grid(change)).mesh, record);
+  };
+  const auto as_given = start_of([](const Vector2& p) { return p; });
+  ASSERT_TRUE(as_given);
+  EXPECT_EQ(as_given->start, ChartStart::Texture);
+  const auto mirrored = start_of([](const Vector2& p) { return Vector2(-p.x(), p.y()); });
+  ASSERT_TRUE(mirrored);
+  EXPECT_EQ(mirrored->start, ChartStart::Texture);
+  const auto folded = start_of([](const Vector2& p) {
+    return p == Vector2(0.5, 0.5) ? Vector2(0.9, 0.1) : p;  // out of its ring
+  });
+  ASSERT_TRUE(folded);
+  EXPECT_EQ(folded->start, ChartStart::Untangled);
+  EXPECT_FALSE(start_of([](const Vector2&) { return Vector2(0, 0); }));
+}
+
+TEST(UnitSquare, HoldsEverything) {
+  const PolygonMesh mesh = together(cube_sphere(2), moved(grid(3, bumpy), {0, 0, 9}));
+  Atlas atlas = unwrapped(mesh, of_degree(1));
+  const double side = atlas.packing->side;
+  const std::optional<AtlasSquare> square = into_unit_square(atlas);
+  ASSERT_TRUE(square);
+  EXPECT_EQ(square->size, side);
+  for (const BezierMap& map : maps_of(atlas)) {
+    EXPECT_GE(map.control_points().minCoeff(), 0);
+    EXPECT_LE(map.control_points().maxCoeff(), 1);
+  }
+  const double gap = 4.0 / 1024 * (1 - 1e-9);
+  EXPECT_GE(proven_distance(maps_of(atlas), gap), gap);
+}
+
+TEST(Stretch, OfKnownMaps) {
+  const std::shared_ptr<const SurfaceMesh> flat_grid = repair(grid(3)).mesh;
+  const auto stretched = [&](double a, double b) {
+    Vec uv(2 * flat_grid->vertex_count());
+    for (Index v = 0; v < flat_grid->vertex_count(); ++v)
+      uv.segment<2>(2 * v) << a * flat_grid->positions()(v, 0), b * flat_grid->positions()(v, 1);
+    return measure_stretch(BezierMap::linear(flat_grid, uv));
+  };
+  EXPECT_NEAR(stretched(1, 1).l2, 1, 1e-14);
+  EXPECT_NEAR(stretched(7, 7).max, 1, 1e-14);  // the scale does not count
+  // Gamma = 1, gamma = 1/4 at area 4: (1 + 1/16) / 2 * 4.
+  EXPECT_NEAR(stretched(1, 4).l2, std::sqrt(17.0 / 8), 1e-14);
+  EXPECT_NEAR(stretched(1, 4).max, 2, 1e-14);
+  // At one scale, two charts of different sizes are stretched.
+  EXPECT_GT(stretched(1, 1).joined(stretched(2, 2)).l2, 1.1);
+}
+
+TEST(Unwrap, ACylinderIsCutOpen) {
+  const Atlas atlas = unwrapped(cylinder(12), of_degree(1));
+  EXPECT_NEAR(atlas.value(), 4, 1e-6);
+  EXPECT_NEAR(atlas.cuts.length, 1, 1e-9);
+}
+
+}  // namespace
+}  // namespace majorant
