@@ -2,7 +2,7 @@
 //
 //   SeamRequest seams;
 //   seams.add_to(verb);
-//   const SurfaceCuts cuts = choose_cuts(mesh, seams.options(polygons));
+//   const SurfaceCuts cuts = choose_cuts(*mesh, seams.options(polygons));
 #pragma once
 
 #include <CLI/App.hpp>

@@ -1,11 +1,12 @@
 // What was meant by a command line, and what to say where that cannot be known.
 //
-//   std::vector<std::string> words = meant_words(app, {"in.obj", "out.obj"});
+//   CLI::App command;
+//   std::vector<std::string> words = meant_words(command, {"in.obj", "out.obj"});
 //   std::reverse(words.begin(), words.end());    // as CLI11 wants them
 //   try {
-//     app.parse(words);
+//     command.parse(words);
 //   } catch (const CLI::ParseError& e) {
-//     say("majorant: {}\n", usage_message(app, e));
+//     say("majorant: {}\n", usage_message(command, e));
 //   }
 #pragma once
 

@@ -1,6 +1,6 @@
 // What was meant by a word that nothing is called: for options, choices and verbs.
 //
-//   nearest("frea", {"free", "fixed"})    // "free"
+//   std::string boundary = nearest("frea", {"free", "fixed"});    // "free"
 //   verb.add_option("--boundary", boundary, "...")->check(one_of({"free", "fixed"}));
 #pragma once
 

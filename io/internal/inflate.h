@@ -2,7 +2,7 @@
 //
 //   std::string content;
 //   GunzipStream stream(std::size_t{1} << 20);
-//   bool is_sound = stream.append("bytes of a .gz file", content);   // as often as there are blocks
+//   bool is_sound = stream.append("bytes of a .gz file", content);   // once for each block
 //   is_sound = is_sound && stream.complete();
 //
 // Not for writing: outputs are not compressed.

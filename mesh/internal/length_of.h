@@ -1,6 +1,7 @@
 // The length of a vector whose square may leave the range of doubles, as the squares of areas of
 // meshes of size 1e100 do.
 //
+//   const Vector3 a(3e100, 0, 0), b(0, 4e100, 0);
 //   const double area = 0.5 * length_of(a.cross(b));
 //
 // Bit by bit norm() wherever that is right.

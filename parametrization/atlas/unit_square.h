@@ -1,5 +1,6 @@
 // An atlas moved into the unit square: for textures, whose coordinates lie between 0 and 1.
 //
+//   Atlas atlas = unwrap(mesh, {}, record);
 //   const std::optional<AtlasSquare> square = into_unit_square(atlas);
 //   if (square) atlas.charts.front().map;   // uv = (uv of before - square->origin) / square->size
 #pragma once

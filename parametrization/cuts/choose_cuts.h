@@ -37,7 +37,7 @@ struct CutOptions {
   // Given: vertices of the file from 0, two for every edge.
   std::vector<std::array<Index, 2>> edges;
   std::string edges_source;  // for messages: where they come from
-  std::vector<char> given;  // 3 #F flags, one side is enough, or empty: cut in any case
+  std::vector<char> given;   // 3 #F flags, one side is enough, or empty: cut in any case
 };
 
 // Of one component of the surface.

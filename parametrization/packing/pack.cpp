@@ -38,6 +38,10 @@ constexpr std::size_t kFew = 200;
 constexpr std::size_t kMostNested = 40;
 // Of raster and nesting, after the square is known to within 8 %. Origin: the side to 0.5 %.
 constexpr int kTries = 4;
+// Of the raster where charts are more than kMany. Origin: 1,000 charts are packed in the time that
+// their solves take.
+constexpr int kFewTries = 1;
+constexpr std::size_t kMany = 500;
 
 struct Candidate {
   PackMethod method;
@@ -94,8 +98,9 @@ class Packer {
     if (candidates.empty()) return candidates;
     const double of_boxes = candidates[0].arrangement.side;
     const int cells = charts_.size() > kFew ? kFineCells : kCoarseCells;
+    const int tries = charts_.size() > kMany ? kFewTries : kTries;
     const auto raster = [&](double width) { return raster_strip(job, cells, width); };
-    add(PackMethod::Raster, smallest_square(job, raster, {0.9 * of_boxes, 1.08, kTries}));
+    add(PackMethod::Raster, smallest_square(job, raster, {0.9 * of_boxes, 1.08, tries}));
     if (charts_.size() > kMostNested || charts_.size() < 2) return candidates;
     const double best = std::min(of_boxes, candidates.back().arrangement.side);
     const auto nesting = [&](double width) { return nested_strip(job, width); };

@@ -2,6 +2,7 @@
 //
 //   std::vector<BezierMap> charts{map, map, map};     // as they came out of the solver
 //   const Packing packing = pack(charts, {.padding_pixels = 4, .resolution = 1024});
+//   std::vector<Vector2> texture;
 //   for (const BezierMap& chart : packing.charts)     // in a texture: between 0 and 1
 //     texture.push_back((chart.evaluate(0, {1, 0, 0}) - packing.origin) / packing.side);
 //

@@ -1,5 +1,6 @@
 // How far apart are charts in the plane, at least? A proof, rounding included.
 //
+//   const Packing packing = pack({map, map});
 //   const double apart = proven_distance(packing.charts, 4.0 / 1024 * packing.side);
 //   if (apart < 4.0 / 1024 * packing.side) say("only {}\n", apart);
 //

@@ -142,7 +142,10 @@ class Reports(CommandTest):
         self.report('check', overlapping, '--certify', code=INVALID)
         self.report('compare', disk, '--degree', 1, '--methods', 'newton,lbfgs')
         self.report('convert', result, self.path('c.obj'))
+        self.report('parametrize', helpers.generated('buckle'), self.path('b.vtu'), '--seams', 'auto',
+                    '--degree', 1)
         self.report('info', disk)
+        self.report('info', disk, '--plan')
         self.report('info', self.write('twice.obj', helpers.obj_text(points, faces + faces[:1])))
         self.report('info', cut)
         self.report('info', inverted)

@@ -1,6 +1,6 @@
 // One chart: a disk, possibly with holes, mapped without overlaps whatever it takes.
 //
-//   ChartSolver solver(piece_mesh, options, TextureStart::Tried);
+//   ChartSolver solver(mesh, options, TextureStart::Tried);
 //   RunRecord record;
 //   Chart chart = solver.solve(record);    // chart.map is there, and proven injective
 //

@@ -29,6 +29,9 @@ constexpr double kFirstStiffness = 1e5, kStiffer = 100, kStiffest = 1e13;
 // Steps towards the targets, and where these fail. Origin: a right angle is turned by 9 degrees at
 // a time; a quarter of that.
 constexpr int kSteps = 10, kSmallSteps = 40;
+// Sizes of the map by which a target may be away from it. Origin: coordinates there have seven
+// digits left for the map.
+constexpr double kFarthest = 1e9;
 
 Vector2 place_of(const BezierMap& map, Index vertex) {
   return map.control_points().segment<2>(2 * vertex);
@@ -112,7 +115,15 @@ bool meets_pins(const BezierMap& start, const std::vector<Pin>& pins) {
 
 void require_no_contradiction(const BezierMap& start, const MapOptions& asked) {
   std::vector<const Pin*> pin_of(at(start.mesh().vertex_count()), nullptr);
+  const double size = start.control_points().maxCoeff() - start.control_points().minCoeff();
   for (const Pin& p : asked.pins) {
+    const double distance = (*p.target - place_of(start, p.vertex)).stableNorm();
+    if (!(distance <= kFarthest * size))
+      throw Error(
+          ErrorKind::Unsupported,
+          fmt::format("{}: the target of vertex {} is {:.3g} sizes of the map away from it, "
+                      "too far to compute with; give a nearer one",
+                      start.mesh().file(), name_of(start, p.vertex), distance / size));
     if (std::exchange(pin_of[at(p.vertex)], &p))
       throw Error(ErrorKind::Unsupported,
                   fmt::format("{}: vertex {} is pinned twice; pin it once", start.mesh().file(),

@@ -1,8 +1,8 @@
 // Brings a start to its pins: hard pins may have targets anywhere, but the solver moves along maps
 // that meet them already.
 //
-//   const ParametrizationOptions resolved = with_targets(start, options);
-//   if (!meets_pins(start, resolved.map.pins)) start = reach_pins(start, resolved, record);
+//   const ParametrizationOptions resolved = with_targets(map, options);
+//   if (!meets_pins(map, resolved.map.pins)) map = reach_pins(map, resolved, record);
 //
 // Nothing is paid for a rigid motion: one pin is met by a translation. For more, the map is roughly
 // optimized without them and moved by the similarity that fits best, which meets two. The others

@@ -1,5 +1,6 @@
 // Where parcels are put in a square, whoever finds it; and how the smallest square is looked for.
 //
+//   const PackingJob job = packing_job({map, map}, {Freedom::Any, Freedom::Any}, 0.01);
 //   const auto strip = [&](double width) { return skyline_strip(job, width); };
 //   const auto best = smallest_square(job, strip, {.guess = 2, .factor = 1.1, .tries = 4});
 #pragma once

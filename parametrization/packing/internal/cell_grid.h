@@ -1,7 +1,8 @@
 // A square grid of cells that are free or taken, and where a set of cells fits into it.
 //
 //   CellGrid grid(2048, 10, 500);
-//   grid.take({{0, 5, 9}}, 100, 200);                        // row 200, columns 105 to 108
+//   const CellRuns runs{{0, 5, 9}};
+//   grid.take(runs, 100, 200);                               // row 200, columns 105 to 108
 //   const auto place = grid.lowest_place(runs, 0, 500, 900);
 //
 // Every row is kept at several levels, of which level k says whether one of 2^k cells from here on

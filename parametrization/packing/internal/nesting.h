@@ -1,6 +1,7 @@
 // libnest2d: polygons slid along each other, by no-fit polygons.
 //
-//   const std::optional<Strip> nested = nested_strip(job, width);
+//   const PackingJob job = packing_job({map, map}, {Freedom::Any, Freedom::Any}, 0.01);
+//   const std::optional<Strip> nested = nested_strip(job, 2.5);    // 2.5 units wide
 //
 // Better than the raster for some layouts of few parcels, and quadratic in their number. Polygons
 // are the convex hulls of the outlines: the no-fit polygons of version 5 are right for convex ones

@@ -1,6 +1,7 @@
 // A simple polygon with few corners around another one.
 //
-//   const std::vector<Vector2> around = outer_polygon(parcel.outline.loops[0], 32);
+//   const std::vector<Vector2> clipped{{0, 0}, {1, 0}, {1, 0.9}, {0.9, 1}, {0, 1}};
+//   const std::vector<Vector2> around = outer_polygon(clipped, 4);    // the unit square
 #pragma once
 
 #include <vector>

@@ -1,5 +1,6 @@
 // The cells of a grid that an outline may meet, or come closer to than a given distance.
 //
+//   const Parcel parcel = parcel_of(map, layout_unit({map}), 1e-3);
 //   const CellRuns cells = cells_of(parcel, 2, {0, 0}, 0.01, 0.04);   // half turned, on a grid of
 //                                                                     // 0.01, as far as 0.04
 #pragma once

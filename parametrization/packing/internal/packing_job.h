@@ -1,5 +1,6 @@
 // What every packer is given: the charts as parcels, in units.
 //
+//   const std::vector<BezierMap> charts{map, map};
 //   const std::vector<Freedom> freedom(charts.size(), Freedom::Any);
 //   const PackingJob job = packing_job(charts, freedom, 4.0 / 1024);
 #pragma once

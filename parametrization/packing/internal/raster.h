@@ -1,7 +1,8 @@
 // Outlines on a grid: every parcel at the lowest place where its cells and those around it, as far
 // as the gap reaches, are free; bays and holes of others included. Quarter turns are tried.
 //
-//   const std::optional<Strip> strip = raster_strip(job, 2048, width);
+//   const PackingJob job = packing_job({map, map}, {Freedom::Any, Freedom::Any}, 0.01);
+//   const std::optional<Strip> strip = raster_strip(job, 2048, 2.5);    // 2.5 units wide
 //
 // Large parcels first. A cell belongs to a parcel if the outline may meet it; the parcel that is
 // placed is tested with all cells that its outline, grown by the gap, may meet: so the distance
