@@ -131,7 +131,7 @@ TEST(ChooseCuts, RefusesWhatIsNoEdge) {
                   {"inside a polygon", std::to_string(options.edges[0][0])});
   options.edges = {{3, 17}};
   expect_contains(error_message(ErrorKind::Usage, [&] { choose_cuts(mesh, options); }),
-                  {"3 and 17", "not joined"});
+                  {"3 and 17", "joined by no edge"});
   options = {};
   options.max_stretch = 1;
   expect_contains(error_message(ErrorKind::Usage, [&] { choose_cuts(mesh, options); }),
