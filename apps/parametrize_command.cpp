@@ -43,7 +43,7 @@ int run_job(Request request) {
                     : parametrize(in.mesh, in.options, run.record());
   };
   return run.finish(unless_stopped("making the start of " + request.map.input, solve),
-                    request.seams.to_json());
+                    in.cuts ? request.seams.to_json() : Json::object());
 }
 
 }  // namespace
