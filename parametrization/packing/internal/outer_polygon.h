@@ -1,7 +1,7 @@
 // A simple polygon with few corners around another one.
 //
-//   const std::vector<Vector2> clipped{{0, 0}, {1, 0}, {1, 0.9}, {0.9, 1}, {0, 1}};
-//   const std::vector<Vector2> around = outer_polygon(clipped, 4);    // the unit square
+//   const std::vector<Vector2> notched{{0, 0}, {2, 0}, {2, 1}, {1, 0.9}, {0, 1}};
+//   const std::vector<Vector2> around = outer_polygon(notched, 4);    // a rectangle
 #pragma once
 
 #include <vector>
