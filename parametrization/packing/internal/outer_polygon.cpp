@@ -54,7 +54,7 @@ class Reducer {
     if (turn <= 0) return Shortcut{-cross(b - a, c - a) / 2};
     if (orientation(b, c, d) <= 0) return {};
     const double parallel = cross(b - a, c - d);
-    if (!(parallel > 0)) return {};
+    if (!(parallel < 0)) return {};  // they meet on the other side, or not at all
     const double t = cross(c - b, c - d) / parallel;
     const Vector2 tip = b + t * (b - a);
     if (!(t > 0) || !tip.allFinite() || orientation(b, tip, c) <= 0) return {};

@@ -13,6 +13,8 @@
 namespace majorant {
 namespace {
 
+constexpr double kDegree = 3.14159265358979323846 / 180;
+
 using test::Corners;
 using test::Random;
 
@@ -91,6 +93,15 @@ TEST(Packers, polygons_around_outlines_contain_them) {
     EXPECT_LT(area, 4);
     for (const Vector2& p : polygon) EXPECT_TRUE(test::inside({around}, p * (1 - 1e-12)));
   }
+}
+
+TEST(Packers, outer_polygons_of_convex_ones_have_as_many_corners_as_asked_for) {
+  Corners round;
+  for (int k = 0; k < 60; ++k)
+    round.emplace_back(std::cos(k * 6 * kDegree), std::sin(k * 6 * kDegree));
+  const Corners around = outer_polygon(round, 12);
+  EXPECT_EQ(around.size(), 12u);
+  for (const Vector2& p : round) EXPECT_TRUE(test::inside({around}, p * (1 - 1e-12)));
 }
 
 // Points of the curve, off it by the distance asked for, lie in the cells.
