@@ -20,6 +20,8 @@
 #include "majorant/io/vtu.h"
 #include "majorant/io/write_obj.h"
 #include "majorant/io/write_svg.h"
+#include "majorant/mesh/repair.h"
+#include "majorant/parametrization/atlas/unwrap.h"
 #include "majorant/parametrization/drive/deform.h"
 #include "majorant/parametrization/drive/parametrize.h"
 #include "majorant/parametrization/injectivity/global_injectivity.h"

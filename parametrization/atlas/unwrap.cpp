@@ -1,15 +1,20 @@
 #include "majorant/parametrization/atlas/unwrap.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <exception>
 #include <mutex>
 #include <numeric>
 #include <utility>
 
+#include "majorant/framework/error.h"
 #include "majorant/framework/thread_count.h"
 #include "majorant/parametrization/atlas/internal/chart_solver.h"
+#include "majorant/parametrization/packing/proven_distance.h"
 
 namespace majorant {
 namespace {
@@ -17,6 +22,10 @@ namespace {
 // Faces from which on a chart has all threads for itself. Origin: below, loops over elements are
 // too short for more than one thread to pay.
 constexpr Index kLargeChart = 5000;
+
+// In square roots of a chart's area: what pinned charts are apart at least. Origin: a billion
+// roundings.
+constexpr double kTouching = 1e-7;
 
 // A piece of the cut surface and what is asked of it.
 struct Task {
@@ -39,7 +48,7 @@ class Unwrapping {
     atlas_.initialize_seconds = record_.seconds() - started;
     solve_charts();
     atlas_.optimize_seconds = record_.seconds() - started - atlas_.initialize_seconds;
-    if (options_.packing) place_charts();
+    if (options_.packing && atlas_.status() != Status::Failed) place_charts();
     atlas_.packing_seconds =
         record_.seconds() - started - atlas_.initialize_seconds - atlas_.optimize_seconds;
     return std::move(atlas_);
@@ -117,11 +126,33 @@ class Unwrapping {
     atlas_.charts[k] = std::move(chart);
   }
 
+  // Those of different charts that pins put on top of each other.
+  void require_pinned_apart(const std::vector<BezierMap>& maps) const {
+    std::vector<std::size_t> pinned;
+    for (std::size_t k = 0; k < maps.size(); ++k)
+      if (!atlas_.charts[k].pins.empty()) pinned.push_back(k);
+    for (std::size_t i = 0; i < pinned.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        const BezierMap &a = maps[pinned[j]], &b = maps[pinned[i]];
+        const double near = kTouching * std::sqrt(atlas_.charts[pinned[i]].stretch.image_area);
+        if (proven_distance({a, b}, near) > 0) continue;
+        const auto name = [&](std::size_t k) {
+          const Chart& chart = atlas_.charts[pinned[k]];
+          return chart.map->mesh().input_vertex(chart.pins.front().vertex);
+        };
+        throw Error(ErrorKind::Infeasible,
+                    fmt::format("{}: the charts of the pinned vertices {} and {} meet; move their "
+                                "targets apart",
+                                surface_.file(), name(j), name(i)));
+      }
+  }
+
   void place_charts() {
     std::vector<BezierMap> maps = maps_of(atlas_);
     PackOptions packing = *options_.packing;
     packing.fixed.clear();
     for (const Chart& chart : atlas_.charts) packing.fixed.push_back(!chart.pins.empty());
+    require_pinned_apart(maps);
     atlas_.packing = pack(maps, packing, record_.start_stop());
     for (std::size_t k = 0; k < maps.size(); ++k) atlas_.charts[k].map = atlas_.packing->charts[k];
   }

@@ -4,7 +4,7 @@
 //   SurfaceCuts cuts = choose_cuts(*mesh, {});
 //   SurfaceMesh charts = mesh->cut_along(cuts.is_cut, nullptr);   // disks, some with holes
 //
-// Not for seamless maps, whose cuts go through all cones (mesh/internal/cut_graph.h).
+// Not for seamless maps, whose cuts go through all cones.
 //
 // The rule of CutMethod::Automatic is told in docs/atlas.md, "Where to cut".
 #pragma once
@@ -21,8 +21,8 @@ enum class CutMethod {
   Automatic,  // where distortion is saved; one piece per component
   Texture,    // along the islands of the file's texture coordinates; components that these do not
               // cut, though they are closed, as Automatic
-  Sharp,      // along edges with a dihedral angle above sharp_angle that enclose pieces
-              // (sharp_charts.h), then as Automatic in each of them
+  Sharp,      // along edges with a dihedral angle above sharp_angle that enclose pieces,
+              // then as Automatic in each of them
   Given,      // along CutOptions::edges and nothing else
 };
 

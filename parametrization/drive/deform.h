@@ -8,7 +8,7 @@
 //
 // Targets are approached in steps at degree 1, so that the mesh bends on its way as it does at the
 // end. Pins are pulled by springs until they can be held exactly, as parametrize() does without
-// these steps (internal/reach_pins.h); the degree is raised after that. Meanwhile soft handles are
+// these steps; the degree is raised after that. Meanwhile soft handles are
 // pulled as hard as pins.
 #pragma once
 

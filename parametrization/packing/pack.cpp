@@ -54,7 +54,9 @@ class Packer {
       : charts_(charts),
         options_(options),
         stop_(stop),
-        least_distance_(std::max(options.padding_pixels / options.resolution, kLeastGap)),
+        least_distance_(charts.size() < 2
+                            ? kLeastGap  // from whom?
+                            : std::max(options.padding_pixels / options.resolution, kLeastGap)),
         freedom_(charts.size(), Freedom::Any) {
     for (std::size_t k = 0; k < options.fixed.size(); ++k)
       if (options.fixed[k]) freedom_[k] = Freedom::None;
@@ -62,16 +64,13 @@ class Packer {
 
   // Starts over with less freedom for charts whose smallest faces rounding turns over.
   Packing pack() {
+    if (!(least_distance_ < 1)) refuse_padding();
     for (;;) {
       const std::vector<Freedom> freedom = freedom_;
       const PackingJob job =
           packing_job(charts_, freedom_, least_distance_ * (1 + kGapMargin), stop_);
       std::vector<Candidate> candidates = arrange(job);
-      if (candidates.empty())
-        throw Error(ErrorKind::Unsupported,
-                    fmt::format("packing: no square holds {} charts that are {} of its side apart; "
-                                "less padding or a higher resolution would do",
-                                charts_.size(), least_distance_));
+      if (candidates.empty()) refuse_padding();
       std::stable_sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
         return a.arrangement.side < b.arrangement.side;
       });
@@ -87,6 +86,13 @@ class Packer {
   }
 
  private:
+  [[noreturn]] void refuse_padding() const {
+    throw Error(ErrorKind::Unsupported,
+                fmt::format("packing: no square holds {} charts that are {:.6g} of its side apart; "
+                            "less padding or a higher resolution would do",
+                            charts_.size(), least_distance_));
+  }
+
   std::vector<Candidate> arrange(const PackingJob& job) const {
     std::vector<Candidate> candidates;
     const auto add = [&](PackMethod method, std::optional<Arrangement> found) {

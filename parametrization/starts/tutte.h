@@ -12,7 +12,7 @@ namespace majorant {
 // holes there.
 //
 // Where that leaves faces no room in doubles (narrow tubes, boundaries of tiny edges: exact signs
-// decide), vertices lean towards the boundary instead (internal/leaning_map.h), the boundary being
+// decide), vertices lean towards the boundary instead, the boundary being
 // spaced less unevenly if need be. So every face is positive, but for meshes beyond all of these.
 // Needs a disk, possibly with holes; throws Error(Infeasible) when the linear system cannot be
 // solved; Stopped.

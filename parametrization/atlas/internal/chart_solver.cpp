@@ -14,11 +14,6 @@ bool is_injective(const BezierMap& map) {
   return check_boundary(map).result == Injectivity::Proven;
 }
 
-bool is_limit(Status status) {
-  return status == Status::TimeLimit || status == Status::Interrupted ||
-         status == Status::MaxIterations;
-}
-
 Status status_of(Directive why) {
   return why == Directive::Interrupt ? Status::Interrupted : Status::TimeLimit;
 }
@@ -55,8 +50,15 @@ void ChartSolver::try_tutte(RunRecord& record) {
     attempt(tutte(), MapInjectivity::Global, record);
 }
 
-// Made even where the run is to end: every chart needs a map.
+// Made even where the run is to end: every chart needs a map. That of a face without an area alone
+// is the triangle that stands for it.
 const Vec& ChartSolver::tutte() {
+  const auto& rest = mesh_->rest_triangles();
+  if (!tutte_ && mesh_->face_count() == 1 && !rest.empty()) {
+    tutte_.emplace(6);
+    for (Index k = 0; k < 3; ++k)
+      tutte_->segment<2>(2 * mesh_->faces()(0, k)) = rest.front().corners[at(k)];
+  }
   MapOptions asked;
   asked.injectivity = MapInjectivity::Global;
   if (!tutte_) tutte_ = initial_map(*mesh_, asked);

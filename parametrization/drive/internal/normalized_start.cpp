@@ -26,7 +26,9 @@ constexpr double kPinned = kTenDigits;
 double normalizing_scale(const SurfaceMesh& mesh) {
   const Eigen::RowVector3d extent =
       mesh.positions().colwise().maxCoeff() - mesh.positions().colwise().minCoeff();
-  return std::exp2(-std::round(std::log2(extent.maxCoeff())));
+  // All vertices at one place: the triangles that stand for such faces have a size.
+  const double size = extent.maxCoeff() > 0 ? extent.maxCoeff() : std::sqrt(mesh.area());
+  return std::exp2(-std::round(std::log2(size)));
 }
 
 void require_face_weights(const SurfaceMesh& mesh, const Vec& weights) {

@@ -130,7 +130,11 @@ void require_no_contradiction(const BezierMap& start, const MapOptions& asked) {
                               name_of(start, p.vertex)));
     if (!start.seams().empty()) continue;  // layouts with seams may cover a place several times
     for (const Pin& q : asked.pins)
-      if (q.vertex < p.vertex && *q.target == *p.target)
+      if (q.vertex < p.vertex && *q.target == *p.target &&
+          name_of(start, q.vertex) == name_of(start, p.vertex))
+        refuse_pins(start, fmt::format("vertex {} is on a cut and has several places; pin another",
+                                       name_of(start, p.vertex)));
+      else if (q.vertex < p.vertex && *q.target == *p.target)
         refuse_pins(start, fmt::format("vertex {} and vertex {} have the same; pin one of them",
                                        name_of(start, q.vertex), name_of(start, p.vertex)));
   }

@@ -6,12 +6,12 @@
 namespace majorant {
 namespace {
 
-// A square that does not do whatever the packer: of less area, or narrower than a parcel.
+// A square that does not do whatever the packer: of less area, or smaller than a parcel.
 double too_small(const PackingJob& job) {
   double side = std::sqrt(job.area);
   for (std::size_t k = 0; k < job.parcels.size(); ++k) {
     const Vector2& size = job.parcels[k].size;
-    side = std::max(side, job.fixed[k] ? (*job.fixed[k] + size).maxCoeff() : size.minCoeff());
+    side = std::max(side, job.fixed[k] ? (*job.fixed[k] + size).maxCoeff() : size.maxCoeff());
   }
   return side * (1 - 1e-12);
 }
