@@ -23,6 +23,8 @@ class GradientFlowStepper final : public Stepper {
       factorized_ = metric_.factorize(y, stop_);
       r.seconds.assemble = metric_.seconds().assemble;
       r.seconds.factorize = metric_.seconds().factorize;
+      r.factorizations = metric_.factorizations();
+      r.failed_factorizations = metric_.failed_factorizations();
     }
     r.curvature = metric_.curvature();
     r.shift = metric_.shift();

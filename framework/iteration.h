@@ -39,6 +39,8 @@ struct IterationRecord {
   double shift = 0;                            // added to the Hessian's diagonal
   Curvature curvature = Curvature::Projected;  // model that gave the direction
   int trials = 0;                              // energy evaluations of the line search
+  int factorizations = 0;                      // of a matrix of this size, failed ones included
+  int failed_factorizations = 0;               // of these: the matrix was not positive definite
   struct Seconds {
     double assemble = 0, factorize = 0, solve = 0, line_search = 0;
   } seconds;

@@ -78,6 +78,8 @@ class LbfgsStepper final : public Stepper {
       age_ = 0;
       r.seconds.assemble = metric_.seconds().assemble;
       r.seconds.factorize = metric_.seconds().factorize;
+      r.factorizations = metric_.factorizations();
+      r.failed_factorizations = metric_.failed_factorizations();
     }
     r.curvature = metric_.curvature();
     r.shift = metric_.shift();

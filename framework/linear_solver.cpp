@@ -28,6 +28,7 @@ ShiftedFactorization factorize_shifted(LinearSolver& solver, const SparsePattern
   double shift = 0;
   for (int attempt = 0; attempt < kMostShifts; ++attempt) {
     stop.poll();
+    ++result.factorizations;
     result.status = solver.factorize(values, shift);
     result.shift = shift;
     if (result.status != FactorStatus::NotPositiveDefinite) break;

@@ -51,7 +51,9 @@ inline constexpr double kSmallestShift = 1e-14;
 
 struct ShiftedFactorization {
   FactorStatus status = FactorStatus::NotPositiveDefinite;
-  double shift = 0;  // the last one tried
+  double shift = 0;        // the last one tried
+  int factorizations = 0;  // tried
+  int failed() const { return factorizations - (status == FactorStatus::Ok ? 1 : 0); }
 };
 // Factorizes H + shift * I with the first of the shifts 0, a m, 10 a m, 100 a m, ..., 1e22 a m that
 // makes it positive definite, a = smallest_shift, m the mean of |H_ii|. `solver` has analysed

@@ -98,7 +98,9 @@ bool NewtonStepper::try_exact(const Vec& y, IterationRecord& record) {
   const FactorStatus status = solver_->factorize(hessian_, record.shift);
   record.seconds.factorize += watch.restart();
   record.curvature = Curvature::Exact;
+  ++record.factorizations;
   if (status == FactorStatus::Ok) return true;
+  ++record.failed_factorizations;
   pause_exact();
   return false;
 }
@@ -116,6 +118,8 @@ bool NewtonStepper::factorize(const Vec& y, IterationRecord& record) {
   const ShiftedFactorization f =
       factorize_shifted(*solver_, evaluator_.problem().pattern(), hessian_, kSmallestShift, stop_);
   record.shift = f.shift;
+  record.factorizations += f.factorizations;
+  record.failed_factorizations += f.failed();
   record.seconds.factorize += watch.restart();
   return f.status == FactorStatus::Ok;
 }

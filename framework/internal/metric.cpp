@@ -41,6 +41,8 @@ bool Metric::factorize(VecIn y, const StopCheck& stop) {
   const ShiftedFactorization f =
       factorize_shifted(*solver_, evaluator_.problem().pattern(), hessian_, kMetricShift, stop);
   shift_ = f.shift;
+  factorizations_ = f.factorizations;
+  failed_factorizations_ = f.failed();
   seconds_.factorize = watch.restart();
   return f.status == FactorStatus::Ok;
 }

@@ -35,7 +35,9 @@ class Metric {
   struct Seconds {
     double assemble = 0, factorize = 0;
   };
-  const Seconds& seconds() const { return seconds_; }  // of the last factorize()
+  const Seconds& seconds() const { return seconds_; }     // of the last factorize()
+  int factorizations() const { return factorizations_; }  // that it took, failed ones included
+  int failed_factorizations() const { return failed_factorizations_; }
 
  private:
   Evaluator evaluator_;
@@ -43,6 +45,7 @@ class Metric {
   std::unique_ptr<LinearSolver> solver_;
   Vec gradient_, hessian_;
   double shift_ = 0;
+  int factorizations_ = 0, failed_factorizations_ = 0;
   Seconds seconds_;
 };
 

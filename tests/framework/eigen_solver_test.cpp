@@ -105,6 +105,8 @@ TEST(FactorizeShifted, TakesTheFirstShiftThatSuffices) {
       EXPECT_LT(f.shift / 10, -lowest);
       const double steps = std::log10(f.shift / (smallest * m.dense.diagonal().cwiseAbs().mean()));
       EXPECT_NEAR(steps, std::round(steps), 1e-9);
+      EXPECT_EQ(f.factorizations, 2 + static_cast<int>(std::lround(steps)));
+      EXPECT_EQ(f.failed(), f.factorizations - 1);
       expect_solves(*solver,
                     m.dense + f.shift * Eigen::MatrixXd::Identity(m.pattern.size, m.pattern.size),
                     random);
@@ -115,6 +117,8 @@ TEST(FactorizeShifted, TakesTheFirstShiftThatSuffices) {
         factorize_shifted(*solver, definite.pattern, definite.values, 1e-3);
     EXPECT_EQ(none.status, FactorStatus::Ok);
     EXPECT_EQ(none.shift, 0);
+    EXPECT_EQ(none.factorizations, 1);
+    EXPECT_EQ(none.failed(), 0);
     Vec bad = definite.values;
     bad[0] = std::nan("");
     EXPECT_EQ(factorize_shifted(*solver, definite.pattern, bad, 1e-3).status,

@@ -1,6 +1,7 @@
 // Gradient flow in a metric: the cases of all minimizers, rates, metrics of other problems.
 #include "majorant/framework/gradient_flow.h"
 
+#include "framework/counting_solver.h"
 #include "framework/minimizer_cases.h"
 
 namespace majorant {
@@ -91,6 +92,21 @@ TEST(GradientFlow, SolvesAQuadraticInOneStepWithItsOwnMetric) {
   ASSERT_EQ(r.status, Status::Converged) << r.message;
   EXPECT_EQ(r.iterations.size(), 1u);
   EXPECT_NEAR(r.iterations[0].step, 1, 1e-6);
+}
+
+TEST(GradientFlow, RecordsCountFactorizations) {
+  const ChainProblem chain(20);
+  const auto counts = std::make_shared<test::SolverCounts>();
+  GradientFlowOptions o;
+  o.curvature = Curvature::Exact;  // indefinite at the start: shifted
+  o.stopping.max_iterations = 3;
+  o.linear_solver = test::counting(counts);
+  const SolveResult r = GradientFlowMinimizer(o).minimize(chain.problem, chain.start, {});
+  ASSERT_EQ(r.iterations.size(), 3u);
+  EXPECT_GT(counts->failed, 0);
+  EXPECT_EQ(r.iterations[0].factorizations, counts->factorizations);
+  EXPECT_EQ(r.iterations[0].failed_factorizations, counts->failed);
+  EXPECT_EQ(r.iterations[1].factorizations, 0);
 }
 
 // In the Dirichlet metric the chain decouples into its gaps: the number of iterations does not grow

@@ -1,6 +1,7 @@
 // L-BFGS in a factored metric: the cases of all minimizers, and what history and metric do.
 #include "majorant/framework/lbfgs.h"
 
+#include "framework/counting_solver.h"
 #include "framework/minimizer_cases.h"
 #include "majorant/framework/internal/metric.h"
 #include "majorant/framework/newton.h"
@@ -56,6 +57,23 @@ TEST(Lbfgs, SolvesAQuadraticInOneStepWithItsOwnMetric) {
   Vec g;
   Evaluator(problem).gradient(r.y, g);
   EXPECT_LE(g.norm(), 1e-8 * r.iterations[0].gradient_norm);
+}
+
+TEST(Lbfgs, RecordsCountFactorizations) {
+  const ChainProblem chain(40);
+  const auto counts = std::make_shared<test::SolverCounts>();
+  LbfgsOptions o;
+  o.curvature = Curvature::Exact;  // indefinite at the start: shifted
+  o.metric_every = 5;
+  o.stopping.max_iterations = 17;
+  o.linear_solver = test::counting(counts);
+  const SolveResult r = LbfgsMinimizer(o).minimize(chain.problem, chain.start, {});
+  ASSERT_EQ(r.iterations.size(), 17u);
+  EXPECT_GT(counts->failed, 0);
+  EXPECT_EQ(test::recorded(r.iterations).factorizations, counts->factorizations);
+  EXPECT_EQ(test::recorded(r.iterations).failed, counts->failed);
+  for (std::size_t k = 0; k < 17; ++k)
+    EXPECT_EQ(r.iterations[k].factorizations > 0, k % 5 == 0) << k;
 }
 
 // With an arbitrary metric and enough history, a quadratic of n unknowns takes about n steps; no

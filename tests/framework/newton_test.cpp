@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "framework/counting_solver.h"
 #include "framework/minimizer_cases.h"
 #include "framework/scalar_terms.h"
 #include "majorant/framework/internal/problem_parts.h"
@@ -102,6 +103,30 @@ TEST(Newton, ShiftsIndefiniteHessians) {
   ASSERT_EQ(r.status, Status::Converged) << r.message;
   EXPECT_GT(r.iterations.at(0).shift, 0);
   EXPECT_NEAR(r.y[0], 1, 1e-3);
+}
+
+// Every factorization is in a record: shifted ones, exact Hessians in vain, those of good steps.
+// The last step, which finds the minimum, is not in the list.
+TEST(Newton, RecordsCountFactorizations) {
+  for (const Curvature curvature : {Curvature::Projected, Curvature::Exact}) {
+    const test::ChainProblem chain(40);
+    const auto counts = std::make_shared<test::SolverCounts>();
+    NewtonOptions o = options(curvature);
+    o.linear_solver = test::counting(counts);
+    NewtonStepper stepper(chain.problem, o);
+    Vec y = chain.start;
+    double energy = stepper.evaluator().value(y);
+    test::SolverCounts sum;
+    StepResult step;
+    do {
+      step = stepper.step(y, energy);
+      sum.factorizations += step.record.factorizations;
+      sum.failed += step.record.failed_factorizations;
+    } while (step.outcome == StepResult::Outcome::Moved);
+    EXPECT_EQ(sum.factorizations, counts->factorizations);
+    EXPECT_EQ(sum.failed, counts->failed);
+    EXPECT_EQ(sum.failed > 0, curvature == Curvature::Exact);
+  }
 }
 
 // The whole Hessian is negative: a shift of one mean diagonal is not enough.

@@ -1,0 +1,60 @@
+// A linear solver that counts what it is asked for: the oracle of the counts in records.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "majorant/framework/iteration.h"
+#include "majorant/framework/linear_solver.h"
+
+namespace majorant::test {
+
+struct SolverCounts {
+  int analyses = 0, factorizations = 0, failed = 0, solves = 0;
+};
+
+class CountingSolver final : public LinearSolver {
+ public:
+  CountingSolver(std::unique_ptr<LinearSolver> solver, std::shared_ptr<SolverCounts> counts)
+      : solver_(std::move(solver)), counts_(std::move(counts)) {}
+  void analyze(const SparsePattern& pattern) override {
+    ++counts_->analyses;
+    solver_->analyze(pattern);
+  }
+  FactorStatus factorize(const Vec& values, double shift) override {
+    const FactorStatus status = solver_->factorize(values, shift);
+    ++counts_->factorizations;
+    counts_->failed += status != FactorStatus::Ok;
+    return status;
+  }
+  void solve(const Vec& r, Vec& p) override {
+    ++counts_->solves;
+    solver_->solve(r, p);
+  }
+  std::string description() const override { return solver_->description(); }
+
+ private:
+  std::unique_ptr<LinearSolver> solver_;
+  std::shared_ptr<SolverCounts> counts_;
+};
+
+// For NewtonOptions::linear_solver and the like.
+inline std::function<std::unique_ptr<LinearSolver>()> counting(
+    std::shared_ptr<SolverCounts> counts) {
+  return [counts] { return std::make_unique<CountingSolver>(make_cholmod_solver(), counts); };
+}
+
+// What records say of factorizations, summed.
+inline SolverCounts recorded(const std::vector<IterationRecord>& records) {
+  SolverCounts sum;
+  for (const IterationRecord& r : records) {
+    sum.factorizations += r.factorizations;
+    sum.failed += r.failed_factorizations;
+  }
+  return sum;
+}
+
+}  // namespace majorant::test
