@@ -97,7 +97,7 @@ Json charts_section(const Atlas& atlas) {
                     {"start", start_name(chart.start)},
                     {"status", status_name(chart.status)},
                     {"message", chart.message},
-                    {"iterations", chart.trace.size()},
+                    {"iterations", steps_taken(chart.trace)},
                     {"value", chart.measures.value},
                     {"stretch_l2", chart.stretch.l2},
                     {"stretch_max", chart.stretch.max},

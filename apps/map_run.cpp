@@ -42,6 +42,8 @@ MapInput& MapRun::read(const StartMaker& make_start) {
     };
   in_ = read_input(request_.map, record_.start_stop(), timed);
   request_.solve.apply(in_.options);
+  if (request_.outputs.has_report(request_.common))
+    in_.options.solve.factor_cost = FactorCost::Measured;
   read_seconds_ = seconds() - start_seconds_;
   return in_;
 }

@@ -12,9 +12,10 @@ namespace {
 std::string line(const TraceEntry& e) {
   const std::string phase =
       e.phase == Phase::Newton ? "" : fmt::format("  ({})", phase_name(e.phase));
-  return fmt::format("degree {}  iteration {:3}  energy {:.8g}  decrease {:.1e}  step {:.2g}{}",
-                     e.degree, e.record.iteration, e.record.energy, e.record.relative_decrease,
-                     e.record.step, phase);
+  const std::string level = e.level == 0 ? "" : fmt::format("  (level {})", e.level);
+  return fmt::format("degree {}  iteration {:3}  energy {:.8g}  decrease {:.1e}  step {:.2g}{}{}",
+                     e.degree, e.record.iteration, e.energy, e.record.relative_decrease,
+                     e.record.step, phase, level);
 }
 
 }  // namespace

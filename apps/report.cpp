@@ -8,6 +8,7 @@
 
 #include "apps/command.h"
 #include "apps/streams.h"
+#include "majorant/framework/internal/curvature_name.h"
 #include "majorant/io/internal/atomic_file.h"
 
 namespace majorant::app {
@@ -103,19 +104,27 @@ Json iterations_section(const std::vector<TraceEntry>& trace) {
                     {"degree", e.degree},
                     {"phase", phase_name(e.phase)},
                     {"remedy", e.remedy ? Json(remedy_of(e)) : Json()},
-                    {"energy", r.energy},
+                    {"level", e.level},
+                    {"outcome", outcome_name(e.outcome)},
+                    {"energy", e.energy},
+                    {"minimized", r.energy},
                     {"relative_decrease", r.relative_decrease},
                     {"step", r.step},
                     {"step_bound", r.step_bound},
                     {"gradient_norm", r.gradient_norm},
                     {"newton_decrement", r.newton_decrement},
+                    {"curvature", curvature_name(r.curvature)},
                     {"shift", r.shift},
+                    {"factorizations", r.factorizations},
+                    {"failed_factorizations", r.failed_factorizations},
                     {"trials", r.trials},
+                    {"elapsed", e.elapsed},
                     {"seconds",
                      {{"assemble", r.seconds.assemble},
                       {"factorize", r.seconds.factorize},
                       {"solve", r.seconds.solve},
-                      {"line_search", r.seconds.line_search}}}});
+                      {"line_search", r.seconds.line_search},
+                      {"other", e.other_seconds}}}});
   }
   return list;
 }
@@ -141,14 +150,18 @@ void write_json(const std::string& path, const Json& json) {
 void write_trace(const std::string& path, const std::vector<TraceEntry>& trace) {
   std::string out =
       "iteration,degree,energy,relative_decrease,step,step_bound,gradient_norm,newton_decrement,"
-      "shift,trials,assemble,factorize,solve,line_search,phase,remedy\n";
+      "shift,trials,assemble,factorize,solve,line_search,phase,remedy,level,outcome,minimized,"
+      "curvature,factorizations,failed_factorizations,other,elapsed\n";
   for (const TraceEntry& e : trace) {
     const IterationRecord& r = e.record;
-    out +=
-        fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", r.iteration, e.degree,
-                    r.energy, r.relative_decrease, r.step, r.step_bound, r.gradient_norm,
-                    r.newton_decrement, r.shift, r.trials, r.seconds.assemble, r.seconds.factorize,
-                    r.seconds.solve, r.seconds.line_search, phase_name(e.phase), remedy_of(e));
+    out += fmt::format("{},{},{},{},{},{},{},{},{},{},", r.iteration, e.degree, e.energy,
+                       r.relative_decrease, r.step, r.step_bound, r.gradient_norm,
+                       r.newton_decrement, r.shift, r.trials);
+    out += fmt::format("{},{},{},{},{},{},", r.seconds.assemble, r.seconds.factorize,
+                       r.seconds.solve, r.seconds.line_search, phase_name(e.phase), remedy_of(e));
+    out += fmt::format("{},{},{},{},{},{},{},{}\n", e.level, outcome_name(e.outcome), r.energy,
+                       curvature_name(r.curvature), r.factorizations, r.failed_factorizations,
+                       e.other_seconds, e.elapsed);
   }
   write_file_atomically(path, out);
 }

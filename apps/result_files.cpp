@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "apps/global_verdict.h"
@@ -110,6 +111,7 @@ Json result_section(const FinishedRun& run) {
   result["newton_decrement"] = r.newton_decrement;
   result["constraint_residual"] = r.constraint_residual;
   result["handle_distance"] = r.handle_distance;
+  result["factor_solve_seconds"] = r.factor_solve_seconds ? Json(*r.factor_solve_seconds) : Json();
   if (run.in.cuts) result.update(cuts_section(*run.in.cuts, run.in.mesh->area()));
   return result;
 }
@@ -165,7 +167,7 @@ void summarize(const FinishedRun& run) {
   const std::string seams =
       r.map ? seam_summary(measures_section(*r.map, r.measures, run.map.energy)) : "";
   say("{}: {} after {} iterations, {} {:.6f} (start {:.6g}){}, degree {}{}, {:.2f} s\n",
-      run.map.input, status_name(r.status), run.record.trace().size(), run.map.energy,
+      run.map.input, status_name(r.status), steps_taken(run.record.trace()), run.map.energy,
       r.measures.value, r.initial_value,
       run.map.weights.empty() ? "" : ", both without the face weights", run.map.degree, seams,
       seconds_since(run.start));
@@ -187,6 +189,12 @@ void OutputRequest::require_usable(const MapRequest& map) {
     throw Error(ErrorKind::Usage, "no output file; add -o OUT.vtu (or .obj .svg .json .csv)");
   if (normalize && !(map.pins.empty() && map.handles.empty()))
     throw Error(ErrorKind::Usage, "--normalize moves pins and handles; leave one of the two out");
+}
+
+bool OutputRequest::has_report(const CommonOptions& common) const {
+  return !common.report.empty() ||
+         std::any_of(files.begin(), files.end(),
+                     [](const std::string& path) { return extension(path) == ".json"; });
 }
 
 bool has_result(const ParametrizationResult& result) {

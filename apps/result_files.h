@@ -36,6 +36,8 @@ struct OutputRequest {
   // Joins the positional file to `files`. Throws Error(Usage) when there is no output or
   // normalizing would move pins.
   void require_usable(const MapRequest& map);
+  // Whether a report is asked for, by a flag or as an output.
+  bool has_report(const CommonOptions& common) const;
 };
 
 // A run that has ended. Only refers: all must outlive it.

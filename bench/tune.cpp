@@ -119,7 +119,8 @@ void solve(const std::string& path, const Settings& settings) {
   fmt::print(
       "{{\"energy\": {:.12g}, \"status\": \"{}\", \"iterations\": {}, \"remedies\": {}, "
       "\"seconds\": {:.3g}}}\n",
-      r.measures.value, status_name(r.status), record.trace().size(), remedies, r.optimize_seconds);
+      r.measures.value, status_name(r.status), steps_taken(record.trace()), remedies,
+      r.optimize_seconds);
 }
 
 }  // namespace

@@ -43,6 +43,7 @@ struct IterationRecord {
   int failed_factorizations = 0;               // of these: the matrix was not positive definite
   struct Seconds {
     double assemble = 0, factorize = 0, solve = 0, line_search = 0;
+    double sum() const { return assemble + factorize + solve + line_search; }
   } seconds;
 };
 

@@ -18,7 +18,7 @@ namespace majorant {
 
 class RunRecord {
  public:
-  // Called after every iteration.
+  // Called after every row of the trace.
   using Progress = std::function<void(const TraceEntry&)>;
 
   // Seconds beyond the time limit that reading and making the start may take: what is stopped
@@ -46,14 +46,27 @@ class RunRecord {
     return part;
   }
 
-  // Observer for a solve at one degree.
-  Observer observer(int degree, Phase phase = Phase::Newton) {
-    return [this, degree, phase](const IterationRecord& record, const Vec&) {
-      TraceEntry entry{degree, record, phase, std::exchange(remedy_, std::nullopt)};
-      entry.record.iteration = static_cast<int>(trace_.size()) + 1;
-      trace_.push_back(entry);
-      if (progress_) progress_(entry);
-      return directive();
+  // A row of the trace, right after its step: its number, its times and the remedy that was marked
+  // are filled in.
+  Directive note(TraceEntry row) {
+    const double before = trace_.empty() ? 0.0 : trace_.back().elapsed;
+    row.record.iteration = static_cast<int>(trace_.size()) + 1;
+    row.remedy = std::exchange(remedy_, std::nullopt);
+    row.elapsed = seconds();
+    row.other_seconds = std::max(0.0, row.elapsed - before - row.record.seconds.sum());
+    trace_.push_back(std::move(row));
+    if (progress_) progress_(trace_.back());
+    return directive();
+  }
+  // Notes the steps that a minimizer takes on the energy asked for.
+  Observer observer(int degree, int level = 0) {
+    return [this, degree, level](const IterationRecord& record, const Vec&) {
+      TraceEntry row;
+      row.degree = degree;
+      row.level = level;
+      row.record = record;
+      row.energy = record.energy;
+      return note(std::move(row));
     };
   }
   // The next iteration is the first one after that.
@@ -64,7 +77,12 @@ class RunRecord {
   const StopCheck& stop() const { return stop_; }
   const StopCheck& start_stop() const { return start_stop_; }
   Directive directive() const { return stop_(); }
-  int iterations_left() const { return max_iterations_ - static_cast<int>(trace_.size()); }
+  // On coarser meshes iterations do not count, in vain they do.
+  int iterations_left() const {
+    return max_iterations_ -
+           static_cast<int>(std::count_if(trace_.begin(), trace_.end(),
+                                          [](const TraceEntry& row) { return row.level == 0; }));
+  }
   double seconds() const { return seconds_since(start_); }
   const std::vector<TraceEntry>& trace() const { return trace_; }
   const Progress& progress() const { return progress_; }

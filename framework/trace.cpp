@@ -1,5 +1,7 @@
 #include "majorant/framework/trace.h"
 
+#include <algorithm>
+
 namespace majorant {
 
 std::string_view phase_name(Phase phase) {
@@ -30,6 +32,43 @@ std::string_view remedy_name(Remedy remedy) {
       return "follow-barrier";
   }
   return "deepen";
+}
+
+std::string_view outcome_name(StepResult::Outcome outcome) {
+  switch (outcome) {
+    case StepResult::Outcome::Moved:
+      return "moved";
+    case StepResult::Outcome::AtMinimum:
+      return "at-minimum";
+    case StepResult::Outcome::Blocked:
+      return "blocked";
+    case StepResult::Outcome::NoDecrease:
+      return "no-decrease";
+    case StepResult::Outcome::Breakdown:
+      return "breakdown";
+    case StepResult::Outcome::Stopped:
+      return "stopped";
+  }
+  return "moved";
+}
+
+int steps_taken(const std::vector<TraceEntry>& trace) {
+  return static_cast<int>(std::count_if(trace.begin(), trace.end(), [](const TraceEntry& row) {
+    return row.level == 0 && row.outcome == StepResult::Outcome::Moved;
+  }));
+}
+
+std::optional<double> factor_solve_seconds(const std::vector<TraceEntry>& trace, int degree) {
+  std::vector<double> seconds;
+  for (const TraceEntry& row : trace) {
+    const IterationRecord& r = row.record;
+    if (row.level == 0 && row.degree == degree && r.failed_factorizations < r.factorizations)
+      seconds.push_back(r.seconds.factorize / r.factorizations + r.seconds.solve);
+  }
+  if (seconds.empty()) return {};
+  const auto middle = seconds.begin() + static_cast<std::ptrdiff_t>(seconds.size() / 2);
+  std::nth_element(seconds.begin(), middle, seconds.end());
+  return *middle;
 }
 
 }  // namespace majorant

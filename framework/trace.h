@@ -1,18 +1,23 @@
-// What a run leaves behind, iteration by iteration: the records of its steps, with the degree, what
-// the step minimized and which remedy came before it.
+// What a run leaves behind, step by step: a row for each step that was tried, taken or not, with
+// the energy that was asked for beside the one that was minimized, and with the time.
+//
+//     for (const TraceEntry& row : record.trace())
+//       if (row.level == 0) plot(row.elapsed, row.energy);
 //
 // Solvers write it through RunRecord (run_record.h); progress lines, reports and CSV files show it.
+// Not for what a step itself knows: that is IterationRecord (iteration.h).
 #pragma once
 
 #include <array>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "majorant/framework/iteration.h"
 
 namespace majorant {
 
-// What an iteration minimizes. Energies of different phases do not compare.
+// What an iteration minimizes. Minimized energies of different phases do not compare.
 enum class Phase {
   Newton,     // the energy that was asked for
   Entry,      // one that is finite at the start, where the energy asked for is not
@@ -42,11 +47,29 @@ struct RemedyUse {
 };
 using RemedyUses = std::array<RemedyUse, kRemedies.size()>;  // as kRemedies
 
+// "moved", "at-minimum", "blocked", ... as reports have it.
+std::string_view outcome_name(StepResult::Outcome outcome);
+
 struct TraceEntry {
   int degree = 1;
-  IterationRecord record;  // record.iteration counts through the whole run
+  // record.iteration counts through the whole run. record.energy: what was minimized, without the
+  // part of what surrounds the map.
+  IterationRecord record;
   Phase phase = Phase::Newton;
+  StepResult::Outcome outcome = StepResult::Outcome::Moved;
+  int level = 0;      // of the mesh: 0 is the one asked for, 1 and more are coarser, of a start
+  double energy = 0;  // after the step, the one asked for: record.energy in Phase::Newton
   std::optional<Remedy> remedy;  // ran just before this iteration
+  double elapsed = 0;            // seconds from the start of the run to the end of the step
+  // Of these, since the row before it (in the first one since the start of the run), outside of
+  // record.seconds: the start, problems made and analysed, remedies, scaffolds.
+  double other_seconds = 0;
 };
+
+// Of the mesh asked for: steps that moved the map.
+int steps_taken(const std::vector<TraceEntry>& trace);
+// Seconds of one factorization and one solve at that degree on the mesh asked for, the median over
+// the rows; none where there was no factorization.
+std::optional<double> factor_solve_seconds(const std::vector<TraceEntry>& trace, int degree);
 
 }  // namespace majorant

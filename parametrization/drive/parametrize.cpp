@@ -66,7 +66,7 @@ class Run {
         record_(record),
         start_(start, options.map),
         map_(start_.map()),
-        setup_{start_.specification(), options.solve, record.stop(), rules} {}
+        setup_{start_.specification(), options.solve, record.stop(), rules, {}} {}
 
   ParametrizationResult solve() {
     const double started = record_.seconds();
@@ -107,6 +107,13 @@ class Run {
     DegreeSolver::Setup gentle = setup_;
     gentle.map.energy = {{symmetric_dirichlet(), 1.0}};
     gentle.solve.curvature = Curvature::Projected;
+    const QuadratureLevels levels(
+        optimizer_ladder(1, setup_.solve.quadrature_points, setup_.rules.quadrature),
+        map_.space().element_count());
+    const DensityTerms terms = energy_terms(setup_.map, map_.shared_space(), levels.rules());
+    gentle.asked_energy = [&](VecIn x) {
+      return energy_of_map(setup_.map, terms, levels.of_faces(), x);
+    };
     DegreeSolver solver(gentle, *domain_, map_.shared_space(), map_.control_points());
     solver.soften_start(record_);
     solver.approach(options_.solve.elevation_tolerance, record_, Phase::Entry);
@@ -178,7 +185,22 @@ class Run {
     if (options_.solve.triangles == Triangles::Flipped && result_.status != Status::Failed &&
         record_.directive() == Directive::Continue)
       flip_triangles();
+    take_cost();
     return std::move(result_);
+  }
+
+  void take_cost() {
+    result_.factor_solve_seconds = factor_solve_seconds(record_.trace(), map_.degree());
+    if (result_.factor_solve_seconds || options_.solve.factor_cost == FactorCost::IfKnown) return;
+    TraceEntry row;
+    row.degree = map_.degree();
+    try {
+      DegreeSolver solver(setup_, *domain_, map_.shared_space(), map_.control_points());
+      row.record = solver.try_step();
+    } catch (const Stopped&) {
+      return;
+    }
+    result_.factor_solve_seconds = factor_solve_seconds({row}, map_.degree());
   }
 
   void take_measures() {

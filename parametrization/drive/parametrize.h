@@ -51,6 +51,8 @@ struct ParametrizationResult {
   std::optional<BezierMesh> scaffold;   // around the map, model units; of MapInjectivity::Global
   double initialize_seconds = 0, optimize_seconds = 0, measure_seconds = 0;
   double scaffold_seconds = 0;  // of these: the scaffold, its problems, their analyses
+  // Of one factorization and one solve at the degree asked for, median (SolveOptions::factor_cost).
+  std::optional<double> factor_solve_seconds;
 };
 
 // The start that is asked for: Tutte's map or the given one, u, v per vertex. Throws

@@ -16,6 +16,10 @@ enum class ScaffoldFlips { Performed, Omitted };
 // energy; the result's faces are not those of the input then.
 enum class Triangles { Kept, Flipped };
 
+// Whether a run that ends without a factorization at its degree makes one, to know what it costs
+// (ParametrizationResult::factor_solve_seconds). Its time counts nowhere.
+enum class FactorCost { IfKnown, Measured };
+
 struct SolveOptions {
   Curvature curvature = Curvature::Projected;
   double tolerance = 1e-6;  // relative energy decrease per iteration, StoppingRules
@@ -25,6 +29,7 @@ struct SolveOptions {
   int injectivity_depth = ProofDepth::kStart;  // of bisection; deeper when a run is held back
   ScaffoldFlips scaffold_flips = ScaffoldFlips::Performed;  // of MapInjectivity::Global
   Triangles triangles = Triangles::Kept;
+  FactorCost factor_cost = FactorCost::IfKnown;
   int threads = 0;  // 0: as many as the caller has (thread_count.h); results do not depend on it
 };
 

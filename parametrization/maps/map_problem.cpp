@@ -128,4 +128,12 @@ Vec energy_by_face(const MapSpecification& spec, const DensityTerms& terms,
   return sum;
 }
 
+double energy_of_map(const MapSpecification& spec, const DensityTerms& terms,
+                     const std::vector<RuleId>& rules, VecIn x) {
+  double energy = energy_by_face(spec, terms, rules, x).sum();
+  for (const FixedPoint& handle : spec.handles)
+    energy += spec.handle_weight * (x.segment<2>(2 * handle.node) - handle.position).squaredNorm();
+  return energy / spec.rest.measure.sum();
+}
+
 }  // namespace majorant

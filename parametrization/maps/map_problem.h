@@ -73,5 +73,8 @@ TermChanges energy_states(const MapSpecification& spec, const EnergyIds& energie
 // #F integrals of the energy over each face, face weights included, handles not. Throws Stopped.
 Vec energy_by_face(const MapSpecification& spec, const DensityTerms& terms,
                    const std::vector<RuleId>& rules, VecIn x, const StopCheck& stop = {});
+// Their sum and that of the handles, over the area.
+double energy_of_map(const MapSpecification& spec, const DensityTerms& terms,
+                     const std::vector<RuleId>& rules, VecIn x);
 
 }  // namespace majorant

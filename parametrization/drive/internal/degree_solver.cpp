@@ -86,36 +86,46 @@ void DegreeSolver::return_to(const Place& place) {
   rebuild();
 }
 
-// Of the map alone, on the rules and with the weights of now.
+// Of the map alone, on the rules of now, all elements with their full weight.
 double DegreeSolver::own_energy(VecIn x) const {
-  const Vec& measure = setup_.map.rest.measure;
   const Vec map = x.head(2 * space_->node_count());
-  double energy = energy_by_face(setup_.map, terms_, levels_.of_faces(), map).sum();
-  for (const FixedPoint& handle : setup_.map.handles)
-    energy += setup_.map.handle_weight *
-              (map.segment<2>(2 * handle.node) - handle.position).squaredNorm();
-  return energy / measure.sum();
+  return energy_of_map(setup_.map, terms_, levels_.of_faces(), map);
+}
+
+// own: the step's record, of the map alone.
+Directive DegreeSolver::note(const IterationRecord& own, StepResult::Outcome outcome,
+                             const Rows& rows) const {
+  TraceEntry row;
+  row.degree = space_->degree();
+  row.record = own;
+  row.phase = rows.phase;
+  row.outcome = outcome;
+  row.energy = own.energy;
+  if (rows.phase != Phase::Newton)
+    row.energy = setup_.asked_energy ? setup_.asked_energy(x()) : own_energy(x_);
+  return rows.record.note(std::move(row));
 }
 
 // One step and what the domain makes of it; energy: of the problem, result.energy: the map's own.
 DegreeSolver::Iteration DegreeSolver::iterate(SolveResult& result, double& energy,
-                                              const Observer& observer) {
+                                              const Rows& rows) {
   Iteration it;
   it.step = stepper_.step(result.y, energy);
   if (it.step.outcome == StepResult::Outcome::Stopped) return it;
   result.newton_decrement = it.step.record.newton_decrement;
   result.blocking = it.step.blocking;
   const bool moved = it.step.outcome == StepResult::Outcome::Moved;
+  IterationRecord own = it.step.record;
   if (moved) {
     x_ = built_.problem.expand(result.y);
-    IterationRecord own = it.step.record;
     own.iteration = static_cast<int>(result.iterations.size()) + 1;
     own.energy = energy - domain_.foreign_energy(built_.problem, x_);
     own.relative_decrease = relative_to(result.energy, result.energy - own.energy);
     result.energy = own.energy;
     result.iterations.push_back(own);
-    it.directive = observer(own, result.y);
   }
+  own.energy = result.energy;
+  it.directive = note(own, it.step.outcome, rows);
   DomainChange change = domain_.after_step(x_, it.step, input());
   if (change == DomainChange::Structure || (!moved && change == DomainChange::Values))
     it.since = StoppingTest::Since::ProblemChanged;
@@ -131,13 +141,13 @@ DegreeSolver::Iteration DegreeSolver::iterate(SolveResult& result, double& energ
   return it;
 }
 
-void DegreeSolver::iterate_until(StoppingTest& test, const Observer& observer, double energy,
+void DegreeSolver::iterate_until(StoppingTest& test, const Rows& rows, double energy,
                                  SolveResult& result) {
   Place anchor = place();
   double anchor_energy = result.energy;
   std::optional<Stop> stop;
   while (!(stop = test.before_step())) {
-    const Iteration it = iterate(result, energy, observer);
+    const Iteration it = iterate(result, energy, rows);
     const Advice advice = test.after(it.step, it.since);
     if ((stop = advice.stop)) break;
     if (advice.polish) stepper_.polish();
@@ -168,7 +178,7 @@ SolveResult DegreeSolver::descend(StoppingRules rules, Phase phase, RunRecord& r
     result.energy -= domain_.foreign_energy(built_.problem, x_);
     began_at_ = result.energy;
     StoppingTest test(rules, energy);
-    iterate_until(test, record.observer(space_->degree(), phase), energy, result);
+    iterate_until(test, {record, phase}, energy, result);
   } catch (const Stopped& stop) {
     result = stopped(std::move(result), stop.why());
   }
@@ -186,7 +196,6 @@ void DegreeSolver::soften_start(RunRecord& record) {
 void DegreeSolver::soften(RunRecord& record) {
   x_ = built_.problem.expand(built_.problem.reduce(x_));
   if (record.directive() != Directive::Continue) return;
-  const Observer observe = record.observer(space_->degree(), Phase::SoftStart);
   StoppingTest test(brief_rules(record.iterations_left(), kAnyDecrease), 0);
   SolveResult result;
   bool softened = false;
@@ -200,7 +209,7 @@ void DegreeSolver::soften(RunRecord& record) {
     result.y = built_.problem.reduce(x_);
     double energy = stepper_.evaluator().value(result.y);
     result.energy = energy - domain_.foreign_energy(built_.problem, x_);
-    const Iteration it = iterate(result, energy, observe);
+    const Iteration it = iterate(result, energy, {record, Phase::SoftStart});
     if (test.after(it.step, it.since).stop || it.directive != Directive::Continue) break;
   }
   if (!softened) return;
@@ -224,6 +233,13 @@ StoppingRules DegreeSolver::unlimited(double relative_decrease) const {
 
 StoppingRules DegreeSolver::final_rules() const {
   return unlimited(domain_.part_of_tolerance() * setup_.solve.tolerance);
+}
+
+IterationRecord DegreeSolver::try_step() {
+  if (follow()) stepper_.reset(built_.problem);
+  Vec y = built_.problem.reduce(x_);
+  double energy = stepper_.evaluator().value(y);
+  return stepper_.step(y, energy).record;
 }
 
 // Refines the elements whose integrals are worst until the rest is within the bound.

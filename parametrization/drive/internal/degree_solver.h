@@ -10,6 +10,7 @@
 // x() is the best point reached, and the domain's surroundings belong to it.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -32,6 +33,9 @@ class DegreeSolver {
     SolveOptions solve;
     StopCheck stop;
     SolverRules rules;
+    // Of a map, 2 numbers per node, for the trace: where another energy is minimized than the one
+    // asked for. Empty: that of `map`.
+    std::function<double(VecIn)> asked_energy;
   };
 
   // x: start, 2 numbers per node of `space`, normalised, locally injective. setup and domain
@@ -48,6 +52,8 @@ class DegreeSolver {
   SolveResult approach(double tolerance, RunRecord& record, Phase phase = Phase::Newton);
   // To the documented stopping rules, with all remedies.
   SolveResult finish(RunRecord& record);
+  // What a step from here costs; it is not taken, and in no trace.
+  IterationRecord try_step();
 
   Vec x() const { return x_.head(2 * space_->node_count()); }
   Index variables() const { return built_.problem.size(); }
@@ -68,6 +74,11 @@ class DegreeSolver {
     StoppingTest::Since since = StoppingTest::Since::Same;
     Directive directive = Directive::Continue;
   };
+  // Where the rows of a descent go.
+  struct Rows {
+    RunRecord& record;
+    Phase phase;
+  };
   // What came of a remedy: nothing that could help, something to go on from, or the end of the run.
   enum class Effect { None, GoOn, Ended };
 
@@ -79,11 +90,11 @@ class DegreeSolver {
   Place place() const { return {x_, domain_.surroundings()}; }
   void return_to(const Place& place);
   double own_energy(VecIn x) const;
+  Directive note(const IterationRecord& own, StepResult::Outcome outcome, const Rows& rows) const;
 
   SolveResult descend(StoppingRules rules, Phase phase, RunRecord& record);
-  void iterate_until(StoppingTest& test, const Observer& observer, double energy,
-                     SolveResult& result);
-  Iteration iterate(SolveResult& result, double& energy, const Observer& observer);
+  void iterate_until(StoppingTest& test, const Rows& rows, double energy, SolveResult& result);
+  Iteration iterate(SolveResult& result, double& energy, const Rows& rows);
   void soften(RunRecord& record);
   bool refine_inaccurate();
   StoppingRules unlimited(double relative_decrease) const;

@@ -171,6 +171,9 @@ bool DegreeSolver::approach_with(double weight, RunRecord& record) {
   Setup with = setup_;
   if (weight > 0) with.map.energy.push_back({symmetric_dirichlet(), weight});
   with.solve.curvature = Curvature::Projected;
+  with.asked_energy = [this](VecIn x) {
+    return setup_.asked_energy ? setup_.asked_energy(x) : own_energy(x);
+  };
   with.solve.injectivity_depth =
       depth_;  // what only deep certificates prove is feasible there, too
   try {
