@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <memory>
 #include <utility>
 
@@ -16,6 +17,12 @@
 
 namespace majorant {
 namespace {
+
+struct CpuWatch { double t = double(std::clock()); double restart() { double n = double(std::clock()), d = (n - t) / CLOCKS_PER_SEC; t = n; return d; } };
+
+// Of the radius: points of two circles with the same spacing, computed from sums of other edges.
+// Origin: far above rounding, far below the distance that another spacing makes.
+constexpr double kSamePlace = 1e-9;
 
 // The surface that a CollapsingMesh has left, its vertices numbered without gaps.
 struct Level {
@@ -54,6 +61,12 @@ SurfaceMesh surface_of(const Level& level, const std::string& file) {
   return SurfaceMesh::from_parts(std::move(parts));
 }
 
+// A power of two that brings positions to a size of about 1: exact, and exactly undone.
+double unit_scale(const Points3& positions) {
+  const double size = (positions.colwise().maxCoeff() - positions.colwise().minCoeff()).maxCoeff();
+  return std::exp2(-std::round(std::log2(size)));
+}
+
 class Multiresolution {
  public:
   Multiresolution(const SurfaceMesh& surface, const MapObjective& asked, const StopCheck& stop,
@@ -63,7 +76,8 @@ class Multiresolution {
         stop_(stop),
         rules_(rules),
         record_(record),
-        positions_(surface.positions()),
+        scale_(unit_scale(surface.positions())),
+        positions_(surface.positions() * scale_),
         mesh_(surface.faces(), surface.opposites(), surface.vertex_count()),
         uv_(Vec::Zero(2 * surface.vertex_count())),
         descent_(mesh_, positions_, asked.energy, uv_) {
@@ -72,14 +86,14 @@ class Multiresolution {
   }
 
   std::optional<Vec> solve() {
-    Stopwatch watch;
+    CpuWatch watch;
     decimate(mesh_, positions_, {rules_.coarsest, held_}, stop_);
     record_.decimation_seconds = watch.restart();
     if (mesh_.faces_left() == surface_.face_count() || !solve_coarsest()) return std::nullopt;
     for (const Index size : sizes())
       if (!refine_to(size)) return std::nullopt;
     if (faces_without_room(surface_.faces(), uv_) > 0) return std::nullopt;
-    return std::move(uv_);
+    return uv_ / scale_;
   }
 
  private:
@@ -94,13 +108,13 @@ class Multiresolution {
   }
 
   bool solve_coarsest() {
-    Stopwatch watch;
+    CpuWatch watch;
     weigh(mesh_.vertex_count() - mesh_.vertices_left());
     const Level level(mesh_, positions_);
     const SurfaceMesh coarse = surface_of(level, surface_.file());
-    const Vec x = tutte_map(coarse, stop_) * std::sqrt(surface_.area() / coarse.area());
-    for (std::size_t k = 0; k < level.vertex.size(); ++k)
-      uv_.segment<2>(2 * level.vertex[k]) = x.segment<2>(2 * static_cast<Index>(k));
+    const Vec x = tutte_map(coarse, stop_) * (scale_ * std::sqrt(surface_.area() / coarse.area()));
+    set(level, x);
+    if (asked_.boundary == BoundaryCondition::Fixed && !set_boundary()) return false;
     LevelRecord record;
     record.faces = mesh_.faces_left();
     const bool solved = improve_all(level, {.relative_decrease = rules_.coarse_decrease}, record);
@@ -109,8 +123,26 @@ class Multiresolution {
     return solved;
   }
 
+  // Where Tutte's map of the surface has it, to the last digit; false where the coarse one had to
+  // be spaced otherwise.
+  bool set_boundary() {
+    const Vec boundary = tutte_boundary(surface_);
+    for (Index v = 0; v < surface_.vertex_count(); ++v) {
+      if (!held_[at(v)]) continue;
+      const Vector2 there = scale_ * boundary.segment<2>(2 * v);
+      if (!((there - descent_.place(v)).norm() <= kSamePlace * there.norm())) return false;
+      descent_.put(v, there);
+    }
+    return true;
+  }
+
+  void set(const Level& level, const Vec& x) {
+    for (std::size_t k = 0; k < level.vertex.size(); ++k)
+      uv_.segment<2>(2 * level.vertex[k]) = x.segment<2>(2 * static_cast<Index>(k));
+  }
+
   bool refine_to(Index vertices) {
-    Stopwatch watch;
+    CpuWatch watch;
     LevelRecord record;
     weigh(mesh_.vertex_count() - vertices);
     descent_.measure_all();
@@ -213,9 +245,7 @@ class Multiresolution {
     if (!solved.y.allFinite() || !std::isfinite(solved.energy)) return false;
     record.steps = static_cast<int>(solved.iterations.size());
     level_energy_ = record.energy = solved.energy;
-    x = built.problem.expand(solved.y);
-    for (std::size_t k = 0; k < level.vertex.size(); ++k)
-      uv_.segment<2>(2 * level.vertex[k]) = x.segment<2>(2 * static_cast<Index>(k));
+    set(level, built.problem.expand(solved.y));
     return true;
   }
 
@@ -224,7 +254,8 @@ class Multiresolution {
   const StopCheck& stop_;
   const MultiresolutionRules& rules_;
   MultiresolutionRecord& record_;
-  Points3 positions_;
+  double scale_;
+  Points3 positions_;  // times scale_, as all lengths here
   CollapsingMesh mesh_;
   Vec uv_;
   VertexDescent descent_;

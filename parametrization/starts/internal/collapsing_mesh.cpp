@@ -33,7 +33,7 @@ bool CollapsingMesh::may_collapse(Index h, End leaves, int most) const {
   const Index v = leaves == End::Start ? from(h) : to(h),
               u = leaves == End::Start ? to(h) : from(h);
   const Index o = opposite(h);
-  if (on_boundary(v) && o >= 0) return false;
+  if (on_boundary(v) ? o >= 0 : on_boundary(u)) return false;
   // Faces beside the edge: neither may hang on by it alone.
   const auto hangs = [&](Index e) { return opposite(next(e)) < 0 && opposite(previous(e)) < 0; };
   if (hangs(h) || (o >= 0 && hangs(o))) return false;

@@ -121,6 +121,7 @@ class Decimation {
     std::array<double, kNearest> length;
     std::size_t count = 0;
     for (std::size_t k = 0; k < edge_.size(); ++k) {
+      if (mesh_.on_boundary(mesh_.to(spokes_[k]))) continue;
       const double l = edge_[k].squaredNorm();
       std::size_t place = count;
       while (place > 0 && l < length[place - 1]) --place;
