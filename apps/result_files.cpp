@@ -30,6 +30,12 @@ Json normalized_section(const std::optional<InUnitSquare>& normalized) {
   return {{"origin", {normalized->origin.x(), normalized->origin.y()}}, {"size", normalized->size}};
 }
 
+// What the start was made from: where nobody brought one, what parametrize() chose.
+std::string_view start_taken(const FinishedRun& run) {
+  return run.result.start == StartMethod::Given ? std::string_view(run.map.init)
+                                                : start_name(run.result.start);
+}
+
 std::string claims(const FinishedRun& run) {
   const BezierMap& map = *run.result.map;
   Json pins = Json::array();
@@ -42,7 +48,7 @@ std::string claims(const FinishedRun& run) {
               {"energy", run.map.energy},
               {"value", run.result.measures.value},
               {"boundary", run.map.boundary},
-              {"init", run.map.init},
+              {"init", start_taken(run)},
               {"seams", !map.seams().trivial()},
               {"bijective", run.in.options.map.injectivity == MapInjectivity::Global},
               {"normalized", normalized_section(run.normalized)},
@@ -105,6 +111,7 @@ Json result_section(const FinishedRun& run) {
     add_global_injectivity(result, *r.map, r.measures, check_boundary(*r.map, {.stopped = [&] {
                              return run.record.directive() != Directive::Continue;
                            }}));
+  result["start"] = start_taken(run);
   result["variables"] = r.variables;
   result["initial_value"] = r.initial_value;
   result["value_quadrature"] = r.value_quadrature;

@@ -132,4 +132,11 @@ void DensityTerm::local(VecIn x, const Chunk& chunk, Curvature curvature, const 
                  out.gradient, out.hessian);
 }
 
+StarModel DensityTerm::star(const StarView& view, const Vector2& v) const {
+  if (!kernels_.star) throw std::invalid_argument("DensityTerm: the density is not of planar maps");
+  StarModel model;
+  kernels_.star(density_.get(), view, v.x(), v.y(), model);
+  return model;
+}
+
 }  // namespace majorant

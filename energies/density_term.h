@@ -45,6 +45,10 @@ class DensityTerm final : public EnergyTerm {
   void local(VecIn x, const Chunk& chunk, Curvature curvature, const TermState& state,
              Workspace& workspace, LocalSystem& out) const override;
 
+  // The density alone, at TermState{}: summed over the triangles around a vertex at v, which need
+  // not be those of the space. Throws std::invalid_argument unless the density is of planar maps.
+  StarModel star(const StarView& view, const Vector2& v) const;
+
  private:
   // Tables of one rule, built when first used: fine rules are large and rarely needed.
   struct Rule {

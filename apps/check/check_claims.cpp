@@ -51,12 +51,13 @@ void check_pins(const MapFile& file, const Claims& claims, Findings& findings) {
   }
 }
 
-// Of a map without seams: Tutte's boundary, recomputed from the surface in the file, or that of the
+// Of a map without seams: Tutte's boundary, which starts in many resolutions have too, recomputed from the surface in the file, or that of the
 // texture coordinates of the input, for which the input is needed.
 void check_fixed_boundary(const CheckedMap& checked, Findings& findings) {
   const BezierMap& map = checked.map;
   Vec start;
-  if (checked.claims.init.value_or("tutte") == "tutte") {
+  const std::string init = checked.claims.init.value_or("tutte");
+  if (init == "tutte" || init == "multiresolution") {
     start = tutte_map(map.mesh());
   } else if (checked.surface == nullptr) {
     return;  // not asked

@@ -104,7 +104,7 @@ bool keeps_texture_cuts(const CheckedMap& checked) {
   if (!claims.version && !claims.seams) return true;  // it does not say where it comes from
   const std::string init = claims.init.value_or("tutte");
   return claims.options && claims.options->seamless.value_or(false) &&
-         (init == "tutte" || init == "input");
+         (init == "tutte" || init == "multiresolution" || init == "input");
 }
 
 void check_seams(const CheckedMap& checked, Findings& findings) {

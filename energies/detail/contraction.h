@@ -41,6 +41,25 @@ struct PointModel {
   T k[N * (N + 1) / 2];  // entry (i, j), i >= j, at i (i + 1) / 2 + j
 };
 
+// The triangles around one vertex v of a planar map of degree 1, for steps of that vertex alone.
+// Rows of `stride` doubles, entries beyond `count` up to the next multiple of 8 repeat the last
+// triangle with weight 0. A triangle is (v, a, b), counterclockwise; its Jacobian is
+//     J = (a - v) ga^T + (b - v) gb^T
+// with the gradients of the hat functions of a and b in the frame of the rest shape.
+struct StarView {
+  static constexpr int stride = 64;
+  enum Row { GaX, GaY, GbX, GbY, Weight, AX, AY, BX, BY, Rows };
+  int count;           // at most stride
+  const double* rows;  // Rows of them
+};
+
+// sum of weight * density over a star, its derivatives by v, and a lower bound of the smallest
+// twice-area of its triangles (a, b and v taken as they are): positive where all of them are
+// certainly counterclockwise.
+struct StarModel {
+  double f, gx, gy, hxx, hxy, hyy, room;
+};
+
 // Kernels of one density. `density` is the object they were made for.
 struct DensityKernels {
   int rows, dims;  // of the Jacobian: M by D
@@ -52,6 +71,8 @@ struct DensityKernels {
                 double* scratch, double* f, double* gradient, double* hessian);
   // Doubles of scratch that either kernel needs.
   int (*scratch_size)(const ContractionView&);
+  // Of densities of planar maps (2 by 2), with the exact Hessian; null for others.
+  void (*star)(const void* density, const StarView&, double vx, double vy, StarModel&) = nullptr;
 };
 
 }  // namespace majorant

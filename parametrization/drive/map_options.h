@@ -10,6 +10,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "majorant/parametrization/maps/map_objective.h"
@@ -19,6 +20,12 @@ namespace majorant {
 // Local: det J > 0 and angle sums; Global: no overlaps either, held by a scaffold, a mesh of the
 // space around the image.
 enum class MapInjectivity { Local, Global };
+
+// Where a map starts that is not given. Tutte: tutte_map(). Multiresolution: multiresolution_map(),
+// or Tutte's where that does not know what is asked. Automatic: the better one for the size of the
+// mesh. Given: MapOptions::initial, or the start that a caller brings.
+enum class StartMethod { Tutte, Automatic, Multiresolution, Given };
+std::string_view start_name(StartMethod method);  // "tutte", "auto", "multiresolution", "input"
 
 struct Pin {
   Index vertex;                   // of the mesh
@@ -31,7 +38,8 @@ struct MapOptions : MapObjective {
   std::vector<Pin> pins;       // hard
   std::vector<Pin> handles;    // soft, with handle_weight
   std::vector<Index> aligned;  // half-edges that stay parallel to an axis
-  std::optional<Vec> initial;  // u, v per vertex; none: Tutte's map
+  std::optional<Vec> initial;  // u, v per vertex; none: made by `start`
+  StartMethod start = StartMethod::Tutte;
 };
 
 }  // namespace majorant

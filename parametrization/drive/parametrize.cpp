@@ -17,10 +17,15 @@
 #include "majorant/parametrization/drive/internal/reach_pins.h"
 #include "majorant/parametrization/injectivity/global_injectivity.h"
 #include "majorant/parametrization/scaffold/internal/improve_mesh.h"
+#include "majorant/parametrization/starts/multiresolution.h"
 #include "majorant/parametrization/starts/tutte.h"
 
 namespace majorant {
 namespace {
+
+// Faces from which on a start in many resolutions is the automatic one. Origin:
+// bench/multiresolution.
+constexpr Index kLargeSurface = 5000;
 
 void require_valid(const MapOptions& asked) {
   const auto refuse = [](const std::string& what) { throw Error(ErrorKind::Usage, what); };
@@ -55,6 +60,20 @@ void require_valid(const ParametrizationOptions& o) {
                     curvature_name(o.solve.curvature)));
   if (o.solve.triangles == Triangles::Flipped && o.map.face_weight.size() > 0)
     refuse("flipping edges changes the faces that weights are for; leave one of the two out");
+}
+
+// Whether an automatic start is made in many resolutions. Points that are to stay where the initial
+// map has them, or are pulled, mean Tutte's: it does not depend on the energy.
+bool pays(const SurfaceMesh& mesh, const MapOptions& asked) {
+  return mesh.face_count() >= kLargeSurface && asked.handles.empty() &&
+         std::all_of(asked.pins.begin(), asked.pins.end(),
+                     [](const Pin& pin) { return pin.target.has_value(); });
+}
+
+bool tries_multiresolution(const SurfaceMesh& mesh, const MapOptions& asked) {
+  if (asked.injectivity == MapInjectivity::Global || !asked.aligned.empty()) return false;
+  return asked.start == StartMethod::Multiresolution ||
+         (asked.start == StartMethod::Automatic && pays(mesh, asked));
 }
 
 // One degree after the other, from 1 (or, when asked, directly at the highest).
@@ -259,11 +278,25 @@ class Run {
 
 }  // namespace
 
-Vec initial_map(const SurfaceMesh& mesh, const MapOptions& asked, const StopCheck& stop) {
+std::string_view start_name(StartMethod method) {
+  constexpr std::string_view kNames[] = {"tutte", "auto", "multiresolution", "input"};
+  return kNames[static_cast<std::size_t>(method)];
+}
+
+Vec initial_map(const SurfaceMesh& mesh, const MapOptions& asked, const StopCheck& stop,
+                StartMethod* taken) {
   mesh.require_planar();
   if (asked.initial && asked.initial->size() != 2 * mesh.vertex_count())
     throw Error(ErrorKind::Usage, mesh.file() + ": the initial map needs 2 numbers per vertex");
-  return asked.initial ? *asked.initial : tutte_map(mesh, stop);
+  StartMethod unused;
+  StartMethod& method = taken ? *taken : unused;
+  method = StartMethod::Given;
+  if (asked.initial) return *asked.initial;
+  method = StartMethod::Multiresolution;
+  if (tries_multiresolution(mesh, asked))
+    if (std::optional<Vec> start = multiresolution_map(mesh, asked, stop)) return *std::move(start);
+  method = StartMethod::Tutte;
+  return tutte_map(mesh, stop);
 }
 
 ParametrizationResult parametrize_by(const SolverRules& rules, const BezierMap& start,
@@ -288,10 +321,13 @@ ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,
                                   const ParametrizationOptions& options, RunRecord& record) {
   require_valid(options);
   const double started = record.seconds();
+  const ThreadCount threads(options.solve.threads);
+  StartMethod taken;
   const BezierMap start =
-      BezierMap::linear(mesh, initial_map(*mesh, options.map, record.start_stop()));
+      BezierMap::linear(mesh, initial_map(*mesh, options.map, record.start_stop(), &taken));
   const double initialize_seconds = record.seconds() - started;
   ParametrizationResult result = parametrize(start, options, record);
+  result.start = taken;
   result.initialize_seconds = initialize_seconds;
   return result;
 }

@@ -34,8 +34,9 @@ struct ParametrizationResult {
   Status status = Status::Failed;
   std::string message;           // why the run ended; what failed where the result is not valid
   std::optional<BezierMap> map;  // absent only when status is Infeasible or Failed
-  double initial_value = 0;      // mean density of the start
-  double value_quadrature = 0;   // the optimizer's own energy at the end
+  StartMethod start = StartMethod::Given;  // what was taken, never Automatic
+  double initial_value = 0;                // mean density of the start
+  double value_quadrature = 0;             // the optimizer's own energy at the end
   // -g . p of the last step, with a scaffold that of map and scaffold together, relative to the
   // map's energy.
   double newton_decrement = 0;
@@ -55,10 +56,12 @@ struct ParametrizationResult {
   std::optional<double> factor_solve_seconds;
 };
 
-// The start that is asked for: Tutte's map or the given one, u, v per vertex. Throws
-// Error(Unsupported) when the mesh is no disk, with or without holes, Error(Usage) when the given
-// one has the wrong size; Stopped.
-Vec initial_map(const SurfaceMesh& mesh, const MapOptions& asked, const StopCheck& stop = {});
+// The start that is asked for, u, v per vertex: the given one or one that is made (StartMethod;
+// maps without overlaps, aligned edges and sector sums that are held start from Tutte's). taken
+// (may be null) receives which it is. Throws Error(Unsupported) when the mesh is no disk, with or
+// without holes, Error(Usage) when the given one has the wrong size; Stopped.
+Vec initial_map(const SurfaceMesh& mesh, const MapOptions& asked, const StopCheck& stop = {},
+                StartMethod* taken = nullptr);
 
 // Throws Error as initial_map; Error(Infeasible) when the start is not locally injective, does not
 // meet the pins or has an aligned edge off its axis by more than kSeamTolerance (texture_seams.h);

@@ -119,8 +119,7 @@ class MeanOfNeighbours {
 
 // Tutte's map, as far as doubles can tell points apart.
 Vec mean_map(const SurfaceMesh& mesh, const StopCheck& stop) {
-  Vec x = Vec::Zero(2 * mesh.vertex_count());
-  place_boundary(mesh, Spacing::ArcLength, x);
+  Vec x = tutte_boundary(mesh);
   const MeanOfNeighbours means(mesh);
   if (means.vertices().empty()) return x;
   const SparseSpd matrix = means.matrix(mesh.file(), stop);
@@ -160,6 +159,12 @@ Vec map_with_room(const SurfaceMesh& mesh, Vec best, const StopCheck& stop) {
 }
 
 }  // namespace
+
+Vec tutte_boundary(const SurfaceMesh& mesh) {
+  Vec x = Vec::Zero(2 * mesh.vertex_count());
+  place_boundary(mesh, Spacing::ArcLength, x);
+  return x;
+}
 
 Vec tutte_map(const SurfaceMesh& mesh, const StopCheck& stop) {
   return map_with_room(mesh, mean_map(mesh, stop), stop);

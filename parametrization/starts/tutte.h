@@ -18,4 +18,7 @@ namespace majorant {
 // solved; Stopped.
 Vec tutte_map(const SurfaceMesh& mesh, const StopCheck& stop = {});
 
+// The boundary of that map where it is spaced by arc length; other vertices at 0.
+Vec tutte_boundary(const SurfaceMesh& mesh);
+
 }  // namespace majorant

@@ -1,0 +1,68 @@
+// Newton's method on one vertex of a planar map at a time, all others at rest.
+//
+//   VertexDescent descent(mesh, positions, energy, weight, uv);
+//   descent.measure_star(v);          // the triangles around v are new
+//   if (descent.has_room(v)) descent.improve(v, 2);
+//
+// Every accepted place of a vertex has the triangles around it counterclockwise beyond rounding
+// and lowers the energy, so that a map without inverted triangles never gets any. The triangles are
+// those that a CollapsingMesh has left, measured against themselves in space.
+#pragma once
+
+#include <vector>
+
+#include "majorant/energies/energy_factory.h"
+#include "majorant/parametrization/starts/internal/collapsing_mesh.h"
+
+namespace majorant {
+
+class VertexDescent {
+ public:
+  // mesh, positions (#V by 3) and uv (2 numbers per vertex) outlive this and are what it works on;
+  // uv in the units of positions. Throws std::invalid_argument for energies of other than planar
+  // maps.
+  VertexDescent(const CollapsingMesh& mesh, const Points3& positions, const EnergySum& energy,
+                Vec& uv);
+
+  // Factors of the energy, 1 as long as nobody says: by face slot, or by vertex, a face having the
+  // mean of its corners.
+  void weigh_faces(const Vec& weight) { face_weight_ = weight; }
+  void weigh_vertices(const Vec& weight) { vertex_weight_ = weight; }
+  double weight_of(Index face) const;
+
+  // The shapes of all faces, or of those around v, are what they are now.
+  void measure_all();
+  void measure_star(Index v);
+
+  bool has_room(Index v);
+  // Of the faces around v: integral of the energy, and the mean of it.
+  double mean_energy(Index v);
+  // At most `steps` Newton steps. Returns the mean energy of the star afterwards.
+  double improve(Index v, int steps);
+
+  Vector2 place(Index v) const { return uv_.segment<2>(2 * v); }
+  void put(Index v, const Vector2& p) { uv_.segment<2>(2 * v) = p; }
+
+ private:
+  // Gradients of the hat functions of corners 1 and 2 in a frame with corner 1 on its first axis:
+  // (g1x, g1y) and (0, g2y); area times face weight.
+  struct Shape {
+    double g1x, g1y, g2y, weight;
+  };
+  void measure(Index face);
+  void gather(Index v);
+  StarModel model(const Vector2& p) const;
+
+  const CollapsingMesh& mesh_;
+  const Points3& positions_;
+  std::vector<std::shared_ptr<const DensityTerm>> terms_;
+  std::vector<double> term_weight_;
+  Vec& uv_;
+  Vec face_weight_, vertex_weight_;
+  std::vector<Shape> shape_;
+  std::vector<double> rows_;  // StarViews one after the other
+  int count_ = 0;
+  double star_weight_ = 0;
+};
+
+}  // namespace majorant
