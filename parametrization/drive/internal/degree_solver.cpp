@@ -33,7 +33,8 @@ DegreeSolver::DegreeSolver(const Setup& setup, MapDomain& domain,
         setup.stop.poll();  // what follows is the analysis of its pattern
         return built;
       }()),
-      stepper_(built_.problem, newton_options(setup.solve.curvature, setup.rules, setup.stop)) {}
+      stepper_(built_.problem,
+               newton_options(setup.solve.curvature, setup.rules, setup.stop, domain.ordering())) {}
 
 DomainInput DegreeSolver::input() const {
   return {setup_.map, space_, start_, terms_, injectivity_, depth_, setup_.stop};

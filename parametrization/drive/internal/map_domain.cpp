@@ -21,7 +21,7 @@ ScaffoldedDomain::ScaffoldedDomain(const BezierMap& start, ScaffoldFlips flips,
       }()),
       mode_(flips),
       rules_(rules.scaffold),
-      relaxing_(newton_options(Curvature::Projected, rules, {})),
+      relaxing_(newton_options(Curvature::Projected, rules, {}, ScaffoldedDomain::ordering())),
       share_(rules_.share) {}
 
 MapProblem ScaffoldedDomain::build(const DomainInput& in, VecIn x) {

@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 
+#include "majorant/framework/linear_solver.h"
 #include "majorant/framework/stepper.h"
 #include "majorant/parametrization/drive/internal/solver_rules.h"
 #include "majorant/parametrization/drive/solve_options.h"
@@ -59,6 +60,9 @@ class MapDomain {
   // Whether that changes anything.
   virtual bool strengthen(double /*weight*/) { return false; }
 
+  // How unknowns are to be ordered for factorizations.
+  virtual Ordering ordering() const { return Ordering::Best; }
+
   // Part of the tolerance asked for at which a run may end.
   virtual double part_of_tolerance() const { return 1; }
 
@@ -93,6 +97,9 @@ class ScaffoldedDomain final : public MapDomain {
   DomainChange after_step(Vec& x, const StepResult& step, const DomainInput& input) override;
   double foreign_energy(const Problem& problem, VecIn x) const override;
   bool strengthen(double weight) override;
+  // Flips change the pattern nearly every step: METIS would cost more than it saves
+  // (docs/performance.md).
+  Ordering ordering() const override { return Ordering::Amd; }
   double part_of_tolerance() const override { return rules_.part_of_tolerance; }
   void elevate(const std::shared_ptr<const BezierTriangleSpace>& higher) override;
   std::optional<Scaffold> surroundings() const override { return scaffold_; }

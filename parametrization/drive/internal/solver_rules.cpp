@@ -19,13 +19,17 @@ void require_curvature(const DensityTerms& terms, Curvature asked) {
   }
 }
 
-NewtonOptions newton_options(Curvature curvature, const SolverRules& rules, const StopCheck& stop) {
+NewtonOptions newton_options(Curvature curvature, const SolverRules& rules, const StopCheck& stop,
+                             Ordering ordering) {
   NewtonOptions options;
   options.stopping = rules.stopping;
   options.line_search = rules.line_search;
   options.exact_below = rules.exact_below;
   options.curvature = curvature;
   options.stop = stop;
+  options.linear_solver = [ordering] {
+    return make_cholmod_solver(Factorization::Automatic, ordering);
+  };
   return options;
 }
 

@@ -84,7 +84,8 @@ struct SolverRules {
 // Throws Error(Usage), listing what there is, when a term has no such curvature model.
 void require_curvature(const DensityTerms& terms, Curvature asked);
 
-NewtonOptions newton_options(Curvature curvature, const SolverRules& rules, const StopCheck& stop);
+NewtonOptions newton_options(Curvature curvature, const SolverRules& rules, const StopCheck& stop,
+                             Ordering ordering);
 
 // Whether a limit or Ctrl-C ended a solve.
 bool was_stopped(Status status);

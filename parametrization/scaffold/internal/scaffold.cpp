@@ -92,6 +92,7 @@ Scaffold::Scaffold(std::shared_ptr<const BezierTriangleSpace> image, VecIn x)
       const Index v = from_vertex(image_faces, loop[k]);
       polygon.row(static_cast<Index>(k)) = x.segment<2>(2 * v);
       vertex_of.push_back(v);
+      image_sides_.push_back(loop[k]);
     }
     polygons.push_back(std::move(polygon));
   }
@@ -110,24 +111,22 @@ Scaffold::Scaffold(std::shared_ptr<const BezierTriangleSpace> image, VecIn x)
 
 // Nodes on the image's boundary have its numbers, the others follow.
 void Scaffold::number() {
-  std::map<Index, Index> compact;  // vertex -> number in own_
-  for (const Index v : mesh_.faces.reshaped()) compact.emplace(v, 0);
+  std::vector<Index> compact(at(mesh_.faces.maxCoeff()) + 1, -1);  // vertex -> number in own_
+  for (const Index v : mesh_.faces.reshaped()) compact[at(v)] = 0;
   Index count = 0;
-  for (auto& entry : compact) entry.second = count++;
+  for (Index& v : compact)
+    if (v == 0) v = count++;
   Cells faces = mesh_.faces;
-  for (Index& v : faces.reshaped()) v = compact.at(v);
+  for (Index& v : faces.reshaped()) v = compact[at(v)];
   own_ = std::make_shared<const BezierTriangleSpace>(faces, count, mesh_.degree);
 
   std::vector<Index> joint(at(own_->node_count()), -1);
-  std::map<std::array<Index, 2>, Index> side;  // (from, to) -> half-edge of the scaffold's boundary
+  std::vector<Index> side_from(compact.size(), -1);  // of the scaffold's boundary, by its start
   for (Index h = 0; h < 3 * face_count(); ++h)
-    if (mesh_.opposite[at(h)] < 0) side[{mesh_.from_vertex(h), mesh_.to_vertex(h)}] = h;
-  const std::vector<Index> image_opposite = opposite_half_edges(image_->faces());
-  for (Index h = 0; h < 3 * image_->element_count(); ++h) {
-    if (image_opposite[at(h)] >= 0) continue;
-    const Index a = from_vertex(image_->faces(), h), b = to_vertex(image_->faces(), h);
+    if (mesh_.opposite[at(h)] < 0) side_from[at(mesh_.from_vertex(h))] = h;
+  for (const Index h : image_sides_) {
     const std::vector<Index> of_image = edge_nodes(*image_, h);
-    const std::vector<Index> mine = edge_nodes(*own_, side.at({b, a}));
+    const std::vector<Index> mine = edge_nodes(*own_, side_from[at(to_vertex(image_->faces(), h))]);
     for (std::size_t i = 0; i < mine.size(); ++i)
       joint[at(mine[i])] = of_image[mine.size() - 1 - i];
   }
@@ -140,8 +139,7 @@ void Scaffold::number() {
   levels_.resize(at(face_count()), 0);
   frame_nodes_.clear();
   for (std::size_t k = 0; k < frame_.size(); ++k)
-    for (const Index node :
-         edge_nodes(*space_, side.at({frame_[k], frame_[(k + 1) % frame_.size()]})))
+    for (const Index node : edge_nodes(*space_, side_from[at(frame_[k])]))
       frame_nodes_.push_back(node);
   std::sort(frame_nodes_.begin(), frame_nodes_.end());
   frame_nodes_.erase(std::unique(frame_nodes_.begin(), frame_nodes_.end()), frame_nodes_.end());
@@ -251,6 +249,7 @@ bool Scaffold::grow() {
 Scaffold Scaffold::elevated(std::shared_ptr<const BezierTriangleSpace> image) const {
   Scaffold out;
   out.image_ = std::move(image);
+  out.image_sides_ = image_sides_;
   out.mesh_ = mesh_;
   out.mesh_.degree = mesh_.degree + 1;
   out.frame_ = frame_;

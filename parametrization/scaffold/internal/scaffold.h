@@ -67,8 +67,9 @@ class Scaffold {
 
   std::shared_ptr<const BezierTriangleSpace> image_, space_;
   std::shared_ptr<const BezierTriangleSpace> own_;  // the scaffold alone, numbered by itself
-  BezierMesh mesh_;           // vertices: those of the image, then the scaffold's own
-  std::vector<Index> frame_;  // vertices of the frame, counterclockwise
+  BezierMesh mesh_;                 // vertices: those of the image, then the scaffold's own
+  std::vector<Index> image_sides_;  // half-edges of the image's boundary
+  std::vector<Index> frame_;        // vertices of the frame, counterclockwise
   std::vector<Index> frame_nodes_;
   std::vector<RuleId> levels_;  // by face
   Index joint_node_count_ = 0;
