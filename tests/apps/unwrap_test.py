@@ -174,6 +174,74 @@ class Repairs(UnwrapTest):
                     self.assertIn(says, outcome.err)
 
 
+class Proofs(UnwrapTest):
+    """What check says of unwrap's files beside the mesh as it was."""
+
+    # Each with another defect, or many; the first of them public.
+    PUBLIC = [os.path.join('messy', 'derived', name + '.obj') for name in (
+        'duplicate_face', 'fin', 'holes_touching_in_a_vertex', 'klein_bottle', 'moebius', 'pinched_vertex',
+        'soup', 'split_at_uv_seams', 't_junctions', 'three_flipped_faces', 'two_rooms_inner_wall',
+        'zero_area_faces', 'crack_equal')]
+
+    def prove(self, mesh):
+        """True where unwrap maps it; then its files are maps of it."""
+        outputs = [self.path('out.' + kind) for kind in ('obj', 'vtu')]
+        outcome = majorant('unwrap', mesh, '-o', outputs[0], '-o', outputs[1])
+        if outcome.code != OK:
+            self.assertEqual(outcome.code, UNREADABLE, outcome.err)
+            return False
+        commands = re.findall(r'^proof: majorant (.*)$', outcome.err, re.M)
+        self.assertEqual(len(commands), 2)
+        for command in commands:
+            self.run_ok(*shlex.split(command), '--surface', mesh)
+        return True
+
+    @where(os.path.join(SHARED, 'data/public/messy'))
+    def test_public_defects(self):
+        public = os.path.join(SHARED, 'data', 'public')
+        for name in self.PUBLIC:
+            with self.subTest(name):
+                self.assertTrue(self.prove(os.path.join(public, name)))
+        bad = os.path.join(public, 'bad')
+        proven = sum(self.prove(os.path.join(bad, name)) for name in sorted(os.listdir(bad))
+                     if name.endswith('.obj'))
+        self.assertGreaterEqual(proven, 26)
+
+    def test_polygons_with_defects(self):
+        points, faces = cube(2)
+        turned_and_twice = [faces[0][::-1]] + faces[1:] + [faces[5]]
+        self.assertTrue(self.prove(self.mesh(points, turned_and_twice)))
+
+    def test_files_that_are_not_of_it(self):
+        points, faces = sphere(3)
+        fin = faces + [(*faces[0][:2], len(points))]
+        mesh = self.mesh(points + [(3, 3, 3)], fin)
+        self.assertTrue(self.prove(mesh))
+        text = self.read('out.obj').decode()
+        lines = text.splitlines()
+        first = next(k for k, line in enumerate(lines) if line.startswith('f '))
+        spoiled = {
+            'a face less': lines[:-1],
+            'another place': [line.replace('v 3 3 3', 'v 3 3 3.0001') for line in lines],
+            'another order': lines[:first] + lines[first + 1:] + lines[first:first + 1],
+        }
+        for name, changed in spoiled.items():
+            with self.subTest(name):
+                self.assertNotEqual(changed, lines)
+                path = self.write('spoiled.obj', '\n'.join(changed) + '\n')
+                outcome = majorant('check', path, '--cuts', 'free', '--surface', mesh)
+                self.assertEqual(outcome.code, INVALID, outcome.err)
+                self.assertIn('surface: ', outcome.err)
+        other = self.mesh(points + [(3, 3, 3)], [fin[0][::-1]] + fin[1:], name='other.obj')
+        self.run_ok('check', self.path('out.vtu'), '--cuts', 'free', '--surface', other)  # turned back
+        moved = self.mesh(points + [(3, 3, 4)], fin, name='moved.obj')
+        for kind in ('obj', 'vtu'):
+            self.run_ok('check', self.path('out.' + kind), '--cuts', 'free', '--surface', moved,
+                        code=INVALID)
+            self.run_ok('check', self.path('out.' + kind), '--cuts', 'none', '--surface', mesh,
+                        code=INVALID)  # free cuts alone allow for repairs
+
+
 class Files(UnwrapTest):
     def test_curved(self):
         mesh = self.mesh(*both(sphere(2), torus(6, 4, 0)))
