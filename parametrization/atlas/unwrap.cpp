@@ -171,9 +171,9 @@ void scale_points(double factor, std::vector<Pin>& points) {
     if (p.target) *p.target *= factor;
 }
 
-// Whether neither it nor what its parts are computed from has left the range of doubles.
-bool is_in_range(double area) {
-  return area >= std::numeric_limits<double>::min() && std::isfinite(area);
+// Whether it has all its digits.
+bool is_in_range(double size) {
+  return size >= std::numeric_limits<double>::min() && std::isfinite(size);
 }
 
 void to_model_units(double unit, Packing& packing) {
@@ -192,20 +192,20 @@ void to_model_units(const SurfaceMesh& surface, double unit, Atlas& atlas) {
   const std::vector<SurfacePiece> pieces = surface.cut_along(atlas.cuts.is_cut, nullptr).split();
   for (std::size_t k = 0; k < pieces.size(); ++k) {
     Chart& chart = atlas.charts[k];
-    Vec uv = unit * chart.map->control_points();
-    for (double* area :
-         {&chart.stretch.surface_area, &chart.stretch.image_area, &chart.stretch.square})
-      *area *= unit * unit;
-    if (!is_in_range(chart.stretch.surface_area) || !is_in_range(chart.stretch.image_area) ||
-        !uv.allFinite() || (atlas.packing && !is_in_range(atlas.packing->side)))
-      throw Error(ErrorKind::Unsupported,
-                  fmt::format("{}: of some {:.0e} units, its areas or the side of its layout leave "
-                              "the range of doubles; scale the mesh",
-                              surface.file(), unit));
-    chart.map.emplace(pieces[k].mesh, chart.map->shared_space(), std::move(uv));
+    chart.map.emplace(pieces[k].mesh, chart.map->shared_space(),
+                      Vec(unit * chart.map->control_points()));
     if (atlas.packing) atlas.packing->charts[k] = *chart.map;
     scale_points(unit, chart.pins);
+    Stretch& s = chart.stretch;
+    for (double* area : {&s.surface_area, &s.image_area, &s.square}) *area *= unit * unit;
   }
+  const Stretch all = atlas.stretch();
+  const double side = atlas.packing ? atlas.packing->side : std::sqrt(all.image_area);
+  if (!is_in_range(all.surface_area) || !is_in_range(all.image_area) || !is_in_range(side))
+    throw Error(ErrorKind::Unsupported,
+                fmt::format("{}: of some {:.0e} units, its areas or the side of its layout leave "
+                            "the range of doubles; scale the mesh",
+                            surface.file(), unit));
 }
 
 }  // namespace

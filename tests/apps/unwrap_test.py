@@ -62,6 +62,40 @@ class Surfaces(UnwrapTest):
                       'chart 2 (face 193 and 191 more): max_iterations'):
             self.assertIn('%s: %s' % (mesh, start), outcome.err)
 
+    def test_any_scale(self):
+        """By a power of two: the same digits, but for the power; pins and the unit square, too."""
+        points, faces = both(sphere(3), torus(8, 6, 0))
+        texts, squares = {}, {}
+        for power in (0, -498, -332, 332, 498):
+            factor = 2.0 ** power
+            mesh = self.mesh([tuple(factor * x for x in p) for p in points], faces)
+            pins = self.write('pins.json', json.dumps({'handles': [
+                {'vertex': 0, 'target': [3 * factor, 4 * factor]}]}))
+            _, report = self.unwrap(mesh, '--pins', pins)
+            texts[power] = [[float(x) / factor for x in line.split()[1:]]
+                            for line in self.read('out.obj').decode().splitlines()
+                            if line.startswith('vt ')]
+            self.assertIn([3, 4], texts[power])
+            self.assertEqual(texts[power], texts[0], power)
+            for key in ('seam_length', 'side', 'distance'):
+                report['result'][key] /= factor
+            for key in ('seam_length', 'side', 'distance', 'fill', 'value', 'stretch_l2'):
+                self.assertAlmostEqual(report['result'][key], self.first(key, report), places=9)
+            self.run_ok('unwrap', mesh, '-o', self.path('square.obj'), '--normalize')
+            squares[power] = [line for line in self.read('square.obj').splitlines()
+                              if line.startswith(b'vt ')]
+            self.assertEqual(squares[power], squares[0], power)
+        for factor in (1e200, 1e-200):
+            mesh = self.mesh([tuple(factor * x for x in p) for p in points], faces)
+            self.refused(UNSUPPORTED, 'unwrap', mesh, self.path('none.obj'),
+                         says=('mesh.obj', 'range of doubles', 'scale the mesh'))
+            self.assertFalse(os.path.exists(self.path('none.obj')))
+
+    def first(self, key, report):
+        """The value that the first report had."""
+        self.firsts = getattr(self, 'firsts', {})
+        return self.firsts.setdefault(key, report['result'][key])
+
     def test_far_from_the_origin(self):
         points, faces = sphere(3)
         far = [tuple(x * 1e-3 + 1e6 for x in p) for p in points]
