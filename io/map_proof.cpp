@@ -12,6 +12,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/io/internal/cut_map.h"
 #include "majorant/io/internal/glued_map.h"
+#include "majorant/io/internal/repaired_match.h"
 #include "majorant/io/internal/surface_match.h"
 #include "majorant/parametrization/injectivity/internal/exact_positivity.h"
 
@@ -198,7 +199,11 @@ class MapProof::Judge {
       }
     if (has_numbers && file_.input_face.size() > 0)
       labels.assign(file_.input_face.begin(), file_.input_face.end());
-    const SurfaceMatch match = match_surface(cells, *request_.surface, labels);
+    SurfaceMatch match = match_surface(cells, *request_.surface, labels);
+    if (!match.defect.empty() && allows_any(request_.cuts) && file_.input_face.size() > 0) {
+      labels.assign(file_.input_face.begin(), file_.input_face.end());
+      match = match_repaired(cells, *request_.surface, labels).value_or(match);
+    }
     if (!match.defect.empty()) {
       proof_.surface = {Answer::Violated, match.defect};
       return;

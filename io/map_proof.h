@@ -47,7 +47,9 @@ std::string counted(Index count, std::string_view noun);
 inline constexpr double kSeamClose = kTenDigits;
 
 struct ProofRequest {
-  const PolygonMesh* surface = nullptr;  // it should be a map of; null: what the cells make
+  // It should be a map of; null: what the cells make. Where free cuts are allowed and the surface
+  // has defects, of what repair() makes of it.
+  const PolygonMesh* surface = nullptr;
   CutRule cuts = CutRule::Nothing;
   // Reported: `global` is filled in, the verdict does not depend on it.
   enum class Overlap { NotAsked, Reported, Forbidden } overlap = Overlap::NotAsked;

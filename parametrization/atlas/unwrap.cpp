@@ -7,12 +7,14 @@
 #include <atomic>
 #include <cmath>
 #include <exception>
+#include <limits>
 #include <mutex>
 #include <numeric>
 #include <utility>
 
 #include "majorant/framework/error.h"
 #include "majorant/framework/thread_count.h"
+#include "majorant/mesh/internal/model_unit.h"
 #include "majorant/parametrization/atlas/internal/chart_solver.h"
 #include "majorant/parametrization/packing/proven_distance.h"
 
@@ -164,6 +166,48 @@ class Unwrapping {
   Atlas atlas_;
 };
 
+void scale_points(double factor, std::vector<Pin>& points) {
+  for (Pin& p : points)
+    if (p.target) *p.target *= factor;
+}
+
+// Whether it has all its digits.
+bool is_in_range(double size) {
+  return size >= std::numeric_limits<double>::min() && std::isfinite(size);
+}
+
+void to_model_units(double unit, Packing& packing) {
+  for (Placement& placement : packing.placements) placement.translation *= unit;
+  packing.origin *= unit;
+  packing.side *= unit;
+  packing.distance *= unit;
+}
+
+// Of an atlas of the surface in these units. Both surfaces fall into the same pieces.
+void to_model_units(const SurfaceMesh& surface, double unit, Atlas& atlas) {
+  atlas.cuts.length *= unit;
+  atlas.cuts.added_length *= unit;
+  for (ComponentCuts& component : atlas.cuts.components) component.length *= unit;
+  if (atlas.packing) to_model_units(unit, *atlas.packing);
+  const std::vector<SurfacePiece> pieces = surface.cut_along(atlas.cuts.is_cut, nullptr).split();
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    Chart& chart = atlas.charts[k];
+    chart.map.emplace(pieces[k].mesh, chart.map->shared_space(),
+                      Vec(unit * chart.map->control_points()));
+    if (atlas.packing) atlas.packing->charts[k] = *chart.map;
+    scale_points(unit, chart.pins);
+    Stretch& s = chart.stretch;
+    for (double* area : {&s.surface_area, &s.image_area, &s.square}) *area *= unit * unit;
+  }
+  const Stretch all = atlas.stretch();
+  const double side = atlas.packing ? atlas.packing->side : std::sqrt(all.image_area);
+  if (!is_in_range(all.surface_area) || !is_in_range(all.image_area) || !is_in_range(side))
+    throw Error(ErrorKind::Unsupported,
+                fmt::format("{}: of some {:.0e} units, its areas or the side of its layout leave "
+                            "the range of doubles; scale the mesh",
+                            surface.file(), unit));
+}
+
 }  // namespace
 
 std::vector<BezierMap> maps_of(const Atlas& atlas) {
@@ -205,7 +249,14 @@ Stretch Atlas::stretch() const {
 
 Atlas unwrap(const std::shared_ptr<const SurfaceMesh>& surface, const UnwrapOptions& options,
              RunRecord& record) {
-  return Unwrapping(surface, options, record).solve();
+  const double unit = model_unit(*surface);
+  if (unit == 1) return Unwrapping(surface, options, record).solve();
+  UnwrapOptions scaled = options;
+  scale_points(1 / unit, scaled.chart.map.pins);
+  scale_points(1 / unit, scaled.chart.map.handles);
+  Atlas atlas = Unwrapping(in_units(*surface, unit), scaled, record).solve();
+  to_model_units(*surface, unit, atlas);
+  return atlas;
 }
 
 }  // namespace majorant

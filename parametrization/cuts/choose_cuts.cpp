@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "majorant/framework/error.h"
+#include "majorant/mesh/internal/model_unit.h"
 #include "majorant/mesh/internal/texture_borders.h"
 #include "majorant/parametrization/cuts/internal/automatic_cut.h"
 #include "majorant/parametrization/cuts/internal/edge_costs.h"
@@ -94,10 +95,8 @@ void add_up(const SurfaceMesh& mesh, const std::vector<char>& asked,
   }
 }
 
-}  // namespace
-
-SurfaceCuts choose_cuts(const SurfaceMesh& mesh, const CutOptions& options, const StopCheck& stop) {
-  require_valid(mesh, options);
+SurfaceCuts cuts_near_one(const SurfaceMesh& mesh, const CutOptions& options,
+                          const StopCheck& stop) {
   SurfaceCuts out;
   out.is_cut = asked_cuts(mesh, options);
   std::vector<char> asked = out.is_cut;
@@ -119,6 +118,19 @@ SurfaceCuts choose_cuts(const SurfaceMesh& mesh, const CutOptions& options, cons
   open_pieces(mesh, cut_costs(mesh), out.is_cut, stop);
   add_up(mesh, asked, components, out);
   return out;
+}
+
+}  // namespace
+
+SurfaceCuts choose_cuts(const SurfaceMesh& mesh, const CutOptions& options, const StopCheck& stop) {
+  require_valid(mesh, options);
+  const double unit = model_unit(mesh);
+  if (unit == 1) return cuts_near_one(mesh, options, stop);
+  SurfaceCuts cuts = cuts_near_one(*in_units(mesh, unit), options, stop);
+  cuts.length *= unit;
+  cuts.added_length *= unit;
+  for (ComponentCuts& component : cuts.components) component.length *= unit;
+  return cuts;
 }
 
 }  // namespace majorant

@@ -62,6 +62,40 @@ class Surfaces(UnwrapTest):
                       'chart 2 (face 193 and 191 more): max_iterations'):
             self.assertIn('%s: %s' % (mesh, start), outcome.err)
 
+    def test_any_scale(self):
+        """By a power of two: the same digits, but for the power; pins and the unit square, too."""
+        points, faces = both(sphere(3), torus(8, 6, 0))
+        texts, squares = {}, {}
+        for power in (0, -498, -332, 332, 498):
+            factor = 2.0 ** power
+            mesh = self.mesh([tuple(factor * x for x in p) for p in points], faces)
+            pins = self.write('pins.json', json.dumps({'handles': [
+                {'vertex': 0, 'target': [3 * factor, 4 * factor]}]}))
+            _, report = self.unwrap(mesh, '--pins', pins)
+            texts[power] = [[float(x) / factor for x in line.split()[1:]]
+                            for line in self.read('out.obj').decode().splitlines()
+                            if line.startswith('vt ')]
+            self.assertIn([3, 4], texts[power])
+            self.assertEqual(texts[power], texts[0], power)
+            for key in ('seam_length', 'side', 'distance'):
+                report['result'][key] /= factor
+            for key in ('seam_length', 'side', 'distance', 'fill', 'value', 'stretch_l2'):
+                self.assertAlmostEqual(report['result'][key], self.first(key, report), places=9)
+            self.run_ok('unwrap', mesh, '-o', self.path('square.obj'), '--normalize')
+            squares[power] = [line for line in self.read('square.obj').splitlines()
+                              if line.startswith(b'vt ')]
+            self.assertEqual(squares[power], squares[0], power)
+        for factor in (1e200, 1e-200):
+            mesh = self.mesh([tuple(factor * x for x in p) for p in points], faces)
+            self.refused(UNSUPPORTED, 'unwrap', mesh, self.path('none.obj'),
+                         says=('mesh.obj', 'range of doubles', 'scale the mesh'))
+            self.assertFalse(os.path.exists(self.path('none.obj')))
+
+    def first(self, key, report):
+        """The value that the first report had."""
+        self.firsts = getattr(self, 'firsts', {})
+        return self.firsts.setdefault(key, report['result'][key])
+
     def test_far_from_the_origin(self):
         points, faces = sphere(3)
         far = [tuple(x * 1e-3 + 1e6 for x in p) for p in points]
@@ -172,6 +206,74 @@ class Repairs(UnwrapTest):
                 self.assertFalse(os.path.exists(self.path('bad.obj')))
                 if says not in ('one side', 'area'):
                     self.assertIn(says, outcome.err)
+
+
+class Proofs(UnwrapTest):
+    """What check says of unwrap's files beside the mesh as it was."""
+
+    # Each with another defect, or many; the first of them public.
+    PUBLIC = [os.path.join('messy', 'derived', name + '.obj') for name in (
+        'duplicate_face', 'fin', 'holes_touching_in_a_vertex', 'klein_bottle', 'moebius', 'pinched_vertex',
+        'soup', 'split_at_uv_seams', 't_junctions', 'three_flipped_faces', 'two_rooms_inner_wall',
+        'zero_area_faces', 'crack_equal')]
+
+    def prove(self, mesh):
+        """True where unwrap maps it; then its files are maps of it."""
+        outputs = [self.path('out.' + kind) for kind in ('obj', 'vtu')]
+        outcome = majorant('unwrap', mesh, '-o', outputs[0], '-o', outputs[1])
+        if outcome.code != OK:
+            self.assertEqual(outcome.code, UNREADABLE, outcome.err)
+            return False
+        commands = re.findall(r'^proof: majorant (.*)$', outcome.err, re.M)
+        self.assertEqual(len(commands), 2)
+        for command in commands:
+            self.run_ok(*shlex.split(command), '--surface', mesh)
+        return True
+
+    @where(os.path.join(SHARED, 'data/public/messy'))
+    def test_public_defects(self):
+        public = os.path.join(SHARED, 'data', 'public')
+        for name in self.PUBLIC:
+            with self.subTest(name):
+                self.assertTrue(self.prove(os.path.join(public, name)))
+        bad = os.path.join(public, 'bad')
+        proven = sum(self.prove(os.path.join(bad, name)) for name in sorted(os.listdir(bad))
+                     if name.endswith('.obj'))
+        self.assertGreaterEqual(proven, 26)
+
+    def test_polygons_with_defects(self):
+        points, faces = cube(2)
+        turned_and_twice = [faces[0][::-1]] + faces[1:] + [faces[5]]
+        self.assertTrue(self.prove(self.mesh(points, turned_and_twice)))
+
+    def test_files_that_are_not_of_it(self):
+        points, faces = sphere(3)
+        fin = faces + [(*faces[0][:2], len(points))]
+        mesh = self.mesh(points + [(3, 3, 3)], fin)
+        self.assertTrue(self.prove(mesh))
+        text = self.read('out.obj').decode()
+        lines = text.splitlines()
+        first = next(k for k, line in enumerate(lines) if line.startswith('f '))
+        spoiled = {
+            'a face less': lines[:-1],
+            'another place': [line.replace('v 3 3 3', 'v 3 3 3.0001') for line in lines],
+            'another order': lines[:first] + lines[first + 1:] + lines[first:first + 1],
+        }
+        for name, changed in spoiled.items():
+            with self.subTest(name):
+                self.assertNotEqual(changed, lines)
+                path = self.write('spoiled.obj', '\n'.join(changed) + '\n')
+                outcome = majorant('check', path, '--cuts', 'free', '--surface', mesh)
+                self.assertEqual(outcome.code, INVALID, outcome.err)
+                self.assertIn('surface: ', outcome.err)
+        other = self.mesh(points + [(3, 3, 3)], [fin[0][::-1]] + fin[1:], name='other.obj')
+        self.run_ok('check', self.path('out.vtu'), '--cuts', 'free', '--surface', other)  # turned back
+        moved = self.mesh(points + [(3, 3, 4)], fin, name='moved.obj')
+        for kind in ('obj', 'vtu'):
+            self.run_ok('check', self.path('out.' + kind), '--cuts', 'free', '--surface', moved,
+                        code=INVALID)
+            self.run_ok('check', self.path('out.' + kind), '--cuts', 'none', '--surface', mesh,
+                        code=INVALID)  # free cuts alone allow for repairs
 
 
 class Files(UnwrapTest):

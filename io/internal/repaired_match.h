@@ -1,0 +1,26 @@
+// Are the cells of a map the faces of a surface that repair() has to take apart? For meshes that
+// are no surface as their file has them: flipped or duplicate faces, fins, pinched vertices, soups.
+//
+//   SurfaceMatch match = match_surface(*mesh, polygons, labels);
+//   if (!match.defect.empty())
+//     match = match_repaired(*mesh, polygons, labels).value_or(match);
+//
+// Face by face, no edges are followed: every polygon must have the cells that repair() makes of it,
+// turned where repair() turns them, or, if all of it lies one way round, another triangulation of
+// its corners. Not for pieces of faces: those of a surface without defects only (surface_match.h).
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "majorant/io/internal/surface_match.h"
+
+namespace majorant {
+
+// cells: input_vertex() is a vertex of the surface, or of one exactly where that is: slits do not
+// count. face_of_cell: #F, the polygon of each. Nothing where repair() neither splits, turns, cuts
+// nor welds: match_surface() is the judge of these. Positions as there.
+std::optional<SurfaceMatch> match_repaired(const SurfaceMesh& cells, const PolygonMesh& surface,
+                                           const std::vector<Index>& face_of_cell);
+
+}  // namespace majorant
