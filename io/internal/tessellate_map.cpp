@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <set>
 #include <span>
 #include <utility>
 
@@ -167,6 +168,11 @@ class PolygonTransfer {
     return (a < b) + (b < c) + (c < a) == 1;
   }
 
+  bool has_each_vertex_once(std::size_t face) const {
+    const auto& polygon = input_.polygons[face];
+    return std::set(polygon.begin(), polygon.end()).size() == polygon.size();
+  }
+
   // Empty if the polygon cannot stay as it is.
   std::vector<Index> texcoords_of_corners(std::size_t face) const {
     std::vector<Index> texcoords(input_.polygons[face].size(), -1);
@@ -180,9 +186,11 @@ class PolygonTransfer {
         texcoord = vt;
       }
     }
-    if (std::ranges::count(texcoords, -1) > 0)
+    const bool is_covered = std::ranges::count(texcoords, -1) == 0;
+    // Cells over corners that are one vertex do not say which of them they are over.
+    if (!is_covered && has_each_vertex_once(face))
       refuse(fmt::format("face {} of the input is not covered by cells", face));
-    if (!is_whole) return {};
+    if (!is_whole || !is_covered) return {};
     // Two positive triangles on both sides of a diagonal are a simple polygon.
     constexpr std::size_t kAlwaysSimple = 4;
     if (texcoords.size() <= kAlwaysSimple) return texcoords;

@@ -217,7 +217,8 @@ std::vector<BezierMap> maps_of(const Atlas& atlas) {
 }
 
 std::string_view start_name(ChartStart start) {
-  constexpr std::array<std::string_view, 4> kNames = {"tutte", "texture", "untangled", "anew"};
+  constexpr std::array<std::string_view, 5> kNames = {"tutte", "unfolded", "texture", "untangled",
+                                                      "anew"};
   return kNames[static_cast<std::size_t>(start)];
 }
 

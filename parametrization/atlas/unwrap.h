@@ -28,11 +28,13 @@
 
 namespace majorant {
 
-// Where the map of a chart came from. Tutte: tutte_map(). Texture: the file's coordinates, turned
-// and mirrored as they lie. Untangled: those, after triangles were turned over. Anew: Tutte's,
-// because the file's coordinates overlap or have no area, or could not be untangled.
-enum class ChartStart { Tutte, Texture, Untangled, Anew };
-std::string_view start_name(ChartStart start);  // "tutte", "texture", "untangled", "anew"
+// Where the map of a chart came from. Tutte: tutte_map(). Unfolded: the faces laid side by side in
+// their own shapes (strips, where Tutte's map led to overlaps). Texture: the file's coordinates,
+// turned and mirrored as they lie. Untangled: those, after triangles were turned over. Anew: one of
+// the first two, because the file's coordinates overlap or have no area, or could not be untangled.
+enum class ChartStart { Tutte, Unfolded, Texture, Untangled, Anew };
+// "tutte", "unfolded", "texture", "untangled", "anew"
+std::string_view start_name(ChartStart start);
 
 struct Chart {
   std::vector<Index> faces;      // of the surface, by face of the map

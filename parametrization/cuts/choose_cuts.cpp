@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "majorant/framework/error.h"
+#include "majorant/mesh/internal/mesh_validation.h"
 #include "majorant/mesh/internal/model_unit.h"
 #include "majorant/mesh/internal/texture_borders.h"
 #include "majorant/parametrization/cuts/internal/automatic_cut.h"
@@ -19,6 +20,9 @@
 
 namespace majorant {
 namespace {
+
+// Of a component. Origin: sizes of 1e-80 and 1e50 are mapped.
+constexpr double kLeastArea = 1e-160, kLargestArea = 1e102;
 
 void require_valid(const SurfaceMesh& mesh, const CutOptions& options) {
   if (!(options.max_stretch > 1) || !std::isfinite(options.max_stretch))
@@ -48,6 +52,29 @@ std::vector<char> asked_cuts(const SurfaceMesh& mesh, const CutOptions& options)
     if (const Index o = mesh.opposite(static_cast<Index>(h)); options.given[h] && o >= 0)
       is_cut[h] = is_cut[at(o)] = 1;
   return is_cut;
+}
+
+// Squares of areas must be doubles, and so must what remains of them after many factors.
+void require_usable_size(const SurfacePiece& part) {
+  const double area = part.mesh->area();
+  if (area > kLeastArea && area < kLargestArea) return;
+  throw Error(ErrorKind::Unsupported,
+              fmt::format("{}: the piece of face {} has the area {:.3g}, which leaves the range of "
+                          "doubles in later steps; scale its coordinates to a size near 1",
+                          part.mesh->file(), part.mesh->input_face(0) + 1, area));
+}
+
+// A piece whose faces all have no area is taken apart: nothing is known of their shapes beside each
+// other.
+void take_apart_if_flat(const SurfacePiece& part, std::vector<char>& is_cut) {
+  const SurfaceMesh& mesh = *part.mesh;
+  const auto corner = [&](Index f, Index k) -> Vector3 {
+    return mesh.positions().row(mesh.faces()(f, k));
+  };
+  for (Index f = 0; f < mesh.face_count(); ++f)
+    if (has_area(corner(f, 0), corner(f, 1), corner(f, 2))) return;
+  for (Index h = 0; h < mesh.half_edge_count(); ++h)
+    if (mesh.opposite(h) >= 0) is_cut[at(3 * part.face[at(face_of(h))] + corner_of(h))] = 1;
 }
 
 // Which of the pieces that are left so far.
@@ -109,6 +136,8 @@ SurfaceCuts cuts_near_one(const SurfaceMesh& mesh, const CutOptions& options,
     facts.genus = genus(*part.mesh);
     facts.boundary_loops = part.mesh->topology().boundary_loops;
     out.components.push_back(facts);
+    require_usable_size(part);
+    take_apart_if_flat(part, out.is_cut);
   }
   if (options.method == CutMethod::Automatic || options.method == CutMethod::Sharp)
     cut_automatically(mesh, options.max_stretch, Pieces::All, out, stop);

@@ -63,11 +63,13 @@ struct SurfaceCuts {
 };
 
 // mesh: any number of components. Every piece of mesh.cut_along(is_cut) is bounded and of genus 0.
-// Edges inside polygons of the file are cut only where nothing else is possible.
+// Edges inside polygons of the file are cut only where nothing else is possible. Components of
+// faces without an area alone (all at one place, all on one line) are cut along all their edges.
 //
 // Throws Error(Usage) for a stretch or an angle out of range and for a pair of `edges` that is no
-// edge of the file, naming it; Error(Unsupported) for Texture where a corner has no texture
-// coordinate; std::invalid_argument for flags of the wrong size; Stopped.
+// edge of the file, naming it; Error(Unsupported) for components of an area outside 1e-160..1e102
+// and for Texture where a corner has no texture coordinate; std::invalid_argument for flags of the
+// wrong size; Stopped.
 SurfaceCuts choose_cuts(const SurfaceMesh& mesh, const CutOptions& options,
                         const StopCheck& stop = {});
 

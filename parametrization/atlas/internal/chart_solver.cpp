@@ -6,12 +6,20 @@
 #include "majorant/framework/error.h"
 #include "majorant/parametrization/atlas/internal/texture_start.h"
 #include "majorant/parametrization/injectivity/global_injectivity.h"
+#include "majorant/parametrization/starts/internal/room.h"
+#include "majorant/parametrization/starts/internal/unfolding.h"
 
 namespace majorant {
 namespace {
 
 bool is_injective(const BezierMap& map) {
   return check_boundary(map).result == Injectivity::Proven;
+}
+
+// Whether its faces are larger than what moving it and writing it down rounds.
+bool has_room(const BezierMap& map) {
+  const SurfaceMesh& mesh = map.mesh();
+  return faces_without_room(mesh.faces(), map.control_points().head(2 * mesh.vertex_count())) == 0;
 }
 
 Status status_of(Directive why) {
@@ -46,8 +54,23 @@ void ChartSolver::try_texture(RunRecord& record) {
 }
 
 void ChartSolver::try_tutte(RunRecord& record) {
-  if (!attempt(tutte(), MapInjectivity::Local, record))
+  if (!attempt(tutte(), MapInjectivity::Local, record) && !try_unfolded(record))
     attempt(tutte(), MapInjectivity::Global, record);
+}
+
+// Of strips much longer than wide Tutte's map is so far from what they end as that they wind over
+// themselves on the way, though they need not. Those that lie side by side unfolded are nearly
+// done.
+bool ChartSolver::try_unfolded(RunRecord& record) {
+  const Vec start = unfolded(*mesh_);
+  if (faces_without_room(mesh_->faces(), start) > 0 ||
+      !is_injective(BezierMap::linear(mesh_, start)))
+    return false;
+  if (!attempt(start, MapInjectivity::Local, record) &&
+      !attempt(start, MapInjectivity::Global, record))
+    return false;
+  if (chart_.start == ChartStart::Tutte) chart_.start = ChartStart::Unfolded;
+  return true;
 }
 
 // Made even where the run is to end: every chart needs a map. That of a face without an area alone
@@ -82,7 +105,7 @@ bool ChartSolver::attempt(const Vec& start, MapInjectivity injectivity, RunRecor
     return false;
   }
   const bool has_map = result.map && result.status != Status::Failed;
-  if (!has_map || !is_injective(*result.map)) {
+  if (!has_map || !is_injective(*result.map) || !has_room(*result.map)) {
     chart_.message = result.message;
     return false;
   }

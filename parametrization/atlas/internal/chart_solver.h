@@ -4,10 +4,11 @@
 //   RunRecord record;
 //   Chart chart = solver.solve(record);    // chart.map is there, and proven injective
 //
-// What is tried, until the image is proven to be free of overlaps: the file's texture coordinates
-// (untangled if need be) and Tutte's map as starts, each first without a scaffold, which most
-// charts do not need and which costs several times as much, then with one. Last, Tutte's map as it
-// is. Overlaps are looked for after the solve: of a free boundary only the boundary tells.
+// What is tried, until the image is proven to be free of overlaps and its faces are larger than
+// rounding: the file's texture coordinates (untangled if need be), Tutte's map and the unfolded
+// faces as starts, each first without a scaffold, which most charts do not need and which costs
+// several times as much, then with one (Tutte's last). At the end Tutte's map as it is. Overlaps
+// are looked for after the solve: of a free boundary only the boundary tells.
 #pragma once
 
 #include <memory>
@@ -32,6 +33,7 @@ class ChartSolver {
  private:
   void try_texture(RunRecord& record);
   void try_tutte(RunRecord& record);
+  bool try_unfolded(RunRecord& record);
   bool attempt(const Vec& start, MapInjectivity injectivity, RunRecord& record);
   void keep_start(const RunRecord& record);
   void to_area_of_surface();
