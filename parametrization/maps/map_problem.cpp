@@ -75,6 +75,7 @@ EnergyIds add_map(ProblemBuilder& builder, const MapSpecification& spec,
   if (spec.boundary_angles == BoundaryAngles::AtMostFullTurn)
     builder.add(
         std::make_shared<const AngleSums>(space, AngleSums::Vertices::Boundary, spec.seams));
+  if (!spec.pins.empty()) builder.add(FixedPoints(spec.pins));  // first: to the bit
   if (!seams_of(spec).empty()) builder.add(SeamlessConstraint(space, spec.seams));
   if (!spec.aligned.empty()) builder.add(AxisAlignment(space, spec.aligned));
   if (spec.boundary == BoundaryCondition::Fixed)
@@ -82,7 +83,6 @@ EnergyIds add_map(ProblemBuilder& builder, const MapSpecification& spec,
   if (!spec.handles.empty())
     builder.add(std::make_shared<const QuadraticPenalty>(FixedPoints(spec.handles)),
                 spec.handle_weight / area);
-  if (!spec.pins.empty()) builder.add(FixedPoints(spec.pins));
   return energies;
 }
 

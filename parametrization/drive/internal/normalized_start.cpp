@@ -10,6 +10,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/elimination.h"
 #include "majorant/parametrization/drive/internal/free_scale.h"
+#include "majorant/parametrization/drive/internal/reach_pins.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 #include "majorant/parametrization/starts/texture_seams.h"
 
@@ -19,8 +20,6 @@ namespace {
 // Extents of the surface beyond which the position of a free map is given up for its digits.
 // Origin: three of the sixteen digits are lost there.
 constexpr double kFarAway = 1000;
-// Of the largest coordinate: pins this close to where the start has their vertex are there.
-constexpr double kPinned = kTenDigits;
 
 // The optimizer works on a surface of size about 1: a power of two, so that scaling is exact.
 double normalizing_scale(const SurfaceMesh& mesh) {
@@ -84,7 +83,7 @@ std::vector<FixedPoint> place_handles(const SurfaceMesh& mesh, const std::vector
 // the solver moves along maps that satisfy the constraints.
 std::vector<FixedPoint> place_pins(const SurfaceMesh& mesh, const Seams& seams,
                                    const MapOptions& asked, const Vec& start) {
-  const double tolerance = kPinned * start.cwiseAbs().maxCoeff();
+  const double tolerance = pin_tolerance(start);
   std::vector<FixedPoint> points;
   for (const Pin& pin : asked.pins) {
     require_vertex(mesh, pin);
@@ -98,14 +97,12 @@ std::vector<FixedPoint> place_pins(const SurfaceMesh& mesh, const Seams& seams,
                       "hold it there with \"target\": \"initial\", start from a map that "
                       "meets the pins with --init input, or use soft handles",
                       mesh.file(), mesh.input_vertex(pin.vertex), distance, here.x(), here.y()));
-    if (contains(points, pin.vertex))
-      throw Error(ErrorKind::Unsupported, fmt::format("{}: vertex {} is pinned twice; pin it once",
-                                                      mesh.file(), mesh.input_vertex(pin.vertex)));
     // A fixed boundary, a seam or an aligned edge may already say the same, up to rounding.
     const bool held = !seams.empty() || !asked.aligned.empty() ||
                       (asked.boundary == BoundaryCondition::Fixed && on_boundary(mesh, pin.vertex));
     points.push_back({pin.vertex, held ? here : target});
   }
+  require_pinned_once(mesh, asked.pins);
   return points;
 }
 
