@@ -1,105 +1,180 @@
-// What an iteration costs against one factorization and solve: the project's measure of speed.
+// What solving costs in fe (unit_fe.h): one factorization and solve of the same matrix by CHOLMOD,
+// with settings that never change. Pieces of an iteration, and whole runs.
 //
-// For each mesh and degree: the time of assembly (gradient and Hessian, one thread), of
-// factorization + solve for every CHOLMOD variant (best of several), their ratio; for degree 1 also
-// the whole optimization against iterations x the best factorization + solve. Ratios of one run on
-// one machine; absolute times mean little.
+// For each mesh and degree, medians of --repeat, on --threads (1):
+//
+//     unit_ms        1 fe: the cheapest of four variants of CHOLMOD, whose names and milliseconds
+//                    `variants` has (JSON alone)
+//     assembly_fe    gradient and Hessian at the optimum
+//     analysis_fe, factorization_fe, solve_fe    by the library's default solver
+//     iterations, factorizations    of a whole run: these are counts, and always the same
+//     start_fe       the initial map
+//     setup_fe       what is neither start nor iterations: coordinates, problem, analysis
+//     iterations_fe  assembly, factorization, solve and line search of all iterations
+//     total_fe       the three together: from the mesh in memory to the control points in memory.
+//                    Neither reading nor writing nor the final proof
+//     fe_per_iteration    total_fe / iterations
+//     energy, status
+//
+// With one thread seconds are those of the processor, so that others on the machine hardly count;
+// with more they are those of the clock for runs (the unit has one thread always). A run's phases
+// share its seconds as they share its clock time.
 //
 // Sample runs:
 //   build/release/bench/solver_cost ../shared/data/public/disks/*_10000.obj
-//   build/release/bench/solver_cost --degrees 1,2,3 meshes/creature.obj
+//   build/release/bench/solver_cost --degrees 1,2,3 --json meshes/creature.obj
+//   build/release/bench/solver_cost --no-runs --threads 2 --degrees 3 meshes/creature.obj
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <cstring>
-#include <limits>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "bench_problem.h"
 #include "majorant/framework/thread_count.h"
+#include "unit_fe.h"
 
 using namespace majorant;
 
 namespace {
 
-template <class F>
-double best_milliseconds(int repeats, const F& f) {
-  double best = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < repeats; ++k) {
-    const auto start = std::chrono::steady_clock::now();
-    f();
-    best = std::min(
-        best, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-                  .count());
-  }
-  return best;
+struct Arguments {
+  std::vector<std::string> meshes;
+  std::vector<int> degrees{1};
+  int repeat = 5, threads = 1;
+  bool json = false, no_runs = false;
+};
+
+double wall_seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-struct Variant {
-  const char* name;
-  Factorization factorization;
-  Ordering ordering;
-};
-constexpr Variant kVariants[] = {{"supernodal AMD", Factorization::Supernodal, Ordering::Amd},
-                                 {"supernodal METIS", Factorization::Supernodal, Ordering::Metis},
-                                 {"simplicial AMD", Factorization::Simplicial, Ordering::Amd},
-                                 {"simplicial METIS", Factorization::Simplicial, Ordering::Metis},
-                                 {"default", Factorization::Automatic, Ordering::Best}};
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
 
-double report_costs(const BenchProblem& b, const std::string& label) {
+template <class F>
+double median_seconds(const Arguments& asked, const F& f) {
+  std::vector<double> seconds;
+  for (int k = 0; k < asked.repeat; ++k) {
+    const auto now = asked.threads == 1 ? cpu_seconds : wall_seconds;
+    const double started = now();
+    f();
+    seconds.push_back(now() - started);
+  }
+  return median(seconds);
+}
+
+// Pieces of one iteration; the unit in seconds.
+double measure_pieces(const BenchProblem& b, const Arguments& asked, nlohmann::ordered_json& row) {
   Evaluator evaluator(b.problem);
   const Vec y = b.problem.reduce(b.x);
   Vec g, h, p;
-  const double assembly =
-      best_milliseconds(9, [&] { evaluator.linearize(y, Curvature::Projected, g, h); });
-  std::string line = fmt::format("| {} | {} | {:.2f} |", label, b.problem.size(), assembly);
-  double best = std::numeric_limits<double>::infinity();
-  for (const Variant& v : kVariants) {
-    const auto solver = make_cholmod_solver(v.factorization, v.ordering);
-    solver->analyze(b.problem.pattern());
-    const double ms = best_milliseconds(5, [&] {
-      solver->factorize(h, 0.0);
-      solver->solve(g, p);
-    });
-    best = std::min(best, ms);
-    line += fmt::format(" {:.2f} |", ms);
+  evaluator.linearize(y, Curvature::Projected, g, h);
+  const UnitFe unit = measure_unit_fe(b.problem.pattern(), h, g, asked.repeat);
+  const auto fe = [&](double seconds) { return seconds / unit.seconds; };
+  row["unknowns"] = b.problem.size();
+  row["unit_ms"] = 1e3 * unit.seconds;
+  for (const UnitFe::Variant& v : unit.variants) row["variants"][v.name] = 1e3 * v.seconds;
+  row["assembly_fe"] =
+      fe(median_seconds(asked, [&] { evaluator.linearize(y, Curvature::Projected, g, h); }));
+  const auto solver = NewtonOptions().linear_solver();
+  row["analysis_fe"] = fe(median_seconds(asked, [&] { solver->analyze(b.problem.pattern()); }));
+  solver->factorize(h, 0.0);
+  row["factorization_fe"] = fe(median_seconds(asked, [&] { solver->factorize(h, 0.0); }));
+  row["solve_fe"] = fe(median_seconds(asked, [&] { solver->solve(g, p); }));
+  row["solver"] = solver->description();
+  return unit.seconds;
+}
+
+struct Phases {
+  double start = 0, setup = 0, iterations = 0, total = 0;
+};
+
+// In seconds; the last run's result.
+Phases time_run(const BenchProblem& b, const ParametrizationOptions& options,
+                ParametrizationResult& result, std::vector<TraceEntry>& trace) {
+  RunRecord record;
+  const double cpu = cpu_seconds(), wall = wall_seconds();
+  result = parametrize(b.mesh, options, record);
+  const double all = wall_seconds() - wall, counted = all - result.measure_seconds;
+  trace = record.trace();
+  Phases p;
+  p.start = result.initialize_seconds;
+  for (const TraceEntry& entry : trace) {
+    const IterationRecord::Seconds& s = entry.record.seconds;
+    p.iterations += s.assemble + s.factorize + s.solve + s.line_search;
   }
-  fmt::print("{} {:.3f} |", line, assembly / best);
-  return best;
+  p.setup = counted - p.start - p.iterations;
+  p.total = counted;
+  const double factor = options.solve.threads == 1 ? (cpu_seconds() - cpu) / all : 1.0;
+  return {factor * p.start, factor * p.setup, factor * p.iterations, factor * p.total};
+}
+
+void measure_runs(const BenchProblem& b, int degree, const Arguments& asked, double unit,
+                  nlohmann::ordered_json& row) {
+  ParametrizationOptions options;
+  options.map.degree = degree;
+  options.solve.threads = asked.threads;
+  ParametrizationResult result;
+  std::vector<TraceEntry> trace;
+  std::vector<Phases> runs;
+  for (int k = 0; k < asked.repeat; ++k) runs.push_back(time_run(b, options, result, trace));
+  std::sort(runs.begin(), runs.end(),
+            [](const Phases& a, const Phases& c) { return a.total < c.total; });
+  const Phases& middle = runs[runs.size() / 2];
+  row["iterations"] = trace.size();
+  row["start_fe"] = middle.start / unit;
+  row["setup_fe"] = middle.setup / unit;
+  row["iterations_fe"] = middle.iterations / unit;
+  row["total_fe"] = middle.total / unit;
+  row["fe_per_iteration"] = middle.total / unit / std::max(1.0, static_cast<double>(trace.size()));
+  row["energy"] = result.value_quadrature;
+  row["status"] = status_name(result.status);
+}
+
+void print_markdown(const nlohmann::ordered_json& row, bool first) {
+  std::string head = "|", rule = "|", line = "|";
+  for (const auto& [key, value] : row.items()) {
+    if (key == "variants" || key == "solver") continue;
+    head += " " + key + " |";
+    rule += "---|";
+    line += value.is_number_float() && key != "energy"
+                ? fmt::format(" {:.3f} |", value.get<double>())
+                : fmt::format(" {} |", value.is_string() ? value.get<std::string>() : value.dump());
+  }
+  if (first) fmt::print("{}\n{}\n", head, rule);
+  fmt::print("{}\n", line);
+  std::fflush(stdout);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const ThreadCount one(1);
-  std::vector<int> degrees{1};
-  fmt::print("| mesh, degree | unknowns | assembly ms |");
-  for (const Variant& v : kVariants) fmt::print(" {} ms |", v.name);
-  fmt::print(" assembly / best | iterations | optimize ms | optimize / (iterations x best) |\n|");
-  for (int k = 0; k < 12; ++k) fmt::print("---|");
-  fmt::print("\n");
-  for (int a = 1; a < argc; ++a) {
-    if (!std::strcmp(argv[a], "--degrees") && a + 1 < argc) {
-      degrees.clear();
-      for (const char* c = argv[++a]; *c; ++c)
-        if (*c != ',') degrees.push_back(*c - '0');
-      continue;
-    }
-    const std::string path = argv[a], name = path.substr(path.rfind('/') + 1);
-    for (const int degree : degrees) {
+  Arguments asked;
+  CLI::App app("What solving costs, in factorizations by CHOLMOD");
+  app.add_option("meshes", asked.meshes)->required();
+  app.add_option("--degrees", asked.degrees)->delimiter(',');
+  app.add_option("--repeat", asked.repeat)->check(CLI::PositiveNumber);
+  app.add_option("--threads", asked.threads)->check(CLI::PositiveNumber);
+  app.add_flag("--json", asked.json, "an array of rows, all figures unrounded");
+  app.add_flag("--no-runs", asked.no_runs, "pieces of an iteration alone");
+  CLI11_PARSE(app, argc, argv);
+  const ThreadCount threads(asked.threads);
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (const std::string& path : asked.meshes)
+    for (const int degree : asked.degrees) {
       const BenchProblem b(path, degree);
-      const double best = report_costs(b, fmt::format("{}, {}", name, degree));
-      if (degree > 1) {
-        fmt::print(" | | |\n");
-        continue;
-      }
-      ParametrizationOptions options;
-      options.map.degree = degree;
-      RunRecord record;
-      const ParametrizationResult r = parametrize(b.mesh, options, record);
-      const double ms = 1e3 * r.optimize_seconds, n = static_cast<double>(record.trace().size());
-      fmt::print(" {} | {:.1f} | {:.2f} |\n", n, ms, ms / (n * best));
+      nlohmann::ordered_json row{{"mesh", path.substr(path.rfind('/') + 1)}, {"degree", degree}};
+      const double unit = measure_pieces(b, asked, row);
+      if (!asked.no_runs) measure_runs(b, degree, asked, unit, row);
+      if (!asked.json) print_markdown(row, rows.empty());
+      rows.push_back(std::move(row));
     }
-    std::fflush(stdout);
-  }
+  if (asked.json) fmt::print("{}\n", rows.dump(2));
 }

@@ -1,0 +1,176 @@
+#include "unit_fe.h"
+
+#include <cholmod.h>
+#include <omp.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <vector>
+
+extern "C" void openblas_set_num_threads(int);
+extern "C" int openblas_get_num_threads(void);
+
+namespace majorant {
+namespace {
+
+class SingleThreaded {
+ public:
+  SingleThreaded() : levels_(omp_get_max_active_levels()), blas_(openblas_get_num_threads()) {
+    omp_set_max_active_levels(0);
+    openblas_set_num_threads(1);
+  }
+  ~SingleThreaded() {
+    omp_set_max_active_levels(levels_);
+    openblas_set_num_threads(blas_);
+  }
+  SingleThreaded(const SingleThreaded&) = delete;
+  SingleThreaded& operator=(const SingleThreaded&) = delete;
+
+ private:
+  int levels_, blas_;
+};
+
+cholmod_sparse lower_triangle(Index size, const std::vector<Index>& starts,
+                              const std::vector<Index>& rows, const double* values) {
+  cholmod_sparse m{};
+  m.nrow = m.ncol = at(size);
+  m.nzmax = rows.size();
+  m.p = const_cast<Index*>(starts.data());
+  m.i = const_cast<Index*>(rows.data());
+  m.x = const_cast<double*>(values);
+  m.stype = -1;
+  m.itype = CHOLMOD_INT;
+  m.xtype = values ? CHOLMOD_REAL : CHOLMOD_PATTERN;
+  m.dtype = CHOLMOD_DOUBLE;
+  m.sorted = m.packed = 1;
+  return m;
+}
+
+// The graph whose nodes are the pattern's blocks.
+void block_graph(const SparsePattern& p, std::vector<Index>& starts, std::vector<Index>& rows) {
+  std::vector<std::vector<Index>> lower(at(p.block_of.back()) + 1);
+  for (Index c = 0; c < p.size; ++c)
+    for (Index k = p.column_starts[at(c)]; k < p.column_starts[at(c) + 1]; ++k) {
+      const Index a = p.block_of[at(c)], b = p.block_of[at(p.rows[at(k)])];
+      if (a != b) lower[at(std::min(a, b))].push_back(std::max(a, b));
+    }
+  starts.assign(1, 0);
+  for (auto& column : lower) {
+    std::sort(column.begin(), column.end());
+    column.erase(std::unique(column.begin(), column.end()), column.end());
+    rows.insert(rows.end(), column.begin(), column.end());
+    starts.push_back(static_cast<Index>(rows.size()));
+  }
+}
+
+// Unknowns in the order of their blocks.
+std::vector<Index> lift(const std::vector<Index>& order, const SparsePattern& p) {
+  std::vector<Index> position(order.size()), permutation(at(p.size));
+  for (std::size_t k = 0; k < order.size(); ++k) position[at(order[k])] = static_cast<Index>(k);
+  for (Index i = 0; i < p.size; ++i) permutation[at(i)] = i;
+  std::stable_sort(permutation.begin(), permutation.end(), [&](Index a, Index b) {
+    return position[at(p.block_of[at(a)])] < position[at(p.block_of[at(b)])];
+  });
+  return permutation;
+}
+
+double median(std::vector<double> values) {
+  std::nth_element(values.begin(), values.begin() + static_cast<long>(values.size() / 2),
+                   values.end());
+  return values[values.size() / 2];
+}
+
+class Reference {
+ public:
+  explicit Reference(int supernodal) {
+    cholmod_start(&common_);
+    common_.print = 0;
+    common_.error_handler = nullptr;
+    common_.quick_return_if_not_posdef = 1;
+    common_.supernodal = supernodal;
+    common_.final_ll = 1;
+  }
+  ~Reference() {
+    cholmod_free_factor(&factor_, &common_);
+    cholmod_free_dense(&solution_, &common_);
+    cholmod_free_dense(&work_y_, &common_);
+    cholmod_free_dense(&work_e_, &common_);
+    cholmod_finish(&common_);
+  }
+  Reference(const Reference&) = delete;
+  Reference& operator=(const Reference&) = delete;
+
+  void analyze(const SparsePattern& pattern, int ordering) {
+    std::vector<Index> starts, rows;
+    block_graph(pattern, starts, rows);
+    std::vector<Index> order(starts.size() - 1);
+    cholmod_sparse graph = lower_triangle(static_cast<Index>(order.size()), starts, rows, nullptr);
+    const int ordered = ordering == CHOLMOD_AMD
+                            ? cholmod_amd(&graph, nullptr, 0, order.data(), &common_)
+                            : cholmod_metis(&graph, nullptr, 0, 1, order.data(), &common_);
+    if (!ordered) throw std::runtime_error("unit fe: no ordering");
+    common_.nmethods = 1;
+    common_.method[0].ordering = CHOLMOD_GIVEN;
+    common_.postorder = 1;
+    cholmod_sparse matrix =
+        lower_triangle(pattern.size, pattern.column_starts, pattern.rows, nullptr);
+    factor_ = cholmod_analyze_p(&matrix, lift(order, pattern).data(), nullptr, 0, &common_);
+    if (!factor_) throw std::runtime_error("unit fe: no analysis");
+  }
+
+  void factorize_and_solve(const SparsePattern& pattern, const Vec& values, const Vec& rhs) {
+    cholmod_sparse matrix =
+        lower_triangle(pattern.size, pattern.column_starts, pattern.rows, values.data());
+    double beta[2] = {0, 0};
+    {
+      const SingleThreaded alone;
+      cholmod_factorize_p(&matrix, beta, nullptr, 0, factor_, &common_);
+    }
+    if (common_.status != CHOLMOD_OK) throw std::runtime_error("unit fe: no factorization");
+    cholmod_dense b{};
+    b.nrow = b.d = b.nzmax = at(pattern.size);
+    b.ncol = 1;
+    b.x = const_cast<double*>(rhs.data());
+    b.xtype = CHOLMOD_REAL;
+    b.dtype = CHOLMOD_DOUBLE;
+    const SingleThreaded alone;
+    if (!cholmod_solve2(CHOLMOD_A, factor_, &b, nullptr, &solution_, nullptr, &work_y_, &work_e_,
+                        &common_))
+      throw std::runtime_error("unit fe: no solution");
+  }
+
+ private:
+  cholmod_common common_{};
+  cholmod_factor* factor_ = nullptr;
+  cholmod_dense *solution_ = nullptr, *work_y_ = nullptr, *work_e_ = nullptr;
+};
+
+}  // namespace
+
+UnitFe measure_unit_fe(const SparsePattern& pattern, const Vec& values, const Vec& rhs,
+                       int repeats) {
+  const struct {
+    const char* name;
+    int supernodal, ordering;
+  } kinds[] = {{"supernodal AMD", CHOLMOD_SUPERNODAL, CHOLMOD_AMD},
+               {"supernodal METIS", CHOLMOD_SUPERNODAL, CHOLMOD_METIS},
+               {"simplicial AMD", CHOLMOD_SIMPLICIAL, CHOLMOD_AMD},
+               {"simplicial METIS", CHOLMOD_SIMPLICIAL, CHOLMOD_METIS}};
+  UnitFe unit;
+  for (std::size_t k = 0; k < unit.variants.size(); ++k) {
+    Reference reference(kinds[k].supernodal);
+    reference.analyze(pattern, kinds[k].ordering);
+    reference.factorize_and_solve(pattern, values, rhs);  // allocates
+    std::vector<double> seconds;
+    for (int repeat = 0; repeat < repeats; ++repeat) {
+      const double started = cpu_seconds();
+      reference.factorize_and_solve(pattern, values, rhs);
+      seconds.push_back(cpu_seconds() - started);
+    }
+    unit.variants[k] = {kinds[k].name, median(seconds)};
+    if (k == 0 || unit.variants[k].seconds < unit.seconds) unit.seconds = unit.variants[k].seconds;
+  }
+  return unit;
+}
+
+}  // namespace majorant
