@@ -4,10 +4,11 @@
 // For each mesh and degree, medians of --repeat, on --threads (1):
 //
 //     unit_ms        1 fe: the cheapest of four variants of CHOLMOD, whose names and milliseconds
-//                    `variants` has (JSON alone)
+//                    `variants` has (JSON alone; null: left out, they could not be the cheapest)
 //     assembly_fe    gradient and Hessian at the optimum
 //     analysis_fe, factorization_fe, solve_fe    by the library's default solver
-//     iterations, factorizations    of a whole run: these are counts, and always the same
+//     iterations, factorizations    of a whole run, on the mesh asked for: these are counts, and
+//                    always the same
 //     start_fe       the initial map
 //     setup_fe       what is neither start nor iterations: coordinates, problem, analysis
 //     iterations_fe  assembly, factorization, solve and line search of all iterations
@@ -15,6 +16,9 @@
 //                    Neither reading nor writing nor the final proof
 //     fe_per_iteration    total_fe / iterations
 //     energy, status
+//     reached        the energy of a run to a tolerance of 1e-11, which is not timed
+//     within_fe, within_iterations, within_factorizations    until the energy is at most
+//                    (1 + 1e-4) reached; null where the run ends above that
 //
 // With one thread seconds are those of the processor, so that others on the machine hardly count;
 // with more they are those of the clock for runs (the unit has one thread always). A run's phases
@@ -24,6 +28,7 @@
 //   build/release/bench/solver_cost ../shared/data/public/disks/*_10000.obj
 //   build/release/bench/solver_cost --degrees 1,2,3 --json meshes/creature.obj
 //   build/release/bench/solver_cost --no-runs --threads 2 --degrees 3 meshes/creature.obj
+//   build/release/bench/solver_cost --bijective meshes/creature.obj
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -46,7 +51,7 @@ struct Arguments {
   std::vector<std::string> meshes;
   std::vector<int> degrees{1};
   int repeat = 5, threads = 1;
-  bool json = false, no_runs = false;
+  bool json = false, no_runs = false, bijective = false;
 };
 
 double wall_seconds() {
@@ -93,11 +98,37 @@ double measure_pieces(const BenchProblem& b, const Arguments& asked, nlohmann::o
 }
 
 struct Phases {
-  double start = 0, setup = 0, iterations = 0, total = 0;
+  double start = 0, setup = 0, iterations = 0, total = 0, within = 0;
 };
 
+// Origin: the accuracy that tables compare programs at; the tolerance is what doubles allow.
+constexpr double kWithin = 1e-4, kTight = 1e-11;
+
+// When a run is within kWithin of the energy it is after.
+struct Within {
+  double reached = 0;
+  int row = -1;  // of the trace, from 0; -1: the start is, or no row
+  bool found = false;
+};
+
+Within find_within(const BenchProblem& b, ParametrizationOptions options) {
+  RunRecord record;
+  ParametrizationResult result = parametrize(b.mesh, options, record);
+  options.solve.tolerance = kTight;
+  Within within;
+  within.reached = std::min(result.value_quadrature, parametrize(b.mesh, options).value_quadrature);
+  const double enough = (1 + kWithin) * within.reached;
+  within.found = options.map.degree == 1 && result.initial_value <= enough;
+  for (std::size_t k = 0; k < record.trace().size() && !within.found; ++k) {
+    const TraceEntry& row = record.trace()[k];
+    within.found = row.level == 0 && row.degree == options.map.degree && row.energy <= enough;
+    within.row = static_cast<int>(k);
+  }
+  return within;
+}
+
 // In seconds; the last run's result.
-Phases time_run(const BenchProblem& b, const ParametrizationOptions& options,
+Phases time_run(const BenchProblem& b, const ParametrizationOptions& options, const Within& within,
                 ParametrizationResult& result, std::vector<TraceEntry>& trace) {
   RunRecord record;
   const double cpu = cpu_seconds(), wall = wall_seconds();
@@ -106,14 +137,22 @@ Phases time_run(const BenchProblem& b, const ParametrizationOptions& options,
   trace = record.trace();
   Phases p;
   p.start = result.initialize_seconds;
-  for (const TraceEntry& entry : trace) {
-    const IterationRecord::Seconds& s = entry.record.seconds;
-    p.iterations += s.assemble + s.factorize + s.solve + s.line_search;
-  }
+  for (const TraceEntry& entry : trace)
+    if (entry.level == 0) p.iterations += entry.record.seconds.sum();
   p.setup = counted - p.start - p.iterations;
   p.total = counted;
+  p.within = within.row < 0 ? p.start : trace[at(within.row)].elapsed;
   const double factor = options.solve.threads == 1 ? (cpu_seconds() - cpu) / all : 1.0;
-  return {factor * p.start, factor * p.setup, factor * p.iterations, factor * p.total};
+  return {factor * p.start, factor * p.setup, factor * p.iterations, factor * p.total,
+          factor * p.within};
+}
+
+// On the mesh asked for.
+int factorizations(const std::vector<TraceEntry>& trace) {
+  int sum = 0;
+  for (const TraceEntry& row : trace)
+    if (row.level == 0) sum += row.record.factorizations;
+  return sum;
 }
 
 void measure_runs(const BenchProblem& b, int degree, const Arguments& asked, double unit,
@@ -121,21 +160,36 @@ void measure_runs(const BenchProblem& b, int degree, const Arguments& asked, dou
   ParametrizationOptions options;
   options.map.degree = degree;
   options.solve.threads = asked.threads;
+  if (asked.bijective) options.map.injectivity = MapInjectivity::Global;
   ParametrizationResult result;
   std::vector<TraceEntry> trace;
   std::vector<Phases> runs;
-  for (int k = 0; k < asked.repeat; ++k) runs.push_back(time_run(b, options, result, trace));
+  const Within within = find_within(b, options);
+  for (int k = 0; k < asked.repeat; ++k)
+    runs.push_back(time_run(b, options, within, result, trace));
   std::sort(runs.begin(), runs.end(),
             [](const Phases& a, const Phases& c) { return a.total < c.total; });
   const Phases& middle = runs[runs.size() / 2];
-  row["iterations"] = trace.size();
+  const int iterations = steps_taken(trace);
+  row["iterations"] = iterations;
+  row["factorizations"] = factorizations(trace);
   row["start_fe"] = middle.start / unit;
   row["setup_fe"] = middle.setup / unit;
   row["iterations_fe"] = middle.iterations / unit;
   row["total_fe"] = middle.total / unit;
-  row["fe_per_iteration"] = middle.total / unit / std::max(1.0, static_cast<double>(trace.size()));
+  row["fe_per_iteration"] = middle.total / unit / std::max(1.0, static_cast<double>(iterations));
   row["energy"] = result.value_quadrature;
   row["status"] = status_name(result.status);
+  std::sort(runs.begin(), runs.end(),
+            [](const Phases& a, const Phases& c) { return a.within < c.within; });
+  row["reached"] = within.reached;
+  for (const char* key : {"within_fe", "within_iterations", "within_factorizations"})
+    row[key] = nullptr;
+  if (!within.found) return;
+  trace.resize(at(within.row + 1));
+  row["within_fe"] = runs[runs.size() / 2].within / unit;
+  row["within_iterations"] = steps_taken(trace);
+  row["within_factorizations"] = factorizations(trace);
 }
 
 void print_markdown(const nlohmann::ordered_json& row, bool first) {
@@ -144,7 +198,7 @@ void print_markdown(const nlohmann::ordered_json& row, bool first) {
     if (key == "variants" || key == "solver") continue;
     head += " " + key + " |";
     rule += "---|";
-    line += value.is_number_float() && key != "energy"
+    line += value.is_number_float() && key != "energy" && key != "reached"
                 ? fmt::format(" {:.3f} |", value.get<double>())
                 : fmt::format(" {} |", value.is_string() ? value.get<std::string>() : value.dump());
   }
@@ -163,6 +217,7 @@ int main(int argc, char** argv) {
   app.add_option("--repeat", asked.repeat)->check(CLI::PositiveNumber);
   app.add_option("--threads", asked.threads)->check(CLI::PositiveNumber);
   app.add_flag("--json", asked.json, "an array of rows, all figures unrounded");
+  app.add_flag("--bijective", asked.bijective, "runs without overlaps");
   app.add_flag("--no-runs", asked.no_runs, "pieces of an iteration alone");
   CLI11_PARSE(app, argc, argv);
   const ThreadCount threads(asked.threads);

@@ -25,7 +25,7 @@ inline double cpu_seconds() {
 struct UnitFe {
   struct Variant {
     const char* name;
-    double seconds;  // of the processor; a factorization and a solve, median
+    double seconds;  // of the processor; a factorization and a solve, median; inf: left out
   };
   std::array<Variant, 4> variants;
   double seconds = 0;  // of the cheapest

@@ -259,7 +259,9 @@ class Run {
 
   // What was held by the scaffold, proven once more from the boundary of what is returned.
   void prove_no_overlaps() {
+    const double started = record_.seconds();
     const GlobalInjectivity proof = check_boundary(*result_.map);
+    result_.measure_seconds += record_.seconds() - started;
     if (proof.result == Injectivity::Violated)
       fail("the image overlaps itself" + (proof.reason.empty() ? "" : ": " + proof.reason));
     if (proof.result != Injectivity::Undecided || result_.status != Status::Converged) return;

@@ -94,11 +94,12 @@ class Report(CommandTest):
              'repairs'}
     RESULT = {'degree', 'control_points', 'variables', 'energy', 'value', 'initial_value',
               'value_quadrature', 'max_density', 'sigma_max', 'sigma_min', 'locally_injective',
-              'min_det_bound', 'globally_injective', 'boundary', 'seam_residual', 'constraint_residual'}
-    ITERATION = {'iteration', 'degree', 'phase', 'remedy', 'energy', 'relative_decrease', 'step',
-                 'gradient_norm',
-                 'seconds'}
-    STEP_SECONDS = {'assemble', 'factorize', 'solve', 'line_search'}
+              'min_det_bound', 'globally_injective', 'boundary', 'seam_residual', 'constraint_residual',
+              'factor_solve_seconds'}
+    ITERATION = {'iteration', 'degree', 'level', 'phase', 'outcome', 'remedy', 'energy', 'minimized',
+                 'relative_decrease', 'step', 'gradient_norm', 'curvature', 'factorizations',
+                 'failed_factorizations', 'elapsed', 'seconds'}
+    STEP_SECONDS = {'assemble', 'factorize', 'solve', 'line_search', 'other'}
     SECONDS = {'read', 'initialize', 'optimize', 'write', 'total'}
 
     def test_schema(self):
@@ -166,13 +167,61 @@ class Report(CommandTest):
             rows = list(csv.DictReader(f))
         self.assertEqual(len(rows), len(r['iterations']))
         for row, step in zip(rows, r['iterations']):
-            for name in ('iteration', 'degree', 'energy', 'relative_decrease', 'step',
-                         'gradient_norm'):
+            for name in ('iteration', 'degree', 'level', 'energy', 'minimized', 'relative_decrease',
+                         'step', 'gradient_norm', 'factorizations', 'failed_factorizations',
+                         'elapsed'):
                 self.assertEqual(float(row[name]), step[name], name)
             for name in self.STEP_SECONDS:
                 self.assertEqual(float(row[name]), step['seconds'][name], name)
             self.assertEqual((row['phase'], row['remedy']), ('newton', ''))
             self.assertEqual((step['phase'], step['remedy']), ('newton', None))
+            self.assertEqual((row['outcome'], row['curvature']), (step['outcome'], step['curvature']))
+            self.assertEqual((step['level'], step['minimized']), (0, step['energy']))
+            self.assertEqual(step['outcome'] == 'moved', step['step'] > 0)
+
+    def test_rows_tell_all_the_time(self):
+        """Seconds of rows add up to the time at which each of them ends."""
+        for options in ([], ['--bijective', '--degree', '2'], ['--energy', 'arap', '--boundary', 'fixed']):
+            self.run_ok('parametrize', '--quiet', generated('tube'), '-o', self.path('o.json'), *options)
+            report = json.loads(self.read('o.json'))
+            self.assertGreater(len(report['iterations']), 3)
+            spent = 0
+            for step in report['iterations']:
+                self.assertEqual(set(step['seconds']), self.STEP_SECONDS)
+                self.assertGreaterEqual(min(step['seconds'].values()), 0)
+                spent += sum(step['seconds'].values())
+                self.assertAlmostEqual(step['elapsed'], spent, delta=1e-9)
+                self.assertGreater(step['factorizations'], step['failed_factorizations'])
+            seconds = report['seconds']
+            self.assertLess(seconds['read'] + seconds['initialize'],
+                            report['iterations'][0]['seconds']['other'])
+            self.assertLess(spent, seconds['total'])
+
+    def test_the_step_that_is_not_taken(self):
+        self.run_ok('parametrize', '--quiet', generated('tube'), '-o', self.path('o.json'),
+                    '--degree', '1', '--tolerance', '1e-13')
+        *_, before, last = json.loads(self.read('o.json'))['iterations']
+        self.assertEqual((before['outcome'], last['outcome']), ('moved', 'at-minimum'))
+        self.assertEqual((last['step'], last['energy']), (0, before['energy']))
+        self.assertGreater(last['factorizations'], 0)
+
+    def test_what_a_factorization_costs(self):
+        """Known from the run, measured after runs without one, null where nothing is to be solved."""
+        def cost(*options, code=0):
+            self.run_ok('parametrize', '--quiet', '--force', *options, '-o', self.path('o.json'), code=code)
+            report = json.loads(self.read('o.json'))
+            return report['result']['factor_solve_seconds'], report['iterations']
+
+        seconds, steps = cost(generated('tube'), '--degree', '2')
+        last = [s['seconds'] for s in steps if s['degree'] == 2]
+        self.assertLessEqual(seconds, max(s['factorize'] + s['solve'] for s in last))
+        self.assertGreater(seconds, 0)
+        for options in ([], ['--degree', '2', '--bijective']):
+            seconds, steps = cost(generated('tube'), '--max-iterations', '0', *options, code=LIMIT)
+            self.assertEqual(steps, [])
+            self.assertGreater(seconds, 0)
+        triangle = self.write('t.obj', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n')
+        self.assertEqual(cost(triangle, '--degree', '1', '--boundary', 'fixed'), (None, []))
 
     def test_what_a_run_went_through(self):
         """Remedies, phases and the scaffold's time, where there is something to say of them."""

@@ -1,4 +1,4 @@
-// A remedy is noted with the iteration after it, and with no other.
+// Rows of the trace: numbers, times, remedies; what is counted and measured from them.
 #include "majorant/framework/run_record.h"
 
 #include <gtest/gtest.h>
@@ -24,6 +24,68 @@ TEST(RunRecord, ForgetsARemedyThatNoIterationFollowed) {
   record.mark(Remedy::Deepen);
   record.forget_mark();
   EXPECT_EQ(noted(record), std::nullopt);
+}
+
+TraceEntry row_of(int level, StepResult::Outcome outcome = StepResult::Outcome::Moved) {
+  TraceEntry row;
+  row.level = level;
+  row.outcome = outcome;
+  return row;
+}
+
+TEST(RunRecord, RowsAddUpToTheTime) {
+  RunRecord record;
+  for (int k = 0; k < 4; ++k) {
+    TraceEntry row = row_of(0);
+    if (k == 2) row.record.seconds.factorize = 1e3;  // longer than it can have been
+    row.record.seconds.solve += 1e-9;
+    record.note(row);
+  }
+  const auto& trace = record.trace();
+  double spent = 0;
+  for (std::size_t k = 0; k < trace.size(); ++k) {
+    EXPECT_EQ(trace[k].record.iteration, static_cast<int>(k) + 1);
+    EXPECT_GE(trace[k].other_seconds, 0);
+    EXPECT_GE(trace[k].elapsed, k > 0 ? trace[k - 1].elapsed : 0);
+    spent += trace[k].other_seconds + trace[k].record.seconds.sum();
+    if (k < 2) {
+      EXPECT_NEAR(trace[k].elapsed, spent, 1e-9);
+    }
+  }
+  EXPECT_EQ(trace[2].other_seconds, 0);
+}
+
+TEST(RunRecord, CoarserMeshesDoNotUseUpIterations) {
+  RunRecord record(1e9, 3);
+  record.observer(1, 2)({}, {});
+  EXPECT_EQ(record.trace().back().level, 2);
+  EXPECT_EQ(record.iterations_left(), 3);
+  record.note(row_of(0, StepResult::Outcome::Blocked));
+  EXPECT_EQ(record.iterations_left(), 2);
+  record.note(row_of(0));
+  EXPECT_EQ(steps_taken(record.trace()), 1);
+}
+
+TEST(Trace, WhatAFactorizationCostsIsTheMedianAtOneDegree) {
+  std::vector<TraceEntry> trace;
+  const auto add = [&](int degree, int level, int tried, int failed, double seconds) {
+    TraceEntry row = row_of(level);
+    row.degree = degree;
+    row.record.factorizations = tried;
+    row.record.failed_factorizations = failed;
+    row.record.seconds.factorize = seconds;
+    row.record.seconds.solve = 0.5;
+    trace.push_back(row);
+  };
+  add(2, 0, 0, 0, 0);      // a kept factor
+  add(2, 0, 2, 2, 100);    // nothing that solves
+  add(1, 0, 1, 0, 1000);   // another degree
+  add(2, 1, 1, 0, 10000);  // another mesh
+  EXPECT_EQ(factor_solve_seconds(trace, 2), std::nullopt);
+  add(2, 0, 1, 0, 1);
+  add(2, 0, 2, 1, 6);
+  add(2, 0, 1, 0, 9);
+  EXPECT_EQ(factor_solve_seconds(trace, 2), 3.5);
 }
 
 }  // namespace

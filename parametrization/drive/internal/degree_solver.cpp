@@ -126,7 +126,7 @@ DegreeSolver::Iteration DegreeSolver::iterate(SolveResult& result, double& energ
     result.iterations.push_back(own);
   }
   own.energy = result.energy;
-  it.directive = note(own, it.step.outcome, rows);
+  if (result.y.size() > 0) it.directive = note(own, it.step.outcome, rows);
   DomainChange change = domain_.after_step(x_, it.step, input());
   if (change == DomainChange::Structure || (!moved && change == DomainChange::Values))
     it.since = StoppingTest::Since::ProblemChanged;
