@@ -1,5 +1,6 @@
 #include "majorant/parametrization/starts/multiresolution.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <ctime>
@@ -18,7 +19,14 @@
 namespace majorant {
 namespace {
 
-struct CpuWatch { double t = double(std::clock()); double restart() { double n = double(std::clock()), d = (n - t) / CLOCKS_PER_SEC; t = n; return d; } };
+struct CpuWatch {
+  double t = double(std::clock());
+  double restart() {
+    double n = double(std::clock()), d = (n - t) / CLOCKS_PER_SEC;
+    t = n;
+    return d;
+  }
+};
 
 // Of the radius: points of two circles with the same spacing, computed from sums of other edges.
 // Origin: far above rounding, far below the distance that another spacing makes.
