@@ -1,12 +1,12 @@
 #include "majorant/parametrization/starts/multiresolution.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <ctime>
 #include <memory>
 #include <utility>
 
-#include "majorant/framework/internal/stopwatch.h"
 #include "majorant/framework/newton.h"
 #include "majorant/parametrization/maps/map_problem.h"
 #include "majorant/parametrization/starts/internal/decimation.h"
@@ -18,7 +18,17 @@
 namespace majorant {
 namespace {
 
-struct CpuWatch { double t = double(std::clock()); double restart() { double n = double(std::clock()), d = (n - t) / CLOCKS_PER_SEC; t = n; return d; } };
+// CPU seconds of the process: what measurements on a busy machine can compare.
+class CpuWatch {
+ public:
+  double restart() {
+    const std::clock_t now = std::clock();
+    return static_cast<double>(now - std::exchange(started_, now)) / CLOCKS_PER_SEC;
+  }
+
+ private:
+  std::clock_t started_ = std::clock();
+};
 
 // Of the radius: points of two circles with the same spacing, computed from sums of other edges.
 // Origin: far above rounding, far below the distance that another spacing makes.

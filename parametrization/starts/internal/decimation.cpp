@@ -1,5 +1,6 @@
 #include "majorant/parametrization/starts/internal/decimation.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -34,7 +35,7 @@ class Decimation {
              const StopCheck& stop)
       : mesh_(mesh), positions_(positions), goal_(goal), stop_(stop) {
     for (Index v = 0; v < mesh.vertex_count(); ++v)
-      if (goal.held.empty() || !goal.held[at(v)]) free_.push_back(v);
+      if (mesh.is_present(v) && (goal.held.empty() || !goal.held[at(v)])) free_.push_back(v);
     last_change_.assign(at(mesh.vertex_count()), -1);
   }
 

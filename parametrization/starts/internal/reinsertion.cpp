@@ -1,5 +1,6 @@
 #include "majorant/parametrization/starts/internal/reinsertion.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <complex>

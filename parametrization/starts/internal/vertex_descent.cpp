@@ -1,5 +1,6 @@
 #include "majorant/parametrization/starts/internal/vertex_descent.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -57,7 +58,7 @@ VertexDescent::VertexDescent(const CollapsingMesh& mesh, const Points3& position
 
 void VertexDescent::measure(Index f) {
   const auto corner = [&](int k) -> Vector3 { return positions_.row(mesh_.from(3 * f + k)); };
-  const Vector3 origin = corner(0), e1 = corner(1) - origin, e2 = corner(2) - origin;
+  const Vector3 origin = corner(2), e1 = corner(0) - origin, e2 = corner(1) - origin;
   const double length = e1.norm(), dot = e1.dot(e2), area = e1.cross(e2).norm();
   shape_[at(f)] = {1 / length, -dot / (length * area), length / area, weight_of(f) * area / 2};
 }
@@ -89,7 +90,7 @@ void VertexDescent::gather(Index v) {
     if (rows_.size() < start + S::Rows * S::stride) rows_.resize(start + S::Rows * S::stride);
     double* row = rows_.data() + start + p;
     const Shape& s = shape_[at(face_of(h))];
-    const double gx[3] = {-s.g1x, s.g1x, 0}, gy[3] = {-s.g1y - s.g2y, s.g1y, s.g2y};
+    const double gx[3] = {s.g0x, 0, -s.g0x}, gy[3] = {s.g0y, s.g1y, -s.g0y - s.g1y};
     const Index a = next(h), b = previous(h);
     row[S::GaX * S::stride] = gx[corner_of(a)];
     row[S::GaY * S::stride] = gy[corner_of(a)];

@@ -44,10 +44,10 @@ class VertexDescent {
   void put(Index v, const Vector2& p) { uv_.segment<2>(2 * v) = p; }
 
  private:
-  // Gradients of the hat functions of corners 1 and 2 in a frame with corner 1 on its first axis:
-  // (g1x, g1y) and (0, g2y); area times face weight.
+  // Gradients of the hat functions of corners 0 and 1 in the frame of flat_triangles(), corner 0 on
+  // its first axis as seen from corner 2: (g0x, g0y) and (0, g1y); area times face weight.
   struct Shape {
-    double g1x, g1y, g2y, weight;
+    double g0x, g0y, g1y, weight;
   };
   void measure(Index face);
   void gather(Index v);

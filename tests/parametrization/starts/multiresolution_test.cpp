@@ -1,0 +1,168 @@
+// The start in many resolutions: injective, close to the minimum, the same whatever runs it.
+#include "majorant/parametrization/starts/multiresolution.h"
+
+#include "counted_stop.h"
+#include "majorant/constraints/local_injectivity.h"
+#include "majorant/framework/newton.h"
+#include "majorant/framework/thread_count.h"
+#include "majorant/parametrization/maps/map_problem.h"
+#include "majorant/parametrization/maps/measure.h"
+#include "majorant/parametrization/starts/tutte.h"
+#include "mesh/obj_file.h"
+#include "mesh/test_meshes.h"
+
+namespace majorant {
+namespace {
+
+double energy_of(const std::shared_ptr<const SurfaceMesh>& mesh, const MapObjective& asked,
+                 const Vec& uv) {
+  MapSpecification spec;
+  static_cast<MapObjective&>(spec) = asked;
+  spec.rest = flat_triangles(mesh->positions(), mesh->faces());
+  const auto space =
+      std::make_shared<const BezierTriangleSpace>(mesh->faces(), mesh->vertex_count(), 1);
+  return energy_by_face(spec, energy_terms(spec, space, {lattice_rule(1)}), {}, uv).sum() /
+         spec.rest.measure.sum();
+}
+
+void expect_injective(const std::shared_ptr<const SurfaceMesh>& mesh, const Vec& uv) {
+  ASSERT_EQ(uv.size(), 2 * mesh->vertex_count());
+  const BezierMap map = BezierMap::linear(mesh, uv);
+  EXPECT_TRUE(
+      LocalInjectivity(map.shared_space(), Vec::Ones(mesh->face_count())).check(uv).feasible);
+  EXPECT_TRUE(AngleSums(map.shared_space(), AngleSums::Vertices::Interior).check(uv).feasible);
+}
+
+// The minimum, by Newton's method from `start`.
+double minimum(const std::shared_ptr<const SurfaceMesh>& mesh, const MapObjective& asked,
+               const Vec& start) {
+  MapSpecification spec;
+  static_cast<MapObjective&>(spec) = asked;
+  spec.rest = flat_triangles(mesh->positions(), mesh->faces());
+  const auto space =
+      std::make_shared<const BezierTriangleSpace>(mesh->faces(), mesh->vertex_count(), 1);
+  const Problem problem =
+      map_problem(spec, space, start, energy_terms(spec, space, {lattice_rule(1)}),
+                  std::make_shared<const LocalInjectivity>(space, 2 * spec.rest.measure))
+          .problem;
+  return NewtonMinimizer().minimize(problem, problem.reduce(start), {}).energy;
+}
+
+// The coarsest mesh is small enough for the meshes of tests to have levels.
+MultiresolutionRules small() {
+  MultiresolutionRules rules;
+  rules.coarsest = 60;
+  return rules;
+}
+
+TEST(Multiresolution, StartsNearTheMinimum) {
+  for (const char* name : {"cap", "creature", "ribbon", "tube", "wavy_disk"}) {
+    SCOPED_TRACE(name);
+    const auto mesh = generated(name);
+    MultiresolutionRecord record;
+    const auto uv = multiresolution_map(*mesh, {}, {}, small(), &record);
+    ASSERT_TRUE(uv);
+    EXPECT_GE(record.levels.size(), 2u);
+    expect_injective(mesh, *uv);
+    const double energy = energy_of(mesh, {}, *uv);
+    EXPECT_LT(energy, 1.1 * minimum(mesh, {}, *uv));
+    EXPECT_LT(energy, energy_of(mesh, {}, tutte_map(*mesh)));
+  }
+}
+
+TEST(Multiresolution, HasHoles) {
+  PolygonMesh plain = grid(20, bumpy);
+  for (const std::size_t f : {620u, 300u, 180u})
+    plain.polygons.erase(plain.polygons.begin() + static_cast<std::ptrdiff_t>(f));
+  plain.polygon_lines.resize(plain.polygons.size());
+  const auto mesh = surface(plain);
+  ASSERT_EQ(mesh->boundary_loops().size(), 4u);
+  const auto uv = multiresolution_map(*mesh, {}, {}, small());
+  ASSERT_TRUE(uv);
+  expect_injective(mesh, *uv);
+  EXPECT_LT(energy_of(mesh, {}, *uv), 1.02 * minimum(mesh, {}, *uv));
+}
+
+TEST(Multiresolution, KeepsAFixedBoundaryWhereTutteHasIt) {
+  const auto mesh = surface(grid(24, bumpy));
+  MapObjective asked;
+  asked.boundary = BoundaryCondition::Fixed;
+  const auto uv = multiresolution_map(*mesh, asked, {}, small());
+  ASSERT_TRUE(uv);
+  expect_injective(mesh, *uv);
+  const Vec tutte = tutte_map(*mesh);
+  for (const Index v : mesh->boundary_loops().front())
+    EXPECT_EQ(Vector2(uv->segment<2>(2 * v)), Vector2(tutte.segment<2>(2 * v)));
+  EXPECT_LT(energy_of(mesh, asked, *uv), 1.02 * minimum(mesh, asked, tutte));
+}
+
+// A surface whose left half counts a thousandfold: the levels must know, or be far off.
+TEST(Multiresolution, KnowsFaceWeights) {
+  const auto mesh = surface(grid(24, bumpy));
+  MapObjective asked;
+  asked.face_weight.resize(mesh->face_count());
+  for (Index f = 0; f < mesh->face_count(); ++f)
+    asked.face_weight[f] = mesh->positions()(mesh->faces()(f, 0), 0) < 0.5 ? 1000 : 1;
+  const auto uv = multiresolution_map(*mesh, asked, {}, small());
+  ASSERT_TRUE(uv);
+  const double least = minimum(mesh, asked, *uv);
+  EXPECT_LT(energy_of(mesh, asked, *uv), 1.02 * least);
+  const auto unweighted = multiresolution_map(*mesh, {}, {}, small());
+  EXPECT_LT(energy_of(mesh, asked, *uv) - least,
+            0.2 * (energy_of(mesh, asked, *unweighted) - least));
+}
+
+TEST(Multiresolution, TakesEveryEnergyWithABarrier) {
+  const auto mesh = surface(grid(20, bumpy));
+  for (const NamedEnergy& energy : named_energies()) {
+    SCOPED_TRACE(energy.name);
+    MapObjective asked;
+    asked.energy = {{energy.make, 1.0}};
+    const auto uv = multiresolution_map(*mesh, asked, {}, small());
+    ASSERT_EQ(uv.has_value(), energy.make.traits().barrier != Barrier::None);
+    if (!uv) continue;
+    expect_injective(mesh, *uv);
+    const double least = minimum(mesh, asked, *uv);
+    EXPECT_LT(energy_of(mesh, asked, *uv), least + 0.05 * std::abs(least));
+  }
+}
+
+TEST(Multiresolution, IsTheSameWithAnyNumberOfThreadsAndAtAnyScale) {
+  const auto mesh = generated("creature");
+  std::optional<Vec> first;
+  for (const int threads : {1, 3}) {
+    const ThreadCount count(threads);
+    const auto uv = multiresolution_map(*mesh, {}, {}, small());
+    ASSERT_TRUE(uv);
+    EXPECT_EQ(first.value_or(*uv), *uv);
+    first = uv;
+  }
+  PolygonMesh large = obj_file(std::string(MAJORANT_SOURCE_DIR) + "/meshes/creature.obj");
+  for (Vector3& p : large.positions) p *= 1024;
+  EXPECT_EQ(*multiresolution_map(*surface(large), {}, {}, small()), 1024 * *first);
+}
+
+TEST(Multiresolution, SaysWhatItDoesNotKnow) {
+  EXPECT_FALSE(multiresolution_map(*surface(grid(3)), {}));  // too small
+  const auto mesh = surface(grid(20));
+  MapObjective angles;
+  angles.boundary_angles = BoundaryAngles::AtMostFullTurn;
+  EXPECT_FALSE(suits_multiresolution(*mesh, angles));
+  EXPECT_FALSE(multiresolution_map(*mesh, angles, {}, small()));
+  EXPECT_TRUE(suits_multiresolution(*mesh, {}));
+}
+
+TEST(Multiresolution, EndsWhenItIsStopped) {
+  const auto mesh = generated("creature");
+  const CountedStop whole;
+  ASSERT_TRUE(multiresolution_map(*mesh, {}, whole.check(), small()));
+  EXPECT_GT(whole.asked(), 20);
+  for (long last = 1; last < whole.asked(); last += whole.asked() / 7) {
+    const CountedStop stop(last);
+    EXPECT_THROW(multiresolution_map(*mesh, {}, stop.check(), small()), Stopped) << last;
+    EXPECT_LE(stop.asked_after(), 1) << last;
+  }
+}
+
+}  // namespace
+}  // namespace majorant
