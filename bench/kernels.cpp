@@ -52,7 +52,7 @@ void factorize_and_solve(benchmark::State& state) {
   Evaluator evaluator(b.problem);
   Vec g, h, p;
   evaluator.linearize(b.problem.reduce(b.x), Curvature::Projected, g, h);
-  const auto solver = make_cholmod_solver();
+  const auto solver = make_direct_solver();
   solver->analyze(b.problem.pattern());
   for (auto _ : state) {
     benchmark::DoNotOptimize(solver->factorize(h, 0.0));

@@ -112,7 +112,7 @@ Costs newton_costs(const ProblemBuilder& builder, const Vec& x, int steps) {
   const Problem problem = timed(c.build, [&] { return builder.build(); });
   c.colours = ProblemParts::plan(problem, problem.terms().front()).colours().size();
   c.nonzeros = problem.pattern().nonzeros();
-  const auto solver = make_cholmod_solver();
+  const auto solver = make_direct_solver();
   timed(c.analyze, [&] {
     solver->analyze(problem.pattern());
     return 0;
@@ -155,7 +155,7 @@ double report_glued(const SurfaceMesh& mesh, int degree, int steps) {
   const auto term = symmetric_dirichlet()(space, rest, optimizer_ladder(degree, 0).guarded);
   const Problem problem = ProblemBuilder(2 * space->node_count()).add(term, 1.0).build();
   const SparsePattern& pattern = problem.pattern();
-  const auto solver = make_cholmod_solver();
+  const auto solver = make_direct_solver();
   solver->analyze(pattern);
   Vec values = Vec::Constant(pattern.nonzeros(), -1.0), p;
   for (Index j = 0; j < pattern.size; ++j)

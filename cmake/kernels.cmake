@@ -1,5 +1,6 @@
-# Kernels of the built-in densities: compiled for the baseline in named_energies.cpp and, on x86-64,
-# for wider instruction sets from one source each; chosen at run time.
+# Kernels that are compiled for several instruction sets from one source each and chosen at run time:
+# those of the built-in densities (the baseline's are compiled in named_energies.cpp) and those of
+# the sparse factorization.
 set(sets)
 # With sanitizers g++ 12 optimizes these files for many minutes each: the baseline alone, as it is.
 if(CMAKE_CXX_FLAGS MATCHES "fsanitize")
@@ -9,8 +10,30 @@ elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   list(APPEND sets avx2 avx512)
   set(flags_avx2 -mavx2 -mfma)
   set(flags_avx512 -mavx512f -mavx512dq -mavx512bw -mavx512cd -mavx512vl -mfma)
+  set(name_avx2 "AVX2")
+  set(name_avx512 "AVX-512")
   target_compile_definitions(majorant_energies PRIVATE MAJORANT_X86_KERNELS)
+  target_compile_definitions(majorant_framework PRIVATE MAJORANT_X86_KERNELS)
 endif()
+set(name_baseline "baseline")
+foreach(set baseline ${sets})
+  add_library(majorant_front_kernels_${set} OBJECT
+              ${PROJECT_SOURCE_DIR}/framework/kernels/front_kernels.cpp)
+  target_link_libraries(majorant_front_kernels_${set} PRIVATE Eigen3::Eigen
+                                                              XsimdHeaders::XsimdHeaders)
+  target_include_directories(majorant_front_kernels_${set}
+                             PRIVATE ${PROJECT_BINARY_DIR}/include/framework)
+  target_compile_features(majorant_front_kernels_${set} PRIVATE cxx_std_20)
+  target_compile_options(majorant_front_kernels_${set} PRIVATE ${flags_${set}} -Wall -Wextra
+                         $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized -Wno-uninitialized>)
+  target_compile_definitions(majorant_front_kernels_${set}
+                             PRIVATE MAJORANT_KERNEL_NAME=front_kernels_${set}
+                                     MAJORANT_INSTRUCTION_SET="${name_${set}}"
+                                     ${MAJORANT_ABI_DEFINITIONS})
+  set_target_properties(majorant_front_kernels_${set} PROPERTIES POSITION_INDEPENDENT_CODE ON
+                                                                 CXX_EXTENSIONS OFF)
+  target_sources(majorant_framework PRIVATE $<TARGET_OBJECTS:majorant_front_kernels_${set}>)
+endforeach()
 foreach(set ${sets})
   add_library(majorant_kernels_${set} OBJECT
               ${PROJECT_SOURCE_DIR}/energies/kernels/builtin_kernels.cpp)

@@ -37,7 +37,7 @@ struct LbfgsOptions {
   StoppingRules stopping = first_order_rules();
   LineSearchOptions line_search;
   std::function<std::unique_ptr<LinearSolver>()> linear_solver = [] {
-    return make_cholmod_solver();
+    return make_direct_solver();
   };
   StopCheck stop;  // ends a step, as in NewtonOptions
 };

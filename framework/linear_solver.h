@@ -27,15 +27,15 @@ class LinearSolver {
   virtual std::string description() const = 0;
 };
 
-enum class Factorization { Automatic, Supernodal, Simplicial };
-enum class Ordering { Best, Amd, Metis };  // Best: the one with fewer operations
+// Automatic: what costs least over the factorizations of a Newton run, ten and more. Amd: cheaper
+// to find, for one or two.
+enum class Ordering { Automatic, Amd, Metis };
 
-// CHOLMOD [CDHR08], on one thread. Every member throws std::bad_alloc when it runs out of memory.
-// OpenBLAS below it has one number of threads for the whole process: the first factorization of the
-// process sets it to 1, under a lock, and nothing here changes it again. A program that raises it
-// afterwards pays with time, and with bits that may depend on it.
-std::unique_ptr<LinearSolver> make_cholmod_solver(
-    Factorization factorization = Factorization::Automatic, Ordering ordering = Ordering::Best);
+// Multifrontal Cholesky [DR83] of this library, on CHOLMOD's orderings and analysis [CDHR08]: in
+// the widest vector instructions of the machine, on the threads that the caller of analyze() has
+// (thread_count.h). The same bits for any number of them, and on machines with AVX2 and AVX-512.
+// Needs no BLAS. Every member throws std::bad_alloc when it runs out of memory.
+std::unique_ptr<LinearSolver> make_direct_solver(Ordering ordering = Ordering::Automatic);
 
 // Eigen's simplicial L D L^T with the AMD ordering, on one thread: header-only, no BLAS, the oracle
 // of the tests. Not for large matrices, where the supernodal factorization is several times faster.

@@ -25,7 +25,7 @@ struct NewtonOptions {
   StoppingRules stopping;
   LineSearchOptions line_search;
   std::function<std::unique_ptr<LinearSolver>()> linear_solver = [] {
-    return make_cholmod_solver();
+    return make_direct_solver();
   };
   StopCheck stop;  // ends a step between chunks of elements, factorizations, trials
 };

@@ -25,7 +25,7 @@ constexpr double kNoExactTail = 0;
 
 Method newton(
     std::string name, std::string summary, Curvature curvature, double exact_below,
-    SolverFactory linear_solver = [] { return make_cholmod_solver(); }) {
+    SolverFactory linear_solver = [] { return make_direct_solver(); }) {
   const auto obstacle = [curvature](const Contest& c) {
     return c.problem.supports(curvature) ? std::string()
                                          : fmt::format("energy '{}' has no curvature model '{}'",
@@ -117,8 +117,6 @@ std::span<const Method> methods() {
              kNoExactTail),
       newton("newton-exact", "Newton, exact Hessian, shifted where indefinite", Curvature::Exact,
              kNoExactTail),
-      newton("newton-simplicial", "newton with CHOLMOD without supernodes", Curvature::Projected,
-             kExactTail, [] { return make_cholmod_solver(Factorization::Simplicial); }),
       newton("newton-eigen", "newton with Eigen's L D L^T", Curvature::Projected, kExactTail,
              [] { return make_eigen_ldlt_solver(); }),
       {"lbfgs", "L-BFGS, metric: Laplacian", none, make_lbfgs},

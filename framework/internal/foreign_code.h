@@ -2,11 +2,10 @@
 //
 //   const ThreadCount alone(1);         // around anything of CHOLMOD: its own teams of four
 //                                       // slow it down on the matrices here
-//   require_blas();                     // before a factorization
 //   const MetisScope metis;             // around METIS
 //
 // Not public: for .cpp files of solvers. ThreadCount (thread_count.h) and MetisScope leave all as
-// it was; what require_blas() sets stays.
+// it was.
 #pragma once
 
 #include <array>
@@ -14,14 +13,6 @@
 #include <mutex>
 
 namespace majorant {
-
-// The first call of a process, whichever thread makes it, prepares OpenBLAS; others wait for it.
-// From then on OpenBLAS uses one thread: it has one number for all threads of the process, and more
-// only cost time on the blocks of these factors. And its buffer is mapped, to be kept: OpenBLAS
-// maps 128 MiB at the first use and, where the address space is limited (ulimit -v), asks for it
-// again for ever. This asks first. Throws std::bad_alloc; the next call tries again. (A second
-// thread that factorizes at the same time has a second buffer, for which nobody asks first.)
-void require_blas();
 
 // METIS puts its own handlers of SIGTERM and SIGABRT in place, which jump out of it, leaves those
 // it found as one-shot handlers, and seeds rand(). A SIGTERM waits while this lives; handlers and

@@ -1,7 +1,7 @@
 // A factored symmetric positive definite matrix M that first-order methods measure steps with: the
 // Hessian of a Problem at a point, under a curvature model.
 //
-//   Metric metric(problem, Curvature::Projected, make_cholmod_solver());
+//   Metric metric(problem, Curvature::Projected, make_direct_solver());
 //   Vec g, p;
 //   Evaluator(problem).gradient(y0, g);
 //   if (metric.factorize(y0)) metric.solve(-g, p);   // p = -M^-1 g

@@ -44,7 +44,7 @@ class CountingSolver final : public LinearSolver {
 // For NewtonOptions::linear_solver and the like.
 inline std::function<std::unique_ptr<LinearSolver>()> counting(
     std::shared_ptr<SolverCounts> counts) {
-  return [counts] { return std::make_unique<CountingSolver>(make_cholmod_solver(), counts); };
+  return [counts] { return std::make_unique<CountingSolver>(make_direct_solver(), counts); };
 }
 
 // What records say of factorizations, summed.

@@ -1,4 +1,4 @@
-// Eigen's LDLT behind LinearSolver: against dense linear algebra and CHOLMOD; shifts.
+// Eigen's LDLT behind LinearSolver: against dense linear algebra and the multifrontal one; shifts.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -15,19 +15,19 @@ using test::random_matrix;
 
 TEST(EigenLdlt, AgreesWithCholmodOnPositiveDefiniteMatrices) {
   Random random(1);
-  const auto eigen = make_eigen_ldlt_solver(), cholmod = make_cholmod_solver();
+  const auto eigen = make_eigen_ldlt_solver(), direct = make_direct_solver();
   for (const auto& [nodes, block] : {std::pair(1, 1), {2, 1}, {20, 2}, {300, 1}, {150, 2}}) {
     Matrix m = random_matrix(random, nodes, block, 60);
     eigen->analyze(m.pattern);
-    cholmod->analyze(m.pattern);
+    direct->analyze(m.pattern);
     for (int round = 0; round < 2; ++round) {  // other values, same analysis
       ASSERT_EQ(eigen->factorize(m.values, 0), FactorStatus::Ok);
-      ASSERT_EQ(cholmod->factorize(m.values, 0), FactorStatus::Ok);
+      ASSERT_EQ(direct->factorize(m.values, 0), FactorStatus::Ok);
       expect_solves(*eigen, m.dense, random);
       const Vec r = random.vector(m.pattern.size);
       Vec p, q;
       eigen->solve(r, p);
-      cholmod->solve(r, q);
+      direct->solve(r, q);
       EXPECT_LE((p - q).norm(), 1e-12 * q.norm());
       m.values *= -3;
       m.dense *= -3;
@@ -46,7 +46,7 @@ TEST(EigenLdlt, AgreesWithCholmodOnDefiniteness) {
     const Matrix m = random_matrix(random, 40, 2, random.uniform(0, 12));
     const double lowest =
         Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(m.dense).eigenvalues().minCoeff();
-    for (const auto& solver : {make_eigen_ldlt_solver(), make_cholmod_solver()}) {
+    for (const auto& solver : {make_eigen_ldlt_solver(), make_direct_solver()}) {
       solver->analyze(m.pattern);
       EXPECT_EQ(solver->factorize(m.values, 0),
                 lowest > 0 ? FactorStatus::Ok : FactorStatus::NotPositiveDefinite);
@@ -92,7 +92,7 @@ TEST(EigenLdlt, EmptyMatrixAndDescription) {
 
 TEST(FactorizeShifted, TakesTheFirstShiftThatSuffices) {
   Random random(5);
-  for (const auto& solver : {make_eigen_ldlt_solver(), make_cholmod_solver()}) {
+  for (const auto& solver : {make_eigen_ldlt_solver(), make_direct_solver()}) {
     const Matrix m = random_matrix(random, 60, 2, 2);
     const double lowest =
         Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(m.dense).eigenvalues().minCoeff();

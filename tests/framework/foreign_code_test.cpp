@@ -40,7 +40,7 @@ TEST(ForeignCode, HandlersSurviveMetis) {
   sigaddset(&mine.sa_mask, SIGHUP);
   ASSERT_EQ(sigaction(SIGTERM, &mine, nullptr), 0);
   const SparsePattern pattern = path_pattern(2000);
-  make_cholmod_solver(Factorization::Automatic, Ordering::Metis)->analyze(pattern);
+  make_direct_solver(Ordering::Metis)->analyze(pattern);
   struct sigaction after {};
   sigaction(SIGTERM, nullptr, &after);
   EXPECT_EQ(after.sa_handler, mine.sa_handler);
@@ -57,7 +57,7 @@ TEST(ForeignCode, RandomNumbersAreTheProgramsOwn) {
   std::srand(7);
   EXPECT_EQ(std::rand(), first);
   const SparsePattern pattern = path_pattern(2000);
-  make_cholmod_solver(Factorization::Automatic, Ordering::Metis)->analyze(pattern);
+  make_direct_solver(Ordering::Metis)->analyze(pattern);
   EXPECT_EQ(std::rand(), second);
 }
 
@@ -99,27 +99,6 @@ TEST(ForeignCode, OneThreadAtATimeIsInMetis) {
   sigaction(SIGTERM, nullptr, &after);
   EXPECT_EQ(after.sa_handler, mine.sa_handler);
 }
-
-#ifndef __SANITIZE_ADDRESS__  // which needs address space without limits
-
-// 7: the lack of room was noticed.
-[[noreturn]] void ask_for_buffer_without_room() {
-  const rlimit little{1 << 20, 1 << 20};
-  setrlimit(RLIMIT_AS, &little);
-  try {
-    require_blas();
-  } catch (const std::bad_alloc&) {
-    ::_exit(7);
-  }
-  ::_exit(0);
-}
-
-// The buffer is mapped once in a process and kept: in a child, which has none yet.
-TEST(ForeignCode, NoRoomForTheBufferIsAnError) {
-  EXPECT_EXIT(ask_for_buffer_without_room(), testing::ExitedWithCode(7), "");
-}
-
-#endif
 
 }  // namespace
 }  // namespace majorant

@@ -161,7 +161,7 @@ TEST(Lbfgs, ANewMetricStartsANewHistory) {
   const ChainProblem chain(10);
   LbfgsOptions o;
   o.metric_every = 4;
-  Metric metric(chain.problem, Curvature::Projected, make_cholmod_solver());
+  Metric metric(chain.problem, Curvature::Projected, make_direct_solver());
   Evaluator evaluator(chain.problem);
   Vec before = chain.start, g, p;
   int others = 0;

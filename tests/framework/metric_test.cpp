@@ -33,7 +33,7 @@ Eigen::MatrixXd dense_hessian(const Problem& problem, VecIn y, Curvature curvatu
 TEST(Metric, IsTheHessianAtThePointUnderTheCurvature) {
   const test::ChainProblem chain(20);
   Random random(1);
-  for (const auto& make : {make_eigen_ldlt_solver, +[] { return make_cholmod_solver(); }}) {
+  for (const auto& make : {make_eigen_ldlt_solver, +[] { return make_direct_solver(); }}) {
     Metric metric(chain.problem, Curvature::Projected, make());
     for (const double scale : {1.0, 1.5}) {  // refactored at another point
       const Vec y = scale * chain.start;
@@ -51,7 +51,7 @@ TEST(Metric, IsTheHessianAtThePointUnderTheCurvature) {
 
 TEST(Metric, ShiftsIndefiniteHessiansVisibly) {
   const test::ChainProblem chain(20);
-  Metric metric(chain.problem, Curvature::Exact, make_cholmod_solver());
+  Metric metric(chain.problem, Curvature::Exact, make_direct_solver());
   ASSERT_TRUE(metric.factorize(chain.start));
   EXPECT_GT(metric.shift(), 0);
   const Eigen::MatrixXd h = dense_hessian(chain.problem, chain.start, Curvature::Exact);
@@ -69,7 +69,7 @@ TEST(Metric, ShiftsSemidefiniteHessiansByAThousandthOfTheDiagonal) {
   const test::Scalar cubic{[](double t) { return t * t * t / 6; },
                            [](double t) { return t * t / 2; }, [](double t) { return t; }};
   const Problem problem = ProblemBuilder(2).add(std::make_shared<const Chain>(2, cubic), 1).build();
-  Metric metric(problem, Curvature::Exact, make_cholmod_solver());
+  Metric metric(problem, Curvature::Exact, make_direct_solver());
   ASSERT_TRUE(metric.factorize(Vector2(2, 0)));
   EXPECT_NEAR(metric.shift(), 1e-3, 1e-15);
 }
@@ -79,13 +79,13 @@ TEST(Metric, NonFiniteHessiansAreNoMetric) {
                             [](double) { return std::nan(""); }};
   const Problem problem =
       ProblemBuilder(1).add(std::make_shared<const Chain>(1, broken), 1).build();
-  Metric metric(problem, Curvature::Exact, make_cholmod_solver());
+  Metric metric(problem, Curvature::Exact, make_direct_solver());
   EXPECT_FALSE(metric.factorize(Vec::Zero(1)));
 }
 
 TEST(Metric, UnsupportedCurvatureIsRefused) {
   const test::ChainProblem chain(3);
-  EXPECT_THROW(Metric(chain.problem, Curvature::Majorizer, make_cholmod_solver()),
+  EXPECT_THROW(Metric(chain.problem, Curvature::Majorizer, make_direct_solver()),
                std::invalid_argument);
 }
 

@@ -124,7 +124,7 @@ void FlatteningStrain::factorize(const SurfaceMesh& piece, const StopCheck& stop
           values[pattern_->slot(y.unknown, x.unknown)] +=
               x.value * y.value / area_[static_cast<Index>(v)];
   stop.poll();
-  solver_ = make_cholmod_solver(Factorization::Automatic, Ordering::Metis);
+  solver_ = make_direct_solver(Ordering::Metis);
   solver_->analyze(*pattern_);
   if (factorize_shifted(*solver_, *pattern_, values, kSmallestShift, stop).status !=
       FactorStatus::Ok) {

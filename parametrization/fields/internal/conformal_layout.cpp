@@ -117,7 +117,7 @@ void improve(const SurfaceMesh& disk, const Points2& vectors, Points2& positions
   const EdgeLaplacian laplacian(disk.faces(), row_of);
   const Vec weights = vectors.rowwise().squaredNorm().cwiseInverse();
   if (!weights.allFinite()) return;
-  const auto solver = make_cholmod_solver();
+  const auto solver = make_direct_solver();
   solver->analyze(laplacian.pattern());
   if (factorize_shifted(*solver, laplacian.pattern(), laplacian.values(weights)).status !=
       FactorStatus::Ok)

@@ -126,7 +126,7 @@ class ConformalNewton {
 
   void analyze() {
     laplacian_.emplace(triangulation().faces(), row_of_);
-    solver_ = make_cholmod_solver();
+    solver_ = make_direct_solver();
     if (laplacian_->pattern().size > 0) solver_->analyze(laplacian_->pattern());
   }
 

@@ -3,7 +3,7 @@
 //
 //   const std::vector<Index> row_of{-1, 0, 1, 2};                  // vertex 0 is held
 //   EdgeLaplacian laplacian(mesh->faces(), row_of);
-//   auto solver = make_cholmod_solver();
+//   auto solver = make_direct_solver();
 //   solver->analyze(laplacian.pattern());
 //   solver->factorize(laplacian.values(Vec::Ones(3 * mesh->faces().rows())), 0.0);
 #pragma once

@@ -99,8 +99,6 @@ class UnusualSettings {
 };
 
 TEST(ConcurrentSolves, LeaveTheSettingsOfTheProcessAlone) {
-  parametrize(generated("cap"), degree(1));  // the first factorization
-  EXPECT_EQ(openblas_get_num_threads(), 1);
   const UnusualSettings unusual;
   const Settings before, elsewhere = seen_by_another_thread();
   int looked = 0;

@@ -1,0 +1,152 @@
+#include "majorant/framework/internal/front_tree.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "majorant/framework/internal/front_kernels.h"
+
+namespace majorant {
+namespace {
+
+Index padded(Index rows) {
+  return (rows + FrontKernels::kTile - 1) / FrontKernels::kTile * FrontKernels::kTile;
+}
+
+// Unknowns in the order of their blocks; starts: by position of the block, where its begin.
+std::vector<Index> ordered_unknowns(const SparsePattern& pattern, const std::vector<Index>& blocks,
+                                    std::vector<Index>& starts) {
+  std::vector<Index> position(blocks.size());
+  for (std::size_t k = 0; k < blocks.size(); ++k) position[at(blocks[k])] = static_cast<Index>(k);
+  starts.assign(blocks.size() + 1, 0);
+  for (const Index b : pattern.block_of) ++starts[at(position[at(b)]) + 1];
+  for (std::size_t k = 1; k < starts.size(); ++k) starts[k] += starts[k - 1];
+  std::vector<Index> order(at(pattern.size)), next(starts);
+  for (Index i = 0; i < pattern.size; ++i)
+    order[at(next[at(position[at(pattern.block_of[at(i)])])]++)] = i;
+  return order;
+}
+
+}  // namespace
+
+FrontTree::FrontTree(const SparsePattern& pattern, const BlockElimination& elimination) {
+  std::vector<Index> starts;
+  order_ = ordered_unknowns(pattern, elimination.order, starts);
+  make_fronts(elimination, starts);
+  find_parents();
+  place_entries(pattern);
+}
+
+std::span<const Index> FrontTree::children(Index f) const {
+  return {children_.data() + child_starts_[at(f)], children_.data() + child_starts_[at(f) + 1]};
+}
+
+std::span<const Index> FrontTree::rows_below(Index f) const {
+  return {rows_below_.data() + front(f).below, rows_below_.data() + front(f + 1).below};
+}
+
+std::span<const FrontTree::Entry> FrontTree::entries(Index f) const {
+  return {entries_.data() + front(f).entries, entries_.data() + front(f + 1).entries};
+}
+
+void FrontTree::make_fronts(const BlockElimination& elimination, const std::vector<Index>& starts) {
+  front_of_.resize(order_.size());
+  const std::size_t groups = elimination.group_starts.size() - 1;
+  fronts_.reserve(groups + 1);
+  for (std::size_t g = 0; g < groups; ++g) {
+    const Index last_block = elimination.group_starts[g + 1];
+    Front front{};
+    front.first = starts[at(elimination.group_starts[g])];
+    front.columns = starts[at(last_block)] - front.first;
+    front.panel = panel_size_;
+    front.below = rows_below_.size();
+    for (Index k = elimination.touched_starts[g]; k < elimination.touched_starts[g + 1]; ++k) {
+      const Index block = elimination.touched[at(k)];
+      if (block < last_block) continue;
+      for (Index i = starts[at(block)]; i < starts[at(block) + 1]; ++i) rows_below_.push_back(i);
+    }
+    const auto below = static_cast<Index>(rows_below_.size() - front.below);
+    front.rows = front.columns + below;
+    front.stride = padded(front.rows);
+    front.update_stride = padded(below);
+    panel_size_ += at(front.stride) * at(front.columns);
+    for (Index c = 0; c < front.columns; ++c) {
+      front_of_[at(front.first + c)] = static_cast<Index>(g);
+      const auto rows = static_cast<double>(front.rows - c);
+      nonzeros_ += rows;
+      operations_ += rows * rows / 2;
+    }
+    fronts_.push_back(front);
+  }
+  Front end{};
+  end.panel = panel_size_;
+  end.below = rows_below_.size();
+  fronts_.push_back(end);
+}
+
+void FrontTree::find_parents() {
+  const auto count = static_cast<Index>(fronts_.size()) - 1;
+  rows_of_parent_.resize(rows_below_.size());
+  child_starts_.assign(at(count) + 2, 0);
+  for (Index f = 0; f < count; ++f) {
+    Front& front = fronts_[at(f)];
+    front.parent = front.rows > front.columns ? front_of_[at(rows_below_[front.below])] : -1;
+    if (front.parent < 0) continue;
+    ++child_starts_[at(front.parent) + 2];
+    const Front& parent = fronts_[at(front.parent)];
+    const std::span<const Index> theirs = rows_below(front.parent);
+    std::size_t next = 0;
+    for (std::size_t k = front.below; k < fronts_[at(f) + 1].below; ++k) {
+      const Index row = rows_below_[k];
+      if (row < parent.first + parent.columns) {
+        rows_of_parent_[k] = row - parent.first;
+        continue;
+      }
+      while (theirs[next] < row) ++next;
+      assert(theirs[next] == row);
+      rows_of_parent_[k] = parent.columns + static_cast<Index>(next);
+    }
+  }
+  for (std::size_t k = 1; k < child_starts_.size(); ++k) child_starts_[k] += child_starts_[k - 1];
+  children_.resize(at(child_starts_.back()));
+  for (Index f = 0; f < count; ++f)
+    if (const Index parent = front(f).parent; parent >= 0)
+      children_[at(child_starts_[at(parent) + 1]++)] = f;
+  child_starts_.pop_back();
+}
+
+// By counting: first how many entries each front has, then each entry where it belongs.
+void FrontTree::place_entries(const SparsePattern& pattern) {
+  std::vector<Index> position(order_.size());
+  for (std::size_t k = 0; k < order_.size(); ++k) position[at(order_[k])] = static_cast<Index>(k);
+  const std::size_t count = fronts_.size() - 1;
+  std::vector<std::size_t> starts(count + 2, 0);
+  const auto visit = [&](const auto& use) {
+    for (Index c = 0; c < pattern.size; ++c)
+      for (Index k = pattern.column_starts[at(c)]; k < pattern.column_starts[at(c) + 1]; ++k) {
+        const Index a = position[at(c)], b = position[at(pattern.rows[at(k)])];
+        use(k, std::min(a, b), std::max(a, b));
+      }
+  };
+  visit([&](Index, Index column, Index) { ++starts[at(front_of_[at(column)]) + 2]; });
+  for (std::size_t f = 2; f < starts.size(); ++f) starts[f] += starts[f - 1];
+  entries_.resize(pattern.rows.size());
+  std::vector<Index> columns(pattern.rows.size());
+  visit([&](Index slot, Index column, Index row) {
+    const std::size_t place = starts[at(front_of_[at(column)]) + 1]++;
+    entries_[place] = {slot, row};
+    columns[place] = column;
+  });
+  std::vector<Index> local(order_.size());
+  for (std::size_t f = 0; f < count; ++f) {
+    Front& front = fronts_[f];
+    front.entries = starts[f];
+    for (Index c = 0; c < front.columns; ++c) local[at(front.first + c)] = c;
+    Index next = front.columns;
+    for (const Index row : rows_below(static_cast<Index>(f))) local[at(row)] = next++;
+    for (std::size_t k = starts[f]; k < starts[f + 1]; ++k)
+      entries_[k].place = (columns[k] - front.first) * front.stride + local[at(entries_[k].place)];
+  }
+  fronts_[count].entries = entries_.size();
+}
+
+}  // namespace majorant

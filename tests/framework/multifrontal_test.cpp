@@ -1,0 +1,81 @@
+// The multifrontal factorization: against dense linear algebra on fronts of all sizes, the same
+// bits from all instruction sets with fused multiplications and from any number of threads.
+#include "majorant/framework/internal/multifrontal.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "framework/random_matrix.h"
+#include "majorant/framework/thread_count.h"
+
+namespace majorant {
+namespace {
+
+using test::Matrix;
+using test::Random;
+using test::random_matrix;
+
+// One front of all blocks.
+BlockElimination one_front(const SparsePattern& pattern) {
+  const Index blocks = pattern.block_of.back() + 1;
+  BlockElimination e{std::vector<Index>(at(blocks)), {0, blocks}, {0, blocks}, {}};
+  std::iota(e.order.begin(), e.order.end(), 0);
+  e.touched = e.order;
+  return e;
+}
+
+// The last `top` blocks a front of all of them, below a front that touches some of these.
+BlockElimination two_fronts(const SparsePattern& pattern, Index top) {
+  BlockElimination e = one_front(pattern);
+  const Index blocks = e.group_starts.back();
+  e.group_starts = {0, blocks - top, blocks};
+  e.touched_starts = {0, blocks, blocks + top};
+  for (Index i = blocks - top; i < blocks; ++i) e.touched.push_back(i);
+  return e;
+}
+
+double residual(const Matrix& m, const BlockElimination& elimination, const FrontKernels& kernels) {
+  Random random(7);
+  const FrontTree tree(m.pattern, elimination);
+  MultifrontalFactor factor(tree, kernels);
+  if (!factor.factorize(m.values, 0.5)) return 1;
+  const Vec r = random.vector(m.dense.rows());
+  Vec p;
+  factor.solve(r, p);
+  return (m.dense * p + 0.5 * p - r).norm() / (m.dense.norm() * p.norm());
+}
+
+TEST(Multifrontal, FrontsOfAnySize) {
+  Random random(1);
+  for (const FrontKernels* kernels : all_front_kernels())
+    for (const auto& [nodes, block] :
+         {std::pair(1, 1), {7, 1}, {8, 1}, {9, 1}, {31, 2}, {64, 1}, {65, 1}, {100, 2}}) {
+      const Matrix m = random_matrix(random, nodes, block, 60);
+      EXPECT_LE(residual(m, one_front(m.pattern), *kernels), 1e-14) << nodes << kernels->name;
+      for (Index top = 1; top < nodes; top *= 3)
+        EXPECT_LE(residual(m, two_fronts(m.pattern, top), *kernels), 1e-14)
+            << nodes << ' ' << top << kernels->name;
+    }
+}
+
+Vec solution(const Matrix& m, const BlockElimination& e, const FrontKernels& kernels) {
+  const FrontTree tree(m.pattern, e);
+  MultifrontalFactor factor(tree, kernels);
+  EXPECT_TRUE(factor.factorize(m.values, 0));
+  Vec p;
+  factor.solve(Vec::Ones(m.dense.rows()), p);
+  return p;
+}
+
+TEST(Multifrontal, TheSameBitsFromAllFusedInstructionSets) {
+  Random random(2);
+  const Matrix m = random_matrix(random, 90, 2, 60);
+  const std::vector<const FrontKernels*> all = all_front_kernels();
+  for (const BlockElimination& e : {one_front(m.pattern), two_fronts(m.pattern, 40)})
+    for (std::size_t k = 2; k < all.size(); ++k)
+      EXPECT_EQ(solution(m, e, *all[k]), solution(m, e, *all[1])) << all[k]->name;
+}
+
+}  // namespace
+}  // namespace majorant
