@@ -70,8 +70,22 @@ bool LineSearch::accept(double s) {
   return true;
 }
 
+// Doubles the step while that pays; false: this is not the barrier phase, or it did not.
+bool LineSearch::stride() {
+  if (!(decrement_ > options_.barrier_decrement * std::abs(energy_))) return false;
+  bool doubled = false;
+  for (int round = 0; round < options_.most_improvements; ++round) {
+    const double before = best_energy_, cap = certified(2 * best_step_).step;
+    const double target = cap < 2 * best_step_ ? options_.boundary_fraction * cap : 2 * best_step_;
+    if (target <= kWorthGrowing * best_step_ || !accept(target)) break;
+    doubled = true;
+    if (best_energy_ > before - options_.barrier_gain * std::abs(before)) break;
+  }
+  return doubled;
+}
+
 void LineSearch::improve() {
-  if (rounding_ > 0) return;
+  if (rounding_ > 0 || stride()) return;
   for (int round = 0; round < options_.most_improvements; ++round) {
     const double s = best_step_;
     const double curvature = (best_energy_ - energy_ + decrement_ * s) / (s * s);

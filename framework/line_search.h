@@ -27,6 +27,11 @@ struct LineSearchOptions {
   // Longer or shorter steps that are tried after the first one that is good enough. Origin:
   // bench/tune.py line_search.most_improvements.
   int most_improvements = 8;
+  // In the barrier phase, decrement > barrier_decrement |E(0)|, the step is doubled first, as long
+  // as E falls by barrier_gain. Origin: bench/tune.py line_search.barrier_decrement.
+  double barrier_decrement = 0.3;
+  // Origin: bench/tune.py line_search.barrier_gain.
+  double barrier_gain = 0.1;
   // Give up below. Origin: steps of this part of y are lost in its rounding.
   double smallest_step = 1e-14;
 };
@@ -59,6 +64,7 @@ class LineSearch {
  private:
   StepBound certified(double s) const;
   bool accept(double s);
+  bool stride();
   void improve();
 
   Evaluator& evaluator_;
