@@ -26,10 +26,10 @@ namespace majorant {
 
 namespace detail {
 
-// Negative eigenvalues of a packed symmetric matrix set to 0; where one is not finite, the zero
-// matrix.
+// `clamp` of the negative eigenvalues of a packed symmetric matrix taken away, 1: set to 0; where
+// one is not finite, the zero matrix.
 template <int N>
-void clamp_eigenvalues(double* k) {
+void clamp_eigenvalues(double clamp, double* k) {
   using Matrix = Eigen::Matrix<double, N, N>;
   Matrix m;
   for (int i = 0, p = 0; i < N; ++i)
@@ -39,7 +39,8 @@ void clamp_eigenvalues(double* k) {
   } else {
     const Eigen::SelfAdjointEigenSolver<Matrix> eigen(m);
     if (eigen.eigenvalues()[0] >= 0) return;
-    m = eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).asDiagonal() *
+    m = eigen.eigenvectors() *
+        eigen.eigenvalues().cwiseMax((1 - clamp) * eigen.eigenvalues()).asDiagonal() *
         eigen.eigenvectors().transpose();
   }
   for (int i = 0, p = 0; i < N; ++i)
@@ -47,20 +48,20 @@ void clamp_eigenvalues(double* k) {
 }
 
 template <int N>
-void project(PointModel<double, N>& m) {
-  clamp_eigenvalues<N>(m.k);
+void project(double clamp, PointModel<double, N>& m) {
+  clamp_eigenvalues<N>(clamp, m.k);
 }
 
 // Lane by lane.
 template <int N, class Batch>
-void project(PointModel<Batch, N>& m) {
+void project(double clamp, PointModel<Batch, N>& m) {
   constexpr int kPacked = N * (N + 1) / 2;
   constexpr auto kLanes = Batch::size;
   double lanes[kPacked][kLanes], one[kPacked];
   for (int p = 0; p < kPacked; ++p) m.k[p].store_unaligned(lanes[p]);
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
     for (int p = 0; p < kPacked; ++p) one[p] = lanes[p][lane];
-    clamp_eigenvalues<N>(one);
+    clamp_eigenvalues<N>(clamp, one);
     for (int p = 0; p < kPacked; ++p) lanes[p][lane] = one[p];
   }
   for (int p = 0; p < kPacked; ++p) m.k[p] = Batch::load_unaligned(lanes[p]);
@@ -89,7 +90,7 @@ class GeneralDensity {
     return inside_domain(T(f_(J)), J);
   }
   template <Curvature C, class T>
-  void model(const T (&z)[size], PointModel<T, size>& m) const {
+  void model(const T (&z)[size], double clamp, PointModel<T, size>& m) const {
     using Scalar = Dual2<T, size>;
     SmallMatrix<T, M, D> at;
     SmallMatrix<Scalar, M, D> J;
@@ -101,7 +102,7 @@ class GeneralDensity {
     m.f = inside_domain(e.v, at);
     for (int r = 0; r < size; ++r) m.g[r] = e.d[static_cast<std::size_t>(r)];
     for (std::size_t p = 0; p < e.h.size(); ++p) m.k[p] = e.h[p];
-    if constexpr (C != Curvature::Exact) detail::project(m);
+    if constexpr (C != Curvature::Exact) detail::project(clamp, m);
   }
 
   // J is its own coordinates.

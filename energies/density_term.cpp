@@ -122,8 +122,8 @@ void DensityTerm::values(VecIn x, const Chunk& chunk, const TermState& state, Wo
   std::copy_n(g.values, chunk.elements.size(), f.begin());
 }
 
-void DensityTerm::local(VecIn x, const Chunk& chunk, Curvature curvature, const TermState& state,
-                        Workspace& workspace, LocalSystem& out) const {
+void DensityTerm::local(VecIn x, const Chunk& chunk, BlendedCurvature curvature,
+                        const TermState& state, Workspace& workspace, LocalSystem& out) const {
   if (chunk.elements.empty()) return;
   const Rule& tables = rule(chunk.rule);
   const ContractionView table = tables.view();

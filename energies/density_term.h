@@ -42,7 +42,7 @@ class DensityTerm final : public EnergyTerm {
   // f = measure * mean density of each element.
   void values(VecIn x, const Chunk& chunk, const TermState& state, Workspace& workspace,
               std::span<double> f) const override;
-  void local(VecIn x, const Chunk& chunk, Curvature curvature, const TermState& state,
+  void local(VecIn x, const Chunk& chunk, BlendedCurvature curvature, const TermState& state,
              Workspace& workspace, LocalSystem& out) const override;
 
   // The density alone, at TermState{}: summed over the triangles around a vertex at v, which need

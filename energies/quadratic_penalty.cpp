@@ -65,8 +65,8 @@ void QuadraticPenalty::values(VecIn x, const Chunk& chunk, const TermState&, Wor
   }
 }
 
-void QuadraticPenalty::local(VecIn x, const Chunk& chunk, Curvature, const TermState&, Workspace&,
-                             LocalSystem& out) const {
+void QuadraticPenalty::local(VecIn x, const Chunk& chunk, BlendedCurvature, const TermState&,
+                             Workspace&, LocalSystem& out) const {
   constexpr int stride = LocalSystem::stride;
   const auto columns = static_cast<int>(coefficients_.cols());
   for (std::size_t p = 0; p < chunk.elements.size(); ++p) {

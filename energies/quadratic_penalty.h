@@ -38,7 +38,7 @@ class QuadraticPenalty final : public EnergyTerm {
   bool supports(Curvature) const override { return true; }  // exact, constant, PSD
   void values(VecIn x, const Chunk& chunk, const TermState& state, Workspace& workspace,
               std::span<double> f) const override;
-  void local(VecIn x, const Chunk& chunk, Curvature curvature, const TermState& state,
+  void local(VecIn x, const Chunk& chunk, BlendedCurvature curvature, const TermState& state,
              Workspace& workspace, LocalSystem& out) const override;
 
  private:

@@ -28,7 +28,7 @@ namespace detail {
 // The curvature of an isotropic density from its jet.
 template <Curvature C, class Majorant, class T>
 void write_model(const Traits& traits, const Majorant& majorant, const IsotropicJet<T>& j,
-                 const T& x, const T& y, const T (&z)[4], PointModel<T, 4>& m) {
+                 const T& x, const T& y, const T (&z)[4], double clamp, PointModel<T, 4>& m) {
   m.f = j.f;
   m.g[0] = j.ga * z[0];
   m.g[1] = j.ga * z[1];
@@ -46,7 +46,8 @@ void write_model(const Traits& traits, const Majorant& majorant, const Isotropic
     c.pa = c.pa + majorant(x, y);
     write_curvature(c, z, m);
   } else {  // for convex k, Projected and Majorizer agree
-    write_curvature(convex ? convex_projection(j, x) : general_projection(j, x, y), z, m);
+    write_curvature(
+        convex ? convex_projection(j, x, T(clamp)) : general_projection(j, x, y, T(clamp)), z, m);
   }
 }
 
@@ -76,11 +77,11 @@ class IsotropicDensity {
     return inside_domain(derived().value_of(x, y), x, y);
   }
   template <Curvature C, class T>
-  void model(const T (&z)[4], PointModel<T, 4>& m) const {
+  void model(const T (&z)[4], double clamp, PointModel<T, 4>& m) const {
     const T x = z[0] * z[0] + z[1] * z[1], y = z[2] * z[2] + z[3] * z[3];
     IsotropicJet<T> j = derived().jet(x, y);
     j.f = inside_domain(j.f, x, y);
-    detail::write_model<C>(traits, majorant_, j, x, y, z, m);
+    detail::write_model<C>(traits, majorant_, j, x, y, z, clamp, m);
   }
 
   // J = (a, b, c, d) row by row -> z, and back for gradients and packed curvatures.

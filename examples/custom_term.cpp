@@ -32,7 +32,7 @@ class Springs final : public EnergyTerm {
     }
   }
 
-  void local(VecIn x, const Chunk& chunk, Curvature curvature, const TermState& state,
+  void local(VecIn x, const Chunk& chunk, BlendedCurvature curvature, const TermState& state,
              Workspace& workspace, LocalSystem& out) const override {
     values(x, chunk, state, workspace, {out.value, chunk.elements.size()});
     for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
@@ -40,8 +40,7 @@ class Springs final : public EnergyTerm {
       const Vector2 d = edge(x, chunk.elements[p]);
       const double r = d.norm();
       const Vector2 t = d / r;
-      double across = 1 - length / r;  // negative where compressed
-      if (curvature == Curvature::Projected) across = std::max(across, 0.0);
+      const double across = curvature.clamped(1 - length / r);  // negative where compressed
       const Eigen::Matrix2d along = t * t.transpose();
       const Eigen::Matrix2d h =
           2 / length * (along + across * (Eigen::Matrix2d::Identity() - along));

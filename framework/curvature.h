@@ -1,5 +1,11 @@
-// The curvature models of a Newton step. No includes: kernels compiled for special instruction sets
-// see this file.
+// The curvature models of a Newton step, and what lies between the projected and the exact Hessian.
+//
+//   Vec g, h;
+//   evaluator.linearize(y, Curvature::Projected, g, h);
+//   evaluator.linearize(y, BlendedCurvature::projected(0.1), g, h);   // a tenth of the clamp
+//
+// No includes, nothing but aggregates and inlined functions: kernels compiled for special
+// instruction sets see this file.
 #pragma once
 
 namespace majorant {
@@ -16,5 +22,28 @@ enum class Curvature {
 inline constexpr Curvature kCurvatures[] = {Curvature::Projected, Curvature::Majorizer,
                                             Curvature::PaperMajorizer, Curvature::Exact,
                                             Curvature::Reweighted};
+
+// A model and how much of it: where the projection takes away a part -l of an eigenvalue l < 0 of
+// the exact Hessian at a quadrature point, this takes away clamp times that, so that
+//     H = H_exact + clamp (H_projected - H_exact).
+// A clamp of 0 is the exact Hessian, 1 the projected one; in between H may be indefinite. Other
+// models have no such part: they are what they are.
+struct BlendedCurvature {
+  Curvature model = Curvature::Projected;
+  double clamp = 1;  // in [0, 1]; 0 for Exact, 1 for all but Projected
+
+  // Implicit: wherever a blend is asked for, a model will do.
+  [[gnu::always_inline]] constexpr BlendedCurvature(Curvature whole)
+      : model(whole), clamp(whole == Curvature::Exact ? 0 : 1) {}
+  [[gnu::always_inline]] static constexpr BlendedCurvature projected(double clamp) {
+    BlendedCurvature blend(clamp > 0 ? Curvature::Projected : Curvature::Exact);
+    blend.clamp = clamp;
+    return blend;
+  }
+  // What becomes of an eigenvalue of the exact Hessian; for terms that know theirs.
+  [[gnu::always_inline]] constexpr double clamped(double eigenvalue) const {
+    return eigenvalue < 0 ? (1 - clamp) * eigenvalue : eigenvalue;
+  }
+};
 
 }  // namespace majorant

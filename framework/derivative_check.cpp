@@ -40,7 +40,7 @@ class ElementProbe {
     return f;
   }
 
-  LocalValues local(VecIn x, Curvature curvature) {
+  LocalValues local(VecIn x, BlendedCurvature curvature) {
     const auto n = static_cast<int>(unknowns_.size());
     constexpr int stride = LocalSystem::stride;
     LocalSystem out = reserve(n);

@@ -9,7 +9,7 @@
 //     const Stencils& stencils() const override ...     // 2 points each
 //     bool supports(Curvature c) const override { return c == Curvature::Exact; }
 //     void values(VecIn x, const Chunk&, const TermState&, Workspace&, std::span<double> f) ...
-//     void local(VecIn x, const Chunk&, Curvature, const TermState&, Workspace&, LocalSystem&) ...
+//     void local(VecIn x, const Chunk&, BlendedCurvature, const TermState&, Workspace&, LocalSystem&) ...
 //   };
 //
 // A term is immutable and thread-safe: the evaluator calls it for different chunks at the same
@@ -93,9 +93,10 @@ class EnergyTerm {
                       std::span<double> f) const = 0;
 
   // Values, gradients and, unless out.hessian is null, curvature. x lies in the domain. Values and
-  // gradients are the same, up to rounding, with and without it and under every curvature.
-  virtual void local(VecIn x, const Chunk& chunk, Curvature curvature, const TermState& state,
-                     Workspace& workspace, LocalSystem& out) const = 0;
+  // gradients are the same, up to rounding, with and without it and under every curvature. A term
+  // that supports Exact and Projected blends them as curvature.h says.
+  virtual void local(VecIn x, const Chunk& chunk, BlendedCurvature curvature,
+                     const TermState& state, Workspace& workspace, LocalSystem& out) const = 0;
 };
 
 }  // namespace majorant

@@ -85,7 +85,7 @@ double Evaluator::value(VecIn y, const StopCheck& stop) {
   return total;
 }
 
-double Evaluator::linearize(VecIn y, Curvature curvature, Vec& gradient, Vec& hessian_values,
+double Evaluator::linearize(VecIn y, BlendedCurvature curvature, Vec& gradient, Vec& hessian_values,
                             const StopCheck& stop) {
   const AddedSeconds time(counters_.linearize_seconds);
   ++counters_.linearizations;
@@ -108,7 +108,7 @@ std::optional<Evaluator::Violation> Evaluator::violation(VecIn x) {
   return std::nullopt;
 }
 
-double Evaluator::assemble(VecIn y, Curvature curvature, Vec& gradient, Vec* hessian_values,
+double Evaluator::assemble(VecIn y, BlendedCurvature curvature, Vec& gradient, Vec* hessian_values,
                            const StopCheck& stop) {
   ProblemParts::elimination(problem_).expand(y, x_);
   gradient.setZero(problem_.size());
@@ -123,8 +123,9 @@ double Evaluator::assemble(VecIn y, Curvature curvature, Vec& gradient, Vec* hes
   return total;
 }
 
-void Evaluator::assemble_term(TermId k, Curvature curvature, Vec& gradient, Vec* hessian_values,
-                              const StopCheck& stop, std::vector<double>& chunk_energies) {
+void Evaluator::assemble_term(TermId k, BlendedCurvature curvature, Vec& gradient,
+                              Vec* hessian_values, const StopCheck& stop,
+                              std::vector<double>& chunk_energies) {
   const EnergyTerm& term = problem_.term(k);
   const TermState& state = problem_.state(k);
   const ChunkPlan& plan = ProblemParts::plan(problem_, k);

@@ -40,7 +40,7 @@ class Evaluator {
   double value(VecIn y, const StopCheck& stop = {});  // +inf outside the domain
   // Energy, gradient and curvature at y, which lies in the domain. The Hessian values are parallel
   // to problem().pattern().rows.
-  double linearize(VecIn y, Curvature curvature, Vec& gradient, Vec& hessian_values,
+  double linearize(VecIn y, BlendedCurvature curvature, Vec& gradient, Vec& hessian_values,
                    const StopCheck& stop = {});
   // Energy and gradient at y, which lies in the domain: Z^T of the full gradient, size() entries.
   double gradient(VecIn y, Vec& gradient, const StopCheck& stop = {});
@@ -62,9 +62,9 @@ class Evaluator {
 
  private:
   struct Scratch;
-  double assemble(VecIn y, Curvature curvature, Vec& gradient, Vec* hessian_values,
+  double assemble(VecIn y, BlendedCurvature curvature, Vec& gradient, Vec* hessian_values,
                   const StopCheck& stop);
-  void assemble_term(TermId k, Curvature curvature, Vec& gradient, Vec* hessian_values,
+  void assemble_term(TermId k, BlendedCurvature curvature, Vec& gradient, Vec* hessian_values,
                      const StopCheck& stop, std::vector<double>& chunk_energies);
 
   Problem problem_;

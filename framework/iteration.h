@@ -38,6 +38,7 @@ struct IterationRecord {
   double newton_decrement = 0;                 // -g . p, an energy; before the step
   double shift = 0;                            // added to the Hessian's diagonal
   Curvature curvature = Curvature::Projected;  // model that gave the direction
+  double clamp = 1;                            // BlendedCurvature::clamp of it
   int trials = 0;                              // energy evaluations of the line search
   int factorizations = 0;                      // of a matrix of this size, failed ones included
   int failed_factorizations = 0;               // of these: the matrix was not positive definite

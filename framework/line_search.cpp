@@ -16,6 +16,9 @@ constexpr double kRoundingPart = 0.25;
 // Where the minimum of the parabola lies between these multiples of the step, the step stays.
 // Origin: a quadratic loses 1/16 of its decrease at most there.
 constexpr double kWorthShortening = 0.8, kWorthGrowing = 1.25;
+// Of the step, per trial of the barrier phase. Origin: bench/tune.py has it as part of
+// line_search.barrier_gain; 4 overshoots.
+constexpr double kStride = 2;
 
 }  // namespace
 
@@ -70,21 +73,44 @@ bool LineSearch::accept(double s) {
   return true;
 }
 
+// Minimum of the parabola through E(0), E'(0) and the best step, at most largest_growth of that.
+double LineSearch::asked() const {
+  const double s = best_step_, largest = options_.largest_growth * s;
+  const double curvature = (best_energy_ - energy_ + decrement_ * s) / (s * s);
+  return curvature > 0 ? std::min(decrement_ / (2 * curvature), largest) : largest;
+}
+
+// Accepts `target`, or what is certified of it, if that is well above the best step.
+bool LineSearch::grow(double target) {
+  const double cap = certified(target).step;
+  if (cap < target) target = options_.boundary_fraction * cap;
+  return target > kWorthGrowing * best_step_ && accept(target);
+}
+
+// In the barrier phase: grows as long as that pays. Whether it did.
+bool LineSearch::stride() {
+  if (!(decrement_ > options_.barrier_decrement * std::abs(energy_))) return false;
+  const double factor = std::min(kStride, options_.largest_growth);
+  bool grown = false;
+  for (int round = 0; round < options_.most_improvements; ++round) {
+    const double before = best_energy_;
+    if (!grow(factor * best_step_)) break;
+    grown = true;
+    if (best_energy_ > before - options_.barrier_gain * std::abs(before)) break;
+  }
+  return grown;
+}
+
 void LineSearch::improve() {
   if (rounding_ > 0) return;
+  if (asked() > kWorthGrowing * best_step_ && stride()) return;
   for (int round = 0; round < options_.most_improvements; ++round) {
-    const double s = best_step_;
-    const double curvature = (best_energy_ - energy_ + decrement_ * s) / (s * s);
-    const double largest = options_.largest_growth * s;
-    double target = curvature > 0 ? std::min(decrement_ / (2 * curvature), largest) : largest;
-    if (target > kWorthGrowing * s) {
-      const double cap = certified(target).step;
-      if (cap < target) target = options_.boundary_fraction * cap;
-      if (target <= kWorthGrowing * s) return;
-    } else if (target > kWorthShortening * s) {
+    const double target = asked();
+    if (target > kWorthGrowing * best_step_) {
+      if (!grow(target)) return;
+    } else if (target > kWorthShortening * best_step_ || !accept(target)) {
       return;
     }
-    if (!accept(target)) return;
   }
 }
 

@@ -5,7 +5,9 @@
 // through E(0), E'(0) and E(s), as long as that pays. Positive semidefinite models overestimate
 // curvature where they clamp it, and barriers flatten quickly, so steps well above 1 are common far
 // from a minimum and in linearly converging tails; an evaluation costs a fraction of a
-// factorization. No curvature (Wolfe) condition: quasi-Newton methods skip pairs instead.
+// factorization. Where a barrier is all of the energy, E ~ 1 / (1 + s / 3)^2, the parabola asks for
+// s = 1.455 every time although E falls on and on: there the step is doubled instead. No curvature
+// (Wolfe) condition: quasi-Newton methods skip pairs instead.
 #pragma once
 
 #include "majorant/framework/evaluator.h"
@@ -27,6 +29,12 @@ struct LineSearchOptions {
   // Longer or shorter steps that are tried after the first one that is good enough. Origin:
   // bench/tune.py line_search.most_improvements.
   int most_improvements = 8;
+  // In the barrier phase, decrement > barrier_decrement |E(0)|, a step that the parabola would make
+  // longer is doubled instead, as long as E falls by the part barrier_gain of it. Origin:
+  // bench/tune.py line_search.barrier_decrement.
+  double barrier_decrement = 0.3;
+  // Origin: bench/tune.py line_search.barrier_gain.
+  double barrier_gain = 0.1;
   // Give up below. Origin: steps of this part of y are lost in its rounding.
   double smallest_step = 1e-14;
 };
@@ -59,6 +67,9 @@ class LineSearch {
  private:
   StepBound certified(double s) const;
   bool accept(double s);
+  double asked() const;
+  bool grow(double target);
+  bool stride();
   void improve();
 
   Evaluator& evaluator_;

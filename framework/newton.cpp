@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -23,9 +24,13 @@ constexpr double kPolishShift = 1e-9;
 constexpr double kMisleading = 0.1;
 // Of the curvature along a rotation that is made up for. Origin: 1 would leave it singular.
 constexpr double kRotationShift = 1.5;
-// Steps without the exact Hessian after its k-th failure: 2^k, at most 2^kLongestPause. Origin:
-// in the long run, trying in vain costs a 32nd of the factorizations.
-constexpr int kLongestPause = 5;
+// What t of a blend rises to when it was too small. Origin: about a factor of 5, so that two
+// failures lead from the exact Hessian to one that is mostly projected.
+constexpr double kRaised[] = {0.1, 0.5, 1};
+
+double raised(double clamp) {
+  return *std::upper_bound(std::begin(kRaised), std::end(kRaised) - 1, clamp);
+}
 
 }  // namespace
 
@@ -53,9 +58,14 @@ void NewtonStepper::reset(const Problem& problem) {
   if (!same) solver_->analyze(evaluator_.problem().pattern());
 }
 
+void NewtonStepper::polish() {
+  clamp_ = 0;
+  whole_steps_ = 0;
+}
+
 void NewtonStepper::advance(Vec& y, double& energy, Step& step) {
   IterationRecord& r = step.record;
-  if (!try_exact(y, r) && !factorize(y, r)) return;
+  if (!factorize(y, r)) return;
   Stopwatch watch;
   Vec p;
   rhs_ = -gradient_;
@@ -65,54 +75,59 @@ void NewtonStepper::advance(Vec& y, double& energy, Step& step) {
   move_along(p, 1.0, y, energy, step);
   if (step.outcome == Outcome::Breakdown) return;
   relative_decrement_ = relative_to(before, r.newton_decrement);
-  // A decrease far below the model's -g.p / 2: the Hessian is misleading here - unless energies
-  // cannot tell.
-  if (step.outcome != Outcome::AtMinimum && r.curvature == Curvature::Exact &&
-      relative_decrement_ > LineSearch::kResolution &&
-      r.relative_decrease < kMisleading * relative_decrement_)
-    pause_exact();
+  learn(step);
 }
 
-// Whether the exact Hessian was worth a try and is factorized now. Where the energy is invariant
-// under rotations about the origin, the Hessian's curvature along an infinitesimal rotation is
-// y.g / |y|^2 (differentiate the gradient along it): a shift by half as much again, when it is
-// negative, vanishes at the minimum and makes up for it. Close to the minimum a small one stays, or
-// rounding errors of the gradient would turn the map.
-bool NewtonStepper::try_exact(const Vec& y, IterationRecord& record) {
-  if (options_.curvature == Curvature::Exact || relative_decrement_ > options_.exact_below ||
-      !evaluator_.problem().supports(Curvature::Exact))
-    return false;
-  if (exact_pause_ > 0) {
-    --exact_pause_;
-    return false;
+bool NewtonStepper::blends() const {
+  const Problem& problem = evaluator_.problem();
+  return options_.curvature != Curvature::Exact && relative_decrement_ <= options_.blend.below &&
+         problem.supports(Curvature::Exact) && problem.supports(Curvature::Projected);
+}
+
+// Gradient and factors at y.
+bool NewtonStepper::factorize(const Vec& y, IterationRecord& record) {
+  if (blends()) {
+    if (whole_steps_ == 0) {
+      for (; clamp_ < 1; clamp_ = raised(clamp_))
+        if (factorize_blend(y, record)) return true;
+    } else {
+      --whole_steps_;
+    }
   }
+  return factorize_whole(y, record);
+}
+
+// Where the energy is invariant under rotations about the origin, the exact Hessian's curvature
+// along an infinitesimal rotation is y.g / |y|^2 (differentiate the gradient along it): a shift by
+// half as much again, when it is negative, vanishes at the minimum and makes up for it. Close to
+// the minimum a small one stays, or rounding errors of the gradient would turn the map.
+bool NewtonStepper::factorize_blend(const Vec& y, IterationRecord& record) {
   Stopwatch watch;
-  evaluator_.linearize(y, Curvature::Exact, gradient_, hessian_, stop_);
+  const BlendedCurvature blend = BlendedCurvature::projected(clamp_);
+  evaluator_.linearize(y, blend, gradient_, hessian_, stop_);
   record.seconds.assemble += watch.restart();
   const double size = y.squaredNorm();
-  record.shift = size > 0 ? kRotationShift * std::max(0.0, -y.dot(gradient_)) / size : 0.0;
-  if (relative_decrement_ <= kPolish)
+  record.shift =
+      size > 0 ? (1 - clamp_) * kRotationShift * std::max(0.0, -y.dot(gradient_)) / size : 0.0;
+  if (clamp_ == 0 && relative_decrement_ <= kPolish)
     record.shift = std::max(record.shift,
                             kPolishShift * mean_diagonal(evaluator_.problem().pattern(), hessian_));
   stop_.poll();
   const FactorStatus status = solver_->factorize(hessian_, record.shift);
   record.seconds.factorize += watch.restart();
-  record.curvature = Curvature::Exact;
+  record.curvature = blend.model;
+  record.clamp = blend.clamp;
   ++record.factorizations;
-  if (status == FactorStatus::Ok) return true;
-  ++record.failed_factorizations;
-  pause_exact();
-  return false;
+  record.failed_factorizations += status != FactorStatus::Ok;
+  return status == FactorStatus::Ok;
 }
 
-void NewtonStepper::pause_exact() {
-  exact_pause_ = 1 << std::min(exact_failures_++, kLongestPause);
-}
-
-bool NewtonStepper::factorize(const Vec& y, IterationRecord& record) {
+bool NewtonStepper::factorize_whole(const Vec& y, IterationRecord& record) {
   Stopwatch watch;
-  evaluator_.linearize(y, options_.curvature, gradient_, hessian_, stop_);
-  record.curvature = options_.curvature;
+  const BlendedCurvature whole = options_.curvature;
+  evaluator_.linearize(y, whole, gradient_, hessian_, stop_);
+  record.curvature = whole.model;
+  record.clamp = whole.clamp;
   record.seconds.assemble += watch.restart();
   if (!gradient_.allFinite()) return false;
   const ShiftedFactorization f =
@@ -122,6 +137,26 @@ bool NewtonStepper::factorize(const Vec& y, IterationRecord& record) {
   record.failed_factorizations += f.failed();
   record.seconds.factorize += watch.restart();
   return f.status == FactorStatus::Ok;
+}
+
+// What the next blend is.
+void NewtonStepper::learn(const Step& step) {
+  const IterationRecord& r = step.record;
+  const BlendRules& rules = options_.blend;
+  // A decrease far below the model's -g.p / 2: the Hessian is misleading here - unless energies
+  // cannot tell.
+  const bool misled = step.outcome != Outcome::AtMinimum && r.clamp < 1 &&
+                      relative_decrement_ > LineSearch::kResolution &&
+                      r.relative_decrease < kMisleading * relative_decrement_;
+  if (misled) {
+    clamp_ = raised(r.clamp);
+  } else if (step.outcome == Outcome::Moved &&
+             (r.step < rules.short_step || r.step_bound < rules.short_bound)) {
+    clamp_ = 1;
+    whole_steps_ = rules.whole_steps;
+  } else if (blends()) {
+    clamp_ = r.clamp * rules.fall < rules.least ? 0 : r.clamp * rules.fall;
+  }
 }
 
 SolveResult NewtonMinimizer::minimize(const Problem& problem, Vec y0,

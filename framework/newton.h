@@ -16,12 +16,30 @@
 
 namespace majorant {
 
+// Near a minimum the projected Hessian overestimates curvature and steps converge linearly; the
+// exact one converges quadratically, but is not positive definite until late. In between stands
+//     H = H_exact + t (H_projected - H_exact),                                   curvature.h
+// where all terms support both models. t falls by a factor with every step that succeeds, rises
+// when the factorization fails or the Hessian misleads, and is 1 far from a minimum.
+struct BlendRules {
+  // Of |E|: t < 1 where the last -g.p was less; 0: never. Origin: bench/tune.py blend.below.
+  double below = 1e-2;
+  // Of t, after a step. Origin: bench/tune.py blend.fall.
+  double fall = 0.35;
+  // Below, t is 0: the exact Hessian. Origin: bench/tune.py blend.least.
+  double least = 0.06;
+  // A shorter step, or a certified bound below the next number, is followed by `whole_steps` steps
+  // with t = 1. Origin: bench/tune.py blend.short_step.
+  double short_step = 0.26;
+  // Origin: bench/tune.py blend.short_bound.
+  double short_bound = 0.3;
+  // Origin: bench/tune.py blend.whole_steps.
+  int whole_steps = 2;
+};
+
 struct NewtonOptions {
   Curvature curvature = Curvature::Projected;
-  // Near a minimum (last -g.p <= exact_below * |E|) the exact Hessian is tried first, where all
-  // terms support it and it is positive definite: the tail converges quadratically instead of
-  // linearly. 0 switches this off. Origin: bench/tune.py exact_below.
-  double exact_below = 1e-4;
+  BlendRules blend;
   StoppingRules stopping;
   LineSearchOptions line_search;
   std::function<std::unique_ptr<LinearSolver>()> linear_solver = [] {
@@ -36,24 +54,27 @@ class NewtonStepper final : public Stepper {
   NewtonStepper(const Problem& problem, NewtonOptions options);
 
   // Goes on with another problem; the symbolic factorization stays where the structure is the same.
-  // The exact Hessian waits until a step has come near this problem's minimum.
+  // Blends wait until a step has come near this problem's minimum.
   void reset(const Problem& problem);
 
   // The next step tries the exact Hessian, whatever happened before.
-  void polish() override { exact_pause_ = 0; }
+  void polish() override;
 
  private:
   void advance(Vec& y, double& energy, Step& step) override;
   void require_curvature(const Problem& problem) const;
-  bool try_exact(const Vec& y, IterationRecord& record);
-  void pause_exact();
+  bool blends() const;
   bool factorize(const Vec& y, IterationRecord& record);
+  bool factorize_blend(const Vec& y, IterationRecord& record);
+  bool factorize_whole(const Vec& y, IterationRecord& record);
+  void learn(const Step& step);
 
   NewtonOptions options_;
   std::unique_ptr<LinearSolver> solver_;
   Vec hessian_, rhs_;
   double relative_decrement_ = std::numeric_limits<double>::infinity();  // of the last step
-  int exact_pause_ = 0, exact_failures_ = 0;  // after a failure wait, longer each time
+  double clamp_ = 1;                                                     // t of the next blend
+  int whole_steps_ = 0;                                                  // to come before it
 };
 
 class NewtonMinimizer final : public Minimizer {

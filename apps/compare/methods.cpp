@@ -20,11 +20,11 @@ using SolverFactory = std::function<std::unique_ptr<LinearSolver>()>;
 std::string none(const Contest&) { return {}; }
 
 // Where the exact Hessian takes over near the minimum; never, for methods named after a model.
-const double kExactTail = NewtonOptions().exact_below;
+const double kExactTail = BlendRules().below;
 constexpr double kNoExactTail = 0;
 
 Method newton(
-    std::string name, std::string summary, Curvature curvature, double exact_below,
+    std::string name, std::string summary, Curvature curvature, double blend_below,
     SolverFactory linear_solver = [] { return make_direct_solver(); }) {
   const auto obstacle = [curvature](const Contest& c) {
     return c.problem.supports(curvature) ? std::string()
@@ -34,7 +34,7 @@ Method newton(
   return {std::move(name), std::move(summary), obstacle, [=](const Contest& c) {
             NewtonOptions options;
             options.curvature = curvature;
-            options.exact_below = exact_below;
+            options.blend.below = blend_below;
             options.linear_solver = linear_solver;
             options.stopping.relative_decrease = c.tolerance;
             options.stopping.max_iterations = c.max_iterations;

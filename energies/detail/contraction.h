@@ -67,8 +67,9 @@ struct DensityKernels {
   void (*values)(const void* density, const ContractionView&, const ChunkView&, double* scratch,
                  double* f);
   // Without `hessian` (null) the curvature is not looked at.
-  void (*local)(const void* density, const ContractionView&, const ChunkView&, Curvature curvature,
-                double* scratch, double* f, double* gradient, double* hessian);
+  void (*local)(const void* density, const ContractionView&, const ChunkView&,
+                BlendedCurvature curvature, double* scratch, double* f, double* gradient,
+                double* hessian);
   // Doubles of scratch that either kernel needs.
   int (*scratch_size)(const ContractionView&);
   // Of densities of planar maps (2 by 2), with the exact Hessian; null for others.

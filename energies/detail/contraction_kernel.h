@@ -7,7 +7,8 @@
 // ContractionTable and any density with
 //     rows, dims                                         J is rows by dims
 //     defines(Curvature)                                 constexpr: models worth compiling
-//     value(z), model<Curvature>(z, PointModel&)         z: rows * dims coordinates of J
+//     value(z), model<Curvature>(z, clamp, PointModel&)  z: rows * dims coordinates of J; clamp:
+//                                                         BlendedCurvature::clamp
 //     to_coordinates, gradient_to_jacobian, curvature_to_jacobian
 // as energies/spectral.h and energies/density.h have them.
 //
@@ -236,8 +237,8 @@ void write_hessian(const ContractionView& t, const Batch<Arch>* s, double* out, 
 // Flattened: the compiler's budget for a file with many densities would leave calls in the loop.
 template <class Arch, class Density, Curvature C>
 [[gnu::flatten]] void local_with(const Density& density, const ContractionView& t,
-                                 const ChunkView& c, double* scratch, double* f, double* gradient,
-                                 double* hessian) {
+                                 const ChunkView& c, double clamp, double* scratch, double* f,
+                                 double* gradient, double* hessian) {
   using B = Batch<Arch>;
   using F = Frame<Arch, Density>;
   constexpr int N = F::N, kEntries = packed(N);
@@ -254,7 +255,7 @@ template <class Arch, class Density, Curvature C>
     PointModel<B, N> m;
     for (int l = 0; l < t.points; ++l) {
       frame.at_point(t, l, z);
-      density.template model<C>(z, m);
+      density.template model<C>(z, clamp, m);
       sum += frame.weight(t, l) * m.f;
       if (frame.rest_step != 0) frame.pull_back_gradient(l, m.g);
       const double* wf = t.weighted_first + l * t.first_count;
@@ -280,18 +281,20 @@ template <class Arch, class Density, Curvature C>
 }
 
 template <class Arch, class Density>
-void local(const void* object, const ContractionView& t, const ChunkView& c, Curvature curvature,
-           double* scratch, double* f, double* gradient, double* hessian) {
+void local(const void* object, const ContractionView& t, const ChunkView& c,
+           BlendedCurvature curvature, double* scratch, double* f, double* gradient,
+           double* hessian) {
   const Density& density = *static_cast<const Density*>(object);
   const auto run = [&](auto model) {
     constexpr Curvature C = decltype(model)::value;
     // What a density does not define is not compiled; DensityTerm::supports() keeps it from being
     // asked for.
     constexpr Curvature defined = Density::defines(C) ? C : Curvature::Exact;
-    local_with<Arch, Density, defined>(density, t, c, scratch, f, gradient, hessian);
+    local_with<Arch, Density, defined>(density, t, c, curvature.clamp, scratch, f, gradient,
+                                       hessian);
   };
   using C = Curvature;
-  switch (hessian ? curvature : C::Exact) {
+  switch (hessian ? curvature.model : C::Exact) {
     case C::Projected:
       return run(std::integral_constant<C, C::Projected>());
     case C::Majorizer:

@@ -53,19 +53,23 @@ CurvatureCoefficients<T> exact_coefficients(const IsotropicJet<T>& j) {
 }
 
 // Convex k: its Hessian's 2x2 radial block is PSD and gb >= 0; only alpha's perpendicular direction
-// (coefficient ga) can be negative. Projection and composite majorizer coincide.
+// (coefficient ga) can be negative. Projection and composite majorizer coincide. clamp: the part of
+// what is negative that is taken away.
 template <class T>
-CurvatureCoefficients<T> convex_projection(const IsotropicJet<T>& j, const T& x) {
+CurvatureCoefficients<T> convex_projection(const IsotropicJet<T>& j, const T& x, const T& clamp) {
   using namespace scalar_math;
-  const T negative = min(j.ga, T(0.0));
-  return {j.ga - negative, j.gb, j.caa + negative / max(x, T(kSmallestA * kSmallestA)), j.cab,
-          j.cbb};
+  const T away = clamp * min(j.ga, T(0.0));
+  return {j.ga - away, j.gb, j.caa + away / max(x, T(kSmallestA * kSmallestA)), j.cab, j.cbb};
 }
 
-// Eigenvalues of the 2x2 radial block and of both perpendicular directions clamped at 0.
+// Eigenvalues of the 2x2 radial block and of both perpendicular directions clamped at 0 or, of the
+// negative ones, the part `clamp` taken away.
 template <class T>
-CurvatureCoefficients<T> general_projection(const IsotropicJet<T>& j, const T& x, const T& y) {
+CurvatureCoefficients<T> general_projection(const IsotropicJet<T>& j, const T& x, const T& y,
+                                            const T& clamp) {
   using namespace scalar_math;
+  const T kept = T(1.0) - clamp;
+  const auto clamped = [&kept](const T& value) { return max(value, kept * value); };
   const T zero(0.0), tiny(std::numeric_limits<double>::min());
   const T ax = max(x, tiny), by = max(y, tiny);
   const T a = sqrt(ax), b = sqrt(by);
@@ -73,13 +77,13 @@ CurvatureCoefficients<T> general_projection(const IsotropicJet<T>& j, const T& x
   const T mean = T(0.5) * (p + r), half = T(0.5) * (p - r);
   const T radius = sqrt(half * half + q * q);
   const T low = mean - radius, high = mean + radius;
-  const T low_kept = max(low, zero);
+  const T low_kept = clamped(low);
   const T ratio =
-      select(radius > zero, (max(high, zero) - low_kept) / max(radius + radius, tiny), zero);
+      select(radius > zero, (clamped(high) - low_kept) / max(radius + radius, tiny), zero);
   const T pp = low_kept + ratio * (p - low), rr = low_kept + ratio * (r - low), qq = ratio * q;
   CurvatureCoefficients<T> c;
-  c.pa = max(j.ga, zero);
-  c.pb = max(j.gb, zero);
+  c.pa = clamped(j.ga);
+  c.pb = clamped(j.gb);
   c.qa = (pp - c.pa) / ax;
   c.qab = qq / (a * b);
   c.qb = select(y > tiny, (rr - c.pb) / by, zero);

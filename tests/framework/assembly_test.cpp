@@ -200,7 +200,7 @@ class Wall final : public EnergyTerm {
     for (std::size_t p = 0; p < chunk.elements.size(); ++p)
       f[p] = x[chunk.elements[p]] < 0 ? std::numeric_limits<double>::infinity() : 1.0;
   }
-  void local(VecIn, const Chunk&, Curvature, const TermState&, Workspace&,
+  void local(VecIn, const Chunk&, BlendedCurvature, const TermState&, Workspace&,
              LocalSystem&) const override {}
 
  private:

@@ -30,7 +30,7 @@ class BarrierChain final : public EnergyTerm {
     for (std::size_t p = 0; p < chunk.elements.size(); ++p)
       f[p] = phi(x[chunk.elements[p] + 1] - x[chunk.elements[p]], lengths_[chunk.elements[p]]);
   }
-  void local(VecIn x, const Chunk& chunk, Curvature curvature, const TermState& state,
+  void local(VecIn x, const Chunk& chunk, BlendedCurvature curvature, const TermState& state,
              Workspace& workspace, LocalSystem& out) const override {
     constexpr std::size_t stride = LocalSystem::stride;
     values(x, chunk, state, workspace, {out.value, chunk.elements.size()});
@@ -41,9 +41,7 @@ class BarrierChain final : public EnergyTerm {
       out.gradient[p] = -s;
       out.gradient[stride + p] = s;
       if (!out.hessian) continue;
-      double h = kMu / (d * d) + 2 * (kW * kW - u * u) / (q * q);
-      if (curvature == Curvature::Projected) h = std::max(h, 0.0);
-      h += kSpring;
+      const double h = curvature.clamped(kMu / (d * d) + 2 * (kW * kW - u * u) / (q * q)) + kSpring;
       out.hessian[p] = out.hessian[2 * stride + p] = h;
       out.hessian[stride + p] = -h;
     }

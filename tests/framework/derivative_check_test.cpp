@@ -26,7 +26,7 @@ class Quartic final : public EnergyTerm {
               std::span<double> f) const override {
     f[0] = std::pow(x[0], 4) / 12;
   }
-  void local(VecIn x, const Chunk&, Curvature curvature, const TermState&, Workspace&,
+  void local(VecIn x, const Chunk&, BlendedCurvature curvature, const TermState&, Workspace&,
              LocalSystem& out) const override {
     const auto off = [&](Mistake m) { return m == mistake_ ? 1.01 : 1.0; };
     out.value[0] = std::pow(x[0], 4) / 12;
@@ -37,7 +37,8 @@ class Quartic final : public EnergyTerm {
       return;
     }
     out.hessian[0] = off(Mistake::Hessian) * x[0] * x[0];
-    if (mistake_ == Mistake::Definiteness && curvature == Curvature::Projected) out.hessian[0] = -1;
+    if (mistake_ == Mistake::Definiteness && curvature.model == Curvature::Projected)
+      out.hessian[0] = -1;
   }
 
  private:
@@ -80,8 +81,8 @@ class MixedUp final : public EnergyTerm {
     for (std::size_t p = 0; p < chunk.elements.size(); ++p)
       f[p] = x[chunk.elements[p]] * x[chunk.elements[p]];
   }
-  void local(VecIn x, const Chunk& chunk, Curvature, const TermState& state, Workspace& workspace,
-             LocalSystem& out) const override {
+  void local(VecIn x, const Chunk& chunk, BlendedCurvature, const TermState& state,
+             Workspace& workspace, LocalSystem& out) const override {
     values(x, chunk, state, workspace, {out.value, chunk.elements.size()});
     for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
       out.gradient[p] = 2 * x[chunk.elements.front()];

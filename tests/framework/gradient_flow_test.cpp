@@ -24,8 +24,8 @@ class Springs final : public EnergyTerm {
     for (std::size_t p = 0; p < chunk.elements.size(); ++p)
       f[p] = std::pow(x[chunk.elements[p] + 1] - x[chunk.elements[p]], 2) / 2;
   }
-  void local(VecIn x, const Chunk& chunk, Curvature, const TermState& state, Workspace& workspace,
-             LocalSystem& out) const override {
+  void local(VecIn x, const Chunk& chunk, BlendedCurvature, const TermState& state,
+             Workspace& workspace, LocalSystem& out) const override {
     constexpr std::size_t stride = LocalSystem::stride;
     values(x, chunk, state, workspace, {out.value, chunk.elements.size()});
     for (std::size_t p = 0; p < chunk.elements.size(); ++p) {

@@ -22,7 +22,7 @@ class Spy final : public EnergyTerm {
               std::span<double> f) const override {
     std::fill_n(f.begin(), chunk.elements.size(), 0.0);
   }
-  void local(VecIn, const Chunk&, Curvature, const TermState&, Workspace&,
+  void local(VecIn, const Chunk&, BlendedCurvature, const TermState&, Workspace&,
              LocalSystem& out) const override {
     ++(out.hessian ? with_hessian : without_hessian);
     std::fill_n(out.value, LocalSystem::stride, 0.0);

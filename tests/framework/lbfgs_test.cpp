@@ -103,7 +103,7 @@ TEST(Lbfgs, AMetricForEachStepIsNewtonsMethod) {
   LbfgsOptions o;
   o.metric_every = 1;
   NewtonOptions n;
-  n.exact_below = 0;
+  n.blend.below = 0;
   n.stopping = o.stopping;
   const SolveResult r = LbfgsMinimizer(o).minimize(chain.problem, chain.start, {});
   const SolveResult newton = NewtonMinimizer(n).minimize(chain.problem, chain.start, {});

@@ -273,8 +273,8 @@ class LeastSquares final : public EnergyTerm {
     for (std::size_t p = 0; p < chunk.elements.size(); ++p)
       f[p] = std::pow(residual(x, chunk.elements[p]), 2);
   }
-  void local(VecIn x, const Chunk& chunk, Curvature, const TermState& state, Workspace& workspace,
-             LocalSystem& out) const override {
+  void local(VecIn x, const Chunk& chunk, BlendedCurvature, const TermState& state,
+             Workspace& workspace, LocalSystem& out) const override {
     values(x, chunk, state, workspace, {out.value, chunk.elements.size()});
     for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
       const Index e = chunk.elements[p];

@@ -43,8 +43,8 @@ class QuadraticTerm final : public EnergyTerm {
       f[p] = scale(chunk.rule) * (0.5 * local.dot(hessian(e) * local) + gradient(e).dot(local));
     }
   }
-  void local(VecIn x, const Chunk& chunk, Curvature, const TermState& state, Workspace& workspace,
-             LocalSystem& out) const override {
+  void local(VecIn x, const Chunk& chunk, BlendedCurvature, const TermState& state,
+             Workspace& workspace, LocalSystem& out) const override {
     values(x, chunk, state, workspace, {out.value, chunk.elements.size()});
     for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
       const Index e = chunk.elements[p];

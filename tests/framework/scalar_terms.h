@@ -28,7 +28,7 @@ class Chain final : public EnergyTerm {
               std::span<double> f) const override {
     for (std::size_t p = 0; p < chunk.elements.size(); ++p) f[p] = phi_.f(x[chunk.elements[p]]);
   }
-  void local(VecIn x, const Chunk& chunk, Curvature, const TermState&, Workspace&,
+  void local(VecIn x, const Chunk& chunk, BlendedCurvature, const TermState&, Workspace&,
              LocalSystem& out) const override {
     for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
       const double t = x[chunk.elements[p]];

@@ -202,7 +202,7 @@ TEST(Stopping, MinimizeReturnsToTheAnchor) {
   builder.add(well, 1.0);
   builder.add(std::make_shared<const Wall>());
   NewtonOptions options;
-  options.exact_below = 0;
+  options.blend.below = 0;
   NewtonStepper stepper(builder.build(), options);
   std::vector<double> points;
   const SolveResult r = stepper.minimize(Vec::Zero(1), StoppingRules{},

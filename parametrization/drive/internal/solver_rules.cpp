@@ -24,7 +24,7 @@ NewtonOptions newton_options(Curvature curvature, const SolverRules& rules, cons
   NewtonOptions options;
   options.stopping = rules.stopping;
   options.line_search = rules.line_search;
-  options.exact_below = rules.exact_below;
+  options.blend = rules.blend;
   options.curvature = curvature;
   options.stop = stop;
   options.linear_solver = [ordering] {

@@ -71,7 +71,7 @@ struct ScaffoldRules {
 struct SolverRules {
   StoppingRules stopping;  // all but relative_decrease and max_iterations, which are asked for
   LineSearchOptions line_search;
-  double exact_below = NewtonOptions().exact_below;
+  BlendRules blend;
   QuadratureRules quadrature;
   // Times the quadrature of a finished run is refined. Origin: bench/tune.py accuracy_rounds.
   int accuracy_rounds = 3;

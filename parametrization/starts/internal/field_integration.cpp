@@ -39,8 +39,8 @@ class FieldTerm final : public EnergyTerm {
       f[p] = weight_[e] * difference(x, e).squaredNorm();
     }
   }
-  void local(VecIn x, const Chunk& chunk, Curvature, const TermState& state, Workspace& workspace,
-             LocalSystem& out) const override {
+  void local(VecIn x, const Chunk& chunk, BlendedCurvature, const TermState& state,
+             Workspace& workspace, LocalSystem& out) const override {
     values(x, chunk, state, workspace, {out.value, chunk.elements.size()});
     for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
       const Index e = chunk.elements[p];

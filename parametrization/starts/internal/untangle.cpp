@@ -67,7 +67,7 @@ class Untangler {
   static NewtonOptions newton_options(const StopCheck& stop) {
     NewtonOptions options;
     options.stop = stop;
-    options.exact_below = 0;  // no tail: eps moves on before
+    options.blend.below = 0;  // no tail: eps moves on before
     return options;
   }
 

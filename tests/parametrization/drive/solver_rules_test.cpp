@@ -53,7 +53,7 @@ TEST(SolverRules, AsDeepAsAllowed) {
 TEST(SolverRules, ExactHessiansWhereAllowed) {
   SolverRules rules;
   EXPECT_TRUE(solve_cap(rules).uses_exact_hessians());
-  rules.exact_below = 0;
+  rules.blend.below = 0;
   EXPECT_FALSE(solve_cap(rules).uses_exact_hessians());
 }
 

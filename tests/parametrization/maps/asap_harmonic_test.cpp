@@ -141,7 +141,7 @@ TEST(AsapHarmonic, ThePaperMajorizerNeedsManySteps) {
           .problem;
   NewtonOptions options;
   options.curvature = Curvature::PaperMajorizer;
-  options.exact_below = 0;
+  options.blend.below = 0;
   const SolveResult r = NewtonMinimizer(options).minimize(problem, problem.reduce(s.start), {});
   EXPECT_EQ(r.status, Status::Converged) << r.message;
   EXPECT_GT(r.iterations.size(), 3U);
