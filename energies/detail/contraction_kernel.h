@@ -334,7 +334,7 @@ void add_to_star(const Density& density, const StarView& s, int at, const Batch<
   B z[4], g[4], K[10];
   PointModel<B, 4> m;
   Density::to_coordinates(J, z);
-  density.template model<Curvature::Exact>(z, m);
+  density.template model<Curvature::Exact>(z, 0.0, m);
   Density::gradient_to_jacobian(m.g, g);
   Density::curvature_to_jacobian(m.k, K);
   // J changes by -(change of v) w^T.

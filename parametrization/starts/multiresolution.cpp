@@ -247,7 +247,7 @@ class Multiresolution {
     NewtonOptions options;
     options.stop = stop_;
     options.linear_solver = [] {
-      return make_cholmod_solver(Factorization::Automatic, Ordering::Amd);
+      return make_direct_solver(Ordering::Amd);
     };
     NewtonStepper stepper(built.problem, options);
     const SolveResult solved = stepper.minimize(built.problem.reduce(x), rules);

@@ -28,7 +28,7 @@ NewtonOptions newton_options(Curvature curvature, const SolverRules& rules, cons
   options.curvature = curvature;
   options.stop = stop;
   options.linear_solver = [ordering] {
-    return make_cholmod_solver(Factorization::Automatic, ordering);
+    return make_direct_solver(ordering);
   };
   return options;
 }
