@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <stdexcept>
 
@@ -63,15 +65,30 @@ void require_usable_size(const SurfacePiece& part) {
                           part.mesh->file(), part.mesh->input_face(0) + 1, area));
 }
 
-// A piece whose faces all have no area is taken apart: nothing is known of their shapes beside each
-// other.
-void take_apart_if_flat(const SurfacePiece& part, std::vector<char>& is_cut) {
+// Twice the largest area of a face, where all have none but for rounding.
+std::optional<double> area_of_slivers(const SurfaceMesh& mesh) {
+  double largest = 0;
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    const auto corner = [&](Index k) -> Vector3 {
+      return mesh.positions().row(mesh.faces()(f, k));
+    };
+    const Vector3 a = corner(0), b = corner(1), c = corner(2);
+    if (has_area(a, b, c)) return {};
+    largest = std::max(largest, (b - a).cross(c - a).norm());
+  }
+  return largest;
+}
+
+// A piece whose faces all have no area is taken apart, unless they are thin beyond measure and lie
+// in the plane: nothing is known of their shapes beside each other.
+void take_apart_if_flat(const SurfacePiece& part, double max_stretch, std::vector<char>& is_cut,
+                        const StopCheck& stop) {
   const SurfaceMesh& mesh = *part.mesh;
-  const auto corner = [&](Index f, Index k) -> Vector3 {
-    return mesh.positions().row(mesh.faces()(f, k));
-  };
-  for (Index f = 0; f < mesh.face_count(); ++f)
-    if (has_area(corner(f, 0), corner(f, 1), corner(f, 2))) return;
+  const std::optional<double> largest = area_of_slivers(mesh);
+  if (!largest) return;
+  if (*largest > 0 && is_planar(mesh) &&
+      FlatteningStrain(mesh, -1, stop).strain() <= strain_of_stretch(max_stretch))
+    return;
   for (Index h = 0; h < mesh.half_edge_count(); ++h)
     if (mesh.opposite(h) >= 0) is_cut[at(3 * part.face[at(face_of(h))] + corner_of(h))] = 1;
 }
@@ -138,7 +155,7 @@ SurfaceCuts choose_cuts(const SurfaceMesh& mesh, const CutOptions& options, cons
     facts.boundary_loops = part.mesh->topology().boundary_loops;
     out.components.push_back(facts);
     require_usable_size(part);
-    take_apart_if_flat(part, out.is_cut);
+    take_apart_if_flat(part, options.max_stretch, out.is_cut, stop);
   }
   if (options.method == CutMethod::Automatic || options.method == CutMethod::Sharp)
     cut_automatically(mesh, options.max_stretch, Pieces::All, out, stop);

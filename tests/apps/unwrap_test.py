@@ -62,6 +62,51 @@ class Surfaces(UnwrapTest):
                       'chart 2 (face 193 and 191 more): max_iterations'):
             self.assertIn('%s: %s' % (mesh, start), outcome.err)
 
+    def test_a_long_strip_starts_unfolded(self):
+        """4,000 quads of aspect 100: Tutte's map of them winds over itself on its way."""
+        points = [(x, y, 0) for x in range(4001) for y in (0, .01)]
+        faces = [f for k in range(0, 8000, 2)
+                 for f in ((k, k + 2, k + 3), (k, k + 3, k + 1))]
+        _, report = self.unwrap(self.mesh(points, faces))
+        self.assertEqual((report['status'], report['charts'][0]['start']),
+                         ('converged', 'unfolded'))
+        self.assertLess(report['charts'][0]['iterations'], 150)
+        self.assertAlmostEqual(report['result']['value'], 4, places=5)
+
+    def test_pieces_without_area_are_taken_apart(self):
+        flat, faces = grid(3, lambda x, y: 0)
+        for name, points in [('line', [(p[0], 0, 0) for p in flat]),
+                             ('slanted line', [(p[0] / 3, p[0] / 7, p[0] / 11) for p in flat]),
+                             ('point', [(1, 1, 1) for _ in flat])]:
+            with self.subTest(name):
+                _, report = self.unwrap(self.mesh(points, faces))
+                self.assertEqual(report['status'], 'converged')
+                self.assertEqual(len(report['charts']), len(faces))
+
+    def test_a_grid_of_slivers_is_one_chart(self):
+        flat, faces = grid(6, lambda x, y: 0)
+        _, report = self.unwrap(self.mesh([(1e6 * p[0], 1e-7 * p[1], 0) for p in flat], faces))
+        self.assertEqual(len(report['charts']), 1)
+
+    def test_faces_smaller_than_rounding_leave_a_valid_file(self):
+        """Spaced by twelfth powers: the smallest edges are 1e-16 of the largest."""
+        n = 20
+        points = [((i / n) ** 12, (j / n) ** 12, 0) for i in range(n + 1) for j in range(n + 1)]
+        faces = [f for a in (i * (n + 1) + j for i in range(n) for j in range(n))
+                 for f in ((a, a + n + 1, a + n + 2), (a, a + n + 2, a + 1))]
+        _, report = self.unwrap(self.mesh(points, faces), code=LIMIT)
+        self.assertEqual([o['written'] for o in report['outputs']], [True])
+
+    def test_polygons_of_one_vertex(self):
+        mesh = self.mesh([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 0, 0, 0), (0, 1, 0, 2), (0, 1, 2)])
+        self.assertEqual(self.unwrap(mesh)[1]['status'], 'converged')
+
+    def test_sizes_whose_squares_are_no_doubles(self):
+        points, faces = sphere(2)
+        for size in (1e-150, 1e150):
+            mesh = self.mesh([tuple(size * x for x in p) for p in points], faces)
+            self.refused(UNSUPPORTED, 'unwrap', mesh, self.path('a.obj'), says=['scale its'])
+
     def test_far_from_the_origin(self):
         points, faces = sphere(3)
         far = [tuple(x * 1e-3 + 1e6 for x in p) for p in points]
