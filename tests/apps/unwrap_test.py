@@ -63,9 +63,9 @@ class Surfaces(UnwrapTest):
             self.assertIn('%s: %s' % (mesh, start), outcome.err)
 
     def test_a_long_strip_starts_unfolded(self):
-        """4,000 quads of aspect 100: Tutte's map of them winds over itself on its way."""
-        points = [(x, y, 0) for x in range(4001) for y in (0, .01)]
-        faces = [f for k in range(0, 8000, 2)
+        """5,000 quads of aspect 100: Tutte's map of them winds over itself on its way."""
+        points = [(x, y, 0) for x in range(5001) for y in (0, .01)]
+        faces = [f for k in range(0, 10000, 2)
                  for f in ((k, k + 2, k + 3), (k, k + 3, k + 1))]
         _, report = self.unwrap(self.mesh(points, faces))
         self.assertEqual((report['status'], report['charts'][0]['start']),
