@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <stdexcept>
 
@@ -21,8 +23,9 @@
 namespace majorant {
 namespace {
 
-// Of a component. Origin: sizes of 1e-80 and 1e50 are mapped.
-constexpr double kLeastArea = 1e-160, kLargestArea = 1e102;
+// Of a piece, of the area of all. Origin: squares of areas, and what remains of them after many
+// factors, must be doubles; 1e-80 of the size is mapped.
+constexpr double kLeastArea = 1e-160;
 
 void require_valid(const SurfaceMesh& mesh, const CutOptions& options) {
   if (!(options.max_stretch > 1) || !std::isfinite(options.max_stretch))
@@ -54,25 +57,39 @@ std::vector<char> asked_cuts(const SurfaceMesh& mesh, const CutOptions& options)
   return is_cut;
 }
 
-// Squares of areas must be doubles, and so must what remains of them after many factors.
-void require_usable_size(const SurfacePiece& part) {
+void require_usable_size(const SurfacePiece& part, double whole) {
   const double area = part.mesh->area();
-  if (area > kLeastArea && area < kLargestArea) return;
+  if (area > kLeastArea * whole) return;
   throw Error(ErrorKind::Unsupported,
-              fmt::format("{}: the piece of face {} has the area {:.3g}, which leaves the range of "
-                          "doubles in later steps; scale its coordinates to a size near 1",
-                          part.mesh->file(), part.mesh->input_face(0) + 1, area));
+              fmt::format("{}: the piece of face {} has {:.3g} of the area of all, too little for "
+                          "lengths in double precision; remove it or put it in a file of its own",
+                          part.mesh->file(), part.mesh->input_face(0) + 1, area / whole));
 }
 
-// A piece whose faces all have no area is taken apart: nothing is known of their shapes beside each
-// other.
-void take_apart_if_flat(const SurfacePiece& part, std::vector<char>& is_cut) {
+// Twice the largest area of a face, where all have none but for rounding.
+std::optional<double> area_of_slivers(const SurfaceMesh& mesh) {
+  double largest = 0;
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    const auto corner = [&](Index k) -> Vector3 {
+      return mesh.positions().row(mesh.faces()(f, k));
+    };
+    const Vector3 a = corner(0), b = corner(1), c = corner(2);
+    if (has_area(a, b, c)) return {};
+    largest = std::max(largest, (b - a).cross(c - a).norm());
+  }
+  return largest;
+}
+
+// A piece whose faces all have no area is taken apart, unless they are thin beyond measure and lie
+// in the plane: nothing is known of their shapes beside each other.
+void take_apart_if_flat(const SurfacePiece& part, double max_stretch, std::vector<char>& is_cut,
+                        const StopCheck& stop) {
   const SurfaceMesh& mesh = *part.mesh;
-  const auto corner = [&](Index f, Index k) -> Vector3 {
-    return mesh.positions().row(mesh.faces()(f, k));
-  };
-  for (Index f = 0; f < mesh.face_count(); ++f)
-    if (has_area(corner(f, 0), corner(f, 1), corner(f, 2))) return;
+  const std::optional<double> largest = area_of_slivers(mesh);
+  if (!largest) return;
+  if (*largest > 0 && is_planar(mesh) &&
+      FlatteningStrain(mesh, -1, stop).strain() <= strain_of_stretch(max_stretch))
+    return;
   for (Index h = 0; h < mesh.half_edge_count(); ++h)
     if (mesh.opposite(h) >= 0) is_cut[at(3 * part.face[at(face_of(h))] + corner_of(h))] = 1;
 }
@@ -128,6 +145,7 @@ SurfaceCuts cuts_near_one(const SurfaceMesh& mesh, const CutOptions& options,
   out.is_cut = asked_cuts(mesh, options);
   std::vector<char> asked = out.is_cut;
   const auto components = component_faces(mesh.opposites());
+  const double area = mesh.area();
   for (const SurfacePiece& part : mesh.split(stop)) {
     stop.poll();
     ComponentCuts facts;
@@ -136,8 +154,8 @@ SurfaceCuts cuts_near_one(const SurfaceMesh& mesh, const CutOptions& options,
     facts.genus = genus(*part.mesh);
     facts.boundary_loops = part.mesh->topology().boundary_loops;
     out.components.push_back(facts);
-    require_usable_size(part);
-    take_apart_if_flat(part, out.is_cut);
+    require_usable_size(part, area);
+    take_apart_if_flat(part, options.max_stretch, out.is_cut, stop);
   }
   if (options.method == CutMethod::Automatic || options.method == CutMethod::Sharp)
     cut_automatically(mesh, options.max_stretch, Pieces::All, out, stop);

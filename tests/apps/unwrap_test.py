@@ -96,6 +96,41 @@ class Surfaces(UnwrapTest):
         self.firsts = getattr(self, 'firsts', {})
         return self.firsts.setdefault(key, report['result'][key])
 
+    def test_pieces_without_area_are_taken_apart(self):
+        flat, faces = grid(3, lambda x, y: 0)
+        for name, points in [('line', [(p[0], 0, 0) for p in flat]),
+                             ('slanted line', [(p[0] / 3, p[0] / 7, p[0] / 11) for p in flat]),
+                             ('point', [(1, 1, 1) for _ in flat])]:
+            with self.subTest(name):
+                _, report = self.unwrap(self.mesh(points, faces))
+                self.assertEqual(report['status'], 'converged')
+                self.assertEqual(len(report['charts']), len(faces))
+
+    def test_a_grid_of_slivers_is_one_chart(self):
+        flat, faces = grid(6, lambda x, y: 0)
+        _, report = self.unwrap(self.mesh([(1e6 * p[0], 1e-7 * p[1], 0) for p in flat], faces))
+        self.assertEqual(len(report['charts']), 1)
+
+    def test_faces_smaller_than_rounding_leave_a_valid_file(self):
+        """Spaced by twelfth powers: the smallest edges are 1e-16 of the largest."""
+        n = 20
+        points = [((i / n) ** 12, (j / n) ** 12, 0) for i in range(n + 1) for j in range(n + 1)]
+        faces = [f for a in (i * (n + 1) + j for i in range(n) for j in range(n))
+                 for f in ((a, a + n + 1, a + n + 2), (a, a + n + 2, a + 1))]
+        _, report = self.unwrap(self.mesh(points, faces), code=LIMIT)
+        self.assertEqual([o['written'] for o in report['outputs']], [True])
+
+    def test_polygons_of_one_vertex(self):
+        mesh = self.mesh([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 0, 0, 0), (0, 1, 0, 2), (0, 1, 2)])
+        self.assertEqual(self.unwrap(mesh)[1]['status'], 'converged')
+
+    def test_a_piece_far_smaller_than_the_rest(self):
+        points, faces = sphere(2)
+        tiny = [tuple(1e-100 * x for x in p) for p in points]
+        both_faces = faces + [tuple(k + len(points) for k in f) for f in faces]
+        self.refused(UNSUPPORTED, 'unwrap', self.mesh(points + tiny, both_faces), self.path('a.obj'),
+                     says=['piece of face %d' % (len(faces) + 1), 'file of its own'])
+
     def test_far_from_the_origin(self):
         points, faces = sphere(3)
         far = [tuple(x * 1e-3 + 1e6 for x in p) for p in points]

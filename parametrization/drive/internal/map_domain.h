@@ -61,7 +61,7 @@ class MapDomain {
   virtual bool strengthen(double /*weight*/) { return false; }
 
   // How unknowns are to be ordered for factorizations.
-  virtual Ordering ordering() const { return Ordering::Best; }
+  virtual Ordering ordering() const { return Ordering::Automatic; }
 
   // Part of the tolerance asked for at which a run may end.
   virtual double part_of_tolerance() const { return 1; }

@@ -7,6 +7,7 @@
 #include "majorant/mesh/internal/exact_predicates.h"
 #include "majorant/parametrization/starts/internal/leaning_map.h"
 #include "majorant/parametrization/starts/internal/room.h"
+#include "majorant/parametrization/starts/internal/unfolding.h"
 #include "majorant/parametrization/starts/tutte.h"
 #include "mesh/test_meshes.h"
 
@@ -119,6 +120,24 @@ TEST(NarrowStarts, HolesStayOpen) {
 }
 
 // What is in doubt counts: thinner than the rounding of a move.
+// A strip bent into a zigzag is straight again, every edge as long as in space.
+TEST(Unfolding, StripsKeepTheirLengths) {
+  PolygonMesh zigzag;
+  constexpr Index kQuads = 3000;
+  for (Index k = 0; k <= kQuads; ++k)
+    for (const double width : {0.0, 0.01})
+      zigzag.positions.emplace_back(0.6 * static_cast<double>(k), width, k % 2 == 0 ? 0 : 0.8);
+  for (Index v = 0; v < 2 * kQuads; v += 2) zigzag.polygons.push_back({v, v + 2, v + 3, v + 1});
+  const SurfaceMesh mesh = SurfaceMesh::from_polygons(zigzag);
+  const Vec uv = unfolded(mesh);
+  EXPECT_EQ(not_positive(mesh, uv), 0);
+  for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+    const Vector2 edge =
+        uv.segment<2>(2 * mesh.to_vertex(h)) - uv.segment<2>(2 * mesh.from_vertex(h));
+    EXPECT_NEAR(edge.norm(), mesh.edge_length(h), 1e-9);
+  }
+}
+
 TEST(Room, CountsFacesThatAreTooFlat) {
   Cells faces(2, 3);
   faces << 0, 1, 2, 0, 2, 3;
