@@ -19,7 +19,11 @@ struct Request : MapVerb {
 // Tutte's map of the surface cut open to one piece.
 Start cut_start(const Request& request, const PolygonMesh& polygons, const SurfaceMesh& mesh,
                 const StopCheck& stop, std::optional<SurfaceCuts>& cuts) {
-  cuts = choose_cuts(mesh, request.seams.options(polygons), stop);
+  CutOptions asked = request.seams.options(polygons);
+  const MapOptions map = read_options(request.map, polygons, mesh).map;
+  for (const auto* points : {&map.pins, &map.handles})
+    for (const Pin& p : *points) asked.whole.push_back(p.vertex);
+  cuts = choose_cuts(mesh, asked, stop);
   const auto open = std::make_shared<const SurfaceMesh>(mesh.cut_along(cuts->is_cut, nullptr));
   if (const Index pieces = open->topology().components; pieces > 1)
     throw Error(

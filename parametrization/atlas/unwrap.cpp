@@ -8,6 +8,7 @@
 #include <cmath>
 #include <exception>
 #include <limits>
+#include <map>
 #include <mutex>
 #include <numeric>
 #include <utility>
@@ -45,7 +46,10 @@ class Unwrapping {
   Atlas solve() {
     const ThreadCount threads(options_.chart.solve.threads);
     const double started = record_.seconds();
-    atlas_.cuts = choose_cuts(surface_, options_.cuts, record_.start_stop());
+    CutOptions cuts = options_.cuts;
+    for (const auto* points : {&options_.chart.map.pins, &options_.chart.map.handles})
+      for (const Pin& p : *points) cuts.whole.push_back(p.vertex);
+    atlas_.cuts = choose_cuts(surface_, cuts, record_.start_stop());
     make_tasks();
     atlas_.initialize_seconds = record_.seconds() - started;
     solve_charts();
@@ -60,6 +64,8 @@ class Unwrapping {
   void make_tasks() {
     std::vector<Index> surface_vertex;
     const SurfaceMesh cut = surface_.cut_along(atlas_.cuts.is_cut, &surface_vertex);
+    require_one_place(surface_vertex, options_.chart.map.pins);
+    require_one_place(surface_vertex, options_.chart.map.handles);
     for (SurfacePiece& piece : cut.split(record_.start_stop())) {
       Task& task = tasks_.emplace_back();
       task.options = options_.chart;
@@ -69,6 +75,29 @@ class Unwrapping {
       task.options.map.face_weight = weights_on(piece);
       task.mesh = std::move(piece.mesh);
       task.faces = std::move(piece.face);  // faces keep their numbers where the surface is cut
+    }
+  }
+
+  // Of every vertex of the input that is to go to a target.
+  void require_one_place(const std::vector<Index>& surface_vertex,
+                         const std::vector<Pin>& points) const {
+    std::vector<Index> copies(at(surface_.vertex_count()), 0);
+    for (const Index v : surface_vertex) ++copies[at(v)];
+    std::map<Index, Index> places;  // by vertex of the input
+    for (const Pin& p : points)
+      if (p.target) places[surface_.input_vertex(p.vertex)] += copies[at(p.vertex)];
+    for (const Pin& p : points) {
+      const Index name = surface_.input_vertex(p.vertex);
+      if (!p.target || places.at(name) == 1) continue;
+      const bool is_split = copies[at(p.vertex)] == 1;
+      const bool is_automatic = options_.cuts.method == CutMethod::Automatic;
+      throw Error(
+          ErrorKind::Infeasible,
+          fmt::format("{}: vertex {} has a target, but {} places in the layout: {}; take "
+                      "another{}",
+                      surface_.file(), name, places.at(name),
+                      is_split ? "sheets were split there" : "it lies on a seam",
+                      is_split || is_automatic ? "" : ", or --seams auto, which keeps off it"));
     }
   }
 

@@ -49,8 +49,11 @@ struct Chart {
 };
 
 struct UnwrapOptions {
-  // Of every chart: degree, energy, ... Vertices of pins and handles are those of the surface; the
-  // injectivity is always Global, `initial` is not looked at.
+  // Of every chart: degree, energy, ... Vertices of pins and handles are those of the surface, cuts
+  // keep off them; the injectivity is always Global, `initial` is not looked at. A chart minimizes
+  //     mean density + handle_weight * (sum of squared distances of its handles) / its area
+  // so that all charts together, weighted by area, minimize the same of the whole surface: a weight
+  // means the same in every chart.
   ParametrizationOptions chart;
   CutOptions cuts;
   std::optional<PackOptions> packing =
@@ -71,8 +74,9 @@ struct Atlas {
 };
 
 // surface: any number of components (repair.h). Throws Error(Usage) as parametrize() for options,
-// Error as choose_cuts(), Error(Infeasible) for a chart whose pins cannot be met; Stopped before
-// there is a cut.
+// Error as choose_cuts(), Error(Infeasible) for a chart whose pins cannot be met and for a pin
+// or handle with a target whose vertex has several places, on a seam or where sheets were split;
+// Stopped before there is a cut.
 Atlas unwrap(const std::shared_ptr<const SurfaceMesh>& surface, const UnwrapOptions& options,
              RunRecord& record);
 

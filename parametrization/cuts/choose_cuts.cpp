@@ -35,6 +35,10 @@ void require_valid(const SurfaceMesh& mesh, const CutOptions& options) {
                             options.max_stretch, CutOptions().max_stretch));
   if (!(options.sharp_angle > 0) || !(options.sharp_angle < 180))
     throw Error(ErrorKind::Usage, "the angle of sharp edges must lie between 0 and 180 degrees");
+  for (const Index v : options.whole)
+    if (v < 0 || v >= mesh.vertex_count())
+      throw Error(ErrorKind::Usage,
+                  fmt::format("{}: vertex {}, to be left whole, does not exist", mesh.file(), v));
   if (!options.given.empty() && options.given.size() != at(mesh.half_edge_count()))
     throw std::invalid_argument("choose_cuts: one flag per half-edge is needed");
   if (options.method == CutMethod::Texture && mesh.corner_texcoords().rows() == 0)
@@ -98,14 +102,20 @@ void take_apart_if_flat(const SurfacePiece& part, double max_stretch, std::vecto
 enum class Pieces { All, Closed };
 
 // Cuts them, each to one chart.
-void cut_automatically(const SurfaceMesh& mesh, double max_stretch, Pieces which, SurfaceCuts& cuts,
-                       const StopCheck& stop) {
+void cut_automatically(const SurfaceMesh& mesh, const std::vector<char>& is_whole,
+                       double max_stretch, Pieces which, SurfaceCuts& cuts, const StopCheck& stop) {
+  std::vector<Index> uncut_vertex;
   const std::vector<Index> component = face_components(mesh.opposites());
-  for (const auto& [part, faces, vertices] : mesh.cut_along(cuts.is_cut, nullptr).split(stop)) {
+  for (const auto& [part, faces, vertices] :
+       mesh.cut_along(cuts.is_cut, &uncut_vertex).split(stop)) {
     stop.poll();
     const SurfaceMesh& piece = *part;
     if (which == Pieces::Closed && piece.topology().boundary_loops > 0) continue;
-    const AutomaticCut more = automatic_cut(piece, cut_costs(piece), max_stretch, stop);
+    std::vector<char> whole(vertices.size());
+    for (std::size_t v = 0; v < whole.size(); ++v)
+      whole[v] = is_whole[at(uncut_vertex[at(vertices[v])])];
+    const AutomaticCut more =
+        automatic_cut(piece, cut_costs(piece, whole), whole, max_stretch, stop);
     for (Index h = 0; h < piece.half_edge_count(); ++h)
       if (more.is_cut[at(h)]) cuts.is_cut[at(3 * faces[at(face_of(h))] + corner_of(h))] = 1;
     ComponentCuts& facts = cuts.components[at(component[at(faces.front())])];
@@ -141,6 +151,8 @@ void add_up(const SurfaceMesh& mesh, const std::vector<char>& asked,
 
 SurfaceCuts cuts_near_one(const SurfaceMesh& mesh, const CutOptions& options,
                           const StopCheck& stop) {
+  std::vector<char> is_whole(at(mesh.vertex_count()), 0);
+  for (const Index v : options.whole) is_whole[at(v)] = 1;
   SurfaceCuts out;
   out.is_cut = asked_cuts(mesh, options);
   std::vector<char> asked = out.is_cut;
@@ -158,11 +170,11 @@ SurfaceCuts cuts_near_one(const SurfaceMesh& mesh, const CutOptions& options,
     take_apart_if_flat(part, options.max_stretch, out.is_cut, stop);
   }
   if (options.method == CutMethod::Automatic || options.method == CutMethod::Sharp)
-    cut_automatically(mesh, options.max_stretch, Pieces::All, out, stop);
+    cut_automatically(mesh, is_whole, options.max_stretch, Pieces::All, out, stop);
   if (options.method == CutMethod::Texture)  // no coordinates cut these: all zero, say
-    cut_automatically(mesh, options.max_stretch, Pieces::Closed, out, stop);
+    cut_automatically(mesh, is_whole, options.max_stretch, Pieces::Closed, out, stop);
   if (options.method == CutMethod::Automatic) asked = out.is_cut;
-  open_pieces(mesh, cut_costs(mesh), out.is_cut, stop);
+  open_pieces(mesh, cut_costs(mesh, is_whole), out.is_cut, stop);
   add_up(mesh, asked, components, out);
   return out;
 }

@@ -37,7 +37,10 @@ struct CutOptions {
   // Given: vertices of the file from 0, two for every edge.
   std::vector<std::array<Index, 2>> edges;
   std::string edges_source;  // for messages: where they come from
-  std::vector<char> given;   // 3 #F flags, one side is enough, or empty: cut in any case
+  // Vertices that get one place in the layout where that is possible: no cut that these rules
+  // choose passes them, unless every way does. What Texture, Sharp and Given ask for is cut anyway.
+  std::vector<Index> whole;
+  std::vector<char> given;  // 3 #F flags, one side is enough, or empty: cut in any case
 };
 
 // Of one component of the surface.
@@ -66,10 +69,10 @@ struct SurfaceCuts {
 // Edges inside polygons of the file are cut only where nothing else is possible. Components of
 // faces without an area alone (all at one place, all on one line) are cut along all their edges.
 //
-// Throws Error(Usage) for a stretch or an angle out of range and for a pair of `edges` that is no
-// edge of the file, naming it; Error(Unsupported) for components of an area outside 1e-160..1e102
-// and for Texture where a corner has no texture coordinate; std::invalid_argument for flags of the
-// wrong size; Stopped.
+// Throws Error(Usage) for a stretch or an angle out of range, a vertex that does not exist, and for
+// a pair of `edges` that is no edge of the file, naming it; Error(Unsupported) for a component of
+// less than 1e-160 of the area of all and for Texture where a corner has no texture coordinate;
+// std::invalid_argument for flags of the wrong size; Stopped.
 SurfaceCuts choose_cuts(const SurfaceMesh& mesh, const CutOptions& options,
                         const StopCheck& stop = {});
 

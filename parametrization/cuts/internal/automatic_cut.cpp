@@ -37,9 +37,11 @@ constexpr std::size_t kMostDefects = 40;
 
 class Cutter {
  public:
-  Cutter(const SurfaceMesh& mesh, const Vec& edge_cost, double limit, const StopCheck& stop)
+  Cutter(const SurfaceMesh& mesh, const Vec& edge_cost, const std::vector<char>& is_whole,
+         double limit, const StopCheck& stop)
       : mesh_(mesh),
         cost_(edge_cost),
+        is_whole_(is_whole),
         limit_(limit),
         unit_(std::sqrt(mesh.area())),
         stop_(stop),
@@ -93,6 +95,12 @@ class Cutter {
   }
 
   std::vector<Index> field_cones() const {
+    std::vector<Index> cones = all_field_cones();
+    std::erase_if(cones, [&](Index v) { return is_whole_[at(v)] != 0; });
+    return cones;
+  }
+
+  std::vector<Index> all_field_cones() const {
     CrossFieldOptions field;
     field.stop = stop_;
     try {
@@ -155,7 +163,7 @@ class Cutter {
     std::vector<Index> curved;
     double least = 0;
     for (Index v = 0; v < mesh_.vertex_count(); ++v)
-      if (std::abs(defect_[v]) > kCurved) {
+      if (std::abs(defect_[v]) > kCurved && !is_whole_[at(v)]) {
         curved.push_back(v);
         least += 0.5 * cheapest[v];
       }
@@ -166,6 +174,7 @@ class Cutter {
 
   const SurfaceMesh& mesh_;
   const Vec& cost_;
+  const std::vector<char>& is_whole_;
   const double limit_, unit_;
   const StopCheck& stop_;
   const Vec defect_;
@@ -173,9 +182,10 @@ class Cutter {
 
 }  // namespace
 
-AutomaticCut automatic_cut(const SurfaceMesh& mesh, const Vec& edge_cost, double max_stretch,
+AutomaticCut automatic_cut(const SurfaceMesh& mesh, const Vec& edge_cost,
+                           const std::vector<char>& is_whole, double max_stretch,
                            const StopCheck& stop) {
-  return Cutter(mesh, edge_cost, strain_of_stretch(max_stretch), stop).run();
+  return Cutter(mesh, edge_cost, is_whole, strain_of_stretch(max_stretch), stop).run();
 }
 
 }  // namespace majorant

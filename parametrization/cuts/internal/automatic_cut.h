@@ -14,9 +14,10 @@ struct AutomaticCut {
   std::vector<Index> ends;   // vertices inside the surface where it ends
 };
 
-// The rule is that of docs/atlas.md, "Where to cut". edge_cost: 3 #F; max_stretch: above 1.
-// Stopped.
-AutomaticCut automatic_cut(const SurfaceMesh& mesh, const Vec& edge_cost, double max_stretch,
+// The rule is that of docs/atlas.md, "Where to cut". edge_cost: 3 #F; is_whole: #V, where
+// it is not led on purpose; max_stretch: above 1. Stopped.
+AutomaticCut automatic_cut(const SurfaceMesh& mesh, const Vec& edge_cost,
+                           const std::vector<char>& is_whole, double max_stretch,
                            const StopCheck& stop);
 
 }  // namespace majorant

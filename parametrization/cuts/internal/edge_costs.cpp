@@ -15,6 +15,9 @@ constexpr double kSharpFrom = 40, kSharpTo = 70;
 constexpr double kSharpCost = 0.75;
 // Of its length, what an edge inside a polygon costs. Origin: more than any way around.
 constexpr double kInnerCost = 1e6;
+// Of its cost, what an edge at a vertex that is to stay whole costs. Origin: more than ways around
+// such vertices, less than through a polygon.
+constexpr double kWholeCost = 1e4;
 // Of the mean length, what no edge is below: no way is free. Origin: far below any usable edge.
 constexpr double kLeastLength = 1e-9;
 
@@ -54,6 +57,13 @@ Vec cut_costs(const SurfaceMesh& mesh) {
     const double factor = o >= 0 && is_inner(mesh, h) ? kInnerCost : 1 - (1 - kSharpCost) * sharp;
     cost[h] = factor * std::max(cost[h], least);
   }
+  return cost;
+}
+
+Vec cut_costs(const SurfaceMesh& mesh, const std::vector<char>& is_whole) {
+  Vec cost = cut_costs(mesh);
+  for (Index h = 0; h < mesh.half_edge_count(); ++h)
+    if (is_whole[at(mesh.from_vertex(h))] || is_whole[at(mesh.to_vertex(h))]) cost[h] *= kWholeCost;
   return cost;
 }
 

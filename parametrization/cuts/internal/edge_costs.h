@@ -15,4 +15,7 @@ Vec dihedral_angles(const SurfaceMesh& mesh);
 // times as much inside polygons of the file.
 Vec cut_costs(const SurfaceMesh& mesh);
 
+// The same, ten thousand times as much at vertices with is_whole (#V).
+Vec cut_costs(const SurfaceMesh& mesh, const std::vector<char>& is_whole);
+
 }  // namespace majorant

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "counted_stop.h"
+#include "expected_error.h"
 #include "majorant/mesh/repair.h"
 #include "majorant/parametrization/atlas/internal/texture_start.h"
 #include "majorant/parametrization/atlas/unit_square.h"
@@ -151,6 +152,41 @@ TEST(Unwrap, PinsHoldTheirChart) {
   EXPECT_EQ(Vector2(pinned.map->control_points().segment<2>(2 * pinned.pins[0].vertex)), target);
   EXPECT_TRUE(atlas.charts.back().pins.empty());
   expect_layout(atlas, *repair(mesh).mesh);
+}
+
+// Where the cut of a closed surface would pass; on seams that are asked for it is refused.
+TEST(Unwrap, PinnedVerticesHaveOnePlace) {
+  const PolygonMesh mesh = cube_sphere(4);
+  const std::shared_ptr<const SurfaceMesh> surface = repair(mesh).mesh;
+  UnwrapOptions options = of_degree(1);
+  const SurfaceCuts cuts = choose_cuts(*surface, options.cuts);
+  Index h = 0;
+  while (!cuts.is_cut[at(h)]) ++h;
+  const Index a = surface->from_vertex(h), b = surface->to_vertex(h);
+  const Vector2 target(0.5, 0.25);
+  for (auto* points : {&options.chart.map.pins, &options.chart.map.handles}) {
+    for (const Index v : {a, b}) {
+      *points = {{v, target}};
+      expect_layout(unwrapped(mesh, options), *surface);
+    }
+    UnwrapOptions given = options;
+    given.cuts.method = CutMethod::Given;
+    given.cuts.given = cuts.is_cut;
+    const std::vector<int> copies = [&] {
+      std::vector<Index> uncut;
+      surface->cut_along(cuts.is_cut, &uncut);
+      std::vector<int> count(at(surface->vertex_count()), 0);
+      for (const Index v : uncut) ++count[at(v)];
+      return count;
+    }();
+    const Index cut = copies[at(a)] > 1 ? a : b;
+    ASSERT_GT(copies[at(cut)], 1);
+    (points == &options.chart.map.pins ? given.chart.map.pins
+                                       : given.chart.map.handles) = {{cut, target}};
+    expect_contains(error_message(ErrorKind::Infeasible, [&] { unwrapped(mesh, given); }),
+                    {"vertex " + std::to_string(cut), "on a seam", "--seams auto"});
+    points->clear();
+  }
 }
 
 TEST(Unwrap, EnergiesWithoutAScaleGetTheSurfaces) {

@@ -64,6 +64,44 @@ TEST(ChooseCuts, LeavesPolygonsWhole) {
   }
 }
 
+// Vertices of the cut surface by vertex of the surface: 1 where no cut passes.
+std::vector<int> places(const SurfaceMesh& mesh, const std::vector<char>& is_cut) {
+  std::vector<Index> uncut;
+  mesh.cut_along(is_cut, &uncut);
+  std::vector<int> count(at(mesh.vertex_count()), 0);
+  for (const Index v : uncut) ++count[at(v)];
+  return count;
+}
+
+TEST(ChooseCuts, CutsPassByWhatStaysWhole) {
+  for (const PolygonMesh& input : {cube_sphere(6), limbs(8), torus(24, 12, 0)}) {
+    const SurfaceMesh mesh = SurfaceMesh::from_polygons(input);
+    CutOptions options;
+    options.max_stretch = 1.005;
+    const std::vector<int> before = places(mesh, choose_cuts(mesh, options).is_cut);
+    for (Index v = 0; v < mesh.vertex_count(); ++v)
+      if (before[at(v)] > 1 && options.whole.size() < 6 && v % 2 == 0) options.whole.push_back(v);
+    ASSERT_FALSE(options.whole.empty());
+    const SurfaceCuts cuts = choose_cuts(mesh, options);
+    expect_planar_pieces(mesh, cuts);
+    const std::vector<int> after = places(mesh, cuts.is_cut);
+    for (const Index v : options.whole) EXPECT_EQ(after[at(v)], 1) << v;
+  }
+  CutOptions outside;
+  outside.whole = {99999};
+  const SurfaceMesh mesh = SurfaceMesh::from_polygons(tetrahedron());
+  expect_contains(error_message(ErrorKind::Usage, [&] { choose_cuts(mesh, outside); }),
+                  {"vertex 99999"});
+}
+
+// No way around: a closed surface is opened all the same.
+TEST(ChooseCuts, OpensWhatShouldStayWholeEverywhere) {
+  const SurfaceMesh mesh = SurfaceMesh::from_polygons(cube_sphere(3));
+  CutOptions options;
+  for (Index v = 0; v < mesh.vertex_count(); ++v) options.whole.push_back(v);
+  expect_planar_pieces(mesh, choose_cuts(mesh, options));
+}
+
 TEST(ChooseCuts, UnfoldsWhatCanBeUnfolded) {
   const SurfaceMesh cube = SurfaceMesh::from_polygons(voxel_surface(box(4, 4, 4)));
   const SurfaceCuts cuts = choose_cuts(cube, {});

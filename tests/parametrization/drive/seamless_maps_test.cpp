@@ -237,6 +237,19 @@ TEST(SeamlessMaps, PinsElsewhereAreReached) {
     EXPECT_LE((r.map->control_points().segment<2>(2 * p.vertex) - *p.target).norm(), 1e-14);
 }
 
+// A cone is a combination of translations: it must not come out of their rounding.
+TEST(SeamlessMaps, APinnedConeIsMetToTheBit) {
+  const Start start = fan_case(5, 3).start();
+  for (int k = 0; k < 8; ++k) {
+    ParametrizationOptions options = degree(1);
+    const Vector2 target(1.3703359426097297 + 0.1 * k, -0.27545938435084033 - 0.07 * k);
+    options.map.pins = {{0, target}};
+    const ParametrizationResult r = solve(start, options);
+    expect_seamless(r, 1);
+    EXPECT_EQ(Vector2(r.map->control_points().segment<2>(0)), target) << k;
+  }
+}
+
 // ---- Aligned edges ----
 
 // Half-edges on the sides of the unit cube, where faces of two directions meet.
