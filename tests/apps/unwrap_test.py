@@ -390,6 +390,7 @@ l 1 9
                          [self.path(n) for n in ('a.vtu', 'a.svg', 'a.obj')])
         self.refused(USAGE, 'unwrap', mesh, self.path('a.csv'), says='.csv')
         self.refused(USAGE, 'unwrap', mesh, says='output')
+        self.refused(USAGE, 'unwrap', mesh, '-o', '/dev/full', says=('/dev/full', 'no extension', '.obj'))
 
     def test_numbers_of_the_report_are_those_of_the_layout(self):
         points, faces = both(sphere(2), torus(6, 4, 0))
