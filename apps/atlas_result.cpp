@@ -118,8 +118,8 @@ Json repairs_section(const RepairedSurface& surface) {
   return list;
 }
 
-double relative_seam_length(const FinishedAtlas& run) {
-  return run.atlas.cuts.length / std::sqrt(run.surface.mesh->area());
+double seam_length(const FinishedAtlas& run) {
+  return run.atlas.cuts.length + run.surface.cut_length;
 }
 
 Json result_section(const FinishedAtlas& run) {
@@ -150,7 +150,7 @@ Json result_section(const FinishedAtlas& run) {
               {"charts", atlas.charts.size()},
               {"stretch_l2", stretch.l2},
               {"stretch_max", stretch.max}};
-  result.update(cuts_section(atlas.cuts, run.surface.mesh->area()));
+  result.update(cuts_section(atlas.cuts, run.surface));
   if (!atlas.packing) return result;
   result["fill"] = atlas.packing->fill;
   result["side"] = atlas.packing->side;
@@ -212,9 +212,9 @@ void summarize(const FinishedAtlas& run, const WrittenFiles& written) {
   say("{}: {}, {} chart{}, {} {:.6f}, seams {:.4g} ({:.3g} sqrt(area)), stretch {:.4f}{}, "
       "degree {}, {:.2f} s\n",
       run.map.input, status_name(atlas.status()), atlas.charts.size(),
-      atlas.charts.size() == 1 ? "" : "s", run.map.energy, atlas.value(), atlas.cuts.length,
-      relative_seam_length(run), atlas.stretch().l2, fill, run.map.degree,
-      seconds_since(run.start));
+      atlas.charts.size() == 1 ? "" : "s", run.map.energy, atlas.value(), seam_length(run),
+      seam_length(run) / std::sqrt(run.surface.mesh->area()), atlas.stretch().l2, fill,
+      run.map.degree, seconds_since(run.start));
   for (const std::string& path : run.outputs.files)
     if ((extension(path) == ".obj" || extension(path) == ".vtu") && written.has(path))
       say("proof: majorant check {} --cuts free{}\n", path, atlas.packing ? " --certify" : "");

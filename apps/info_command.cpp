@@ -133,8 +133,8 @@ std::string verdict(const PolygonMesh& polygons, Description& out) {
 }
 
 // What `majorant unwrap` would do, up to the solve.
-void describe_plan(const SurfaceMesh& mesh, Description& out) {
-  const SurfaceCuts cuts = choose_cuts(mesh, {});
+void describe_plan(const RepairedSurface& surface, Description& out) {
+  const SurfaceCuts cuts = choose_cuts(*surface.mesh, {});
   Index charts = 0;
   double stretch = 1;
   for (const ComponentCuts& component : cuts.components) {
@@ -143,8 +143,9 @@ void describe_plan(const SurfaceMesh& mesh, Description& out) {
   }
   out.add(
       "plan: unwrap makes {} chart{}, cut along {} edges of length {:.6g}, stretch about {:.3f}\n",
-      charts, charts == 1 ? "" : "s", cuts.edges, cuts.length, stretch);
-  out.report["plan"] = cuts_section(cuts, mesh.area());
+      charts, charts == 1 ? "" : "s", cuts.edges + surface.cut_edges,
+      cuts.length + surface.cut_length, stretch);
+  out.report["plan"] = cuts_section(cuts, surface);
   out.report["plan"]["charts"] = charts;
   out.report["plan"]["estimated_stretch"] = stretch;
 }
@@ -159,7 +160,7 @@ int info(const Request& request) {
   const std::string message = verdict(polygons, out);
   out.add("verdict: {}\n", message);
   out.report["message"] = message;
-  if (request.plan) describe_plan(*repaired.mesh, out);
+  if (request.plan) describe_plan(repaired, out);
   if (request.common.report != kStandardOutput) print_text(out.text);
   if (!request.common.report.empty()) write_json(request.common.report, out.report);
   return kSuccess;

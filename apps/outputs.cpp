@@ -32,6 +32,11 @@ double parse_spacing(const std::string& text) {
 
 void require_extension(const std::string& path, const std::vector<std::string>& allowed) {
   const std::string e = extension(path);
+  if (e.empty())
+    throw Error(
+        ErrorKind::Usage,
+        fmt::format("{}: the name has no extension, which says what to write; use one of {}", path,
+                    fmt::join(allowed, " ")));
   if (std::find(allowed.begin(), allowed.end(), e) == allowed.end())
     throw Error(ErrorKind::Usage, fmt::format("{}: cannot write files of type '{}'; use one of {}",
                                               path, e, fmt::join(allowed, " ")));

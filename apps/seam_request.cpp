@@ -76,4 +76,15 @@ Json cuts_section(const SurfaceCuts& cuts, double area) {
           {"added_seam_edges", cuts.added_edges}};
 }
 
+Json cuts_section(const SurfaceCuts& cuts, const RepairedSurface& surface) {
+  const double area = surface.mesh->area();
+  Json section = cuts_section(cuts, area);
+  section["seam_length"] = cuts.length + surface.cut_length;
+  section["seam_length_relative"] = (cuts.length + surface.cut_length) / std::sqrt(area);
+  section["seam_edges"] = cuts.edges + surface.cut_edges;
+  section["repair_seam_length"] = surface.cut_length;
+  section["repair_seam_edges"] = surface.cut_edges;
+  return section;
+}
+
 }  // namespace majorant::app

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "apps/report.h"
+#include "majorant/mesh/repair.h"
 #include "majorant/parametrization/cuts/choose_cuts.h"
 
 namespace majorant::app {
@@ -28,5 +29,7 @@ struct SeamRequest {
 
 // {"seam_length": ..., ...}: what reports say of cuts. area: of the surface.
 Json cuts_section(const SurfaceCuts& cuts, double area);
+// Of a repaired surface: with the edges that repair cut, which are in the sums.
+Json cuts_section(const SurfaceCuts& cuts, const RepairedSurface& surface);
 
 }  // namespace majorant::app

@@ -61,7 +61,7 @@ int unwrap_file(Request request) {
   });
   request.solve.apply(options.chart);
   const double read_seconds = record.seconds();
-  Atlas atlas = unless_stopped("cutting " + request.map.input,
+  Atlas atlas = unless_stopped("unwrapping " + request.map.input,
                                [&] { return unwrap(surface.mesh, options, record); });
   finish_progress(request.common);
   std::optional<AtlasSquare> square;

@@ -14,6 +14,7 @@
 #include "majorant/mesh/internal/regularize.h"
 #include "majorant/mesh/internal/sheets.h"
 #include "majorant/mesh/internal/triangle_list.h"
+#include "majorant/mesh/internal/triangulate_polygon.h"
 #include "majorant/mesh/internal/weld.h"
 
 namespace majorant {
@@ -27,7 +28,7 @@ struct KindText {
 };
 
 const KindText& text_of(RepairKind kind) {
-  static constexpr std::array<KindText, 9> kTexts = {{
+  static constexpr std::array<KindText, 10> kTexts = {{
       {"welded", "vertex welded to another", "vertices welded to others", "vertex"},
       {"repeated_vertex", "face with a repeated vertex split off",
        "faces with a repeated vertex split off", "face"},
@@ -41,6 +42,8 @@ const KindText& text_of(RepairKind kind) {
        "faces turned to agree with their neighbours", "face"},
       {"cut_edge", "edge cut, where faces cannot agree on a side",
        "edges cut, where faces cannot agree on a side", "edge"},
+      {"crossing_polygon", "polygon that crosses itself taken as triangles",
+       "polygons that cross themselves taken as triangles", "face"},
       {"regularized_face", "face with no or nearly no area measured against a needle",
        "faces with no or nearly no area measured against needles", "face"},
       {"moved_to_origin", "mesh moved to the origin for the run",
@@ -68,6 +71,43 @@ Vector3 origin_of(const PolygonMesh& input, const std::vector<Index>& used) {
       origin[k] = low[k] + (high[k] - low[k]) / 2;
   }
   return origin;
+}
+
+// Part of the area of a polygon's triangles that may face aside or away. Origin: coordinates of
+// five digits; polygons that are bent more do not cross themselves in space.
+constexpr double kAside = 1e-4;
+
+// Whether triangles over these corners are in one plane, and some face its other side.
+bool disagree(const std::vector<Vector3>& corners,
+              const std::vector<std::array<int, 3>>& triangles) {
+  std::vector<Vector3> areas;
+  Vector3 normal = Vector3::Zero();  // of the largest
+  double sum = 0;
+  for (const auto& t : triangles) {
+    const Vector3& first = corners[at(t[0])];
+    areas.push_back((corners[at(t[1])] - first).cross(corners[at(t[2])] - first));
+    if (areas.back().norm() > normal.norm()) normal = areas.back();
+    sum += areas.back().norm();
+  }
+  if (sum == 0) return false;
+  normal.normalize();
+  bool is_plane = true, is_any_away = false;
+  for (const Vector3& area : areas) {
+    is_plane = is_plane && area.cross(normal).norm() <= kAside * sum;
+    is_any_away = is_any_away || area.dot(normal) < -kAside * sum;
+  }
+  return is_plane && is_any_away;
+}
+
+// triangles: of the polygon with these corners; texture coordinates may have chosen them.
+bool is_crossing(const std::vector<Vector3>& corners,
+                 const std::vector<std::array<int, 3>>& triangles) {
+  if (!disagree(corners, triangles)) return false;
+  try {
+    return disagree(corners, triangulate_polygon(corners));
+  } catch (const Error&) {
+    return true;
+  }
 }
 
 class Repairing {
@@ -185,6 +225,24 @@ class Repairing {
     return places;
   }
 
+  // Triangles of a polygon come one after the other.
+  Places crossing_polygons() const {
+    Places places;
+    for (std::size_t t = 0, end = 0; t < list_.polygon.size(); t = end) {
+      const Index p = list_.polygon[t];
+      std::vector<std::array<int, 3>> triangles;
+      for (; end < list_.polygon.size() && list_.polygon[end] == p; ++end) {
+        triangles.push_back(list_.corners[end]);
+        if (sheets_.is_turned[end]) std::swap(triangles.back()[1], triangles.back()[2]);
+      }
+      if (triangles.size() == 1) continue;
+      std::vector<Vector3> corners;
+      for (const Index v : input_.polygons[at(p)]) corners.push_back(input_.positions[at(v)]);
+      if (is_crossing(corners, triangles)) places.push_back({p, -1});
+    }
+    return places;
+  }
+
   static Places vertices(const std::vector<Index>& vertices) {
     Places places;
     for (const Index v : vertices) places.push_back({v, -1});
@@ -202,6 +260,12 @@ class Repairing {
     note(RepairKind::SplitVertex, vertices(sheets_.split_vertices));
     note(RepairKind::TurnedFace, polygons(sheets_.turned));
     note(RepairKind::CutEdge, edges(sheets_.cut_edges));
+    out_.cut_edges = static_cast<Index>(sheets_.cut_edges.size());
+    for (const Index h : sheets_.cut_edges)
+      out_.cut_length += (input_.positions[at(to_vertex(given_, h))] -
+                          input_.positions[at(from_vertex(given_, h))])
+                             .norm();
+    note(RepairKind::CrossingPolygon, crossing_polygons());
     std::vector<Index> regularized;
     for (const RestTriangle& t : out_.mesh->rest_triangles()) regularized.push_back(t.face);
     note(RepairKind::RegularizedFace, polygons(regularized));

@@ -26,6 +26,8 @@
 //     cut_edge          a component that has only one side (Moebius strip, Klein bottle) is cut
 //                       where faces disagree, along short edges; where orientation is AsGiven, all
 //                       edges whose faces disagree
+//     crossing_polygon  a plane polygon that crosses itself: its triangles, some of which face the
+//                       other way, are all there is of it. A file may have them in its place
 //     regularized_face  a face without area, or a needle (kNeedleHeight), is measured against a
 //                       rest triangle of the same longest edge L and the height kNeedleHeight L.
 //                       One whose corners are at one place: equilateral, of kNeedleHeight times the
@@ -84,6 +86,7 @@ enum class RepairKind {
   SplitVertex,
   TurnedFace,
   CutEdge,
+  CrossingPolygon,
   RegularizedFace,
   MovedToOrigin
 };
@@ -113,6 +116,8 @@ struct RepairedSurface {
   std::vector<char> given_cuts;  // 3 #F, both sides of an edge: texture seams that were welded
   std::vector<Repair> repairs;   // one per kind, in the order above; empty: nothing was wrong
   Index one_sided = 0;           // components that cut_edge opened
+  Index cut_edges = 0;           // by cut_edge
+  double cut_length = 0;         // of these, model units
   // Vertices that lie exactly where a smaller one does and were not welded to it.
   Index coincident_left = 0;
 };

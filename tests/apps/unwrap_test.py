@@ -146,6 +146,12 @@ class Repairs(UnwrapTest):
         layout, report = self.unwrap(mesh)
         repairs = self.repaired(report)
         self.assertEqual(repairs['cut_edge'], 1)
+        seam = report['result']
+        self.assertEqual((seam['repair_seam_edges'], seam['seam_edges']), (1, 1))
+        cut = report['repairs'][-1]['places'][0]
+        self.assertEqual(report['repairs'][-1]['kind'], 'cut_edge')
+        self.assertEqual(seam['seam_length'], math.dist(*(points[v] for v in cut)))
+        self.assertEqual(seam['repair_seam_length'], seam['seam_length'])
         self.same_but_turned(layout, faces, repairs.get('turned_face', 0))
         self.assertTrue(all(layout.area(k) > 0 for k in range(len(faces))))
         self.assertEqual(layout.overlapping(), [])
@@ -168,6 +174,18 @@ class Repairs(UnwrapTest):
         self.same_but_turned(layout, flipped, 3)
         self.assertEqual(layout.overlapping(), [])
         self.judged()
+
+    def test_polygons_that_cross_themselves(self):
+        star = [(math.sin(0.8 * math.pi * k), math.cos(0.8 * math.pi * k), 0) for k in range(5)]
+        for name, polygon in (('star', star), ('bow', [(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0)])):
+            with self.subTest(name):
+                square = [(x, y, 3) for x, y in ((0, 0), (2, 0), (1, 0.3), (0, 2))]  # concave, but simple
+                n = len(polygon)
+                mesh = self.mesh(polygon + square, [tuple(range(n)), tuple(range(n, n + 4))])
+                _, report = self.unwrap(mesh)
+                crossing = [r for r in report['repairs'] if r['kind'] == 'crossing_polygon']
+                self.assertEqual([(r['count'], r['places']) for r in crossing], [(1, [0])])
+                self.refused(UNSUPPORTED, 'unwrap', mesh, self.path('bad.obj'), '--strict', says='--strict')
 
     def test_a_fin(self):
         points, faces = sphere(3)
@@ -407,6 +425,7 @@ l 1 9
                          [self.path(n) for n in ('a.vtu', 'a.svg', 'a.obj')])
         self.refused(USAGE, 'unwrap', mesh, self.path('a.csv'), says='.csv')
         self.refused(USAGE, 'unwrap', mesh, says='output')
+        self.refused(USAGE, 'unwrap', mesh, '-o', '/dev/full', says=('/dev/full', 'no extension', '.obj'))
 
     def test_numbers_of_the_report_are_those_of_the_layout(self):
         points, faces = both(sphere(2), torus(6, 4, 0))
