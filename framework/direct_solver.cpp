@@ -170,6 +170,8 @@ class DirectSolver final : public LinearSolver {
 
 }  // namespace
 
+std::string_view vector_instructions() { return front_kernels().name; }
+
 std::unique_ptr<LinearSolver> make_direct_solver(Ordering ordering) {
   return std::make_unique<DirectSolver>(ordering);
 }

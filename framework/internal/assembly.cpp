@@ -22,22 +22,29 @@ void reduced_unknowns(const Stencils& s, const Elimination& z, Index e, std::vec
 SparsePattern reduced_pattern(const std::vector<const Stencils*>& terms,
                               const Elimination& elimination) {
   const Index n = elimination.reduced_size();
-  std::vector<std::vector<Index>> elements_of(at(n));  // by unknown: positions in `lists`
-  std::vector<std::vector<Index>> lists;
-  std::vector<Index> unknowns;
+  // The unknowns of all elements one after the other; by unknown, the elements that have it.
+  std::vector<std::size_t> starts{0}, element_starts(at(n) + 2, 0);
+  std::vector<Index> all, unknowns;
   for (const Stencils* s : terms)
     for (Index e = 0; e < s->element_count(); ++e) {
       reduced_unknowns(*s, elimination, e, unknowns);
-      for (const Index u : unknowns) elements_of[at(u)].push_back(static_cast<Index>(lists.size()));
-      lists.push_back(unknowns);
+      for (const Index u : unknowns) ++element_starts[at(u) + 2];
+      all.insert(all.end(), unknowns.begin(), unknowns.end());
+      starts.push_back(all.size());
     }
+  for (std::size_t u = 2; u < element_starts.size(); ++u)
+    element_starts[u] += element_starts[u - 1];
+  std::vector<std::size_t> elements(all.size());
+  for (std::size_t e = 0; e + 1 < starts.size(); ++e)
+    for (std::size_t k = starts[e]; k < starts[e + 1]; ++k)
+      elements[element_starts[at(all[k]) + 1]++] = e;
   SparsePattern p;
   std::vector<Index> mark(at(n), -1), below;
   for (Index c = 0; c < n; ++c) {
     below.clear();
-    for (const Index list : elements_of[at(c)])
-      for (const Index r : lists[at(list)])
-        if (r > c && mark[at(r)] != c) {
+    for (std::size_t q = element_starts[at(c)]; q < element_starts[at(c) + 1]; ++q)
+      for (std::size_t k = starts[elements[q]]; k < starts[elements[q] + 1]; ++k)
+        if (const Index r = all[k]; r > c && mark[at(r)] != c) {
           mark[at(r)] = c;
           below.push_back(r);
         }

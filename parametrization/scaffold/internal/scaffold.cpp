@@ -86,7 +86,10 @@ Scaffold::Scaffold(std::shared_ptr<const BezierTriangleSpace> image, VecIn x)
   std::vector<Points2> polygons;
   std::vector<Index> vertex_of;  // triangulation's vertex -> ours
   const Cells& image_faces = image_->faces();
-  for (const auto& loop : boundary_half_edges(image_faces, opposite_half_edges(image_faces))) {
+  const std::vector<Index> image_opposite = opposite_half_edges(image_faces);
+  for (Index h = 0; h < 3 * image_->element_count(); ++h)
+    if (image_opposite[at(h)] < 0) image_boundary_.push_back(h);
+  for (const auto& loop : boundary_half_edges(image_faces, image_opposite)) {
     Points2 polygon(static_cast<Index>(loop.size()), 2);
     for (std::size_t k = 0; k < loop.size(); ++k) {
       const Index v = from_vertex(image_faces, loop[k]);
@@ -110,21 +113,21 @@ Scaffold::Scaffold(std::shared_ptr<const BezierTriangleSpace> image, VecIn x)
 
 // Nodes on the image's boundary have its numbers, the others follow.
 void Scaffold::number() {
-  std::map<Index, Index> compact;  // vertex -> number in own_
-  for (const Index v : mesh_.faces.reshaped()) compact.emplace(v, 0);
+  // vertex -> number in own_, or -1
+  std::vector<Index> compact(at(mesh_.faces.maxCoeff()) + 1, -1);
+  for (const Index v : mesh_.faces.reshaped()) compact[at(v)] = 0;
   Index count = 0;
-  for (auto& entry : compact) entry.second = count++;
+  for (Index& number : compact)
+    if (number == 0) number = count++;
   Cells faces = mesh_.faces;
-  for (Index& v : faces.reshaped()) v = compact.at(v);
+  for (Index& v : faces.reshaped()) v = compact[at(v)];
   own_ = std::make_shared<const BezierTriangleSpace>(faces, count, mesh_.degree);
 
   std::vector<Index> joint(at(own_->node_count()), -1);
   std::map<std::array<Index, 2>, Index> side;  // (from, to) -> half-edge of the scaffold's boundary
   for (Index h = 0; h < 3 * face_count(); ++h)
     if (mesh_.opposite[at(h)] < 0) side[{mesh_.from_vertex(h), mesh_.to_vertex(h)}] = h;
-  const std::vector<Index> image_opposite = opposite_half_edges(image_->faces());
-  for (Index h = 0; h < 3 * image_->element_count(); ++h) {
-    if (image_opposite[at(h)] >= 0) continue;
+  for (const Index h : image_boundary_) {
     const Index a = from_vertex(image_->faces(), h), b = to_vertex(image_->faces(), h);
     const std::vector<Index> of_image = edge_nodes(*image_, h);
     const std::vector<Index> mine = edge_nodes(*own_, side.at({b, a}));
@@ -254,6 +257,7 @@ Scaffold Scaffold::elevated(std::shared_ptr<const BezierTriangleSpace> image) co
   out.mesh_ = mesh_;
   out.mesh_.degree = mesh_.degree + 1;
   out.frame_ = frame_;
+  out.image_boundary_ = image_boundary_;
   const Eigen::MatrixXd e = elevation_matrix(mesh_.degree);
   out.mesh_.points.resize(face_count(), 2 * e.rows());
   for (Index f = 0; f < face_count(); ++f) {

@@ -66,6 +66,7 @@ class Scaffold {
   std::shared_ptr<const DensityTerm> term_on(std::shared_ptr<const BezierTriangleSpace>) const;
 
   std::shared_ptr<const BezierTriangleSpace> image_, space_;
+  std::vector<Index> image_boundary_;               // half-edges, ascending
   std::shared_ptr<const BezierTriangleSpace> own_;  // the scaffold alone, numbered by itself
   BezierMesh mesh_;           // vertices: those of the image, then the scaffold's own
   std::vector<Index> frame_;  // vertices of the frame, counterclockwise
