@@ -70,6 +70,7 @@ SlotTable::SlotTable(const Stencils& stencils, const Elimination& elimination,
   direct_.assign(at(count) * at(packed_size_), -1);
   reduced_.assign(at(count) * at(local_size_), -1);
   general_of_.assign(at(count), -1);
+  std::vector<int> order;
   for (Index e = 0; e < count; ++e) {
     Index* reduced = reduced_.data() + at(e) * at(local_size_);
     bool simple = true;
@@ -87,10 +88,24 @@ SlotTable::SlotTable(const Stencils& stencils, const Elimination& elimination,
       build_general(e, stencils, elimination, pattern);
       continue;
     }
-    Index* direct = direct_.data() + at(e) * at(packed_size_);
-    for (int i = 0, k = 0; i < local_size_; ++i)
-      for (int j = 0; j <= i; ++j, ++k)
-        if (reduced[i] >= 0 && reduced[j] >= 0) direct[k] = pattern.slot(reduced[i], reduced[j]);
+    find_slots(reduced, pattern, order, direct_.data() + at(e) * at(packed_size_));
+  }
+}
+
+// Each column is read but once: its rows and the element's unknowns are both ascending.
+void SlotTable::find_slots(const Index* reduced, const SparsePattern& pattern,
+                           std::vector<int>& order, Index* direct) const {
+  order.clear();
+  for (int i = 0; i < local_size_; ++i)
+    if (reduced[i] >= 0) order.push_back(i);
+  std::sort(order.begin(), order.end(), [&](int i, int j) { return reduced[i] < reduced[j]; });
+  for (auto column = order.begin(); column != order.end(); ++column) {
+    Index slot = pattern.diagonal_slot(reduced[*column]);
+    for (auto row = column; row != order.end(); ++row) {
+      while (pattern.rows[at(slot)] < reduced[*row]) ++slot;
+      const auto [low, high] = std::minmax(*row, *column);
+      direct[high * (high + 1) / 2 + low] = slot;
+    }
   }
 }
 
