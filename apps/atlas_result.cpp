@@ -7,6 +7,7 @@
 
 #include "apps/seam_request.h"
 #include "apps/streams.h"
+#include "majorant/framework/linear_solver.h"
 #include "majorant/framework/thread_count.h"
 #include "majorant/io/atlas_file.h"
 #include "majorant/io/map_proof.h"
@@ -180,7 +181,8 @@ Json report(const FinishedAtlas& run, double write_seconds, const WrittenFiles& 
             {"write", write_seconds},
             {"total", seconds_since(run.start)}}},
           {"peak_memory_bytes", peak_memory_bytes()},
-          {"threads", ThreadCount::current()}};
+          {"threads", ThreadCount::current()},
+          {"vector_instructions", vector_instructions()}};
 }
 
 void write_reports(const FinishedAtlas& run, double write_seconds, WrittenFiles& written) {

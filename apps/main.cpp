@@ -1,4 +1,6 @@
 // majorant: the command. One file a verb; exit codes and file formats in docs/interface.md.
+#include <fmt/format.h>
+
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
@@ -12,6 +14,7 @@
 #include "apps/command.h"
 #include "apps/process.h"
 #include "apps/streams.h"
+#include "majorant/framework/linear_solver.h"
 
 namespace majorant::app {
 
@@ -47,8 +50,12 @@ ExitCode exit_code(Status status) {
   return kInternal;
 }
 
+std::string version_line() {
+  return fmt::format("majorant {} ({})", MAJORANT_VERSION, vector_instructions());
+}
+
 void CommonOptions::add_to(CLI::App& verb) {
-  verb.set_version_flag("--version", "majorant " MAJORANT_VERSION);
+  verb.set_version_flag("--version", version_line());
   verb.add_option("--threads", threads, "threads (default: all cores); results do not depend on it")
       ->check(CLI::Range(1, 1024));
   auto* q = verb.add_flag("--quiet", quiet, "no progress");
@@ -65,7 +72,7 @@ int run(int argc, char** argv) {
       "majorant: low-distortion, injective, piecewise polynomial maps of surfaces onto the "
       "plane",
       "majorant"};
-  app.set_version_flag("--version", "majorant " MAJORANT_VERSION);
+  app.set_version_flag("--version", version_line());
   app.require_subcommand(1);
   app.footer(
       "Example: majorant parametrize bunny.obj -o bunny.vtu -o bunny.svg --degree 3\n"

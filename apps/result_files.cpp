@@ -8,6 +8,7 @@
 #include "apps/global_verdict.h"
 #include "apps/seam_request.h"
 #include "apps/streams.h"
+#include "majorant/framework/linear_solver.h"
 #include "majorant/framework/thread_count.h"
 #include "majorant/io/map_proof.h"
 
@@ -159,7 +160,8 @@ void write_reports(const FinishedRun& run, double write_seconds, WrittenFiles& w
                 {"write", write_seconds},
                 {"total", seconds_since(run.start)}}},
               {"peak_memory_bytes", peak_memory_bytes()},
-              {"threads", ThreadCount::current()}};
+              {"threads", ThreadCount::current()},
+              {"vector_instructions", vector_instructions()}};
   if (run.in.start && !run.in.start->map.seams().trivial())
     report["seam_start"] = seam_start_section(*run.in.start);
   for (const std::string& path : paths) written.write(path, [&] { write_json(path, report); });

@@ -38,6 +38,9 @@ void gather(const BernsteinSpace& space, Index e, const Store& store) {
     for (int c = 0; c < dim; ++c) store(dim * k + c, dim * node[k] + c);
 }
 
+// Coordinates of a triangle with straight edges.
+constexpr int kTriangleSize = 6;
+
 template <int K>
 double largest_step_in(const BernsteinSpace& space, const DetCoefficients& coefficients,
                        const Subdivision& subdivision, Index e, VecIn x, VecIn d, double s,
@@ -107,6 +110,12 @@ ContractionTable BernsteinSpace::tabulate(const Quadrature& rule) const {
 
 PositivityProof BernsteinSpace::certify(Index e, VecIn x, int max_depth) const {
   const DetCoefficients& coefficients = tables_->det;
+  if (coefficients.is_one_minor()) {
+    double c[kTriangleSize], det, error;
+    gather(*this, e, [&](int i, Index k) { c[i] = x[k]; });
+    coefficients.minor_with_error(c, &det, &error);
+    if (det - error > 0) return {Positivity::Certified, det - error, 0};
+  }
   const std::size_t size = local_size(*this), count = at(coefficients.count());
   Scratch c(size), det(count), error(count);
   gather(*this, e, [at = c.data(), &x](int i, Index k) { at[i] = x[k]; });
@@ -124,6 +133,11 @@ PositivityProof BernsteinSpace::certify(Index e, VecIn x, int max_depth) const {
 }
 
 double BernsteinSpace::largest_step(Index e, VecIn x, VecIn d, double s, int max_depth) const {
+  if (tables_->det.is_one_minor()) {
+    StepPolynomial<1> c[kTriangleSize];
+    gather(*this, e, [&](int i, Index k) { c[i] = {{x[k], d[k]}}; });
+    if (plainly_positive(tables_->det.minor_along_line(c), s)) return s;
+  }
   const auto largest = element_.dim() == 2 ? largest_step_in<2> : largest_step_in<3>;
   return largest(*this, tables_->det, tables_->subdivision, e, x, d, s, max_depth);
 }

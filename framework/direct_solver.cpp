@@ -128,17 +128,10 @@ class DirectSolver final : public LinearSolver {
   explicit DirectSolver(Ordering ordering) : ordering_(ordering) {}
 
   void analyze(const SparsePattern& pattern) override {
-    const ThreadCount alone(1);
     factor_.reset();
     tree_.reset();
     if (pattern.size == 0) return;
-    const BlockGraph graph(pattern);
-    Cholmod cholmod;
-    const Ordering chosen = ordering_ != Ordering::Automatic ? ordering_
-                            : graph.size() < kMetisBlocks    ? Ordering::Amd
-                                                             : Ordering::Metis;
-    tree_ = std::make_unique<const FrontTree>(
-        pattern, cholmod.eliminate(graph, cholmod.order(graph, chosen)));
+    const Ordering chosen = make_tree(pattern);
     factor_ = std::make_unique<MultifrontalFactor>(*tree_);
     description_ = fmt::format("multifrontal, {}, {}, {:.3g} factor nonzeros, {:.3g} operations",
                                front_kernels().name, chosen == Ordering::Metis ? "METIS" : "AMD",
@@ -157,6 +150,18 @@ class DirectSolver final : public LinearSolver {
   std::string description() const override { return description_; }
 
  private:
+  Ordering make_tree(const SparsePattern& pattern) {
+    const ThreadCount alone(1);
+    const BlockGraph graph(pattern);
+    const Ordering chosen = ordering_ != Ordering::Automatic ? ordering_
+                            : graph.size() < kMetisBlocks    ? Ordering::Amd
+                                                             : Ordering::Metis;
+    Cholmod cholmod;
+    tree_ = std::make_unique<const FrontTree>(
+        pattern, cholmod.eliminate(graph, cholmod.order(graph, chosen)));
+    return chosen;
+  }
+
   Ordering ordering_;
   std::unique_ptr<const FrontTree> tree_;
   std::unique_ptr<MultifrontalFactor> factor_;
@@ -164,6 +169,8 @@ class DirectSolver final : public LinearSolver {
 };
 
 }  // namespace
+
+std::string_view vector_instructions() { return front_kernels().name; }
 
 std::unique_ptr<LinearSolver> make_direct_solver(Ordering ordering) {
   return std::make_unique<DirectSolver>(ordering);

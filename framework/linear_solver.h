@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "majorant/framework/sparse_pattern.h"
 #include "majorant/framework/stop_check.h"
@@ -36,6 +37,10 @@ enum class Ordering { Automatic, Amd, Metis };
 // (thread_count.h). The same bits for any number of them, and on machines with AVX2 and AVX-512.
 // Needs no BLAS. Every member throws std::bad_alloc when it runs out of memory.
 std::unique_ptr<LinearSolver> make_direct_solver(Ordering ordering = Ordering::Automatic);
+
+// What kernels run on here, the direct solver's and those of the built-in energies: "AVX-512",
+// "AVX2" or "baseline".
+std::string_view vector_instructions();
 
 // Eigen's simplicial L D L^T with the AMD ordering, on one thread: header-only, no BLAS, the oracle
 // of the tests. Not for large matrices, where the supernodal factorization is several times faster.

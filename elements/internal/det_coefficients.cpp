@@ -92,6 +92,16 @@ void sum_minors(const ProductTable& table, const First* a0, const First* a1, con
   });
 }
 
+// Of a term in the plane, and one more for each term of a coefficient's sum.
+constexpr double kPlaneRoundings = 8;
+
+constexpr double rounding_error(double roundings, double unit) { return 1.01 * roundings * unit; }
+
+// Products (and the rounding of quadruple sums to double) may underflow.
+constexpr double underflow_error(double operations) {
+  return 1024 * operations * std::numeric_limits<double>::denorm_min();
+}
+
 Degrees operator+(Degrees a, const Degrees& b) {
   for (std::size_t k = 0; k < a.size(); ++k) a[k] += b[k];
   return a;
@@ -217,7 +227,7 @@ void DetCoefficients::with_error(const double* c, double unit, double* out, doub
   int most = 0;
   for (int direction = 0; direction < dim_; ++direction)
     most = std::max(most, derivative_count(direction));
-  double roundings = 8.0 + most, underflows = 1;
+  double roundings = kPlaneRoundings + most, underflows = 1;
   if (dim_ == 2) {
     expand_in_plane<Real>(derivatives.data(), sums.data());
   } else {
@@ -230,13 +240,11 @@ void DetCoefficients::with_error(const double* c, double unit, double* out, doub
       largest = std::max(largest, static_cast<double>(magnitude(derivatives.data()[k])));
     underflows += 4 * degree_ * largest;
   }
-  // Products (and the rounding of quadruple sums to double) may underflow.
-  const double underflow =
-      1024 * roundings * underflows * std::numeric_limits<double>::denorm_min();
+  const double underflow = underflow_error(roundings * underflows);
   for (int t = 0; t < count(); ++t) {
     const Bounded<Real>& sum = sums.data()[t];
     out[t] = static_cast<double>(sum.value);
-    error[t] = 1.01 * roundings * unit * static_cast<double>(sum.size) +
+    error[t] = rounding_error(roundings, unit) * static_cast<double>(sum.size) +
                (unit < kUnit ? 2 * kUnit * std::abs(out[t]) : 0) + underflow;
   }
 }
@@ -247,6 +255,31 @@ void DetCoefficients::at_with_error(const double* c, double* out, double* error)
 
 void DetCoefficients::at_with_error_quad(const double* c, double* out, double* error) const {
   with_error<Quad>(c, kUnitRoundoff<Quad>, out, error);
+}
+
+// What expand_in_plane() makes of one row and column, but for the weight.
+template <class First, class Number>
+auto DetCoefficients::only_minor(const Number* c) const {
+  const auto derivative = [&](std::size_t direction, int component) {
+    const Difference& w = differences_[direction];
+    return subtract<First>(c[2 * w.plus + component], c[2 * w.minus + component]);
+  };
+  return minor(derivative(0, 0), derivative(1, 0), derivative(0, 1), derivative(1, 1));
+}
+
+void DetCoefficients::minor_with_error(const double* c, double* out, double* error) const {
+  constexpr double roundings = kPlaneRoundings + 1;
+  const Bounded<double> det = only_minor<double>(c);
+  const double weight = minors_.entries().front().weight;
+  *out = weight * det.value;
+  *error = rounding_error(roundings, kUnit) * (weight * det.size) + underflow_error(roundings);
+}
+
+StepPolynomial<2> DetCoefficients::minor_along_line(const StepPolynomial<1>* c) const {
+  const StepPolynomial<2> det = only_minor<StepPolynomial<1>>(c);
+  StepPolynomial<2> sum{};
+  add(sum, minors_.entries().front().weight, det);
+  return sum;
 }
 
 void DetCoefficients::along_line(const StepPolynomial<1>* c, StepPolynomial<2>* out) const {

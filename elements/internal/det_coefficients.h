@@ -59,6 +59,11 @@ class DetCoefficients {
   void at_with_error(const double* c, double* out, double* error) const;
   // The same in quadruple precision, rounded to double; error bounds accordingly smaller.
   void at_with_error_quad(const double* c, double* out, double* error) const;
+  // Of affine maps of the plane there is one coefficient, a 2 by 2 determinant: the same numbers as
+  // at_with_error() and along_line() have, without tables.
+  bool is_one_minor() const { return dim_ == 2 && minors_.entries().size() == 1; }
+  void minor_with_error(const double* c, double* out, double* error) const;
+  StepPolynomial<2> minor_along_line(const StepPolynomial<1>* c) const;
   // Coefficients as polynomials of degree D in t for control points that are linear in t.
   void along_line(const StepPolynomial<1>* c, StepPolynomial<2>* out) const;
   void along_line(const StepPolynomial<1>* c, StepPolynomial<3>* out) const;
@@ -69,6 +74,8 @@ class DetCoefficients {
     int plus, minus;
   };
   static std::vector<Difference> differences(const BernsteinElement& element, int direction);
+  template <class First, class Number>
+  auto only_minor(const Number* c) const;
   template <class Number, class First>
   void differentiate(const Number* c, First* out) const;
   template <class Real, class First, class Second>

@@ -22,22 +22,29 @@ void reduced_unknowns(const Stencils& s, const Elimination& z, Index e, std::vec
 SparsePattern reduced_pattern(const std::vector<const Stencils*>& terms,
                               const Elimination& elimination) {
   const Index n = elimination.reduced_size();
-  std::vector<std::vector<Index>> elements_of(at(n));  // by unknown: positions in `lists`
-  std::vector<std::vector<Index>> lists;
-  std::vector<Index> unknowns;
+  // The unknowns of all elements one after the other; by unknown, the elements that have it.
+  std::vector<std::size_t> starts{0}, element_starts(at(n) + 2, 0);
+  std::vector<Index> all, unknowns;
   for (const Stencils* s : terms)
     for (Index e = 0; e < s->element_count(); ++e) {
       reduced_unknowns(*s, elimination, e, unknowns);
-      for (const Index u : unknowns) elements_of[at(u)].push_back(static_cast<Index>(lists.size()));
-      lists.push_back(unknowns);
+      for (const Index u : unknowns) ++element_starts[at(u) + 2];
+      all.insert(all.end(), unknowns.begin(), unknowns.end());
+      starts.push_back(all.size());
     }
+  for (std::size_t u = 2; u < element_starts.size(); ++u)
+    element_starts[u] += element_starts[u - 1];
+  std::vector<std::size_t> elements(all.size());
+  for (std::size_t e = 0; e + 1 < starts.size(); ++e)
+    for (std::size_t k = starts[e]; k < starts[e + 1]; ++k)
+      elements[element_starts[at(all[k]) + 1]++] = e;
   SparsePattern p;
   std::vector<Index> mark(at(n), -1), below;
   for (Index c = 0; c < n; ++c) {
     below.clear();
-    for (const Index list : elements_of[at(c)])
-      for (const Index r : lists[at(list)])
-        if (r > c && mark[at(r)] != c) {
+    for (std::size_t q = element_starts[at(c)]; q < element_starts[at(c) + 1]; ++q)
+      for (std::size_t k = starts[elements[q]]; k < starts[elements[q] + 1]; ++k)
+        if (const Index r = all[k]; r > c && mark[at(r)] != c) {
           mark[at(r)] = c;
           below.push_back(r);
         }
@@ -63,6 +70,7 @@ SlotTable::SlotTable(const Stencils& stencils, const Elimination& elimination,
   direct_.assign(at(count) * at(packed_size_), -1);
   reduced_.assign(at(count) * at(local_size_), -1);
   general_of_.assign(at(count), -1);
+  std::vector<int> order;
   for (Index e = 0; e < count; ++e) {
     Index* reduced = reduced_.data() + at(e) * at(local_size_);
     bool simple = true;
@@ -80,10 +88,24 @@ SlotTable::SlotTable(const Stencils& stencils, const Elimination& elimination,
       build_general(e, stencils, elimination, pattern);
       continue;
     }
-    Index* direct = direct_.data() + at(e) * at(packed_size_);
-    for (int i = 0, k = 0; i < local_size_; ++i)
-      for (int j = 0; j <= i; ++j, ++k)
-        if (reduced[i] >= 0 && reduced[j] >= 0) direct[k] = pattern.slot(reduced[i], reduced[j]);
+    find_slots(reduced, pattern, order, direct_.data() + at(e) * at(packed_size_));
+  }
+}
+
+// Each column is read but once: its rows and the element's unknowns are both ascending.
+void SlotTable::find_slots(const Index* reduced, const SparsePattern& pattern,
+                           std::vector<int>& order, Index* direct) const {
+  order.clear();
+  for (int i = 0; i < local_size_; ++i)
+    if (reduced[i] >= 0) order.push_back(i);
+  std::sort(order.begin(), order.end(), [&](int i, int j) { return reduced[i] < reduced[j]; });
+  for (auto column = order.begin(); column != order.end(); ++column) {
+    Index slot = pattern.diagonal_slot(reduced[*column]);
+    for (auto row = column; row != order.end(); ++row) {
+      while (pattern.rows[at(slot)] < reduced[*row]) ++slot;
+      const auto [low, high] = std::minmax(*row, *column);
+      direct[high * (high + 1) / 2 + low] = slot;
+    }
   }
 }
 

@@ -37,6 +37,10 @@ class SlotTable {
   void build_general(Index element, const Stencils& stencils, const Elimination& elimination,
                      const SparsePattern& pattern);
 
+  // Of an element with these reduced unknowns, packed. order: scratch.
+  void find_slots(const Index* reduced, const SparsePattern& pattern, std::vector<int>& order,
+                  Index* direct) const;
+
   int local_size_, packed_size_;
   std::vector<Index> direct_;      // #E by packed_size: slot, or -1 for dropped entries
   std::vector<Index> reduced_;     // #E by local_size: reduced unknown, or -1

@@ -124,8 +124,9 @@ void ChunkPlan::make_chunks(const Stencils& stencils, const std::vector<RuleId>&
   };
   const auto rule = [&](Index e) { return element_rule.empty() ? 0 : element_rule[at(e)]; };
   elements_ = local_order(stencils.nodes);
-  std::stable_sort(elements_.begin(), elements_.end(),
-                   [&](Index a, Index b) { return key(a) < key(b); });
+  const auto before = [&](Index a, Index b) { return key(a) < key(b); };
+  if (!std::is_sorted(elements_.begin(), elements_.end(), before))
+    std::stable_sort(elements_.begin(), elements_.end(), before);
   starts_.push_back(0);
   for (std::size_t k = 0; k < elements_.size();) {
     std::size_t end = k + 1;

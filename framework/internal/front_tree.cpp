@@ -28,6 +28,12 @@ std::vector<Index> ordered_unknowns(const SparsePattern& pattern, const std::vec
 
 }  // namespace
 
+double FrontTree::Front::operations() const {
+  double sum = 0;
+  for (Index c = 0; c < columns; ++c) sum += 0.5 * (rows - c) * static_cast<double>(rows - c);
+  return sum;
+}
+
 FrontTree::FrontTree(const SparsePattern& pattern, const BlockElimination& elimination) {
   std::vector<Index> starts;
   order_ = ordered_unknowns(pattern, elimination.order, starts);
@@ -71,10 +77,9 @@ void FrontTree::make_fronts(const BlockElimination& elimination, const std::vect
     panel_size_ += at(front.stride) * at(front.columns);
     for (Index c = 0; c < front.columns; ++c) {
       front_of_[at(front.first + c)] = static_cast<Index>(g);
-      const auto rows = static_cast<double>(front.rows - c);
-      nonzeros_ += rows;
-      operations_ += rows * rows / 2;
+      nonzeros_ += front.rows - c;
     }
+    operations_ += front.operations();
     fronts_.push_back(front);
   }
   Front end{};

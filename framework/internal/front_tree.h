@@ -36,6 +36,7 @@ class FrontTree {
     std::size_t entries;                 // likewise of the matrix's entries
     Index update_stride;                 // of its update, (rows - columns) columns
     std::size_t update_size() const { return at(update_stride) * at(rows - columns); }
+    double operations() const;  // multiplications with an addition, about
   };
 
   FrontTree(const SparsePattern& pattern, const BlockElimination& elimination);

@@ -1,7 +1,12 @@
 #include "majorant/framework/internal/multifrontal.h"
 
+#include <omp.h>
+
 #include <algorithm>
 #include <array>
+#include <atomic>
+
+#include "majorant/framework/thread_count.h"
 
 namespace majorant {
 namespace {
@@ -11,56 +16,125 @@ namespace {
 constexpr Index kPanelColumns = 64;
 static_assert(kPanelColumns % FrontKernels::kTile == 0);
 
+// Less is not worth waking threads for: of the whole factorization, and of one update in it.
+// Origin: half a millisecond, and a tenth, on one core.
+constexpr double kParallelOperations = 1e7, kParallelUpdate = 2e6;
+// Largest subtree for one thread, of the operations of all for each thread. Origin: the last one to
+// finish keeps the others waiting for at most an eighth of the time.
+constexpr double kTaskPart = 1.0 / 8;
+
 std::unique_ptr<double[]> uninitialized(std::size_t size) {
   return std::unique_ptr<double[]>(new double[size]);
 }
 
+Index tiles(Index rows) { return (rows + FrontKernels::kTile - 1) / FrontKernels::kTile; }
+
 }  // namespace
 
+struct MultifrontalFactor::Work {
+  const Vec& values;
+  double shift;
+};
+
 MultifrontalFactor::MultifrontalFactor(const FrontTree& tree, const FrontKernels& kernels)
-    : tree_(tree), kernels_(kernels), update_places_(tree.fronts().size()) {
+    : tree_(tree),
+      kernels_(kernels),
+      threads_(tree.operations() < kParallelOperations ? 1 : ThreadCount::current()),
+      update_places_(tree.fronts().size()) {
   for (const FrontTree::Front& front : tree_.fronts())
     largest_stride_ = std::max(largest_stride_, front.stride);
+  make_tasks();
   panels_ = uninitialized(tree_.panel_size());
   updates_ = uninitialized(place_updates());
-  packed_ = uninitialized(at(kPanelColumns) * at(largest_stride_ + FrontKernels::kTile));
+  packed_ = uninitialized(at(threads_) * packed_size());
   front_values_.resize(largest_stride_);
+}
+
+// From the top down: a subtree that is small enough is a task, the root of another one is above.
+void MultifrontalFactor::make_tasks() {
+  const auto count = static_cast<Index>(tree_.fronts().size()) - 1;
+  if (threads_ == 1) {
+    tasks_.push_back({0, count, tree_.operations()});
+    return;
+  }
+  std::vector<double> operations(at(count), 0);
+  std::vector<Index> first(at(count));
+  for (Index f = 0; f < count; ++f) {
+    const std::span<const Index> children = tree_.children(f);
+    first[at(f)] = children.empty() ? f : first[at(children.front())];
+    operations[at(f)] = tree_.fronts()[at(f)].operations();
+    for (const Index child : children) operations[at(f)] += operations[at(child)];
+  }
+  const double largest = kTaskPart / threads_ * tree_.operations();
+  for (Index f = count; f-- > 0;) {
+    if (operations[at(f)] > largest) {
+      above_.push_back(f);
+      continue;
+    }
+    tasks_.push_back({first[at(f)], f + 1, operations[at(f)]});
+    f = first[at(f)];
+  }
+  std::reverse(above_.begin(), above_.end());
+  std::stable_sort(tasks_.begin(), tasks_.end(),
+                   [](const Task& a, const Task& b) { return a.operations > b.operations; });
+}
+
+// Every task has stacks of its own: others work at the same time.
+std::size_t MultifrontalFactor::place_updates() {
+  std::size_t size = 0;
+  for (const Task& task : tasks_) size = place_updates(task, size);
+  for (const Index f : above_) {
+    update_places_[at(f)] = size;
+    size += tree_.fronts()[at(f)].update_size();
+  }
+  return size;
 }
 
 // Updates wait on two stacks, of fronts at even and at odd depths: a front's comes on the one
 // while its children's are taken from the top of the other.
-std::size_t MultifrontalFactor::place_updates() {
-  const auto count = static_cast<Index>(tree_.fronts().size()) - 1;
-  std::vector<Index> odd(at(count), 0);
-  for (Index f = count; f-- > 0;)
-    if (const Index parent = tree_.fronts()[at(f)].parent; parent >= 0)
-      odd[at(f)] = 1 - odd[at(parent)];
+std::size_t MultifrontalFactor::place_updates(const Task& task, std::size_t start) {
+  std::vector<Index> odd(at(task.last - task.first), 0);
+  const auto is_odd = [&](Index f) -> Index& { return odd[at(f - task.first)]; };
+  for (Index f = task.last; f-- > task.first;)
+    if (const Index parent = tree_.fronts()[at(f)].parent; parent >= 0 && parent < task.last)
+      is_odd(f) = 1 - is_odd(parent);
   std::array<std::size_t, 2> top{}, highest{};
-  for (Index f = 0; f < count; ++f) {
-    const std::size_t mine = at(odd[at(f)]), theirs = 1 - mine;
+  for (Index f = task.first; f < task.last; ++f) {
+    const std::size_t mine = at(is_odd(f)), theirs = 1 - mine;
     update_places_[at(f)] = top[mine];
     top[mine] += tree_.fronts()[at(f)].update_size();
     highest[mine] = std::max(highest[mine], top[mine]);
     if (const auto children = tree_.children(f); !children.empty())
       top[theirs] = update_places_[at(children.front())];
   }
-  for (Index f = 0; f < count; ++f)
-    if (odd[at(f)]) update_places_[at(f)] += highest[0];
-  return highest[0] + highest[1];
+  for (Index f = task.first; f < task.last; ++f)
+    update_places_[at(f)] += start + (is_odd(f) ? highest[0] : 0);
+  return start + highest[0] + highest[1];
+}
+
+std::size_t MultifrontalFactor::packed_size() const {
+  return at(kPanelColumns) * at(largest_stride_ + FrontKernels::kTile);
 }
 
 bool MultifrontalFactor::factorize(const Vec& values, double shift) {
-  const auto count = static_cast<Index>(tree_.fronts().size()) - 1;
-  for (Index f = 0; f < count; ++f)
-    if (!factorize_front(f, values, shift, packed_.get())) return false;
-  return true;
+  const Work work{values, shift};
+  std::atomic<bool> positive{true};
+  const auto count = static_cast<Index>(tasks_.size());
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threads_) if (threads_ > 1)
+  for (Index t = 0; t < count; ++t) {
+    double* packed = packed_.get() + at(omp_get_thread_num()) * packed_size();
+    for (Index f = tasks_[at(t)].first; f < tasks_[at(t)].last && positive; ++f)
+      if (!factorize_front(f, work, packed, 1)) positive = false;
+  }
+  for (const Index f : above_)
+    if (positive && !factorize_front(f, work, packed_.get(), threads_)) positive = false;
+  return positive;
 }
 
-bool MultifrontalFactor::factorize_front(Index f, const Vec& values, double shift, double* packed) {
+bool MultifrontalFactor::factorize_front(Index f, const Work& work, double* packed, int threads) {
   const FrontTree::Front& front = tree_.fronts()[at(f)];
-  const Index below = front.rows - front.columns,
-              update_tiles = front.update_stride / FrontKernels::kTile;
-  take_in_entries(f, values, shift);
+  const Index below = front.rows - front.columns;
+  take_in_entries(f, work);
   std::fill_n(update(f), front.update_size(), 0.0);
   for (const Index child : tree_.children(f)) take_in_child(child);
   double* l = panel(f);
@@ -68,27 +142,39 @@ bool MultifrontalFactor::factorize_front(Index f, const Vec& values, double shif
     const Index last = std::min(front.columns, first + kPanelColumns), depth = last - first;
     if (!kernels_.factorize(l, front.stride, first, last)) return false;
     if (last < front.columns) {
-      const Index rest = front.columns - last;
       kernels_.pack(l, front.stride, front.stride, last, first, last, packed);
-      kernels_.update(l + last * front.stride + last, front.stride, rest, packed,
-                      (front.stride - last) / FrontKernels::kTile, depth, 0,
-                      (rest + FrontKernels::kTile - 1) / FrontKernels::kTile);
+      subtract_product({l + last * front.stride + last, front.stride, front.columns - last,
+                        front.stride - last, depth},
+                       packed, threads);
     }
     if (below == 0) continue;
     kernels_.pack(l, front.stride, front.rows, front.columns, first, last, packed);
-    kernels_.update(update(f), front.update_stride, below, packed, update_tiles, depth, 0,
-                    update_tiles);
+    subtract_product({update(f), front.update_stride, below, below, depth}, packed, threads);
   }
   return true;
 }
 
-void MultifrontalFactor::take_in_entries(Index f, const Vec& values, double shift) {
+// Tiles of columns from the left, where they are longest.
+void MultifrontalFactor::subtract_product(const Target& target, const double* packed,
+                                          int threads) const {
+  const Index columns = tiles(target.columns), rows = tiles(target.rows);
+  const auto update = [&](Index first, Index last) {
+    kernels_.update(target.values, target.stride, target.columns, packed, rows, target.depth, first,
+                    last);
+  };
+  const double operations = 0.5 * target.rows * target.columns * target.depth;
+  if (threads == 1 || operations < kParallelUpdate) return update(0, columns);
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
+  for (Index c = 0; c < columns; ++c) update(c, c + 1);
+}
+
+void MultifrontalFactor::take_in_entries(Index f, const Work& work) {
   const FrontTree::Front& front = tree_.fronts()[at(f)];
   double* l = panel(f);
   std::fill_n(l, at(front.stride) * at(front.columns), 0.0);
-  for (const FrontTree::Entry& entry : tree_.entries(f)) l[entry.place] = values[entry.slot];
-  if (shift != 0)
-    for (Index c = 0; c < front.columns; ++c) l[c * front.stride + c] += shift;
+  for (const FrontTree::Entry& entry : tree_.entries(f)) l[entry.place] = work.values[entry.slot];
+  if (work.shift != 0)
+    for (Index c = 0; c < front.columns; ++c) l[c * front.stride + c] += work.shift;
 }
 
 void MultifrontalFactor::take_in_child(Index child) {

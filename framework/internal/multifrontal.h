@@ -5,9 +5,9 @@
 //   MultifrontalFactor factor(tree);
 //   if (factor.factorize(values, 0.0)) factor.solve(r, p);
 //
-// With several threads (thread_count.h, those of the constructor's caller) subtrees are worked on
-// at the same time, and large fronts in parts. Every number comes from the same operations in the
-// same order whatever the number of threads.
+// With several threads (thread_count.h: as many as the constructor's caller has) subtrees are
+// worked on at the same time, then large fronts in parts. Every number comes from the same
+// operations in the same order whatever the number of threads.
 #pragma once
 
 #include <memory>
@@ -29,16 +29,36 @@ class MultifrontalFactor {
 
  private:
   using Storage = std::unique_ptr<double[]>;
-  bool factorize_front(Index f, const Vec& values, double shift, double* packed);
-  void take_in_entries(Index f, const Vec& values, double shift);
+  // A subtree, for one thread: fronts first to last - 1.
+  struct Task {
+    Index first, last;
+    double operations;
+  };
+  struct Work;  // of one factorize()
+
+  // Where the lower triangle of a product goes: rows by columns, of a sum of `depth` terms.
+  struct Target {
+    double* values;
+    Index stride, columns, rows, depth;
+  };
+
+  void make_tasks();
+  std::size_t place_updates();
+  std::size_t place_updates(const Task& task, std::size_t start);
+  std::size_t packed_size() const;  // for one thread
+  bool factorize_front(Index f, const Work& work, double* packed, int threads);
+  void subtract_product(const Target& target, const double* packed, int threads) const;
+  void take_in_entries(Index f, const Work& work);
   void take_in_child(Index child);
   double* panel(Index f) { return panels_.get() + tree_.fronts()[at(f)].panel; }
   double* update(Index f) { return updates_.get() + update_places_[at(f)]; }
-  std::size_t place_updates();
 
   const FrontTree& tree_;
   const FrontKernels& kernels_;
+  const int threads_;
   Index largest_stride_ = 0;
+  std::vector<Task> tasks_;   // the most expensive first
+  std::vector<Index> above_;  // fronts of no task, ascending: one by one, on all threads
   std::vector<std::size_t> update_places_;
   Storage panels_, updates_, packed_;
   Vec permuted_, front_values_;

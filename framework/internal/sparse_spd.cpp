@@ -36,7 +36,7 @@ SparseSpd::SparseSpd(SparsePattern pattern, const Vec& values, const std::string
 }
 
 void SparseSpd::factorize(const Vec& values, const std::string& otherwise, const StopCheck& stop) {
-  solver_ = make_direct_solver();
+  solver_ = make_direct_solver(Ordering::Amd);
   solver_->analyze(*pattern_);
   stop.poll();
   if (solver_->factorize(values, 0.0) != FactorStatus::Ok)

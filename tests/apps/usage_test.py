@@ -8,6 +8,8 @@ from command_helpers import *
 # Every verb that the command says it has.
 VERBS = re.findall(r'^  (\w+) ', majorant('--help').out.split('Subcommands:')[1], re.MULTILINE)
 
+VERSION = r'^majorant \d+\.\d+\.\d+ \((AVX-512|AVX2|baseline)\)\n$'
+
 
 class Usage(CommandTest):
     def test_help_everywhere(self):
@@ -22,11 +24,11 @@ class Usage(CommandTest):
 
     def test_version(self):
         outcome = self.run_ok('--version')
-        self.assertRegex(outcome.out, r'^majorant \d+\.\d+\.\d+\n$')
+        self.assertRegex(outcome.out, VERSION)
 
     def test_version_on_every_verb(self):
         for verb in VERBS:  # interface.md: "Everywhere: ... --version"
-            self.assertRegex(self.run_ok(verb, '--version').out, r'^majorant \d+\.\d+\.\d+\n$', verb)
+            self.assertRegex(self.run_ok(verb, '--version').out, VERSION, verb)
 
     def test_wrong_arguments(self):
         mesh, out = generated('cap'), self.path('out.vtu')

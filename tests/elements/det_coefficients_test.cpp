@@ -219,6 +219,29 @@ TEST(TriangleDet, IsThePapersFormula) {
 }
 
 // method.md E13: all control triangles positive, yet det J(1/3, 1/3, 1/3) = -6.62.
+TEST(TriangleDet, OneMinorIsWhatTheTablesSay) {
+  Cells face(1, 3);
+  face << 0, 1, 2;
+  const DetCoefficients affine(BezierTriangleSpace(face, 3, 1).element());
+  ASSERT_TRUE(affine.is_one_minor());
+  EXPECT_FALSE(DetCoefficients(BezierTriangleSpace(face, 3, 2).element()).is_one_minor());
+  Random random(11);
+  for (const double size : {1e-160, 1.0, 1e9}) {
+    const Vec c = size * random.vector(6), d = random.vector(6);
+    double det, error, minor, minor_error;
+    affine.at_with_error(c.data(), &det, &error);
+    affine.minor_with_error(c.data(), &minor, &minor_error);
+    EXPECT_EQ(minor, det);
+    EXPECT_EQ(minor_error, error);
+    StepPolynomial<1> line[6];
+    for (int k = 0; k < 6; ++k) line[k] = {{c[k], d[k]}};
+    StepPolynomial<2> along;
+    affine.along_line(line, &along);
+    const StepPolynomial<2> quick = affine.minor_along_line(line);
+    for (int k = 0; k <= 2; ++k) EXPECT_EQ(quick.power[k], along.power[k]);
+  }
+}
+
 TEST(TriangleDet, PositiveControlTrianglesProveNothing) {
   const double c[] = {1.39, -.22, -.48, .57, .15, .22, 1, -1.67, -1.1, 1.47, 2.07, 1.32};
   Cells face(1, 3);

@@ -77,5 +77,49 @@ TEST(Multifrontal, TheSameBitsFromAllFusedInstructionSets) {
       EXPECT_EQ(solution(m, e, *all[k]), solution(m, e, *all[1])) << all[k]->name;
 }
 
+// Of a square grid of side by side blocks of 2 unknowns: large enough that threads share subtrees
+// and large fronts.
+SparsePattern grid(Index side) {
+  SparsePattern pattern;
+  for (Index y = 0; y < side; ++y)
+    for (Index x = 0; x < side; ++x)
+      for (Index c = 0; c < 2; ++c) {
+        const Index block = side * y + x;
+        std::vector<Index> below;
+        if (c == 0) below.push_back(2 * block + 1);
+        for (const Index other : {x + 1 < side ? block + 1 : -1, y + 1 < side ? block + side : -1})
+          if (other >= 0) below.insert(below.end(), {2 * other, 2 * other + 1});
+        pattern.append_column(below);
+      }
+  pattern.order_in_blocks(2);
+  return pattern;
+}
+
+TEST(Multifrontal, TheSameBitsFromAnyNumberOfThreads) {
+  const SparsePattern pattern = grid(150);
+  Random random(3);
+  Vec values = random.vector(pattern.nonzeros());
+  for (Index c = 0; c < pattern.size; ++c) values[pattern.diagonal_slot(c)] += 12;
+  const Vec r = random.vector(pattern.size);
+  const auto solve = [&](int threads) {
+    const ThreadCount count(threads);
+    const auto solver = make_direct_solver(Ordering::Amd);
+    solver->analyze(pattern);
+    EXPECT_EQ(solver->factorize(values, 0), FactorStatus::Ok);
+    Vec p;
+    solver->solve(r, p);
+    return p;
+  };
+  const Vec alone = solve(1);
+  for (const int threads : {2, 3, 5}) EXPECT_EQ(solve(threads), alone) << threads;
+  values[pattern.diagonal_slot(pattern.size / 2)] = -1e9;
+  for (const int threads : {1, 3}) {
+    const ThreadCount count(threads);
+    const auto solver = make_direct_solver(Ordering::Amd);
+    solver->analyze(pattern);
+    EXPECT_EQ(solver->factorize(values, 0), FactorStatus::NotPositiveDefinite);
+  }
+}
+
 }  // namespace
 }  // namespace majorant

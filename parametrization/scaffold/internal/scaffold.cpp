@@ -86,7 +86,8 @@ Scaffold::Scaffold(std::shared_ptr<const BezierTriangleSpace> image, VecIn x)
   std::vector<Points2> polygons;
   std::vector<Index> vertex_of;  // triangulation's vertex -> ours
   const Cells& image_faces = image_->faces();
-  for (const auto& loop : boundary_half_edges(image_faces, opposite_half_edges(image_faces))) {
+  const std::vector<Index> image_opposite = opposite_half_edges(image_faces);
+  for (const auto& loop : boundary_half_edges(image_faces, image_opposite)) {
     Points2 polygon(static_cast<Index>(loop.size()), 2);
     for (std::size_t k = 0; k < loop.size(); ++k) {
       const Index v = from_vertex(image_faces, loop[k]);
