@@ -15,11 +15,10 @@ import tempfile
 import unittest
 from concurrent.futures import ThreadPoolExecutor
 
-from command_helpers import OK, generated, majorant, where
+from command_helpers import OK, SHARED, SOURCE, generated, majorant, where
 
-SOURCE = os.environ['MAJORANT_SOURCE_DIR']
 FIGURES = os.path.join(SOURCE, 'tests', 'data', 'counts.json')
-DISKS = os.path.join(os.environ.get('MAJORANT_SHARED_DIR', ''), 'data', 'public', 'disks')
+DISKS = os.path.join(SHARED, 'data', 'public', 'disks')
 MARGIN = 0.1
 OURS = {
     'tube, degree 1': ['tube', '--degree', '1'],
