@@ -40,7 +40,7 @@ def summarize(done, report):
     """The fields of an entry that come from the process and its report."""
     result = report.get('result') or {}
     lines = done.stderr.strip().splitlines()
-    iterations = len(report.get('iterations', []))
+    iterations = len(common.steps_taken(report))
     optimize = report.get('seconds', {}).get('optimize')
     flips = report.get('flips', {})
     return {'exit': done.code, 'status': report.get('status'), 'message': lines[-1] if lines else '',

@@ -101,6 +101,18 @@ def load_report(path):
         return {}, 'report: %s' % error
 
 
+def steps_taken(report):
+    """The rows of a report whose step was taken, on the mesh asked for; of older programs all rows."""
+    return [row for row in report.get('iterations', [])
+            if row.get('outcome', 'moved') == 'moved' and row.get('level', 0) == 0]
+
+
+def factorizations(report):
+    """How many a run took on the mesh asked for, steps that were not taken included."""
+    return sum(row.get('factorizations', 1) for row in report.get('iterations', [])
+               if row.get('level', 0) == 0)
+
+
 def markdown_table(header, rows):
     """Lines of a Markdown table; cells are turned into text."""
     lines = ['| %s |' % ' | '.join(header), '|%s' % ('---|' * len(header))]
@@ -179,6 +191,26 @@ def tutte(vertices, faces):
         right = -laplacian[inner][:, loop] @ uv[loop]
         uv[inner] = splu(laplacian[inner][:, inner].tocsc()).solve(right)
     return uv, loop
+
+
+def subdivided(vertices, faces, pieces):
+    """(vertices, faces) with every edge cut into `pieces` equal parts, every face into pieces^2."""
+    import numpy as np
+    weights = np.array([(pieces - j - k, j, k) for j in range(pieces + 1) for k in range(pieces + 1 - j)])
+    place = {tuple(w): i for i, w in enumerate(weights[:, 1:].tolist())}
+    corners = [(place[j, k], place[j + 1, k], place[j, k + 1])
+               for j in range(pieces) for k in range(pieces - j)]
+    corners += [(place[j + 1, k], place[j + 1, k + 1], place[j, k + 1])
+                for j in range(pieces) for k in range(pieces - 1 - j)]
+    # A point is known by the vertices that have a part in it, smallest numbers first.
+    parts = np.tile(weights, (len(faces), 1))
+    owners = np.where(parts > 0, np.repeat(faces, len(weights), axis=0), -1)
+    order = np.argsort(owners, axis=1)
+    keys = np.hstack([np.take_along_axis(a, order, 1) for a in (owners, parts)])
+    _, first, name = np.unique(keys, axis=0, return_index=True, return_inverse=True)
+    positions = np.einsum('pk,pkx->px', parts[first] / pieces, vertices[owners[first]])
+    name = name.reshape(len(faces), len(weights))
+    return positions, name[:, np.array(corners)].reshape(-1, 3)
 
 
 # ------------------------------------------------------------------ result files

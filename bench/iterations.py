@@ -3,7 +3,7 @@
 
 Degree 1, free boundary, the disks with about 10000 faces: iterations until the relative decrease of
 the energy falls below 1e-5 and their median; seconds of the optimization against the seconds of
-factorizations and solves alone. Exit code 0 if every run ends with exit 0 and gets there.
+factorizations and solves alone. Factorizations are those of the report, where it has them. Exit code 0 if every run ends with exit 0 and gets there.
 
 Sample runs:
   bench/iterations.py
@@ -19,7 +19,7 @@ from pathlib import Path
 import common
 
 DECREASE = 1e-5
-HEADER = ['mesh', 'exit', 'status', 'iterations', 'to 1e-5', 'optimize s', 'factorize + solve s', 'share %']
+HEADER = ['mesh', 'exit', 'status', 'iterations', 'factorizations', 'to 1e-5', 'optimize s', 'factorize + solve s', 'share %']
 
 
 def first_below(iterations):
@@ -38,11 +38,11 @@ def measure(options, path, folder):
                               '--report', report_path, '--threads', options.threads)
     report, problem = common.load_report(report_path)
     if problem or done.code not in (0, 4):
-        return [path.stem, done.code, problem or report.get('status')] + ['-'] * 5, None, 0, 0
-    steps, whole = report['iterations'], report['seconds']['optimize']
-    reached, inner = first_below(steps), linear_algebra_seconds(steps)
+        return [path.stem, done.code, problem or report.get('status')] + ['-'] * 6, None, 0, 0
+    steps, whole = common.steps_taken(report), report['seconds']['optimize']
+    reached, inner = first_below(steps), linear_algebra_seconds(report['iterations'])
     share = common.cell(100 * inner / whole if whole else None, '%.0f')
-    row = [path.stem, done.code, report['status'], len(steps), common.cell(reached),
+    row = [path.stem, done.code, report['status'], len(steps), common.factorizations(report), common.cell(reached),
            '%.3f' % whole, '%.3f' % inner, share]
     return row, reached if done.code == 0 else None, whole, inner
 

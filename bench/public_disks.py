@@ -129,7 +129,7 @@ def summarize_run(done, report):
     result = report.get('result', {})
     lines = done.stderr.strip().splitlines()
     return {'exit': done.code, 'status': report.get('status'), 'stderr': lines[-1] if lines else '',
-            'seconds': round(done.seconds, 3), 'iterations': len(report.get('iterations', [])),
+            'seconds': round(done.seconds, 3), 'iterations': len(common.steps_taken(report)),
             'value': result.get('value'), 'value_quadrature': result.get('value_quadrature')}
 
 

@@ -13,7 +13,7 @@ import pathlib
 import subprocess
 import tempfile
 
-from common import DEFAULT_BINARY, DEFAULT_SHARED
+from common import DEFAULT_BINARY, DEFAULT_SHARED, steps_taken
 
 MODELS = ['helix', 'plane', 'scorpion', 'skull', 'koala', 'spot', 'blub', 'goathead', 'nefertiti',
           'hand', 'mountain', 'demosthenes', 'penguin']
@@ -51,7 +51,7 @@ def main():
                        key=lambda p: abs(int(p.stem.split('_')[1]) - args.faces))
             free = run(args.binary, str(mesh), scratch)
             held = run(args.binary, str(mesh), scratch, '--bijective')
-            trace, end = held['iterations'], held['result']['value']
+            trace, end = steps_taken(held), held['result']['value']
             optimum = free['result']['value']
             embedded = free['result']['globally_injective']
             target = optimum if embedded else end

@@ -15,7 +15,7 @@ import tempfile
 
 import numpy as np
 
-from common import DEFAULT_BINARY, DEFAULT_SHARED
+from common import DEFAULT_BINARY, DEFAULT_SHARED, steps_taken
 
 sys.path.insert(0, str(DEFAULT_SHARED / 'tools'))
 import vtu  # noqa: E402
@@ -58,7 +58,7 @@ def main():
                     report = json.loads((folder / 'map.json').read_text())
                     angles = smallest_angles(folder / 'scaffold.vtu')
                     print(f"| {model} | {degree} | {'omitted' if flags else 'done'} "
-                          f"| {report['result']['value']:.5f} | {len(report['iterations'])} "
+                          f"| {report['result']['value']:.5f} | {len(steps_taken(report))} "
                           f"| {len(angles)} | {np.median(angles):.1f} "
                           f"| {100 * (angles < TINY).mean():.1f} % "
                           f"| {report['status']} |", flush=True)

@@ -76,7 +76,7 @@ def execute(options, job):
         entry = {'part': part, 'mesh': mesh, 'degree': degree, 'exit': done.code,
                  'status': report.get('status'), 'own': report.get('result', {}).get('value'),
                  'start': report.get('options', {}).get('init'), 'inverted': start.get('inverted'),
-                 'iterations': len(report.get('iterations', [])),
+                 'iterations': len(common.steps_taken(report)),
                  'initialize': seconds.get('initialize'), 'optimize': seconds.get('optimize'),
                  'message': (done.stderr.strip().splitlines() or [''])[-1]}
         problems = ['exit %s' % done.code] if done.code != 0 else []

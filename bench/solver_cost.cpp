@@ -28,7 +28,7 @@
 //   build/release/bench/solver_cost ../shared/data/public/disks/*_10000.obj
 //   build/release/bench/solver_cost --degrees 1,2,3 --json meshes/creature.obj
 //   build/release/bench/solver_cost --no-runs --threads 2 --degrees 3 meshes/creature.obj
-//   build/release/bench/solver_cost --bijective meshes/creature.obj
+//   build/release/bench/solver_cost --init tutte --bijective meshes/creature.obj
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -51,6 +51,7 @@ struct Arguments {
   std::vector<std::string> meshes;
   std::vector<int> degrees{1};
   int repeat = 5, threads = 1;
+  std::string init = "auto";
   bool json = false, no_runs = false, bijective = false;
 };
 
@@ -104,6 +105,25 @@ struct Phases {
 // Origin: the accuracy that tables compare programs at; the tolerance is what doubles allow.
 constexpr double kWithin = 1e-4, kTight = 1e-11;
 
+ParametrizationOptions run_options(const Arguments& asked, int degree) {
+  ParametrizationOptions options;
+  options.map.degree = degree;
+  options.solve.threads = asked.threads;
+  if (asked.bijective) options.map.injectivity = MapInjectivity::Global;
+  return options;
+}
+
+ParametrizationResult solve(const BenchProblem& b, const ParametrizationOptions& options,
+                            const Arguments& asked, RunRecord& record) {
+  if (asked.init == "auto") return parametrize(b.mesh, options, record);
+  const double started = record.seconds();
+  const BezierMap start = BezierMap::linear(b.mesh, tutte_map(*b.mesh));
+  const double start_seconds = record.seconds() - started;
+  ParametrizationResult result = parametrize(start, options, record);
+  result.initialize_seconds = start_seconds;
+  return result;
+}
+
 // When a run is within kWithin of the energy it is after.
 struct Within {
   double reached = 0;
@@ -111,12 +131,13 @@ struct Within {
   bool found = false;
 };
 
-Within find_within(const BenchProblem& b, ParametrizationOptions options) {
-  RunRecord record;
-  ParametrizationResult result = parametrize(b.mesh, options, record);
+Within find_within(const BenchProblem& b, ParametrizationOptions options, const Arguments& asked) {
+  RunRecord record, tight;
+  const ParametrizationResult result = solve(b, options, asked, record);
   options.solve.tolerance = kTight;
   Within within;
-  within.reached = std::min(result.value_quadrature, parametrize(b.mesh, options).value_quadrature);
+  within.reached =
+      std::min(result.value_quadrature, solve(b, options, asked, tight).value_quadrature);
   const double enough = (1 + kWithin) * within.reached;
   within.found = options.map.degree == 1 && result.initial_value <= enough;
   for (std::size_t k = 0; k < record.trace().size() && !within.found; ++k) {
@@ -128,11 +149,12 @@ Within find_within(const BenchProblem& b, ParametrizationOptions options) {
 }
 
 // In seconds; the last run's result.
-Phases time_run(const BenchProblem& b, const ParametrizationOptions& options, const Within& within,
-                ParametrizationResult& result, std::vector<TraceEntry>& trace) {
+Phases time_run(const BenchProblem& b, const ParametrizationOptions& options,
+                const Arguments& asked, const Within& within, ParametrizationResult& result,
+                std::vector<TraceEntry>& trace) {
   RunRecord record;
   const double cpu = cpu_seconds(), wall = wall_seconds();
-  result = parametrize(b.mesh, options, record);
+  result = solve(b, options, asked, record);
   const double all = wall_seconds() - wall, counted = all - result.measure_seconds;
   trace = record.trace();
   Phases p;
@@ -157,16 +179,13 @@ int factorizations(const std::vector<TraceEntry>& trace) {
 
 void measure_runs(const BenchProblem& b, int degree, const Arguments& asked, double unit,
                   nlohmann::ordered_json& row) {
-  ParametrizationOptions options;
-  options.map.degree = degree;
-  options.solve.threads = asked.threads;
-  if (asked.bijective) options.map.injectivity = MapInjectivity::Global;
+  const ParametrizationOptions options = run_options(asked, degree);
   ParametrizationResult result;
   std::vector<TraceEntry> trace;
   std::vector<Phases> runs;
-  const Within within = find_within(b, options);
+  const Within within = find_within(b, options, asked);
   for (int k = 0; k < asked.repeat; ++k)
-    runs.push_back(time_run(b, options, within, result, trace));
+    runs.push_back(time_run(b, options, asked, within, result, trace));
   std::sort(runs.begin(), runs.end(),
             [](const Phases& a, const Phases& c) { return a.total < c.total; });
   const Phases& middle = runs[runs.size() / 2];
@@ -217,6 +236,7 @@ int main(int argc, char** argv) {
   app.add_option("--repeat", asked.repeat)->check(CLI::PositiveNumber);
   app.add_option("--threads", asked.threads)->check(CLI::PositiveNumber);
   app.add_flag("--json", asked.json, "an array of rows, all figures unrounded");
+  app.add_option("--init", asked.init)->check(CLI::IsMember({"auto", "tutte"}));
   app.add_flag("--bijective", asked.bijective, "runs without overlaps");
   app.add_flag("--no-runs", asked.no_runs, "pieces of an iteration alone");
   CLI11_PARSE(app, argc, argv);

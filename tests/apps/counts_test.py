@@ -1,0 +1,109 @@
+#!/usr/bin/python3
+"""How much work maps take: iterations, factorizations, energies of the line search, certificates.
+
+Fails when one of them is more than 10 % above the committed figure, tests/data/counts.json; never
+looks at the time. Meshes of meshes/ always, public ones where there are any. After a change that is
+meant to cost more, or that costs less, rewrite the figures and say why in the commit:
+
+  MAJORANT_BINARY=build/release/apps/majorant MAJORANT_SOURCE_DIR=. MAJORANT_SHARED_DIR=../shared \
+    tests/apps/counts_test.py --write
+"""
+import json
+import os
+import sys
+import tempfile
+import unittest
+from concurrent.futures import ThreadPoolExecutor
+
+from command_helpers import OK, SHARED, SOURCE, generated, majorant, where
+
+FIGURES = os.path.join(SOURCE, 'tests', 'data', 'counts.json')
+DISKS = os.path.join(SHARED, 'data', 'public', 'disks')
+MARGIN = 0.1
+OURS = {
+    'tube, degree 1': ['tube', '--degree', '1'],
+    'tube, degree 3': ['tube', '--degree', '3'],
+    'ribbon, degree 2, fixed': ['ribbon', '--degree', '2', '--boundary', 'fixed'],
+    'tube, degree 1, bijective': ['tube', '--degree', '1', '--bijective'],
+    'tube, degree 1, arap, fixed': ['tube', '--degree', '1', '--energy', 'arap', '--boundary', 'fixed'],
+}
+PUBLIC = {
+    'spot_2500, degree 1': ['spot_2500', '--degree', '1'],
+    'hand_500, degree 1': ['hand_500', '--degree', '1'],
+    'hand_500, degree 2': ['hand_500', '--degree', '2'],
+    'scorpion_500, degree 1': ['scorpion_500', '--degree', '1'],
+    'koala_500, degree 3': ['koala_500', '--degree', '3'],
+}
+
+
+def mesh_file(name):
+    return generated(name) if os.path.exists(generated(name)) else os.path.join(DISKS, name + '.obj')
+
+
+def counts(words):
+    """The counts of one run: its mesh, then its flags."""
+    name, *flags = words
+    with tempfile.TemporaryDirectory(prefix='majorant_counts_') as folder:
+        path = os.path.join(folder, 'report.json')
+        outcome = majorant('parametrize', mesh_file(name), '-o', path, '--quiet', '--threads', '1', *flags)
+        if outcome.code != OK:
+            raise AssertionError('%s: %s' % (words, outcome.err))
+        with open(path) as f:
+            report = json.load(f)
+    steps = report['iterations']
+    return {'iterations': len(steps),
+            'factorizations': sum(step['factorizations'] for step in steps),
+            'trials': sum(step['trials'] for step in steps),
+            'certificates': sum(report['injectivity_tests']['depth'])}
+
+
+def all_counts(runs):
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        return dict(zip(runs, pool.map(counts, runs.values())))
+
+
+def risen(figures, found):
+    """What is above its figure by more than the margin, a line each."""
+    return ['%s: %s are %d, were %d' % (run, kind, count, figures[run][kind])
+            for run, kinds in found.items() for kind, count in kinds.items()
+            if count > (1 + MARGIN) * figures[run][kind]]
+
+
+def committed():
+    with open(FIGURES) as f:
+        return json.load(f)
+
+
+class Counts(unittest.TestCase):
+    def expect_no_more(self, runs):
+        self.assertEqual(risen(committed(), all_counts(runs)), [])
+
+    def test_on_our_meshes(self):
+        self.expect_no_more(OURS)
+
+    @where(DISKS)
+    def test_on_public_meshes(self):
+        self.expect_no_more(PUBLIC)
+
+    def test_figures_are_those_of_the_runs(self):
+        figures = committed()
+        self.assertEqual(list(figures), [*OURS, *PUBLIC])
+        for kinds in figures.values():
+            self.assertEqual(list(kinds), ['iterations', 'factorizations', 'trials', 'certificates'])
+            self.assertGreater(min(kinds.values()), 0)
+
+    def test_a_rise_is_noticed(self):
+        figures = {'run': {'iterations': 20, 'trials': 30}}
+        self.assertEqual(risen(figures, {'run': {'iterations': 22, 'trials': 1}}), [])
+        self.assertEqual(risen(figures, {'run': {'iterations': 23, 'trials': 1}}),
+                         ['run: iterations are 23, were 20'])
+
+
+def write_figures():
+    with open(FIGURES, 'w') as f:
+        json.dump(all_counts({**OURS, **PUBLIC}), f, indent=1)
+        f.write('\n')
+
+
+if __name__ == '__main__':
+    write_figures() if sys.argv[1:] == ['--write'] else unittest.main()
