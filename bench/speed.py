@@ -20,6 +20,7 @@ Sample runs:
   bench/speed.py accuracy
   bench/speed.py accuracy --meshes '^(spot|hand)_10000$' --pieces 4 --repeat 1
   bench/speed.py convergence --meshes '_500$'
+  bench/speed.py accuracy iterations degrees bijective convergence --write docs/performance.md
   bench/speed.py against --old /tmp/before/majorant --meshes '_500$' --degrees 1,2
 """
 import argparse
@@ -58,7 +59,9 @@ def shape(path):
 
 
 def meshes(options, usual):
-    """The files whose names have options.meshes, or `usual`, in them."""
+    """The files that were named; else those whose names have options.meshes, or `usual`, in them."""
+    if options.files:
+        return options.files
     data, pattern = options.shared / 'data/public', options.meshes or usual
     found = [p for folder in ('disks', 'large') for p in sorted((data / folder).glob('*.obj'))
              if re.search(pattern, p.stem)]
@@ -108,17 +111,29 @@ class Table:
 
     def __init__(self, title, *header):
         print('### %s\n' % title)
-        print('\n'.join(common.markdown_table(header, [])), flush=True)
-        self.kept = True
+        self.kept, self.lines = True, []
+        self.say(*common.markdown_table(header, []))
+
+    def say(self, *lines):
+        self.lines += lines
+        print('\n'.join(lines), flush=True)
 
     def row(self, *cells, kept=True):
         self.kept = self.kept and kept
-        print('| %s |' % ' | '.join('%s' % cell for cell in (*cells, 'yes' if kept else '**no**')),
-              flush=True)
+        cells = (*cells, 'yes' if kept else '**no**')
+        self.say('| %s |' % ' | '.join('%s' % cell for cell in cells))
 
     def end(self, *lines):
-        print('\n' + '\n'.join((*lines, '')) if lines else '', flush=True)
-        return self.kept
+        self.say(*([''] if lines else []), *lines)
+        print()
+        return self
+
+
+def write_into(page, name, table):
+    """Replaces what the page has between the comments of that table."""
+    begin, end = '<!-- speed.py %s -->\n' % name, '<!-- end of %s -->' % name
+    head, rest = page.read_text().split(begin)
+    page.write_text(head + begin + '\n'.join(table.lines) + '\n' + end + rest.split(end)[1])
 
 
 # ------------------------------------------------------------------ the tables
@@ -256,10 +271,13 @@ def parse_arguments():
     parser.add_argument('--solver-cost', type=Path, default=SOLVER_COST, help='the solver_cost program')
     parser.add_argument('--old', type=Path, help='against: the majorant program to compare with')
     parser.add_argument('--meshes', metavar='REGEX', help='searched in the names; default: by table')
+    parser.add_argument('--files', type=Path, nargs='+', help='OBJ files instead')
     parser.add_argument('--pieces', type=int, default=1, help='that every edge is cut into')
     parser.add_argument('--degrees', type=lambda text: [int(word) for word in text.split(',')],
                         help='convergence, against: default 1,2,3')
     parser.add_argument('--init', choices=['auto', 'tutte'], default='auto', help='accuracy: the start')
+    parser.add_argument('--write', type=Path, metavar='PAGE.md',
+                        help='also put the tables into this page, between the comments with their names')
     parser.add_argument('--repeat', type=int, default=5)
     parser.add_argument('--threads', type=int, default=1)
     return parser.parse_args()
@@ -268,7 +286,13 @@ def parse_arguments():
 def main():
     options = parse_arguments()
     common.require_files(options)
-    return 0 if all([TABLES[name](options) for name in options.tables]) else 1
+    kept = True
+    for name in options.tables:
+        table = TABLES[name](options)
+        kept = kept and table.kept
+        if options.write:
+            write_into(options.write, name, table)
+    return 0 if kept else 1
 
 
 if __name__ == '__main__':

@@ -1,8 +1,9 @@
 // What a run leaves behind, step by step: a row for each step that was tried, taken or not, with
 // the energy that was asked for beside the one that was minimized, and with the time.
 //
-//     for (const TraceEntry& row : record.trace())
-//       if (row.level == 0) plot(row.elapsed, row.energy);
+//   double in_vain = 0;  // seconds of steps that were not taken
+//   for (const TraceEntry& row : record.trace())
+//     if (row.outcome != StepResult::Outcome::Moved) in_vain += row.record.seconds.sum();
 //
 // Solvers write it through RunRecord (run_record.h); progress lines, reports and CSV files show it.
 // Not for what a step itself knows: that is IterationRecord (iteration.h).
