@@ -1,52 +1,14 @@
 #include "majorant/framework/lbfgs.h"
 
-#include <deque>
 #include <utility>
-#include <vector>
 
+#include "majorant/framework/internal/lbfgs_history.h"
 #include "majorant/framework/internal/metric.h"
 #include "majorant/framework/internal/stopwatch.h"
 #include "majorant/framework/stepper.h"
 
 namespace majorant {
 namespace {
-
-// The last pairs s = change of y, q = change of g, and B r for the B that they and a metric define.
-class History {
- public:
-  History(int capacity, double cautious) : capacity_(capacity), cautious_(cautious) {}
-
-  bool empty() const { return pairs_.empty(); }
-  void clear() { pairs_.clear(); }
-
-  void add(Vec s, Vec q) {
-    const double sq = s.dot(q);
-    if (capacity_ <= 0 || !(sq > cautious_ * s.norm() * q.norm())) return;
-    if (pairs_.size() == at(capacity_)) pairs_.pop_front();
-    pairs_.push_back({std::move(s), std::move(q), sq});
-  }
-
-  // p = B r by the two loops of [LN89] around p = M^-1 r.
-  void apply(Metric& metric, Vec r, Vec& p) const {
-    std::vector<double> alpha(pairs_.size());
-    for (std::size_t k = pairs_.size(); k-- > 0;) {
-      alpha[k] = pairs_[k].s.dot(r) / pairs_[k].sq;
-      r -= alpha[k] * pairs_[k].q;
-    }
-    metric.solve(r, p);
-    for (std::size_t k = 0; k < pairs_.size(); ++k)
-      p += (alpha[k] - pairs_[k].q.dot(p) / pairs_[k].sq) * pairs_[k].s;
-  }
-
- private:
-  struct Pair {
-    Vec s, q;
-    double sq;
-  };
-  int capacity_;
-  double cautious_;
-  std::deque<Pair> pairs_;
-};
 
 class LbfgsStepper final : public Stepper {
  public:
@@ -97,7 +59,7 @@ class LbfgsStepper final : public Stepper {
   void direction_step(Vec& y, double& energy, Step& step) {
     Stopwatch watch;
     Vec p;
-    history_.apply(metric_, -gradient_, p);
+    history_.apply([this](const Vec& r, Vec& out) { metric_.solve(r, out); }, -gradient_, p);
     step.record.seconds.solve += watch.restart();
     move_along(p, 1.0, y, energy, step);
   }

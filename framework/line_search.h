@@ -32,7 +32,7 @@ struct LineSearchOptions {
   // In the barrier phase, decrement > barrier_decrement |E(0)|, a step that the parabola would make
   // longer is doubled instead, as long as E falls by the part barrier_gain of it. Origin:
   // bench/tune.py line_search.barrier_decrement.
-  double barrier_decrement = 0.3;
+  double barrier_decrement = 0.5;
   // Origin: bench/tune.py line_search.barrier_gain.
   double barrier_gain = 0.1;
   // Give up below. Origin: steps of this part of y are lost in its rounding.

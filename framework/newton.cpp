@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "majorant/framework/internal/curvature_name.h"
+#include "majorant/framework/internal/lbfgs_history.h"
 #include "majorant/framework/internal/stopwatch.h"
 
 namespace majorant {
@@ -27,17 +28,59 @@ constexpr double kRotationShift = 1.5;
 // What t of a blend rises to when it was too small. Origin: about a factor of 5, so that two
 // failures lead from the exact Hessian to one that is mostly projected.
 constexpr double kRaised[] = {0.1, 0.5, 1};
-
-double raised(double clamp) {
-  return *std::upper_bound(std::begin(kRaised), std::end(kRaised) - 1, clamp);
-}
+// Pairs of L-BFGS with s.q <= kCautious |s| |q| are skipped. Origin: as LbfgsOptions::cautious.
+constexpr double kCautious = 1e-10;
 
 }  // namespace
+
+// L-BFGS around the factor of the last Newton step.
+class NewtonStepper::KeptFactor {
+ public:
+  explicit KeptFactor(const KeptFactorRules& rules)
+      : rules_(rules), history_(rules.history, kCautious) {}
+
+  bool serves() const { return steps_ > 0; }
+  void drop() { steps_ = 0; }
+
+  // After a Newton step from y, where the gradient was g.
+  void renew(const Vec& y, const Vec& g, const IterationRecord& r, double relative_decrement) {
+    history_.clear();
+    steps_ = relative_decrement <= rules_.below && !is_short(r) ? rules_.steps : 0;
+    if (steps_ > 0) remember(y, g);
+  }
+  // p = -B g at y, the next point.
+  void direction(LinearSolver& solver, const Vec& y, const Vec& g, Vec& p) {
+    history_.add(y - last_y_, g - last_gradient_);
+    remember(y, g);
+    history_.apply([&solver](const Vec& r, Vec& out) { solver.solve(r, out); }, -g, p);
+    --steps_;
+  }
+  void judge(const IterationRecord& r) {
+    if (is_short(r)) drop();
+  }
+
+ private:
+  bool is_short(const IterationRecord& r) const {
+    return r.step < rules_.short_step || r.step_bound < rules_.short_bound;
+  }
+  void remember(const Vec& y, const Vec& g) {
+    last_y_ = y;
+    last_gradient_ = g;
+  }
+
+  KeptFactorRules rules_;
+  History history_;
+  Vec last_y_, last_gradient_;
+  int steps_ = 0;  // that the factor may still serve
+};
+
+NewtonStepper::~NewtonStepper() = default;
 
 NewtonStepper::NewtonStepper(const Problem& problem, NewtonOptions options)
     : Stepper(problem, options.line_search, options.stopping.decrement, options.stop),
       options_(std::move(options)),
-      solver_(options_.linear_solver()) {
+      solver_(options_.linear_solver()),
+      kept_(std::make_unique<KeptFactor>(options_.kept)) {
   require_curvature(problem);
   solver_->analyze(evaluator_.problem().pattern());
 }
@@ -55,27 +98,55 @@ void NewtonStepper::reset(const Problem& problem) {
   if (!same) require_curvature(problem);
   evaluator_.reset(problem);
   relative_decrement_ = std::numeric_limits<double>::infinity();
+  kept_->drop();
   if (!same) solver_->analyze(evaluator_.problem().pattern());
 }
 
 void NewtonStepper::polish() {
   clamp_ = 0;
-  whole_steps_ = 0;
+  hold_ = whole_steps_ = 0;
+  kept_->drop();
 }
 
 void NewtonStepper::advance(Vec& y, double& energy, Step& step) {
+  if (!kept_->serves() || !kept_step(y, energy, step)) newton_step(y, energy, step);
+}
+
+void NewtonStepper::newton_step(Vec& y, double& energy, Step& step) {
   IterationRecord& r = step.record;
+  kept_->drop();
+  step.outcome = Outcome::Breakdown;  // whatever a step on a kept factor was
   if (!factorize(y, r)) return;
   Stopwatch watch;
   Vec p;
   rhs_ = -gradient_;
   solver_->solve(rhs_, p);
-  r.seconds.solve = watch.restart();
+  r.seconds.solve += watch.restart();
   const double before = energy;
+  const Vec from = y;
   move_along(p, 1.0, y, energy, step);
   if (step.outcome == Outcome::Breakdown) return;
   relative_decrement_ = relative_to(before, r.newton_decrement);
-  learn(step);
+  learn_clamp(step);
+  if (step.outcome == Outcome::Moved) kept_->renew(from, gradient_, r, relative_decrement_);
+}
+
+// Whether the last factor gave a step; if not, y is as it was.
+bool NewtonStepper::kept_step(Vec& y, double& energy, Step& step) {
+  IterationRecord& r = step.record;
+  Stopwatch watch;
+  evaluator_.gradient(y, gradient_, stop_);
+  r.seconds.assemble += watch.restart();
+  Vec p;
+  kept_->direction(*solver_, y, gradient_, p);
+  r.seconds.solve += watch.restart();
+  r.curvature = options_.curvature;
+  const double before = energy;
+  move_along(p, 1.0, y, energy, step);
+  if (step.outcome != Outcome::Moved) return false;
+  relative_decrement_ = relative_to(before, r.newton_decrement);
+  kept_->judge(r);
+  return true;
 }
 
 bool NewtonStepper::blends() const {
@@ -88,7 +159,7 @@ bool NewtonStepper::blends() const {
 bool NewtonStepper::factorize(const Vec& y, IterationRecord& record) {
   if (blends()) {
     if (whole_steps_ == 0) {
-      for (; clamp_ < 1; clamp_ = raised(clamp_))
+      for (; clamp_ < 1; raise_clamp(clamp_))
         if (factorize_blend(y, record)) return true;
     } else {
       --whole_steps_;
@@ -140,7 +211,7 @@ bool NewtonStepper::factorize_whole(const Vec& y, IterationRecord& record) {
 }
 
 // What the next blend is.
-void NewtonStepper::learn(const Step& step) {
+void NewtonStepper::learn_clamp(const Step& step) {
   const IterationRecord& r = step.record;
   const BlendRules& rules = options_.blend;
   // A decrease far below the model's -g.p / 2: the Hessian is misleading here - unless energies
@@ -149,14 +220,21 @@ void NewtonStepper::learn(const Step& step) {
                       relative_decrement_ > LineSearch::kResolution &&
                       r.relative_decrease < kMisleading * relative_decrement_;
   if (misled) {
-    clamp_ = raised(r.clamp);
+    raise_clamp(r.clamp);
   } else if (step.outcome == Outcome::Moved &&
              (r.step < rules.short_step || r.step_bound < rules.short_bound)) {
     clamp_ = 1;
     whole_steps_ = rules.whole_steps;
+  } else if (hold_ > 0) {
+    --hold_;
   } else if (blends()) {
     clamp_ = r.clamp * rules.fall < rules.least ? 0 : r.clamp * rules.fall;
   }
+}
+
+void NewtonStepper::raise_clamp(double failed) {
+  clamp_ = *std::upper_bound(std::begin(kRaised), std::end(kRaised) - 1, failed);
+  hold_ = options_.blend.hold;
 }
 
 SolveResult NewtonMinimizer::minimize(const Problem& problem, Vec y0,

@@ -18,16 +18,18 @@ namespace majorant {
 
 // Near a minimum the projected Hessian overestimates curvature and steps converge linearly; the
 // exact one converges quadratically, but is not positive definite until late. In between stands
-//     H = H_exact + t (H_projected - H_exact),                                   curvature.h
+//     H = H_exact + t (H_projected - H_exact)                                    (curvature.h)
 // where all terms support both models. t falls by a factor with every step that succeeds, rises
 // when the factorization fails or the Hessian misleads, and is 1 far from a minimum.
 struct BlendRules {
   // Of |E|: t < 1 where the last -g.p was less; 0: never. Origin: bench/tune.py blend.below.
-  double below = 1e-2;
+  double below = 1e-3;
   // Of t, after a step. Origin: bench/tune.py blend.fall.
-  double fall = 0.35;
+  double fall = 0.2;
   // Below, t is 0: the exact Hessian. Origin: bench/tune.py blend.least.
   double least = 0.06;
+  // Steps during which t stays where a failure has raised it. Origin: bench/tune.py blend.hold.
+  int hold = 2;
   // A shorter step, or a certified bound below the next number, is followed by `whole_steps` steps
   // with t = 1. Origin: bench/tune.py blend.short_step.
   double short_step = 0.26;
@@ -37,9 +39,30 @@ struct BlendRules {
   int whole_steps = 2;
 };
 
+// Steps on a kept factor: instead of a factorization of its own a step may take the last one's
+// factor as the metric of L-BFGS. It costs a solve, a gradient and its line search, and pays near a
+// minimum where Newton's steps would still be many: after a start that is nearly there already
+// (levels of a multiresolution start, a map that has changed a little). From far away it wastes
+// steps.
+struct KeptFactorRules {
+  // Of |E|: a factor is kept where -g.p of its own step was less; 0: never. Origin: bench/tune.py
+  // kept.below.
+  double below = 0;
+  // Pairs of L-BFGS. Origin: bench/tune.py kept.history.
+  int history = 8;
+  // Steps that a factor serves beside its own. Origin: bench/tune.py kept.steps.
+  int steps = 8;
+  // After a shorter step, or a certified bound below the next number, comes a factorization.
+  // Origin: bench/tune.py kept.short_step.
+  double short_step = 0.05;
+  // Origin: bench/tune.py kept.short_bound.
+  double short_bound = 0.1;
+};
+
 struct NewtonOptions {
   Curvature curvature = Curvature::Projected;
   BlendRules blend;
+  KeptFactorRules kept;
   StoppingRules stopping;
   LineSearchOptions line_search;
   std::function<std::unique_ptr<LinearSolver>()> linear_solver = [] {
@@ -52,6 +75,7 @@ class NewtonStepper final : public Stepper {
  public:
   // Throws std::invalid_argument, as reset() does, when a term does not support the curvature.
   NewtonStepper(const Problem& problem, NewtonOptions options);
+  ~NewtonStepper() override;
 
   // Goes on with another problem; the symbolic factorization stays where the structure is the same.
   // Blends wait until a step has come near this problem's minimum.
@@ -63,18 +87,24 @@ class NewtonStepper final : public Stepper {
  private:
   void advance(Vec& y, double& energy, Step& step) override;
   void require_curvature(const Problem& problem) const;
+  void newton_step(Vec& y, double& energy, Step& step);
+  bool kept_step(Vec& y, double& energy, Step& step);
   bool blends() const;
   bool factorize(const Vec& y, IterationRecord& record);
   bool factorize_blend(const Vec& y, IterationRecord& record);
   bool factorize_whole(const Vec& y, IterationRecord& record);
-  void learn(const Step& step);
+  void learn_clamp(const Step& step);
+  void raise_clamp(double failed);
 
   NewtonOptions options_;
   std::unique_ptr<LinearSolver> solver_;
   Vec hessian_, rhs_;
   double relative_decrement_ = std::numeric_limits<double>::infinity();  // of the last step
   double clamp_ = 1;                                                     // t of the next blend
+  int hold_ = 0;                                                         // steps that it stays
   int whole_steps_ = 0;                                                  // to come before it
+  class KeptFactor;
+  std::unique_ptr<KeptFactor> kept_;
 };
 
 class NewtonMinimizer final : public Minimizer {

@@ -72,6 +72,7 @@ struct SolverRules {
   StoppingRules stopping;  // all but relative_decrease and max_iterations, which are asked for
   LineSearchOptions line_search;
   BlendRules blend;
+  KeptFactorRules kept;
   QuadratureRules quadrature;
   // Times the quadrature of a finished run is refined. Origin: bench/tune.py accuracy_rounds.
   int accuracy_rounds = 3;

@@ -1,0 +1,56 @@
+// What L-BFGS [LN89] remembers: the last pairs s = change of y, q = change of g, and the inverse
+// Hessian B that they and a metric define.
+//
+//   History history(8, 1e-10);
+//   history.add(y - last_y, g - last_g);
+//   history.apply([&](const Vec& r, Vec& p) { solver->solve(r, p); }, -g, p);   // p = -B g
+#pragma once
+
+#include <deque>
+#include <utility>
+#include <vector>
+
+#include "majorant/framework/types.h"
+
+namespace majorant {
+
+class History {
+ public:
+  // Keeps `capacity` pairs, 0: none; skips those with s.q <= cautious |s| |q|, so that B stays
+  // positive definite [LF01].
+  History(int capacity, double cautious) : capacity_(capacity), cautious_(cautious) {}
+
+  bool empty() const { return pairs_.empty(); }
+  void clear() { pairs_.clear(); }
+
+  void add(Vec s, Vec q) {
+    const double sq = s.dot(q);
+    if (capacity_ <= 0 || !(sq > cautious_ * s.norm() * q.norm())) return;
+    if (pairs_.size() == at(capacity_)) pairs_.pop_front();
+    pairs_.push_back({std::move(s), std::move(q), sq});
+  }
+
+  // p = B r by the two loops of [LN89]; solve(r, p): p = M^-1 r, M the metric.
+  template <class Solve>
+  void apply(const Solve& solve, Vec r, Vec& p) const {
+    std::vector<double> alpha(pairs_.size());
+    for (std::size_t k = pairs_.size(); k-- > 0;) {
+      alpha[k] = pairs_[k].s.dot(r) / pairs_[k].sq;
+      r -= alpha[k] * pairs_[k].q;
+    }
+    solve(r, p);
+    for (std::size_t k = 0; k < pairs_.size(); ++k)
+      p += (alpha[k] - pairs_[k].q.dot(p) / pairs_[k].sq) * pairs_[k].s;
+  }
+
+ private:
+  struct Pair {
+    Vec s, q;
+    double sq;
+  };
+  int capacity_;
+  double cautious_;
+  std::deque<Pair> pairs_;
+};
+
+}  // namespace majorant
