@@ -13,8 +13,8 @@
 // surface do. Not for small meshes, where a few steps from Tutte's map cost less.
 #pragma once
 
+#include <limits>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "majorant/framework/stop_check.h"
@@ -41,20 +41,24 @@ struct MultiresolutionRules {
   int hot_rounds = 6;
   // Rounds over all vertices when a level is complete. Origin: bench/multiresolution.
   int sweeps = 4;
-  // Relative decrease that ends a level, at most `coarse_part` of the faces, and above.
-  double coarse_part = 1.0 / 8;
-  double coarse_decrease = 1e-5;
-  double decrease = 1e-4;
-  int least_steps = 2, most_steps = 30;
+  // L-BFGS on a level: pairs that are kept, steps for a factorization, steps. Origin:
+  // bench/multiresolution.
+  int history = 8, metric_every = 10, most_steps = 30;
+  // Relative decrease that ends a level of at most `coarse_part` of all triangles, and a finer one.
+  // Origin: bench/multiresolution.
+  double coarse_part = 1.0 / 8, coarse_decrease = 1e-5, decrease = 1e-4;
+  // Of the energy, from one level to the next: a larger drop gives the start up, since what is
+  // coarse says nothing of what is fine. Infinite: never.
+  double largest_drop = std::numeric_limits<double>::infinity();
 };
 
 // What a level cost: for measurements.
 struct LevelRecord {
   Index faces = 0;
-  int steps = 0;                               // of Newton's method
-  double inserted = 0, swept = 0, energy = 0;  // mean energy, after each of the three
-  double insert_seconds = 0, sweep_seconds = 0, newton_seconds = 0;
-  Index hot = 0, squeezed = 0;  // vertices with hot stars; put near the one they had collapsed onto
+  Index hot = 0;      // vertices whose neighbours gave way
+  int steps = 0;      // of all vertices together
+  double energy = 0;  // mean, after these
+  double insert_seconds = 0, sweep_seconds = 0, solve_seconds = 0;  // CPU time of the process
 };
 struct MultiresolutionRecord {
   double decimation_seconds = 0;
