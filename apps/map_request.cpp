@@ -97,9 +97,8 @@ void MapRequest::add_start_to(CLI::App& verb) {
   verb.add_option("--boundary", boundary, "free, or fixed where the initial map has it")
       ->check(one_of({"free", "fixed"}));
   verb.add_option("--init", init,
-                  "tutte, multiresolution, auto: whichever suits the size, or input: the file's "
-                  "texture coordinates")
-      ->check(one_of({"tutte", "auto", "multiresolution", "input"}));
+                  "auto, tutte, multiresolution, or input: the file's texture coordinates")
+      ->check(one_of({"auto", "tutte", "multiresolution", "input"}));
 }
 
 void MapRequest::choose_degree(const std::vector<std::string>& outputs) {
@@ -154,7 +153,7 @@ MapInput read_input(const MapRequest& request, const StopCheck& stop,
   else
     in.mesh->require_planar();
   in.options = read_options(request, in.polygons, in.start ? in.start->map.mesh() : *in.mesh);
-  for (const StartMethod method : {StartMethod::Automatic, StartMethod::Multiresolution})
+  for (const StartMethod method : {StartMethod::Tutte, StartMethod::Multiresolution})
     if (request.init == start_name(method)) in.options.map.start = method;
   if (request.init == "input" && !request.seamless) in.options.map.initial = texture_map(*in.mesh);
   require_scale(request, in);

@@ -17,7 +17,7 @@ namespace majorant::app {
 
 // Everything the user can say of the map, as said.
 struct MapRequest {
-  std::string input, energy = "symmetric-dirichlet", boundary = "free", init = "tutte",
+  std::string input, energy = "symmetric-dirichlet", boundary = "free", init = "auto",
                      curvature = "projected",  // an option of parametrize only
       pins, handles, weights;
   int degree = 0;  // 0: nothing was said, see choose_degree()

@@ -31,7 +31,9 @@ Start cut_start(const Request& request, const PolygonMesh& polygons, const Surfa
         fmt::format("{}: --seams {} leaves {} pieces, parametrize maps one; `majorant "
                     "unwrap {} --seams {} -o OUT` maps them all",
                     mesh.file(), request.seams.seams, pieces, mesh.file(), request.seams.seams));
-  return Start{BezierMap::linear(open, initial_map(*open, MapOptions(), stop))};
+  MapOptions plain;
+  plain.start = StartMethod::Tutte;
+  return Start{BezierMap::linear(open, initial_map(*open, plain, stop))};
 }
 
 int run_job(Request request) {
@@ -43,8 +45,10 @@ int run_job(Request request) {
   MapInput& in = request.seams.seams.empty() ? run.read() : run.read(cut_open);
   in.cuts = std::move(cuts);
   const auto solve = [&] {
-    return in.start ? parametrize(in.start->map, in.options, run.record())
-                    : parametrize(in.mesh, in.options, run.record());
+    if (!in.start) return parametrize(in.mesh, in.options, run.record());
+    ParametrizationResult result = parametrize(in.start->map, in.options, run.record());
+    if (in.cuts) result.start = StartMethod::Tutte;
+    return result;
   };
   return run.finish(unless_stopped("making the start of " + request.map.input, solve),
                     in.cuts ? request.seams.to_json() : Json::object());

@@ -33,8 +33,10 @@ Json normalized_section(const std::optional<InUnitSquare>& normalized) {
 
 // What the start was made from: where nobody brought one, what parametrize() chose.
 std::string_view start_taken(const FinishedRun& run) {
-  return run.result.start == StartMethod::Given ? std::string_view(run.map.init)
-                                                : start_name(run.result.start);
+  if (run.result.start != StartMethod::Given) return start_name(run.result.start);
+  // Seams of texture coordinates need not be asked for twice.
+  return run.map.init == start_name(StartMethod::Automatic) ? start_name(StartMethod::Given)
+                                                            : std::string_view(run.map.init);
 }
 
 std::string claims(const FinishedRun& run) {

@@ -265,6 +265,7 @@ void add_compare(CLI::App& app, Action* run) {
   Request& r = *request;
   CLI::App& verb = *app.add_subcommand("compare", "solve one problem with many methods");
   r.map.add_to(verb);
+  r.map.init = "tutte";  // far enough from the minimum to compare the ways there
   r.map.add_start_to(verb);
   verb.add_option("--methods", r.methods, "names, comma separated (all that fit the energy)")
       ->delimiter(',');

@@ -21,11 +21,12 @@ namespace majorant {
 // space around the image.
 enum class MapInjectivity { Local, Global };
 
-// Where a map starts that is not given. Tutte: tutte_map(). Multiresolution: multiresolution_map(),
-// or Tutte's where that does not know what is asked. Automatic: the better one for the size of the
-// mesh. Given: MapOptions::initial, or the start that a caller brings.
-enum class StartMethod { Tutte, Automatic, Multiresolution, Given };
-std::string_view start_name(StartMethod method);  // "tutte", "auto", "multiresolution", "input"
+// Where a map starts that is not given. Automatic: Multiresolution for large surfaces, unless
+// points are pulled or held where the initial map has them. Multiresolution: multiresolution_map(),
+// but Tutte where that does not know what is asked. Tutte: tutte_map(). Given: MapOptions::initial,
+// or the start that a caller brings.
+enum class StartMethod { Automatic, Tutte, Multiresolution, Given };
+std::string_view start_name(StartMethod method);  // "auto", "tutte", "multiresolution", "input"
 
 struct Pin {
   Index vertex;                   // of the mesh
@@ -39,7 +40,7 @@ struct MapOptions : MapObjective {
   std::vector<Pin> handles;    // soft, with handle_weight
   std::vector<Index> aligned;  // half-edges that stay parallel to an axis
   std::optional<Vec> initial;  // u, v per vertex; none: made by `start`
-  StartMethod start = StartMethod::Tutte;
+  StartMethod start = StartMethod::Automatic;
 };
 
 }  // namespace majorant

@@ -7,6 +7,7 @@
 #include <memory>
 #include <utility>
 
+#include "majorant/framework/lbfgs.h"
 #include "majorant/framework/newton.h"
 #include "majorant/parametrization/maps/map_problem.h"
 #include "majorant/parametrization/starts/internal/decimation.h"
@@ -60,6 +61,11 @@ struct Level {
       positions.row(static_cast<Index>(k)) = all.row(vertex[k]);
   }
 };
+
+// Levels factorize a matrix or two: an ordering that takes longer than that would not pay.
+std::unique_ptr<LinearSolver> few_factorizations() {
+  return make_cholmod_solver(Factorization::Automatic, Ordering::Amd);
+}
 
 SurfaceMesh surface_of(const Level& level, const std::string& file) {
   SurfaceParts parts;
@@ -127,8 +133,12 @@ class Multiresolution {
     if (asked_.boundary == BoundaryCondition::Fixed && !set_boundary()) return false;
     LevelRecord record;
     record.faces = mesh_.faces_left();
-    const bool solved = improve_all(level, {.relative_decrease = rules_.coarse_decrease}, record);
-    record.newton_seconds = watch.restart();
+    NewtonOptions options;
+    options.stop = stop_;
+    options.stopping.relative_decrease = rules_.coarse_decrease;
+    options.linear_solver = few_factorizations;
+    const bool solved = improve_all(level, NewtonMinimizer(options), record);
+    record.solve_seconds = watch.restart();
     record_.levels.push_back(record);
     return solved;
   }
@@ -165,16 +175,19 @@ class Multiresolution {
     for (int sweep = 0; sweep < rules_.sweeps; ++sweep) this->sweep();
     record.sweep_seconds = watch.restart();
     const bool finest = vertices == surface_.vertex_count();
+    const bool coarse = mesh_.faces_left() <= rules_.coarse_part * surface_.face_count();
     bool solved = true;
     if (!finest) {
-      StoppingRules rules;
-      rules.max_iterations = rules_.most_steps;
-      rules.relative_decrease = mesh_.faces_left() <= rules_.coarse_part * surface_.face_count()
-                                    ? rules_.coarse_decrease
-                                    : rules_.decrease;
-      solved = improve_all(Level(mesh_, positions_), rules, record);
+      LbfgsOptions options;
+      options.history = rules_.history;
+      options.metric_every = rules_.metric_every;
+      options.stop = stop_;
+      options.stopping =
+          brief_rules(rules_.most_steps, coarse ? rules_.coarse_decrease : rules_.decrease);
+      options.linear_solver = few_factorizations;
+      solved = improve_all(Level(mesh_, positions_), LbfgsMinimizer(options), record);
     }
-    record.newton_seconds = watch.restart();
+    record.solve_seconds = watch.restart();
     record_.levels.push_back(record);
     return solved;
   }
@@ -226,8 +239,8 @@ class Multiresolution {
     }
   }
 
-  // Newton's method on the mesh that is left.
-  bool improve_all(const Level& level, const StoppingRules& rules, LevelRecord& record) {
+  // All vertices of the mesh that is left together.
+  bool improve_all(const Level& level, const Minimizer& minimizer, LevelRecord& record) {
     const auto space = std::make_shared<const BezierTriangleSpace>(
         level.faces, static_cast<Index>(level.vertex.size()), 1);
     MapSpecification spec;
@@ -244,17 +257,16 @@ class Multiresolution {
     const MapProblem built = map_problem(
         spec, space, x, energy_terms(spec, space, {lattice_rule(1)}),
         std::make_shared<const LocalInjectivity>(space, 2 * spec.rest.measure, 0, stop_));
-    NewtonOptions options;
-    options.stop = stop_;
-    options.linear_solver = [] {
-      return make_direct_solver(Ordering::Amd);
-    };
-    NewtonStepper stepper(built.problem, options);
-    const SolveResult solved = stepper.minimize(built.problem.reduce(x), rules);
+    const SolveResult solved = minimizer.minimize(built.problem, built.problem.reduce(x), {});
     stop_.poll();
     if (!solved.y.allFinite() || !std::isfinite(solved.energy)) return false;
     record.steps = static_cast<int>(solved.iterations.size());
-    level_energy_ = record.energy = solved.energy;
+    record.energy = solved.energy;
+    const double drop = level_energy_ - solved.energy;
+    const bool misled =
+        !record_.levels.empty() && drop > rules_.largest_drop * std::abs(solved.energy);
+    level_energy_ = solved.energy;
+    if (misled) return false;
     set(level, built.problem.expand(solved.y));
     return true;
   }

@@ -15,8 +15,8 @@ namespace {
 constexpr double kArmijoPart = 1e-4;
 // Halvings of a step. Origin: 2^-12 of a step is not worth more.
 constexpr int kHalvings = 12;
-// Part of the star's energy: a smaller decrement is the end of a vertex's steps. Origin:
-// bench/multiresolution.
+// Part of the star's energy: a smaller decrement is the end of a vertex's steps. Origin: a
+// tenth of what a level is solved to.
 constexpr double kSmallDecrement = 1e-5;
 // Of the larger eigenvalue of a 2 by 2 Hessian: the smaller is raised to it. Origin: chosen; it
 // bounds the step where the energy is concave.
