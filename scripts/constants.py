@@ -79,7 +79,6 @@ EXEMPT = {
     'framework/internal/backtracking.h kGiveUp': 'an answer',
     'framework/internal/backtracking.h kHalve': 'an answer',
     'framework/internal/backtracking.h kTake': 'an answer',
-    'framework/internal/foreign_code.cpp kBlasBuffer': 'memory',
     'framework/run_record.h kGrace': 'seconds',
     'framework/stop_check.h kPeriod': 'how often limits are looked at',
     'energies/density.h kPacked': 'size of a table',

@@ -18,6 +18,7 @@
 namespace majorant {
 
 struct FrontKernels {
+  // Rows that are worked on together. Origin: the doubles of the widest vector.
   static constexpr Index kTile = 8;
 
   const char* name;  // of the instruction set: "AVX-512"

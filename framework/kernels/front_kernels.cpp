@@ -11,7 +11,7 @@ using Batch = xsimd::batch<double>;
 constexpr Index kTile = FrontKernels::kTile;
 constexpr Index kLanes = static_cast<Index>(Batch::size);
 constexpr Index kParts = kTile / kLanes;  // batches in a tile of rows
-// Columns at a time, so that sums fill the registers without leaving them.
+// Columns at a time. Origin: their sums fill the registers without leaving them; changes no bit.
 constexpr Index kColumns = kLanes >= 8 ? 8 : kLanes >= 4 ? 4 : 2;
 
 // kTile rows of one column.
