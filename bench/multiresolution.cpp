@@ -1,8 +1,7 @@
 // What a start in many resolutions costs and what it is worth.
 //
 // For each mesh, degree 1, symmetric Dirichlet, free boundary, one thread: the CPU time of every
-// part of the start in factorization-equivalents (one CHOLMOD factorization and solve of the
-// surface's matrix, the best of AMD and METIS, timed here), how far the energy of the start is
+// part of the start in fe (bench/unit_fe.h), how far the energy of the start is
 // above the minimum that is reached from it, and iterations to within 1e-2 and 1e-4 of that
 // minimum, from this start and from Tutte's, with the energies at the end.
 //
@@ -15,30 +14,26 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <ctime>
-#include <limits>
 #include <map>
 #include <string>
 
 #include "majorant/constraints/fixed_points.h"
 #include "majorant/energies/named_energies.h"
 #include "majorant/framework/evaluator.h"
-#include "majorant/framework/linear_solver.h"
 #include "majorant/framework/thread_count.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/parametrization/drive/parametrize.h"
 #include "majorant/parametrization/starts/tutte.h"
+#include "unit_fe.h"
 
 using namespace majorant;
 
 namespace {
 
-// Largest mesh whose factorization is timed more than once, and with AMD.
+// Largest mesh whose factorization is timed more than once.
 constexpr Index kLarge = 300000;
 
-double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
-// Seconds of one factorization and solve of the surface's matrix.
+// Seconds of 1 fe of the surface's matrix.
 double factorization(const SurfaceMesh& mesh, const Vec& x) {
   const auto space =
       std::make_shared<const BezierTriangleSpace>(mesh.faces(), mesh.vertex_count(), 1);
@@ -48,21 +43,9 @@ double factorization(const SurfaceMesh& mesh, const Vec& x) {
               1.0 / mesh.area());
   builder.add(FixedPoints::at({0}, x));
   const Problem problem = builder.build();
-  Vec g, h, p;
+  Vec g, h;
   Evaluator(problem).linearize(problem.reduce(x), Curvature::Projected, g, h);
-  double best = std::numeric_limits<double>::infinity();
-  for (const Ordering ordering : {Ordering::Metis, Ordering::Amd}) {
-    if (mesh.face_count() > kLarge && ordering == Ordering::Amd) continue;
-    const auto solver = make_cholmod_solver(Factorization::Automatic, ordering);
-    solver->analyze(problem.pattern());
-    for (int k = 0; k < (mesh.face_count() > kLarge ? 1 : 3); ++k) {
-      const double before = cpu_seconds();
-      solver->factorize(h, 0.0);
-      solver->solve(g, p);
-      best = std::min(best, cpu_seconds() - before);
-    }
-  }
-  return best;
+  return measure_unit_fe(problem.pattern(), h, g, mesh.face_count() > kLarge ? 1 : 3).seconds;
 }
 
 struct Run {
