@@ -135,11 +135,25 @@ class ElementCheck {
       definite.update(std::max(0.0, -lowest) / hessian_scale_, element_,
                       fmt::format("curvature {}", curvature_name(curvature)), lowest, 0);
     }
+    if (exact_ && term_.supports(Curvature::Projected)) blend();
   }
 
   Worst gradient, hessian, definite;
 
  private:
+  // Half way between the exact and the projected Hessian lies what the term says it is.
+  void blend() {
+    const Eigen::MatrixXd exact = probe_.local(x_, Curvature::Exact).hessian;
+    const Eigen::MatrixXd projected = probe_.local(x_, Curvature::Projected).hessian;
+    const Eigen::MatrixXd half = probe_.local(x_, BlendedCurvature::projected(0.5)).hessian;
+    for (int j = 0; j < half.cols(); ++j)
+      for (int i = j; i < half.rows(); ++i) {
+        const double expected = 0.5 * (exact(i, j) + projected(i, j));
+        hessian.update(std::abs(half(i, j) - expected) / hessian_scale_, element_,
+                       fmt::format("blend({}, {})", i, j), half(i, j), expected);
+      }
+  }
+
   // Central differences by local unknown i. Where a stencil names an unknown several times, the
   // derivative by it is the sum over its places.
   void differences(int i) {

@@ -6,9 +6,10 @@
 //
 // Central differences of values() check the gradient, central differences of the gradient check the
 // Hessian under Curvature::Exact; the other curvature models the term supports are checked to be
-// positive semidefinite; local() without a Hessian has to give the same gradient (a term that
-// writes through the null pointer crashes here); elements evaluated together have to give what each
-// gives alone. x must lie inside the domain, away from its boundary.
+// positive semidefinite, blends of Exact and Projected to lie between them; local() without a
+// Hessian has to give the same gradient (a term that writes through the null pointer crashes here);
+// elements evaluated together have to give what each gives alone. x must lie inside the domain,
+// away from its boundary.
 #pragma once
 
 #include <string>

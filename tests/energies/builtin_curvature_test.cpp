@@ -13,7 +13,8 @@ using test::Promise;
 using test::Vector4;
 using Jacobians = std::vector<Eigen::Matrix2d>;
 
-std::vector<PointModel> models(const std::string& name, const Jacobians& jacobians, Curvature c) {
+std::vector<PointModel> models(const std::string& name, const Jacobians& jacobians,
+                               BlendedCurvature c) {
   const test::Triangles t(jacobians.size());
   const auto term = find_energy(name)->make(t.space, t.rest, {lattice_rule(1)});
   return test::point_models(*term, jacobians, c);
@@ -80,6 +81,22 @@ TEST(BuiltinCurvature, ProjectedIsTheClampedExactHessian) {
     }
     EXPECT_EQ(indefinite > 5, p.name != "asap") << p.name;
   }
+}
+
+// H_exact + t (H_projected - H_exact), both from automatic differentiation.
+TEST(BuiltinCurvature, BlendsLieBetweenTheExactAndTheProjectedHessian) {
+  for (const double t : {0.0, 0.061, 0.5, 1.0})
+    for (const Promise& p : test::promises()) {
+      const Jacobians j = jacobians(p.everywhere);
+      const auto blended = models(p.name, j, BlendedCurvature::projected(t));
+      for (std::size_t e = 0; e < j.size(); ++e) {
+        const Matrix4 exact = test::builtin_oracle(p.name, j[e]).hessian;
+        const Matrix4 expected = (1 - t) * exact + t * test::clamp_eigenvalues(exact);
+        const double tol = p.name == "log-isometric" ? 1e-9 : 1e-12;
+        EXPECT_LE((blended[e].hessian - expected).norm(), tol * exact.norm())
+            << p.name << ", t = " << t << ", " << describe(j[e]);
+      }
+    }
 }
 
 // Log-isometric is concave along stretches beyond e: the radial 2x2 block needs projection there.

@@ -72,7 +72,7 @@ struct ElementModels {
   std::vector<Eigen::MatrixXd> hessians;
 };
 
-inline ElementModels element_models(const EnergyTerm& term, VecIn x, Curvature curvature) {
+inline ElementModels element_models(const EnergyTerm& term, VecIn x, BlendedCurvature curvature) {
   ElementModels out;
   const Index count = term.stencils().element_count();
   const int n = term.stencils().local_size();
@@ -118,7 +118,7 @@ inline EnergyFactory baseline(const std::string& name) {
 // Models by J; `term` lives on Triangles.
 inline std::vector<PointModel> point_models(const EnergyTerm& term,
                                             const std::vector<Eigen::Matrix2d>& jacobians,
-                                            Curvature curvature) {
+                                            BlendedCurvature curvature) {
   const ElementModels models = element_models(term, corners_of(jacobians), curvature);
   std::vector<PointModel> out(jacobians.size());
   const int local[4] = {0, 2, 1, 3};  // a = u of corner 0, b = u of corner 1, ...

@@ -105,6 +105,7 @@ TEST(GeneralDensity, AnisotropicDerivatives) {
       make_energy(t.space, t.rest, density<2, 2>("a", f, {Domain::Everywhere}), {lattice_rule(1)});
   const auto models = test::point_models(*term, j, Curvature::Exact);
   const auto projected = test::point_models(*term, j, Curvature::Projected);
+  const auto blended = test::point_models(*term, j, BlendedCurvature::projected(0.3));
   for (std::size_t e = 0; e < j.size(); ++e) {
     const double a = j[e](0, 0), b = j[e](0, 1), c = j[e](1, 0), d = j[e](1, 1);
     EXPECT_NEAR(models[e].value, a * a + 3 * b * d + 0.5 * c * b * b + 1 / (d * d),
@@ -118,7 +119,9 @@ TEST(GeneralDensity, AnisotropicDerivatives) {
     h(3, 3) = 6 / (d * d * d * d);
     EXPECT_LE((models[e].gradient - g).norm(), 1e-13 * g.norm());
     EXPECT_LE((models[e].hessian - h).norm(), 1e-13 * h.norm());
-    EXPECT_LE((projected[e].hessian - test::clamp_eigenvalues(h)).norm(), 1e-12 * h.norm());
+    const test::Matrix4 clamped = test::clamp_eigenvalues(h);
+    EXPECT_LE((projected[e].hessian - clamped).norm(), 1e-12 * h.norm());
+    EXPECT_LE((blended[e].hessian - 0.7 * h - 0.3 * clamped).norm(), 1e-12 * h.norm());
   }
 }
 

@@ -12,7 +12,15 @@ using test::QuadraticTerm;
 using test::Random;
 
 // x^4 / 12 of one unknown, with one mistake at a time.
-enum class Mistake { None, Gradient, Hessian, Definiteness, FirstOrderGradient, FirstOrderValue };
+enum class Mistake {
+  None,
+  Gradient,
+  Hessian,
+  Definiteness,
+  Blend,
+  FirstOrderGradient,
+  FirstOrderValue
+};
 
 class Quartic final : public EnergyTerm {
  public:
@@ -39,6 +47,7 @@ class Quartic final : public EnergyTerm {
     out.hessian[0] = off(Mistake::Hessian) * x[0] * x[0];
     if (mistake_ == Mistake::Definiteness && curvature.model == Curvature::Projected)
       out.hessian[0] = -1;
+    if (mistake_ == Mistake::Blend && curvature.clamp == 0.5) out.hessian[0] *= 1.01;
   }
 
  private:
@@ -62,6 +71,7 @@ TEST(DerivativeCheck, MistakesAreFoundAndNamed) {
   for (const auto& [mistake, text] : {std::pair(Mistake::Gradient, "gradient[0]"),
                                       {Mistake::Hessian, "hessian(0, 0)"},
                                       {Mistake::Definiteness, "curvature projected"},
+                                      {Mistake::Blend, "blend(0, 0)"},
                                       {Mistake::FirstOrderGradient, "gradient[0] without hessian"},
                                       {Mistake::FirstOrderValue, "value without hessian"}}) {
     const DerivativeReport r = check_derivatives(Quartic(mistake), Vec::Constant(1, 2));

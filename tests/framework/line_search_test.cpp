@@ -96,6 +96,28 @@ TEST(LineSearch, BlockedAndNoDecrease) {
   EXPECT_EQ(t.trials(), 47) << "halvings of 1 above smallest_step";
 }
 
+// Where the energy is a barrier's, E = 1 / (1 + s / 3)^2, the parabola asks for 1.455.
+TEST(LineSearch, DoublesInTheBarrierPhase) {
+  const Scalar barrier{[](double t) { return std::pow(1 + t / 3, -2); },
+                       [](double t) { return -2.0 / 3 * std::pow(1 + t / 3, -3); },
+                       [](double t) { return 2.0 / 3 * std::pow(1 + t / 3, -4); }};
+  const auto step = [&](std::shared_ptr<const FeasibilityChecker> checker, auto change) {
+    Line line(1, std::move(checker), barrier);
+    change(line.options);
+    LineSearch s(line.evaluator, line.options, line.y, line.p, 1, 2.0 / 3);
+    EXPECT_EQ(s.find(1), LineSearch::Result::Accepted);
+    EXPECT_EQ(s.energy(), line.evaluator.value(line.y + s.step() * line.p));
+    return s.step();
+  };
+  const auto usual = [](LineSearchOptions&) {};
+  EXPECT_EQ(step(nullptr, usual), 256) << "most_improvements doublings";
+  EXPECT_NEAR(step(nullptr, [](auto& o) { o.barrier_decrement = 0.7; }), 1.455, 0.6);
+  EXPECT_EQ(step(nullptr, [](auto& o) { o.barrier_gain = 0.4; }), 4) << "gains 0.36, 0.49, ...";
+  const double held = step(std::make_shared<const Box>(5, true), usual);
+  EXPECT_GT(held, 4);
+  EXPECT_LT(held, 5);
+}
+
 // Armijo asks for a share of the slope: the tiny decrease of a step that overshoots is refused.
 TEST(LineSearch, RefusesTooLittleDecrease) {
   Line line(1.99999);

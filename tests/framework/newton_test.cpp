@@ -129,6 +129,110 @@ TEST(Newton, RecordsCountFactorizations) {
   }
 }
 
+// From the start on, t falls with every step, rises with every failed factorization through 0.1 and
+// 0.5 to 1, and stays for `hold` steps then.
+TEST(Newton, BlendsFollowTheFactorizations) {
+  int failed = 0, exact = 0;
+  for (const unsigned seed : {1u, 2u, 3u, 4u}) {
+    const test::ChainProblem chain(60, seed);
+    NewtonOptions o = options(Curvature::Projected);
+    o.blend.below = kInfinity;
+    o.blend.short_step = o.blend.short_bound = 0;
+    NewtonStepper stepper(chain.problem, o);
+    Vec y = chain.start;
+    double energy = stepper.evaluator().value(y), t = 1;
+    int hold = 0;
+    for (StepResult step = stepper.step(y, energy); step.outcome == StepResult::Outcome::Moved;
+         step = stepper.step(y, energy)) {
+      const IterationRecord& r = step.record;
+      for (int k = 0; k < r.failed_factorizations; ++k, hold = o.blend.hold)
+        t = t < 0.1 ? 0.1 : t < 0.5 ? 0.5 : 1;
+      EXPECT_EQ(r.clamp, t) << seed;
+      EXPECT_EQ(r.curvature == Curvature::Exact, t == 0);
+      failed += r.failed_factorizations;
+      exact += t == 0;
+      if (r.relative_decrease < 0.1 * r.newton_decrement / energy) break;  // misled
+      if (hold > 0)
+        --hold;
+      else
+        t = t * o.blend.fall < o.blend.least ? 0 : t * o.blend.fall;
+    }
+  }
+  EXPECT_GT(failed, 3);
+  EXPECT_GT(exact, 3);
+}
+
+TEST(Newton, NoBlendFarFromAMinimumNorAfterShortSteps) {
+  const test::ChainProblem chain(60);
+  NewtonOptions o = options(Curvature::Projected);
+  for (const double below : {0.0, 1e-3}) {
+    o.blend.below = below;
+    const SolveResult r = NewtonMinimizer(o).minimize(chain.problem, chain.start, {});
+    ASSERT_EQ(r.status, Status::Converged);
+    int blends = 0;
+    for (std::size_t k = 1; k < r.iterations.size(); ++k) {
+      const IterationRecord& last = r.iterations[k - 1];
+      const double before = last.energy / (1 - last.relative_decrease);
+      if (last.newton_decrement > below * before)
+        EXPECT_EQ(r.iterations[k].clamp, 1) << k;
+      else
+        blends += r.iterations[k].clamp < 1;
+    }
+    EXPECT_EQ(blends > 0, below > 0);
+  }
+  o.blend.below = kInfinity;
+  o.blend.short_step = kInfinity;  // every step is short
+  for (const IterationRecord& r :
+       NewtonMinimizer(o).minimize(chain.problem, chain.start, {}).iterations)
+    EXPECT_EQ(r.clamp, 1);
+}
+
+// Steps between factorizations cost none, are as many as allowed, and end in the same minimum.
+TEST(Newton, KeptFactorsServeSeveralSteps) {
+  const test::ChainProblem chain(60);
+  NewtonOptions o = options(Curvature::Projected);
+  const SolveResult plain = NewtonMinimizer(o).minimize(chain.problem, chain.start, {});
+  const auto counts = std::make_shared<test::SolverCounts>();
+  o.linear_solver = test::counting(counts);
+  o.kept.below = kInfinity;
+  o.kept.steps = 3;
+  const SolveResult r = NewtonMinimizer(o).minimize(chain.problem, chain.start, {});
+  ASSERT_EQ(r.status, Status::Converged) << r.message;
+  EXPECT_NEAR(r.energy, plain.energy, 1e-6 * std::abs(plain.energy));
+  int kept = 0, longest = 0, run = 0;
+  for (std::size_t k = 0; k < r.iterations.size(); ++k) {
+    run = r.iterations[k].factorizations > 0 ? 0 : run + 1;
+    kept += run > 0;
+    longest = std::max(longest, run);
+    if (run > 1) EXPECT_GE(r.iterations[k - 1].step, o.kept.short_step);
+  }
+  EXPECT_GT(kept, 3);
+  EXPECT_EQ(longest, 3);
+  EXPECT_LT(counts->factorizations, test::recorded(plain.iterations).factorizations);
+  o.kept.short_step = kInfinity;
+  for (const IterationRecord& each :
+       NewtonMinimizer(o).minimize(chain.problem, chain.start, {}).iterations)
+    EXPECT_GT(each.factorizations, 0);
+}
+
+// A factor belongs to its problem, and a polished step is Newton's.
+TEST(Newton, OtherProblemsAndPolishedStepsKeepNoFactor) {
+  const test::ChainProblem chain(60);
+  NewtonOptions o = options(Curvature::Projected);
+  o.kept.below = kInfinity;
+  NewtonStepper stepper(chain.problem, o);
+  Vec y = chain.start;
+  double energy = stepper.evaluator().value(y);
+  const auto factorizations = [&] { return stepper.step(y, energy).record.factorizations; };
+  EXPECT_EQ(factorizations(), 1);
+  EXPECT_EQ(factorizations(), 0);
+  stepper.reset(chain.problem);
+  EXPECT_EQ(factorizations(), 1);
+  EXPECT_EQ(factorizations(), 0);
+  stepper.polish();
+  EXPECT_GE(factorizations(), 1);
+}
+
 // The whole Hessian is negative: a shift of one mean diagonal is not enough.
 TEST(Newton, ShiftsNegativeDefiniteHessians) {
   const Problem problem =
