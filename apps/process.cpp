@@ -141,7 +141,7 @@ const std::atomic<bool>* interruption_flag() {
 int start_threads(int asked) {
   // glibc gives a thread that allocates an arena of 64 MiB, aligned to as much.
   constexpr std::size_t kArena = std::size_t{128} << 20;
-  // Left to the run: OpenBLAS's buffer and room to begin with.
+  // Left to the run, to begin with.
   constexpr std::size_t kRun = std::size_t{256} << 20;
   const std::size_t per_thread = stack_bytes() + kArena;
   int count = asked > 0 ? asked : ThreadCount::current();

@@ -1,8 +1,12 @@
 // The symbolic half of a multifrontal Cholesky factorization [DR83]: which unknowns are eliminated
 // together, and where every number goes.
 //
-//   const FrontTree tree(pattern, elimination);   // elimination: of the pattern's blocks
-//   for (const FrontTree::Front& front : tree.fronts()) ...
+//   SparsePattern pattern;
+//   pattern.append_column({});
+//   pattern.order_in_blocks(1);
+//   const FrontTree tree(pattern, BlockElimination{{0}, {0, 1}, {0, 1}, {0}});   // of one block
+//   double operations = 0;
+//   for (const FrontTree::Front& front : tree.fronts()) operations += front.operations();
 //
 // Unknowns are numbered by their position in the order of elimination; fronts come in that order,
 // children before parents. A front's unknowns are its own columns, from `first` on, and its

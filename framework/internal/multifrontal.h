@@ -2,8 +2,13 @@
 // front. A front adds up what its children leave to it and its own entries of H, eliminates its
 // columns, and leaves an update to its parent.
 //
+//   SparsePattern pattern;
+//   pattern.append_column({});
+//   pattern.order_in_blocks(1);
+//   const FrontTree tree(pattern, BlockElimination{{0}, {0, 1}, {0, 1}, {0}});   // of one block
 //   MultifrontalFactor factor(tree);
-//   if (factor.factorize(values, 0.0)) factor.solve(r, p);
+//   Vec p;
+//   if (factor.factorize(Vec::Ones(1), 0.0)) factor.solve(Vec::Ones(1), p);
 //
 // With several threads (thread_count.h: as many as the constructor's caller has) subtrees are
 // worked on at the same time, then large fronts in parts. Every number comes from the same
