@@ -1,8 +1,7 @@
 // The start of large disks: solved where the surface has few triangles, refined vertex by vertex.
 //
-//   MapObjective asked;                                // symmetric Dirichlet, free boundary
-//   std::optional<Vec> uv = multiresolution_map(mesh, asked);
-//   if (!uv) uv = tutte_map(mesh);
+//   std::optional<Vec> uv = multiresolution_map(*mesh, options.map);
+//   if (!uv) uv = tutte_map(*mesh);
 //
 // Vertices are moved onto neighbours until a few hundred triangles are left; Tutte's map of those
 // is optimized; then the vertices come back in reverse order, each at the place that is best for

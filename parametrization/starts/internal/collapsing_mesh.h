@@ -1,8 +1,10 @@
 // Triangles that lose vertices one by one and get them back in reverse order.
 //
-//   CollapsingMesh mesh(faces, opposite, vertex_count);
-//   if (mesh.may_collapse(h, CollapsingMesh::End::Start)) mesh.collapse(h, CollapsingMesh::End::Start);
-//   const Restored back = mesh.restore();   // the last one that left
+//   CollapsingMesh left(mesh->faces(), mesh->opposites(), mesh->vertex_count());
+//   const auto end = CollapsingMesh::End::Start;
+//   const Index h = left.leaving(7);
+//   if (left.may_collapse(h, end, 16)) left.collapse(h, end);   // 7 is gone
+//   const CollapsingMesh::Restored back = left.restore();       // and here again
 //
 // A collapse moves a vertex onto a neighbour: no positions change, vertices and faces keep their
 // numbers, and what is gone keeps its entries, so that undoing is exact. Half-edges are those of

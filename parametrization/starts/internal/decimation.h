@@ -1,7 +1,7 @@
 // Which vertices of a surface leave, in which order, until few faces are left.
 //
-//   CollapsingMesh mesh(surface.faces(), surface.opposites(), surface.vertex_count());
-//   decimate(mesh, positions, {.faces = 400});
+//   CollapsingMesh left(mesh->faces(), mesh->opposites(), mesh->vertex_count());
+//   decimate(left, mesh->positions(), {400, mesh->boundary_flags()});   // the boundary stays
 //
 // In rounds: every vertex is given its best neighbour to collapse onto, by how far the surface
 // moves and how flat the new triangles are, and of the better half of them, in the order of that

@@ -1,9 +1,9 @@
 // Where a vertex that comes back to a map is put: always a place that leaves its triangles
 // positive.
 //
-//   const auto back = mesh.restore();
-//   descent.measure_star(back.vertex);
-//   if (put_back(mesh, positions, descent, back)) descent.improve(back.vertex, 4);
+//     const auto back = mesh.restore();
+//     descent.measure_star(back.vertex);
+//     if (put_back(mesh, positions, descent, back)) descent.improve(back.vertex, 4);
 #pragma once
 
 #include "majorant/parametrization/starts/internal/vertex_descent.h"

@@ -1,8 +1,9 @@
 // Newton's method on one vertex of a planar map at a time, all others at rest.
 //
-//   VertexDescent descent(mesh, positions, energy, weight, uv);
-//   descent.measure_star(v);          // the triangles around v are new
-//   if (descent.has_room(v)) descent.improve(v, 2);
+//   const CollapsingMesh left(mesh->faces(), mesh->opposites(), mesh->vertex_count());
+//   VertexDescent descent(left, mesh->positions(), options.map.energy, start);
+//   descent.measure_all();
+//   if (descent.has_room(7)) descent.improve(7, 2);
 //
 // Every accepted place of a vertex has the triangles around it counterclockwise beyond rounding
 // and lowers the energy, so that a map without inverted triangles never gets any. The triangles are
