@@ -283,6 +283,7 @@ Atlas unwrap(const std::shared_ptr<const SurfaceMesh>& surface, const UnwrapOpti
              RunRecord& record) {
   const double unit = model_unit(*surface);
   if (unit == 1) return Unwrapping(surface, options, record).solve();
+  require_usable_sizes(*surface);
   UnwrapOptions scaled = options;
   scale_points(1 / unit, scaled.chart.map.pins);
   scale_points(1 / unit, scaled.chart.map.handles);

@@ -131,8 +131,9 @@ class Seams(UnwrapTest):
 
     def test_faces_without_texture(self):
         """Three sides around a corner lose theirs, one of them at some corners only."""
-        path, kept = self.islands(), []
-        for line in open(path).read().splitlines():
+        self.islands()
+        kept = []
+        for line in self.read('islands.obj').decode().splitlines():
             k = sum(l.startswith('f ') for l in kept)
             if line.startswith('f ') and k // 4 in (0, 2, 4):
                 corners = line.split()[1:]
