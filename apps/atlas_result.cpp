@@ -210,6 +210,7 @@ void summarize(const FinishedAtlas& run, const WrittenFiles& written) {
   name_charts(run);
   if (run.common.quiet || atlas.status() == Status::Failed) return;
   for (const Repair& r : run.surface.repairs) say("{}: {}\n", run.map.input, describe(r));
+  say_untextured(run.map.input, atlas.cuts);
   const std::string fill = atlas.packing ? fmt::format(", fill {:.2f}", atlas.packing->fill) : "";
   say("{}: {}, {} chart{}, {} {:.6f}, seams {:.4g} ({:.3g} sqrt(area)), stretch {:.4f}{}, "
       "degree {}, {:.2f} s\n",

@@ -113,7 +113,15 @@ std::string runnable(const std::shared_ptr<const SurfaceMesh>& mesh, Description
   return has_seams ? "parametrize can run, with --seamless too" : "parametrize can run";
 }
 
-std::string verdict(const PolygonMesh& polygons, Description& out) {
+// Why unwrap, with any options, would refuse; empty where it would not.
+std::string unwrap_refusal(const SurfaceMesh& surface) try {
+  require_usable_sizes(surface);
+  return "";
+} catch (const Error& e) {
+  return e.what();
+}
+
+std::string verdict(const PolygonMesh& polygons, const SurfaceMesh& repaired, Description& out) {
   std::string refusal, other_verb;
   try {
     const auto mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(polygons));
@@ -124,6 +132,9 @@ std::string verdict(const PolygonMesh& polygons, Description& out) {
   } catch (const std::bad_alloc&) {
     return "parametrize would refuse: out of memory while making the start";
   }
+  const std::string unwrapping = unwrap_refusal(repaired);
+  if (!unwrapping.empty())
+    return fmt::format("parametrize would refuse: {}; and unwrap: {}", refusal, unwrapping);
   // Most refusals name it themselves.
   const bool names_unwrap = refusal.find("`majorant unwrap") != std::string::npos;
   return fmt::format(
@@ -132,9 +143,11 @@ std::string verdict(const PolygonMesh& polygons, Description& out) {
       refusal.find("`majorant seamless") != std::string::npos ? "" : other_verb);
 }
 
-// What `majorant unwrap` would do, up to the solve.
+// What `majorant unwrap` would do, up to the solve. Throws Error as it would.
 void describe_plan(const RepairedSurface& surface, Description& out) {
-  const SurfaceCuts cuts = choose_cuts(*surface.mesh, {});
+  CutOptions options;
+  options.given = surface.given_cuts;
+  const SurfaceCuts cuts = choose_cuts(*surface.mesh, options);
   Index charts = 0;
   double stretch = 1;
   for (const ComponentCuts& component : cuts.components) {
@@ -150,6 +163,13 @@ void describe_plan(const RepairedSurface& surface, Description& out) {
   out.report["plan"]["estimated_stretch"] = stretch;
 }
 
+void describe_plan_or_refusal(const RepairedSurface& surface, Description& out) try {
+  describe_plan(surface, out);
+} catch (const Error& e) {
+  out.add("plan: unwrap would refuse: {}\n", e.what());
+  out.report["plan"] = {{"message", e.what()}};
+}
+
 int info(const Request& request) {
   require_writable(request.common, {}, {request.input});
   const PolygonMesh polygons = read_mesh(request.input);
@@ -157,10 +177,10 @@ int info(const Request& request) {
   const RepairedSurface repaired = repair(polygons);
   describe_surface(polygons, *repaired.mesh, out);
   describe_defects(find_defects(polygons).defects, out);
-  const std::string message = verdict(polygons, out);
+  const std::string message = verdict(polygons, *repaired.mesh, out);
   out.add("verdict: {}\n", message);
   out.report["message"] = message;
-  if (request.plan) describe_plan(repaired, out);
+  if (request.plan) describe_plan_or_refusal(repaired, out);
   if (request.common.report != kStandardOutput) print_text(out.text);
   if (!request.common.report.empty()) write_json(request.common.report, out.report);
   return kSuccess;

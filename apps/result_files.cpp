@@ -175,6 +175,7 @@ void summarize(const FinishedRun& run) {
     return say("majorant: {}: no valid result: {}{}; no map is written\n", run.map.input,
                status_name(r.status), r.message.empty() ? "" : fmt::format(" ({})", r.message));
   if (run.common.quiet) return;
+  if (run.in.cuts) say_untextured(run.map.input, *run.in.cuts);
   const std::string seams =
       r.map ? seam_summary(measures_section(*r.map, r.measures, run.map.energy)) : "";
   say("{}: {} after {} iterations, {} {:.6f} (start {:.6g}){}, degree {}{}, {:.2f} s\n",

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "apps/arguments/number_check.h"
+#include "apps/streams.h"
 #include "majorant/framework/error.h"
 #include "majorant/io/internal/read_vertex_lists.h"
 
@@ -68,12 +69,19 @@ Json SeamRequest::to_json() const {
   return {{"seams", seams}, {"max_stretch", max_stretch.value_or(CutOptions().max_stretch)}};
 }
 
+void say_untextured(const std::string& file, const SurfaceCuts& cuts) {
+  if (cuts.untextured_faces == 0) return;
+  say("{}: {} face{} without texture coordinates, cut as by --seams auto\n", file,
+      cuts.untextured_faces, cuts.untextured_faces == 1 ? "" : "s");
+}
+
 Json cuts_section(const SurfaceCuts& cuts, double area) {
   return {{"seam_length", cuts.length},
           {"seam_length_relative", cuts.length / std::sqrt(area)},
           {"seam_edges", cuts.edges},
           {"added_seam_length", cuts.added_length},
-          {"added_seam_edges", cuts.added_edges}};
+          {"added_seam_edges", cuts.added_edges},
+          {"untextured_faces", cuts.untextured_faces}};
 }
 
 Json cuts_section(const SurfaceCuts& cuts, const RepairedSurface& surface) {

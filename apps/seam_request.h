@@ -27,6 +27,9 @@ struct SeamRequest {
   Json to_json() const;  // for reports and claims
 };
 
+// On stderr, where faces had no texture coordinates to be cut along.
+void say_untextured(const std::string& file, const SurfaceCuts& cuts);
+
 // {"seam_length": ..., ...}: what reports say of cuts. area: of the surface.
 Json cuts_section(const SurfaceCuts& cuts, double area);
 // Of a repaired surface: with the edges that repair cut, which are in the sums.

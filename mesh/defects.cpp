@@ -23,7 +23,7 @@ struct KindText {
 };
 
 const KindText& text_of(DefectKind kind) {
-  static constexpr std::array<KindText, 13> kTexts = {{
+  static constexpr std::array<KindText, 14> kTexts = {{
       {"soup", "soup: no face shares a vertex with another", "soups", ""},
       {"repeated_vertex", "face has a vertex twice", "faces have a vertex twice", "face"},
       {"duplicate_face", "face has the vertices of another", "faces have the vertices of others",
@@ -36,6 +36,7 @@ const KindText& text_of(DefectKind kind) {
        "faces are oriented against their neighbours", "face"},
       {"one_sided", "component has one side only", "components have one side only",
        "cut along edge"},
+      {"crossing_polygon", "polygon crosses itself", "polygons cross themselves", "face"},
       {"zero_area", "face has no area", "faces have no area", "face"},
       {"needle", "face is a needle", "faces are needles", "face"},
       {"far_from_origin", "mesh is far from the origin for its size", "meshes", ""},
@@ -61,6 +62,7 @@ class Finding {
     take(RepairKind::SplitVertex, DefectKind::NonManifoldVertex);
     take(RepairKind::TurnedFace, DefectKind::InconsistentFace);
     note(DefectKind::OneSided, repaired_.one_sided, places_of(RepairKind::CutEdge));
+    take(RepairKind::CrossingPolygon, DefectKind::CrossingPolygon);
     judge_shapes();
     take(RepairKind::MovedToOrigin, DefectKind::FarFromOrigin);
     note(DefectKind::CoincidentVertices, vertices(left_unwelded()));

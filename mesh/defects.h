@@ -28,6 +28,7 @@ enum class DefectKind {
   NonManifoldVertex,   // vertices where sheets touch, other than at such edges and faces
   InconsistentFace,    // faces against the majority of their component
   OneSided,            // Moebius strips and the like: components; places are edges to cut
+  CrossingPolygon,     // plane polygons that cross themselves
   ZeroArea,            // faces with a height below 1e-12 of their longest edge
   Needle,              // below kNeedleHeight (repair.h); these are not refused
   FarFromOrigin,       // coordinates that leave few digits to the mesh: count 1

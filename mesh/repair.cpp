@@ -13,6 +13,7 @@
 #include "majorant/mesh/internal/place_text.h"
 #include "majorant/mesh/internal/regularize.h"
 #include "majorant/mesh/internal/sheets.h"
+#include "majorant/mesh/internal/texture_borders.h"
 #include "majorant/mesh/internal/triangle_list.h"
 #include "majorant/mesh/internal/triangulate_polygon.h"
 #include "majorant/mesh/internal/weld.h"
@@ -192,7 +193,7 @@ class Repairing {
     };
     for (Index h = 0; h < mesh.half_edge_count(); ++h) {
       const Index o = mesh.opposite(h);
-      if (o < h) continue;
+      if (o < h || !is_textured(mesh, face_of(h)) || !is_textured(mesh, face_of(o))) continue;
       const bool is_welded =
           file_vertex(h) != file_vertex(next(o)) || file_vertex(next(h)) != file_vertex(o);
       if (is_welded && (texture(h) != texture(next(o)) || texture(next(h)) != texture(o)))

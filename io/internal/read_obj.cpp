@@ -35,6 +35,7 @@ struct IndexSpace {
   long long count = 0;
   long long largest = 0;
   long largest_line = 0;
+  long partial_faces = 0, first_partial = 0;  // faces of which some corners have an index
 };
 
 class ObjReader {
@@ -50,6 +51,8 @@ class ObjReader {
     require_complete(mesh_);
     if (!mesh_.colors.empty()) mesh_.colors.resize(mesh_.positions.size(), no_color());
     if (skipped_lines_ > 0) warn_of_skipped();
+    for (const IndexSpace& space : spaces_)
+      if (space.partial_faces > 0) warn_of_partial(space);
     if (!has_texcoords_) mesh_.polygon_texcoords.clear();
     if (!has_normals_) mesh_.polygon_normals.clear();
     return std::move(mesh_);
@@ -93,6 +96,12 @@ class ObjReader {
         "{}:{}: {} line{} skipped that say nothing about polygons, of {}{}", mesh_.file,
         first_skipped_, skipped_lines_, skipped_lines_ == 1 ? "" : "s", fmt::join(skipped_, ", "),
         skipped_.size() == kMostNamed ? " and maybe others" : ""));
+  }
+
+  void warn_of_partial(const IndexSpace& space) {
+    mesh_.warnings.push_back(fmt::format(
+        "{}:{}: {} face{} with a {} index at some corners only, taken as without", mesh_.file,
+        space.first_partial, space.partial_faces, space.partial_faces == 1 ? "" : "s", space.name));
   }
 
   Vector3 read_vector(std::string_view what) {
@@ -177,10 +186,8 @@ class ObjReader {
     }
     for (std::size_t k = 1; k < 3; ++k) {
       if (lists[k].empty() || lists[k].size() == corners) continue;
-      cursor_.fail(
-          fmt::format("some corners of the face have a {} index and some have none; give "
-                      "one to all or to none",
-                      spaces_[k].name));
+      lists[k].clear();
+      if (spaces_[k].partial_faces++ == 0) spaces_[k].first_partial = cursor_.line();
     }
     has_texcoords_ |= !lists[1].empty();
     has_normals_ |= !lists[2].empty();

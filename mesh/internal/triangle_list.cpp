@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "majorant/framework/error.h"
 #include "majorant/mesh/internal/exact_predicates.h"
@@ -80,20 +81,21 @@ TriangleList triangulate(const PolygonMesh& input, Crossing crossing, const Stop
 }
 
 void place_texcoords(const PolygonMesh& input, const TriangleList& list, SurfaceParts& parts) {
-  const bool textured = !input.polygon_texcoords.empty() &&
-                        std::none_of(input.polygon_texcoords.begin(), input.polygon_texcoords.end(),
-                                     [](const auto& t) { return t.empty(); });
-  if (!textured) return;
+  if (std::all_of(input.polygon_texcoords.begin(), input.polygon_texcoords.end(),
+                  [](const auto& t) { return t.empty(); }))
+    return;
   const auto count = static_cast<Index>(list.triangles.size());
-  parts.corner_texcoords.resize(count, 6);
-  parts.texcoord_ids.resize(count, 3);
-  for (Index f = 0; f < count; ++f)
+  parts.corner_texcoords.setConstant(count, 6, std::numeric_limits<double>::quiet_NaN());
+  parts.texcoord_ids.setConstant(count, 3, -1);
+  for (Index f = 0; f < count; ++f) {
+    if (!is_textured(input, list.polygon[at(f)])) continue;
     for (Index k = 0; k < 3; ++k) {
       const auto& corners = input.polygon_texcoords[at(list.polygon[at(f)])];
       const Index vt = corners[at(list.corners[at(f)][at(k)])];
       parts.texcoord_ids(f, k) = vt;
       parts.corner_texcoords.row(f).segment<2>(2 * k) = input.texcoords[at(vt)];
     }
+  }
 }
 
 std::string face_place(const PolygonMesh& input, Index polygon) {

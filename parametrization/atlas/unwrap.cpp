@@ -16,6 +16,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/framework/thread_count.h"
 #include "majorant/mesh/internal/model_unit.h"
+#include "majorant/mesh/internal/texture_borders.h"
 #include "majorant/parametrization/atlas/internal/chart_solver.h"
 #include "majorant/parametrization/packing/proven_distance.h"
 
@@ -149,9 +150,10 @@ class Unwrapping {
   void solve_chart(std::size_t k, const RunRecord::Progress& progress) {
     const Task& task = tasks_[k];
     RunRecord record = record_.part(progress);
-    const bool is_textured = options_.cuts.method == CutMethod::Texture;
+    const bool has_texture =
+        options_.cuts.method == CutMethod::Texture && is_textured(*task.mesh, 0);
     Chart chart = ChartSolver(task.mesh, task.options,
-                              is_textured ? TextureStart::Tried : TextureStart::Ignored)
+                              has_texture ? TextureStart::Tried : TextureStart::Ignored)
                       .solve(record);
     chart.faces = task.faces;
     atlas_.charts[k] = std::move(chart);
@@ -281,6 +283,7 @@ Atlas unwrap(const std::shared_ptr<const SurfaceMesh>& surface, const UnwrapOpti
              RunRecord& record) {
   const double unit = model_unit(*surface);
   if (unit == 1) return Unwrapping(surface, options, record).solve();
+  require_usable_sizes(*surface);
   UnwrapOptions scaled = options;
   scale_points(1 / unit, scaled.chart.map.pins);
   scale_points(1 / unit, scaled.chart.map.handles);

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -44,8 +45,8 @@ void require_valid(const SurfaceMesh& mesh, const CutOptions& options) {
   if (options.method == CutMethod::Texture && mesh.corner_texcoords().rows() == 0)
     throw Error(ErrorKind::Unsupported,
                 mesh.file() +
-                    ": not every face corner has texture coordinates, along which it could be "
-                    "cut; use --seams auto");
+                    ": no face has texture coordinates, along which it could be cut; use --seams "
+                    "auto");
 }
 
 // What is asked for: flags of both sides.
@@ -59,6 +60,16 @@ std::vector<char> asked_cuts(const SurfaceMesh& mesh, const CutOptions& options)
     if (const Index o = mesh.opposite(static_cast<Index>(h)); options.given[h] && o >= 0)
       is_cut[h] = is_cut[at(o)] = 1;
   return is_cut;
+}
+
+// surface: in units in which its extent is an ordinary number.
+void require_area_in_range(const SurfaceMesh& surface, double unit) {
+  const double area = surface.area() * unit * unit;
+  if (area >= std::numeric_limits<double>::min() && std::isfinite(area)) return;
+  throw Error(ErrorKind::Unsupported,
+              fmt::format("{}: of some {:.0e} units, its area leaves the range of doubles; scale "
+                          "the mesh",
+                          surface.file(), unit));
 }
 
 void require_usable_size(const SurfacePiece& part, double whole) {
@@ -98,8 +109,9 @@ void take_apart_if_flat(const SurfacePiece& part, double max_stretch, std::vecto
     if (mesh.opposite(h) >= 0) is_cut[at(3 * part.face[at(face_of(h))] + corner_of(h))] = 1;
 }
 
-// Which of the pieces that are left so far.
-enum class Pieces { All, Closed };
+// Which of the pieces that are left so far. NotByTexture: those that are closed, as no coordinates
+// cut them (all zero, say), and those whose faces have none.
+enum class Pieces { All, NotByTexture };
 
 // Cuts them, each to one chart.
 void cut_automatically(const SurfaceMesh& mesh, const std::vector<char>& is_whole,
@@ -110,7 +122,9 @@ void cut_automatically(const SurfaceMesh& mesh, const std::vector<char>& is_whol
        mesh.cut_along(cuts.is_cut, &uncut_vertex).split(stop)) {
     stop.poll();
     const SurfaceMesh& piece = *part;
-    if (which == Pieces::Closed && piece.topology().boundary_loops > 0) continue;
+    if (which == Pieces::NotByTexture && piece.topology().boundary_loops > 0 &&
+        is_textured(piece, 0))
+      continue;
     std::vector<char> whole(vertices.size());
     for (std::size_t v = 0; v < whole.size(); ++v)
       whole[v] = is_whole[at(uncut_vertex[at(vertices[v])])];
@@ -171,8 +185,10 @@ SurfaceCuts cuts_near_one(const SurfaceMesh& mesh, const CutOptions& options,
   }
   if (options.method == CutMethod::Automatic || options.method == CutMethod::Sharp)
     cut_automatically(mesh, is_whole, options.max_stretch, Pieces::All, out, stop);
-  if (options.method == CutMethod::Texture)  // no coordinates cut these: all zero, say
-    cut_automatically(mesh, is_whole, options.max_stretch, Pieces::Closed, out, stop);
+  if (options.method == CutMethod::Texture) {
+    cut_automatically(mesh, is_whole, options.max_stretch, Pieces::NotByTexture, out, stop);
+    out.untextured_faces = untextured_polygons(mesh);
+  }
   if (options.method == CutMethod::Automatic) asked = out.is_cut;
   open_pieces(mesh, cut_costs(mesh, is_whole), out.is_cut, stop);
   add_up(mesh, asked, components, out);
@@ -181,11 +197,24 @@ SurfaceCuts cuts_near_one(const SurfaceMesh& mesh, const CutOptions& options,
 
 }  // namespace
 
+void require_usable_sizes(const SurfaceMesh& mesh, const StopCheck& stop) {
+  const double unit = model_unit(mesh);
+  if (unit != 1) {
+    const auto scaled = in_units(mesh, unit);
+    require_area_in_range(*scaled, unit);
+    return require_usable_sizes(*scaled, stop);
+  }
+  const double area = mesh.area();
+  for (const SurfacePiece& part : mesh.split(stop)) require_usable_size(part, area);
+}
+
 SurfaceCuts choose_cuts(const SurfaceMesh& mesh, const CutOptions& options, const StopCheck& stop) {
   require_valid(mesh, options);
   const double unit = model_unit(mesh);
   if (unit == 1) return cuts_near_one(mesh, options, stop);
-  SurfaceCuts cuts = cuts_near_one(*in_units(mesh, unit), options, stop);
+  const auto scaled = in_units(mesh, unit);
+  require_area_in_range(*scaled, unit);
+  SurfaceCuts cuts = cuts_near_one(*scaled, options, stop);
   cuts.length *= unit;
   cuts.added_length *= unit;
   for (ComponentCuts& component : cuts.components) component.length *= unit;

@@ -19,8 +19,8 @@ namespace majorant {
 
 enum class CutMethod {
   Automatic,  // where distortion is saved; one piece per component
-  Texture,    // along the islands of the file's texture coordinates; components that these do not
-              // cut, though they are closed, as Automatic
+  Texture,    // along the islands of the file's texture coordinates; as Automatic in components
+              // that these do not cut, though they are closed, and in faces without any
   Sharp,      // along edges with a dihedral angle above sharp_angle that enclose pieces,
               // then as Automatic in each of them
   Given,      // along CutOptions::edges and nothing else
@@ -59,9 +59,10 @@ struct SurfaceCuts {
   double length = 0;         // model units, every edge once
   Index edges = 0;
   // Texture, Sharp, Given: the part of it that no rule asked for, which opens pieces that would be
-  // closed or have handles.
+  // closed or have handles, and flattens those without texture coordinates.
   double added_length = 0;
   Index added_edges = 0;
+  Index untextured_faces = 0;  // Texture: polygons of the file without texture coordinates
   std::vector<ComponentCuts> components;  // in the order of their first faces
 };
 
@@ -71,9 +72,12 @@ struct SurfaceCuts {
 //
 // Throws Error(Usage) for a stretch or an angle out of range, a vertex that does not exist, and for
 // a pair of `edges` that is no edge of the file, naming it; Error(Unsupported) for a component of
-// less than 1e-160 of the area of all and for Texture where a corner has no texture coordinate;
-// std::invalid_argument for flags of the wrong size; Stopped.
+// less than 1e-160 of the area of all, for areas that are no doubles, and for Texture where no face
+// has texture coordinates; std::invalid_argument for flags of the wrong size; Stopped.
 SurfaceCuts choose_cuts(const SurfaceMesh& mesh, const CutOptions& options,
                         const StopCheck& stop = {});
+
+// Throws Error(Unsupported) as choose_cuts() for sizes, with any options.
+void require_usable_sizes(const SurfaceMesh& mesh, const StopCheck& stop = {});
 
 }  // namespace majorant

@@ -130,7 +130,7 @@ Start assemble(const SurfaceMesh& mesh, const std::vector<char>& is_cut, const C
 }  // namespace
 
 Vec texture_map(const SurfaceMesh& mesh) {
-  if (mesh.corner_texcoords().rows() == 0)
+  if (untextured_polygons(mesh) > 0)
     throw Error(
         ErrorKind::Unsupported,
         mesh.file() + ": not every face corner has texture coordinates; leave out --init input");
@@ -153,7 +153,7 @@ Vec texture_map(const SurfaceMesh& mesh) {
 }
 
 std::vector<char> texture_cuts(const SurfaceMesh& mesh) {
-  if (mesh.corner_texcoords().rows() == 0)
+  if (untextured_polygons(mesh) > 0)
     throw Error(ErrorKind::Unsupported,
                 mesh.file() +
                     ": not every face corner has texture coordinates; use `majorant "

@@ -84,6 +84,29 @@ class Info(CommandTest):
         self.assertRegex(text, r'\ndefect: 2 faces [^\n]*\(faces? 3, 10\)')
         self.assertEqual(report['input']['components'], 4)
 
+    def test_polygons_that_cross_themselves(self):
+        points, faces = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0)], [(0, 1, 2, 3)]
+        _, text, report = self.info(points, faces)
+        self.assertIn({'kind': 'crossing_polygon', 'count': 1, 'places': [[0]]}, report['defects'])
+        self.assertIn('\ndefect: 1 polygon crosses itself (face 1)\n', text)
+
+    def test_what_unwrap_refuses_is_not_promised(self):
+        points, faces = torus(6, 5, 0)
+        tiny = [tuple(1e-100 * x for x in p) for p in points]
+        pieces = faces + [tuple(v + len(points) for v in f) for f in faces]
+        for name, mesh in (('tiny piece', (points + tiny, pieces)),
+                           ('large', ([tuple(1e200 * x for x in p) for p in points], faces)),
+                           ('small', ([tuple(1e-200 * x for x in p) for p in points], faces))):
+            with self.subTest(name):
+                path, text, report = self.info(*mesh)
+                reason = self.refused(UNSUPPORTED, 'unwrap', path, self.path('out.obj'))
+                reason = reason.err[len('majorant: '):].rstrip('\n')
+                self.assertIn('; and unwrap: ' + reason, report['message'])
+                plan = self.run_ok('info', path, '--plan').out
+                self.assertIn('plan: unwrap would refuse: %s\n' % reason, plan)
+                report = json.loads(self.run_ok('info', path, '--plan', '--report', '-').out)
+                self.assertEqual(report['plan'], {'message': reason})
+
     def test_no_defects(self):
         _, text, report = self.info(*grid(3))
         self.assertEqual(report['defects'], [])

@@ -129,6 +129,28 @@ class Seams(UnwrapTest):
         self.refused(UNSUPPORTED, 'unwrap', self.box(), self.path('o.obj'), '--seams', 'uv',
                      says=('texture coordinates', '--seams auto'))
 
+    def test_faces_without_texture(self):
+        """Three sides around a corner lose theirs, one of them at some corners only."""
+        self.islands()
+        kept = []
+        for line in self.read('islands.obj').decode().splitlines():
+            k = sum(l.startswith('f ') for l in kept)
+            if line.startswith('f ') and k // 4 in (0, 2, 4):
+                corners = line.split()[1:]
+                line = 'f ' + ' '.join(c if k == 0 and c != corners[1] else c.split('/')[0]
+                                       for c in corners)
+            kept.append(line)
+        mesh = self.write('partial.obj', '\n'.join(kept) + '\n')
+        layout, report = self.clean(mesh, '--seams', 'uv')
+        self.judged()
+        self.assertEqual(sorted(self.starts(report)), ['texture'] * 3 + ['tutte'])
+        self.assertEqual(report['result']['untextured_faces'], 12)
+        self.assertAlmostEqual(report['result']['value'], 4)  # the corner is cut open
+        self.assertGreater(report['result']['added_seam_edges'], 0)
+        outcome = self.run_ok('unwrap', mesh, self.path('again.obj'), '--seams', 'uv')
+        self.assertIn('12 faces without texture coordinates, cut as by --seams auto', outcome.err)
+        self.assertIn('1 face with a vt index at some corners only', outcome.err)
+
     def test_less_stretch_takes_longer_seams(self):
         mesh = self.mesh(*sphere(8))
         (_, loose), (_, tight) = (self.unwrap(mesh, '--max-stretch', s) for s in (1.2, 1.01))

@@ -56,6 +56,17 @@ TEST_F(ReadMesh, ObjKeepsEverythingThatAWriterNeeds) {
   ASSERT_EQ(mesh.warnings.size(), 1u);  // of vp
 }
 
+TEST_F(ReadMesh, ObjFacesWithSomeTextureCoordinatesHaveNone) {
+  const PolygonMesh mesh = read("a.obj", kTriangle +
+                                             "vt 0 0\nvt 1 0\nvn 0 0 1\nf 1/1 2 3/2\n"
+                                             "f 1//1 2 3\nf 1/1 2/2 3/1\nf 1 2/1 3\n");
+  EXPECT_EQ(mesh.polygon_texcoords, (Polygons{{}, {}, {0, 1, 0}, {}}));
+  EXPECT_TRUE(mesh.polygon_normals.empty());
+  ASSERT_EQ(mesh.warnings.size(), 2u);
+  expect_contains(mesh.warnings[0], {"a.obj:7: 2 faces with a vt index at some corners only"});
+  expect_contains(mesh.warnings[1], {"a.obj:8: 1 face with a vn index"});
+}
+
 TEST_F(ReadMesh, ObjLineEndsAndForwardReferences) {
   const std::string text = "f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0";
   for (const std::string end : {"\n", "\r\n", "\r"}) {

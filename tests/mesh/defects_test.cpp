@@ -74,6 +74,11 @@ TEST(Defects, NeedlesAreNotWithoutArea) {
               (Counts{{name, 1}}));
 }
 
+TEST(Defects, PolygonsThatCrossThemselves) {
+  EXPECT_EQ(counts(polygon_mesh({{0, 0, 0}, {2, 0, 0}, {0, 1, 0}, {2, 1, 0}}, {{0, 1, 2, 3}})),
+            (Counts{{"crossing_polygon", 1}}));
+}
+
 TEST(Defects, SoupsAndOffsets) {
   PolygonMesh soup = polygon_mesh({}, {});
   const PolygonMesh whole = grid(3);

@@ -308,7 +308,12 @@ TEST(SurfaceMesh, KeepsTextureCoordinatesByCorner) {
     }
   input.polygons = {{0, 1, 3}, {0, 3, 2}};
   input.polygon_lines = {101, 102};
-  input.polygon_texcoords = {{0, 1, 2}, {}};  // a face without: none at all
+  input.polygon_texcoords = {{0, 1, 2}, {}};  // a face without
+  const SurfaceMesh half = SurfaceMesh::from_polygons(input);
+  EXPECT_EQ(half.texcoord_ids(), (Cells(2, 3) << 0, 1, 2, -1, -1, -1).finished());
+  EXPECT_TRUE(half.corner_texcoords().row(0).allFinite());
+  EXPECT_TRUE(half.corner_texcoords().row(1).array().isNaN().all());
+  input.polygon_texcoords = {{}, {}};
   EXPECT_EQ(SurfaceMesh::from_polygons(input).corner_texcoords().rows(), 0);
 }
 

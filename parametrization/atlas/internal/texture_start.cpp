@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "majorant/mesh/internal/exact_predicates.h"
+#include "majorant/mesh/internal/texture_borders.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 #include "majorant/parametrization/starts/internal/untangle.h"
 
@@ -42,7 +43,7 @@ bool is_positive(const SurfaceMesh& mesh, const Vec& uv) {
 
 std::optional<PreparedTexture> texture_start(const std::shared_ptr<const SurfaceMesh>& mesh,
                                              const RunRecord& record) {
-  if (mesh->corner_texcoords().rows() == 0) return std::nullopt;
+  if (untextured_polygons(*mesh) > 0) return std::nullopt;
   Vec uv = vertex_coordinates(*mesh);
   const double area = signed_area(*mesh, uv);
   if (area < 0)

@@ -94,14 +94,6 @@ TEST(ChooseCuts, CutsPassByWhatStaysWhole) {
                   {"vertex 99999"});
 }
 
-// No way around: a closed surface is opened all the same.
-TEST(ChooseCuts, OpensWhatShouldStayWholeEverywhere) {
-  const SurfaceMesh mesh = SurfaceMesh::from_polygons(cube_sphere(3));
-  CutOptions options;
-  for (Index v = 0; v < mesh.vertex_count(); ++v) options.whole.push_back(v);
-  expect_planar_pieces(mesh, choose_cuts(mesh, options));
-}
-
 TEST(ChooseCuts, UnfoldsWhatCanBeUnfolded) {
   const SurfaceMesh cube = SurfaceMesh::from_polygons(voxel_surface(box(4, 4, 4)));
   const SurfaceCuts cuts = choose_cuts(cube, {});
@@ -197,6 +189,22 @@ TEST(ChooseCuts, TextureIslands) {
   expect_planar_pieces(mesh, cuts);
   EXPECT_EQ(cuts.components.at(0).pieces, 6);
   EXPECT_NEAR(cuts.length, 24, 1e-12);
+  EXPECT_EQ(cuts.untextured_faces, 0);
+  // Two sides without coordinates, next to each other, are one piece, and so are three around a
+  // corner, which is cut as nothing else would be.
+  for (const auto& [sides, pieces] : {std::pair{2, 5}, {3, 4}}) {
+    PolygonMesh partial = input;
+    for (auto& texture : partial.polygon_texcoords) {
+      const Index island = texture[0] / static_cast<Index>(input.positions.size());
+      if (island % 2 == 0 && island < 2 * sides) texture.clear();
+    }
+    const SurfaceMesh some = SurfaceMesh::from_polygons(partial);
+    const SurfaceCuts less = choose_cuts(some, cuts_by(CutMethod::Texture));
+    expect_planar_pieces(some, less);
+    EXPECT_EQ(less.untextured_faces, 4 * sides);
+    EXPECT_EQ(less.components.at(0).pieces, pieces);
+    EXPECT_EQ(less.added_length > 0, sides == 3);
+  }
 }
 
 TEST(ChooseCuts, SharpEdges) {
