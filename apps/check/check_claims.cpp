@@ -51,8 +51,9 @@ void check_pins(const MapFile& file, const Claims& claims, Findings& findings) {
   }
 }
 
-// Of a map without seams: Tutte's boundary, which starts in many resolutions have too, recomputed from the surface in the file, or that of the
-// texture coordinates of the input, for which the input is needed.
+// Of a map without seams: Tutte's boundary, which starts in many resolutions have too, recomputed
+// from the surface in the file, or that of the texture coordinates of the input, for which the
+// input is needed.
 void check_fixed_boundary(const CheckedMap& checked, Findings& findings) {
   const BezierMap& map = checked.map;
   Vec start;

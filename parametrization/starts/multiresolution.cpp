@@ -63,9 +63,7 @@ struct Level {
 };
 
 // Levels factorize a matrix or two: an ordering that takes longer than that would not pay.
-std::unique_ptr<LinearSolver> few_factorizations() {
-  return make_direct_solver(Ordering::Amd);
-}
+std::unique_ptr<LinearSolver> few_factorizations() { return make_direct_solver(Ordering::Amd); }
 
 SurfaceMesh surface_of(const Level& level, const std::string& file) {
   SurfaceParts parts;

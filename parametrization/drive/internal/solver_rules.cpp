@@ -28,9 +28,7 @@ NewtonOptions newton_options(Curvature curvature, const SolverRules& rules, cons
   options.kept = rules.kept;
   options.curvature = curvature;
   options.stop = stop;
-  options.linear_solver = [ordering] {
-    return make_direct_solver(ordering);
-  };
+  options.linear_solver = [ordering] { return make_direct_solver(ordering); };
   return options;
 }
 
