@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -172,6 +173,7 @@ class Multiresolution {
       rules.relative_decrease = mesh_.faces_left() <= rules_.coarse_part * surface_.face_count()
                                     ? rules_.coarse_decrease
                                     : rules_.decrease;
+      rules.plateau_factor = std::numeric_limits<double>::infinity();
       solved = improve_all(Level(mesh_, positions_), rules, record);
     }
     record.newton_seconds = watch.restart();

@@ -216,6 +216,18 @@ TEST(Stopping, WhatIsLeftIsForeseenFromTheRateOfDecreases) {
   EXPECT_EQ(small_steps(0.95), 44);  // 0.95^k * 19 <= 2
 }
 
+// Every other decrease is small: 12 of them say what one does not.
+TEST(Stopping, DecreasesThatAlternateAreAPlateau) {
+  StoppingRules patient = rules();
+  patient.max_iterations = 1000;
+  StoppingTest test(patient, 100);
+  for (int k = 0; k < 24; ++k) expect_goes_on(test.after(moved(1.1e-6, 9e-6)));
+  for (int k = 0; k < 100; ++k) {
+    const Advice advice = test.after(moved(k % 2 == 0 ? 9e-7 : 1e-7, 9e-6));
+    ASSERT_FALSE(advice.stop.has_value()) << k;
+  }
+}
+
 // A saddle: the decreases fell, and begin to grow.
 TEST(Stopping, DecreasesThatGrowAreNoMinimum) {
   const auto last_of = [](double decrease) {
