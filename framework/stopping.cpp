@@ -86,6 +86,7 @@ Advice StoppingTest::after(const StepResult& step, Since since) {
 
 void StoppingTest::remember(const StepResult& step, Since since) {
   if (since == Since::ProblemChanged) decreases_.clear();
+  definite_ = step.record.failed_factorizations > 0 ? 0 : definite_ + 1;
   const double decrease = step.record.relative_decrease;
   decreases_.push_back(decrease > rules_.decrement ? decrease : 0.0);
   if (decreases_.size() > 2 * static_cast<std::size_t>(rules_.plateau_window))
@@ -95,7 +96,9 @@ void StoppingTest::remember(const StepResult& step, Since since) {
 bool StoppingTest::on_plateau() const {
   const auto most = static_cast<std::ptrdiff_t>(decreases_.size() / 2);
   if (most == 0) return false;
-  return std::max(remaining(1), remaining(most)) > rules_.plateau_factor * rules_.relative_decrease;
+  const double part = definite_ < rules_.stall_iterations ? rules_.saddle_part : 1.0;
+  return std::max(remaining(1), remaining(most)) >
+         part * rules_.plateau_factor * rules_.relative_decrease;
 }
 
 // Of the energy, if decreases go on at the rate of the last `window` to those before.

@@ -41,7 +41,8 @@ namespace majorant {
 //         d min(q / (1 - q), plateau_steps / w) > plateau_factor relative_decrease,
 //       the second number where q >= 1: what is left if the decreases go on at their rate. -g.p
 //       alone does not tell: a model that overestimates curvature makes it small, and so does a
-//       saddle; w = 1 is for the latter, where decreases begin to grow
+//       saddle; w = 1 is for the latter, where decreases begin to grow. Where a factorization has
+//       failed in the last stall_iterations steps, a Hessian was indefinite: times saddle_part
 //     no step decreases the energy: Converged or Stalled by the same bound on -g.p; where the
 //       problem has changed since, another try is left, after stall_iterations idle ones the last
 // The decrement rule itself is applied inside a step, which it spares (Stepper::move_along).
@@ -52,6 +53,9 @@ struct StoppingRules {
   double tail_factor = 10;
   // Of relative_decrease, that may be left. Origin: docs/performance.md, Plateaus.
   double plateau_factor = 2;
+  // Of that, where Hessians are indefinite. Origin: hand_500 passes a saddle with decreases of
+  // 1e-7.
+  double saddle_part = 0.01;
   // Steps in each of the two sums. Origin: docs/performance.md, Plateaus.
   int plateau_window = 12;
   // Foreseen at most. Origin: the iterations of a run, max_iterations.
@@ -116,6 +120,7 @@ class StoppingTest {
   int steps_ = 0, idle_ = 0;
   int held_ = 0;                  // of idle_: a certified step below stall_step
   std::deque<double> decreases_;  // relative, since the problem has changed, the last ones
+  int definite_ = std::numeric_limits<int>::max() / 2;  // steps since a factorization failed
   bool polished_ = false;
 };
 

@@ -43,6 +43,7 @@ StoppingRules rules() {
   r.stall_step = 1e-3;
   r.anchor_step = 0.1;
   r.plateau_factor = 2;
+  r.saddle_part = 0.01;
   r.plateau_window = 12;
   r.plateau_steps = 1000;
   r.decrement = 1e-12;
@@ -214,6 +215,23 @@ TEST(Stopping, WhatIsLeftIsForeseenFromTheRateOfDecreases) {
   EXPECT_EQ(small_steps(0.5), 2) << "the first is polished";
   EXPECT_EQ(small_steps(0.8), 4);    // 0.8^k * 4 <= 2
   EXPECT_EQ(small_steps(0.95), 44);  // 0.95^k * 19 <= 2
+}
+
+// The same decreases end a run three steps after the last Hessian that was indefinite.
+TEST(Stopping, IndefiniteHessiansAskForMore) {
+  const auto last_of = [](int indefinite) {
+    StoppingTest test(rules(), 100);
+    const double decreases[] = {0.1, 1e-3, 1e-5, 9e-7, 3e-7, 1e-7};
+    Advice advice;
+    for (int k = 0; k < 6; ++k) {
+      StepResult step = moved(decreases[k], 5e-5);
+      step.record.failed_factorizations = k == indefinite;
+      advice = test.after(step);
+    }
+    return advice;
+  };
+  expect_stop(last_of(2), Status::Converged, "relative decrease");
+  expect_goes_on(last_of(3));
 }
 
 // Every other decrease is small: 12 of them say what one does not.
