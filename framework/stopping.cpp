@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace majorant {
 namespace {
@@ -19,6 +20,7 @@ constexpr double kSmallestScale = 1e-14;
 StoppingRules first_order_rules() {
   StoppingRules rules;
   rules.relative_decrease = 1e-14;
+  rules.plateau_factor = std::numeric_limits<double>::infinity();
   rules.stall_decrement = 1e-8;
   rules.stall_step = 1e-9;
   rules.anchor_step = 0;
@@ -30,6 +32,7 @@ StoppingRules brief_rules(int steps, double relative_decrease) {
   StoppingRules rules;
   rules.relative_decrease = relative_decrease;
   rules.tail_factor = 0;
+  rules.plateau_factor = std::numeric_limits<double>::infinity();
   rules.stall_decrement = std::numeric_limits<double>::infinity();
   rules.stall_iterations = 1;
   rules.stall_step = 0;
@@ -58,22 +61,53 @@ Advice StoppingTest::after(const StepResult& step, Since since) {
       advice.stop = no_step(step, near_minimum);
     return advice;
   }
+  remember(step, since);
+  const bool plateau = on_plateau();
   const bool small = r.relative_decrease <= rules_.relative_decrease;
   const bool in_tail = small && since == Since::Same && r.curvature != Curvature::Exact &&
                        r.newton_decrement <= rules_.tail_factor * rules_.relative_decrease * scale;
-  if (in_tail && polished_) {
+  if (in_tail && polished_ && !plateau) {
     advice.stop = Stop{Status::Converged, "relative decrease"};
     return advice;
   }
-  advice.polish = in_tail;
+  advice.polish = in_tail && !polished_;
   polished_ = polished_ || in_tail;
-  idle_ = small || r.step_bound < rules_.stall_step ? idle_ + 1 : 0;
-  if (idle_ >= rules_.stall_iterations)
+  const bool held = r.step_bound < rules_.stall_step;
+  idle_ = small || held ? idle_ + 1 : 0;
+  held_ = idle_ == 0 ? 0 : held_ + held;
+  const bool goes_on = near_minimum && plateau && held_ == 0;
+  if (idle_ >= rules_.stall_iterations && !goes_on)
     advice.stop = near_minimum
                       ? Stop{Status::Converged, "relative decrease"}
                       : Stop{Status::Stalled, "held at the limit of the feasible set", true};
   advice.anchor = idle_ == 0 && r.step_bound >= rules_.anchor_step;
   return advice;
+}
+
+void StoppingTest::remember(const StepResult& step, Since since) {
+  if (since == Since::ProblemChanged) decreases_.clear();
+  definite_ = step.record.failed_factorizations > 0 ? 0 : definite_ + 1;
+  const double decrease = step.record.relative_decrease;
+  decreases_.push_back(decrease > rules_.decrement ? decrease : 0.0);
+  if (decreases_.size() > 2 * static_cast<std::size_t>(rules_.plateau_window))
+    decreases_.pop_front();
+}
+
+bool StoppingTest::on_plateau() const {
+  const auto most = static_cast<std::ptrdiff_t>(decreases_.size() / 2);
+  if (most == 0) return false;
+  const double part = definite_ < rules_.stall_iterations ? rules_.saddle_part : 1.0;
+  return std::max(remaining(1), remaining(most)) >
+         part * rules_.plateau_factor * rules_.relative_decrease;
+}
+
+// Of the energy, if decreases go on at the rate of the last `window` to those before.
+double StoppingTest::remaining(std::ptrdiff_t window) const {
+  const auto last = decreases_.end() - window;
+  const double now = std::accumulate(last, decreases_.end(), 0.0);
+  const double before = std::accumulate(last - window, last, 0.0);
+  const double most = rules_.plateau_steps / static_cast<double>(window);
+  return now * (now < before ? std::min(now / (before - now), most) : most);
 }
 
 Stop StoppingTest::no_step(const StepResult& step, bool near_minimum) const {

@@ -14,6 +14,8 @@
 // the same reports give the same advice.
 #pragma once
 
+#include <cstddef>
+#include <deque>
 #include <limits>
 #include <optional>
 #include <string>
@@ -25,13 +27,22 @@ namespace majorant {
 // Stopping formulas, with E_k the energy after iteration k, p the Newton direction, g the gradient:
 //     decrement:   -g.p <= decrement |E_{k-1}|                                Converged, no step
 //     taken small step:  E_{k-1} - E_k <= relative_decrease |E_{k-1}|
-//       and -g.p <= tail_factor relative_decrease |E_{k-1}|                   Converged
+//       and -g.p <= tail_factor relative_decrease |E_{k-1}| and no plateau    Converged
 //       for a second time, the exact Hessian having been given another chance in between; steps
 //       with the exact Hessian do not count, they converge quadratically to the decrement rule
 //     idle: small step, or a certified step below stall_step, in stall_iterations successive
-//       iterations: Converged if -g.p <= stall_decrement |E_{k-1}|, else Stalled, and the result is
-//       the last point reached where the certified step was at least anchor_step: what follows it
-//       led into a corner
+//       iterations: Converged if -g.p <= stall_decrement |E_{k-1}| - unless this is a plateau and
+//       the certificate lets all these steps pass: then it goes on -, else Stalled, and the result
+//       is the last point reached where the certified step was at least anchor_step: what follows
+//       it led into a corner
+//     plateau: with d the sum of the last w relative decreases, d' that of the w before, decreases
+//       of at most `decrement` being none, q = d / d', for w = 1 or w = plateau_window (or half of
+//       the steps there are)
+//         d min(q / (1 - q), plateau_steps / w) > plateau_factor relative_decrease,
+//       the second number where q >= 1: what is left if the decreases go on at their rate. -g.p
+//       alone does not tell: a model that overestimates curvature makes it small, and so does a
+//       saddle; w = 1 is for the latter, where decreases begin to grow. Where a factorization has
+//       failed in the last stall_iterations steps, a Hessian was indefinite: times saddle_part
 //     no step decreases the energy: Converged or Stalled by the same bound on -g.p; where the
 //       problem has changed since, another try is left, after stall_iterations idle ones the last
 // The decrement rule itself is applied inside a step, which it spares (Stepper::move_along).
@@ -40,6 +51,15 @@ struct StoppingRules {
   double relative_decrease = 1e-6;
   // Origin: -g.p is twice what is left, and that is 5 decreases where each step leaves 5/6.
   double tail_factor = 10;
+  // Of relative_decrease, that may be left. Origin: docs/performance.md, Plateaus.
+  double plateau_factor = 2;
+  // Of that, where Hessians are indefinite. Origin: hand_500 passes a saddle with decreases of
+  // 1e-7.
+  double saddle_part = 0.01;
+  // Steps in each of the two sums. Origin: docs/performance.md, Plateaus.
+  int plateau_window = 12;
+  // Foreseen at most. Origin: the iterations of a run, max_iterations.
+  double plateau_steps = 1000;
   // Origin: twice LineSearch::kResolution: no energy could tell what is left.
   double decrement = 1e-12;
   // Origin: bench/tune.py stopping.stall_decrement.
@@ -90,11 +110,17 @@ class StoppingTest {
   Advice after(const StepResult& step, Since since = Since::Same);
 
  private:
+  void remember(const StepResult& step, Since since);
+  bool on_plateau() const;
+  double remaining(std::ptrdiff_t window) const;
   Stop no_step(const StepResult& step, bool near_minimum) const;
 
   StoppingRules rules_;
   double smallest_scale_;  // an energy that vanishes at its minimum has no relative scale there
   int steps_ = 0, idle_ = 0;
+  int held_ = 0;                  // of idle_: a certified step below stall_step
+  std::deque<double> decreases_;  // relative, since the problem has changed, the last ones
+  int definite_ = std::numeric_limits<int>::max() / 2;  // steps since a factorization failed
   bool polished_ = false;
 };
 

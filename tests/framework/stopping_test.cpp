@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "framework/scalar_terms.h"
@@ -41,6 +42,11 @@ StoppingRules rules() {
   r.stall_iterations = 3;
   r.stall_step = 1e-3;
   r.anchor_step = 0.1;
+  r.plateau_factor = 2;
+  r.saddle_part = 0.01;
+  r.plateau_window = 12;
+  r.plateau_steps = 1000;
+  r.decrement = 1e-12;
   r.max_iterations = 7;
   return r;
 }
@@ -128,8 +134,8 @@ TEST(Stopping, IdleStepsInARowStallFarFromAMinimumAndReturnToTheAnchor) {
 TEST(Stopping, IdleStepsNearAMinimumConvergeWhereTheyAre) {
   StoppingTest test(rules(), 100);
   expect_goes_on(test.after(moved(9e-7, 9e-5)));
-  expect_goes_on(test.after(moved(9e-7, 9e-5)));
-  const Advice last = test.after(moved(9e-7, 9e-5));
+  expect_goes_on(test.after(moved(4e-7, 9e-5)));
+  const Advice last = test.after(moved(1e-7, 9e-5));
   expect_stop(last, Status::Converged, "relative decrease");
   EXPECT_FALSE(last.stop->at_anchor);
 }
@@ -178,6 +184,98 @@ TEST(Stopping, BriefRulesEndWithTheFirstSmallStep) {
   expect_goes_on(limited.after(moved(0, 0)));
   expect_goes_on(limited.after(moved(0, 0)));
   EXPECT_TRUE(limited.before_step().has_value());
+}
+
+// Decreases that stay as they are, whatever the decrement says: 1000 times 9e-7 may be left.
+TEST(Stopping, APlateauIsNoMinimum) {
+  StoppingRules patient = rules();
+  patient.max_iterations = 1000;
+  StoppingTest test(patient, 100);
+  EXPECT_TRUE(test.after(moved(0.1, 0.2)).anchor);
+  int polished = 0;
+  for (int k = 0; k < 300; ++k) {
+    const Advice advice = test.after(moved(9e-7, 9e-6));
+    expect_goes_on(advice);
+    polished += advice.polish;
+  }
+  EXPECT_EQ(polished, 1);
+}
+
+// Decreases 1e-6 r, 1e-6 r^2 ... from step 24 on: r^k / (1 - r) r, and 2e-6 may be left.
+TEST(Stopping, WhatIsLeftIsForeseenFromTheRateOfDecreases) {
+  const auto small_steps = [](double rate) {
+    StoppingRules patient = rules();
+    patient.max_iterations = 1000;
+    StoppingTest test(patient, 100);
+    for (int k = 24; k > 0; --k) expect_goes_on(test.after(moved(1e-6 / std::pow(rate, k), 1e-2)));
+    for (int k = 1; k < 100; ++k)
+      if (test.after(moved(1e-6 * std::pow(rate, k), 9e-6)).stop) return k;
+    return -1;
+  };
+  EXPECT_EQ(small_steps(0.5), 2) << "the first is polished";
+  EXPECT_EQ(small_steps(0.8), 4);    // 0.8^k * 4 <= 2
+  EXPECT_EQ(small_steps(0.95), 44);  // 0.95^k * 19 <= 2
+}
+
+// The same decreases end a run three steps after the last Hessian that was indefinite.
+TEST(Stopping, IndefiniteHessiansAskForMore) {
+  const auto last_of = [](int indefinite) {
+    StoppingTest test(rules(), 100);
+    const double decreases[] = {0.1, 1e-3, 1e-5, 9e-7, 3e-7, 1e-7};
+    Advice advice;
+    for (int k = 0; k < 6; ++k) {
+      StepResult step = moved(decreases[k], 5e-5);
+      step.record.failed_factorizations = k == indefinite;
+      advice = test.after(step);
+    }
+    return advice;
+  };
+  expect_stop(last_of(2), Status::Converged, "relative decrease");
+  expect_goes_on(last_of(3));
+}
+
+// Every other decrease is small: 12 of them say what one does not.
+TEST(Stopping, DecreasesThatAlternateAreAPlateau) {
+  StoppingRules patient = rules();
+  patient.max_iterations = 1000;
+  StoppingTest test(patient, 100);
+  for (int k = 0; k < 24; ++k) expect_goes_on(test.after(moved(1.1e-6, 9e-6)));
+  for (int k = 0; k < 100; ++k) {
+    const Advice advice = test.after(moved(k % 2 == 0 ? 9e-7 : 1e-7, 9e-6));
+    ASSERT_FALSE(advice.stop.has_value()) << k;
+  }
+}
+
+// A saddle: the decreases fell, and begin to grow.
+TEST(Stopping, DecreasesThatGrowAreNoMinimum) {
+  const auto last_of = [](double decrease) {
+    StoppingTest test(rules(), 100);
+    for (const double d : {0.1, 1e-3, 1e-5, 4e-7, 2e-7}) expect_goes_on(test.after(moved(d, 5e-5)));
+    return test.after(moved(decrease, 5e-5));
+  };
+  expect_goes_on(last_of(2.1e-7));
+  expect_stop(last_of(1e-7), Status::Converged, "relative decrease");
+}
+
+TEST(Stopping, DecreasesThatNoEnergyCanTellAreNone) {
+  StoppingRules strict = rules();
+  strict.relative_decrease = 1e-14;
+  StoppingTest test(strict, 100);
+  for (int k = 0; k < 2; ++k) expect_goes_on(test.after(moved(9e-15, 9e-5)));
+  expect_stop(test.after(moved(9e-15, 9e-5)), Status::Converged, "relative decrease");
+}
+
+TEST(Stopping, WhatTheCertificateHoldsBackIsNoPlateau) {
+  StoppingRules patient = rules();
+  patient.max_iterations = 1000;
+  StoppingTest test(patient, 100);
+  for (int k = 0; k < 20; ++k) test.after(moved(2e-6, 9e-5));
+  for (int k = 0; k < 2; ++k) expect_goes_on(test.after(moved(9e-7, 9e-5, 9e-4)));
+  expect_stop(test.after(moved(9e-7, 9e-5, 9e-4)), Status::Converged, "relative decrease");
+
+  StoppingTest free(patient, 100);
+  for (int k = 0; k < 20; ++k) free.after(moved(2e-6, 9e-5));
+  for (int k = 0; k < 20; ++k) expect_goes_on(free.after(moved(9e-7, 9e-5)));
 }
 
 // The loop of Stepper::minimize obeys the test: from within a bound that lets nothing through, the
