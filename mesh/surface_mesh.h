@@ -120,8 +120,8 @@ class SurfaceMesh {
   // Of the faces that have one, ordered by face; empty unless repair() made some.
   const std::vector<RestTriangle>& rest_triangles() const { return rest_triangles_; }
 
-  // Texture coordinates per face corner (#F by 6: u, v of each corner), empty unless every corner
-  // of the file has one, and their numbers in the file (#F by 3).
+  // Texture coordinates per face corner (#F by 6: u, v of each) and their numbers in the file (#F
+  // by 3); NaN and -1 in faces without, no rows where no face has any.
   const CornerPoints& corner_texcoords() const { return corner_texcoords_; }
   const Cells& texcoord_ids() const { return texcoord_ids_; }
 

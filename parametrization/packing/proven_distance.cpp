@@ -21,6 +21,9 @@ constexpr double kTight = 0.999;
 // Pieces of a pair of curves. Origin: curves that keep a distance take some dozens; pairs that take
 // more than this run along each other within the rounding of their coordinates.
 constexpr int kMostPieces = 1 << 14;
+// Halvings of a pair of curves. Origin: both 53 times, of which nothing but rounding is left;
+// curves that cross are halved at the crossing for ever.
+constexpr int kMostHalvings = 106;
 // Roundings in a distance of a point and a segment, as a multiple of their size. Origin: four
 // differences and a cross product of them (6 units), a division and a root (3), the foot of the
 // perpendicular taken at the wrong end (its error, squared), thrice over.
@@ -71,11 +74,11 @@ class LeastDistance {
 
   void compare(const PlanarCurve& a, const PlanarCurve& b) {
     pieces_ = 0;
-    compare({a, a.front()}, {b, a.front()});
+    compare({a, a.front()}, {b, a.front()}, 0);
   }
 
  private:
-  void compare(const Piece<double>& p, const Piece<double>& q) {
+  void compare(const Piece<double>& p, const Piece<double>& q, int halvings) {
     const double reach_p = reach_of(p), reach_q = reach_of(q);
     const Segment a = chord(p), b = chord(q);
     const double lower = (distance_below(a, b) - (reach_p + reach_q)) * (1 - kRoundings);
@@ -83,14 +86,15 @@ class LeastDistance {
     const double upper = std::min({(a.from - b.from).norm(), (a.from - b.to).norm(),
                                    (a.to - b.from).norm(), (a.to - b.to).norm()});
     const bool straight = p.degree == 1 && q.degree == 1;
-    if (straight || lower >= kTight * upper || ++pieces_ > kMostPieces) {
+    if (straight || lower >= kTight * upper || ++pieces_ > kMostPieces ||
+        halvings == kMostHalvings) {
       least_ = std::max(0.0, lower);
       return;
     }
     const bool first = q.degree == 1 || (p.degree > 1 && reach_p >= reach_q);
     const auto [left, right] = curve_piece::split(first ? p : q);
     for (const Piece<double>* half : {&left, &right})
-      if (least_ > 0) first ? compare(*half, q) : compare(p, *half);
+      if (least_ > 0) first ? compare(*half, q, halvings + 1) : compare(p, *half, halvings + 1);
   }
 
   double least_;

@@ -146,6 +146,8 @@ class Reports(CommandTest):
                     '--degree', 1)
         self.report('info', disk)
         self.report('info', disk, '--plan')
+        self.report('info', self.write('small.obj', helpers.obj_text(
+            [tuple(1e-200 * x for x in p) for p in points], faces)), '--plan')
         self.report('info', self.write('twice.obj', helpers.obj_text(points, faces + faces[:1])))
         self.report('info', cut)
         self.report('info', inverted)

@@ -138,6 +138,7 @@ TEST(Unwrap, AStopLeavesAValidLayout) {
   RunRecord record(0);  // no time: starts alone
   const Atlas atlas = unwrap(surface, of_degree(2), record);
   EXPECT_EQ(atlas.status(), Status::TimeLimit);
+  for (const Chart& chart : atlas.charts) EXPECT_EQ(chart.map->degree(), 2);
   expect_layout(atlas, *surface);
 }
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "expected_error.h"
-#include "majorant/parametrization/packing/internal/chart_motion.h"
+#include "majorant/mesh/internal/exact_predicates.h"
 #include "parametrization/packing/chart_cases.h"
 
 namespace majorant {
@@ -99,6 +99,22 @@ TEST(Pack, any_unit_of_length_gives_the_same_layout) {
     EXPECT_EQ(packing.charts[k].control_points(), pack(charts).charts[k].control_points());
 }
 
+// More than are nested.
+TEST(Pack, the_same_charts_are_packed_the_same_way) {
+  Random random(9);
+  std::vector<BezierMap> charts;
+  for (int k = 0; k < 45; ++k)
+    charts.push_back(test::polygon_chart(test::random_polygon(random, random.uniform(0.3, 1))));
+  const Packing one = pack(charts);
+  EXPECT_EQ(one.method, PackMethod::Raster);
+  for (int again = 0; again < 3; ++again) {
+    const Packing other = pack(charts);
+    EXPECT_EQ(one.side, other.side);
+    for (std::size_t k = 0; k < charts.size(); ++k)
+      EXPECT_EQ(one.charts[k].control_points(), other.charts[k].control_points());
+  }
+}
+
 // A triangle so thin that most turns round it to nothing.
 TEST(Pack, what_rounding_turns_over_is_turned_otherwise) {
   const double thin = std::ldexp(1, -60);
@@ -108,7 +124,9 @@ TEST(Pack, what_rounding_turns_over_is_turned_otherwise) {
   const std::vector<BezierMap> charts{triangle.with(triangle.shared_space(), x),
                                       test::polygon_chart(test::regular(5, 1, Vector2(3, 3)))};
   expect_packed(charts, {}, 1, "thin");
-  EXPECT_TRUE(has_positive_determinants(pack(charts).charts[0]));
+  const Vec uv = pack(charts).charts[0].control_points();
+  EXPECT_GT(orientation(Vector2(uv.head<2>()), Vector2(uv.segment<2>(2)), Vector2(uv.tail<2>())),
+            0);
 }
 
 TEST(Pack, padding_that_leaves_no_room_is_refused) {

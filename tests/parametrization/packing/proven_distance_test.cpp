@@ -27,6 +27,10 @@ TEST(ProvenDistance, overlaps_touching_and_nesting_are_none) {
   const BezierMap ring = test::ring_chart(40, 0.8, 1), inner = square_at(-0.1, -0.1, 0.2);
   EXPECT_EQ(proven_distance({ring, inner}, 0.25), 0.25);  // in its hole
   EXPECT_EQ(proven_distance({ring, square_at(0.85, 0, 0.01)}, 1e-3), 0);
+  for (const double phase : {0.5, 1.0, 2.0})  // curves that cross
+    EXPECT_EQ(
+        proven_distance({test::wavy_chart(5, 1, 0.2, 0), test::wavy_chart(6, 1, 0.2, phase)}, 0.1),
+        0);
 }
 
 TEST(ProvenDistance, two_fixed_charts_are_left_out) {
