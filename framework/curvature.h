@@ -1,8 +1,9 @@
 // The curvature models of a Newton step, and what lies between the projected and the exact Hessian.
 //
 //   Vec g, h;
-//   evaluator.linearize(y, Curvature::Projected, g, h);
-//   evaluator.linearize(y, BlendedCurvature::projected(0.1), g, h);   // a tenth of the clamp
+//   Evaluator evaluator(problem);
+//   evaluator.linearize(y0, Curvature::Projected, g, h);
+//   evaluator.linearize(y0, BlendedCurvature::projected(0.1), g, h);   // a tenth of the clamp
 //
 // No includes, nothing but aggregates and inlined functions: kernels compiled for special
 // instruction sets see this file.

@@ -9,7 +9,8 @@
 //     const Stencils& stencils() const override ...     // 2 points each
 //     bool supports(Curvature c) const override { return c == Curvature::Exact; }
 //     void values(VecIn x, const Chunk&, const TermState&, Workspace&, std::span<double> f) ...
-//     void local(VecIn x, const Chunk&, BlendedCurvature, const TermState&, Workspace&, LocalSystem&) ...
+//     void local(VecIn x, const Chunk&, BlendedCurvature, const TermState&, Workspace&,
+//                LocalSystem&) ...
 //   };
 //
 // A term is immutable and thread-safe: the evaluator calls it for different chunks at the same

@@ -2,6 +2,8 @@
 // Hessian B that they and a metric define.
 //
 //   History history(8, 1e-10);
+//   Vec y, last_y, g, last_g, p;
+//   const std::unique_ptr<LinearSolver> solver = make_direct_solver();
 //   history.add(y - last_y, g - last_g);
 //   history.apply([&](const Vec& r, Vec& p) { solver->solve(r, p); }, -g, p);   // p = -B g
 #pragma once

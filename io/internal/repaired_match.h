@@ -1,6 +1,7 @@
 // Are the cells of a map the faces of a surface that repair() has to take apart? For meshes that
 // are no surface as their file has them: flipped or duplicate faces, fins, pinched vertices, soups.
 //
+//   std::vector<Index> labels;   // #F: the polygon of each
 //   SurfaceMatch match = match_surface(*mesh, polygons, labels);
 //   if (!match.defect.empty())
 //     match = match_repaired(*mesh, polygons, labels).value_or(match);

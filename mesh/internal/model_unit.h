@@ -1,8 +1,8 @@
 // Surfaces so large or small that areas and their squares leave the range of doubles, brought to a
 // size near 1: by a power of two, so that no digit changes.
 //
-//   const double unit = model_unit(mesh);
-//   const std::shared_ptr<const SurfaceMesh> near_one = in_units(mesh, unit);
+//   const double unit = model_unit(*mesh);
+//   const std::shared_ptr<const SurfaceMesh> near_one = in_units(*mesh, unit);
 //   const double length = unit * near_one->edge_length(0);   // model units
 #pragma once
 

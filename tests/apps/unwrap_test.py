@@ -117,7 +117,7 @@ class Surfaces(UnwrapTest):
         points = [((i / n) ** 12, (j / n) ** 12, 0) for i in range(n + 1) for j in range(n + 1)]
         faces = [f for a in (i * (n + 1) + j for i in range(n) for j in range(n))
                  for f in ((a, a + n + 1, a + n + 2), (a, a + n + 2, a + 1))]
-        _, report = self.unwrap(self.mesh(points, faces), code=LIMIT)
+        _, report = self.unwrap(self.mesh(points, faces))
         self.assertEqual([o['written'] for o in report['outputs']], [True])
 
     def test_polygons_of_one_vertex(self):
