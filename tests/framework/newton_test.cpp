@@ -225,6 +225,7 @@ TEST(Newton, OtherProblemsAndPolishedStepsKeepNoFactor) {
   const test::ChainProblem chain(60);
   NewtonOptions o = options(Curvature::Projected);
   o.kept.below = kInfinity;
+  o.kept.short_step = o.kept.short_bound = 0;
   NewtonStepper stepper(chain.problem, o);
   Vec y = chain.start;
   double energy = stepper.evaluator().value(y);
