@@ -19,7 +19,6 @@
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/vtu.h"
 #include "majorant/io/write_obj.h"
-#include "majorant/io/write_svg.h"
 #include "majorant/mesh/repair.h"
 #include "majorant/parametrization/atlas/unwrap.h"
 #include "majorant/parametrization/drive/deform.h"
@@ -28,3 +27,4 @@
 #include "majorant/parametrization/starts/make_seamless.h"
 #include "majorant/parametrization/starts/texture_seams.h"
 #include "majorant/parametrization/starts/tutte.h"
+#include "majorant/pictures/write_svg.h"

@@ -18,8 +18,8 @@
 #include "majorant/io/internal/atomic_file.h"
 #include "majorant/io/internal/tessellate_map.h"
 #include "majorant/io/map_file.h"
-#include "majorant/io/write_svg.h"
 #include "majorant/mesh/polygon_mesh.h"
+#include "majorant/pictures/write_svg.h"
 
 namespace majorant::app {
 

@@ -22,7 +22,7 @@ from pathlib import Path
 ROOMS = ['framework', 'elements', 'mesh', 'energies', 'constraints', 'parametrization/fields',
          'parametrization/cuts', 'parametrization/maps', 'parametrization/injectivity',
          'parametrization/starts', 'parametrization/scaffold', 'parametrization/packing',
-         'parametrization/drive', 'parametrization/atlas', 'io']
+         'parametrization/drive', 'parametrization/atlas', 'io', 'pictures']
 OPTIONS = ('LineSearchOptions', 'NewtonOptions', 'LbfgsOptions')
 # "file kName", or a file with all of its constants.
 EXEMPT = {
@@ -65,14 +65,14 @@ EXEMPT = {
     'io/internal/surface_match.cpp kNone': 'a mark',
     'io/internal/surface_match.cpp kOutside': 'a mark',
     'io/internal/surface_match.cpp kUnknown': 'a mark',
-    'io/internal/svg_layout.cpp': 'looks of a picture',
-    'io/internal/svg_layout.h': 'looks of a picture',
-    'io/internal/svg_marks.cpp': 'looks of a picture',
+    'pictures/internal/svg_layout.cpp': 'looks of a picture',
+    'pictures/internal/svg_layout.h': 'looks of a picture',
+    'pictures/internal/svg_marks.cpp': 'looks of a picture',
     'io/internal/temporary_file.cpp kLongestExtension': 'size of a table',
     'io/internal/temporary_file.cpp kSlots': 'size of a table',
     'io/internal/tessellate_map.cpp kAlwaysSimple': 'mathematics',
     'io/map_proof.cpp kCellsPerPoll': 'how often limits are looked at',
-    'io/write_svg.cpp': 'looks of a picture',
+    'pictures/write_svg.cpp': 'looks of a picture',
     'framework/energy_term.h kMaxSize': 'size of a chunk',
     'framework/energy_term.h kAlign': 'alignment',
     'framework/evaluator.cpp kParallelChunks': 'threads',

@@ -23,7 +23,7 @@ FLOORS = [
     ['parametrization/maps', 'parametrization/cuts'],
     ['parametrization/injectivity', 'parametrization/starts', 'parametrization/scaffold'],
     ['parametrization/packing', 'parametrization/drive', 'io'],
-    ['parametrization/atlas'],
+    ['parametrization/atlas', 'pictures'],
     ['apps/arguments'],
     ['apps'],
     ['apps/compare', 'apps/check'],

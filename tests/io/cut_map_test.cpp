@@ -1,62 +1,21 @@
 #include "majorant/io/internal/cut_map.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "cube_map.h"
 #include "io_test_helpers.h"
 #include "majorant/constraints/seamless_constraint.h"
 #include "majorant/energies/named_energies.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/vtu.h"
 #include "majorant/io/write_obj.h"
-#include "majorant/io/write_svg.h"
 #include "majorant/parametrization/maps/measure.h"
 #include "majorant/parametrization/starts/texture_seams.h"
 
 namespace majorant {
 namespace {
-
-// A cube of 2 x 2 quads a side, in triangles; each side is a chart of its own, turned by s * 90
-// degrees.
-PolygonMesh cube() {
-  PolygonMesh mesh;
-  mesh.file = "cube";
-  const auto vertex = [&](const Vector3& p) {
-    for (std::size_t v = 0; v < mesh.positions.size(); ++v)
-      if (mesh.positions[v] == p) return static_cast<Index>(v);
-    mesh.positions.push_back(p);
-    return static_cast<Index>(mesh.positions.size() - 1);
-  };
-  for (int s = 0; s < 6; ++s) {
-    const Vector3 normal = (s < 3 ? 1 : -1) * Vector3::Unit(s % 3);
-    const Vector3 e = Vector3::Unit((s + 1) % 3), f = normal.cross(e);
-    const auto base = static_cast<Index>(mesh.texcoords.size());
-    std::vector<Index> corners;
-    for (int j = 0; j < 3; ++j)
-      for (int i = 0; i < 3; ++i) {
-        corners.push_back(vertex(normal + (i - 1) * e + (j - 1) * f));
-        mesh.texcoords.push_back(rotated(Vector2(i - 1, j - 1), s) + Vector2(3 * s, 0.25 * s));
-      }
-    for (const int a : {0, 1, 3, 4})
-      for (const auto& t : {std::array{a, a + 1, a + 4}, std::array{a, a + 4, a + 3}}) {
-        auto& polygon = mesh.polygons.emplace_back();
-        auto& texture = mesh.polygon_texcoords.emplace_back();
-        for (const int c : t) {
-          polygon.push_back(corners[static_cast<std::size_t>(c)]);
-          texture.push_back(base + c);
-        }
-      }
-  }
-  return mesh;
-}
-
-BezierMap cube_map(int degree) {
-  BezierMap map = seamless_from_texture(SurfaceMesh::from_polygons(cube())).map;
-  while (map.degree() < degree) map = map.elevated();
-  return map;
-}
 
 BezierMap seamless_map_of(const MapFile& file) { return CutMap(file, "file").map_with_seams(); }
 
@@ -215,32 +174,6 @@ TEST(CutMap, ObjWeldsTheSurfaceAndNamesCones) {
     EXPECT_EQ(cones, 8u);
     EXPECT_EQ(seamless_map_of(to_map_file(mesh)).seams().cones().size(), 8u);
   }
-}
-
-TEST(CutMap, SvgMarksSeamsConesAndGrid) {
-  const TemporaryFolder folder;
-  const MapFile file = to_map_file(cube_map(2));
-  write_svg(folder.file("a.svg"), file);
-  std::string text = content_of(folder.file("a.svg"));
-  const auto count = [&](const std::string& piece) {
-    std::size_t found = 0;
-    for (std::size_t at = 0; (at = text.find(piece, at)) != std::string::npos; ++at) ++found;
-    return found;
-  };
-  EXPECT_EQ(count("<circle"), 24u + 1u);  // every copy, and the legend's
-  EXPECT_EQ(count("stroke-linecap"), 1u);
-  EXPECT_EQ(count("<path"), 48u + 12u + 1u);
-  EXPECT_EQ(count("clip-path"), 0u);
-  write_svg(folder.file("a.svg"), file, {.grid = 1.0});
-  text = content_of(folder.file("a.svg"));
-  EXPECT_EQ(count("clip-path=\"url(#layout)\""), 1u);
-  EXPECT_EQ(count("grid 1<"), 1u);
-  const std::size_t start = text.find("<clipPath");
-  const std::string clip = text.substr(start, text.find("</clipPath>") - start);
-  EXPECT_EQ(std::count(clip.begin(), clip.end(), 'Z'), 6);  // charts
-  for (const double wrong : {-1.0, 1e-6, std::nan("")})
-    error_message(ErrorKind::Usage,
-                  [&] { write_svg(folder.file("b.svg"), file, {.grid = wrong}); });
 }
 
 }  // namespace

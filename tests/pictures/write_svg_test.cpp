@@ -1,10 +1,11 @@
-#include "majorant/io/write_svg.h"
+#include "majorant/pictures/write_svg.h"
 
 #include <algorithm>
 
-#include "io_test_helpers.h"
-#include "majorant/io/internal/heat_color.h"
+#include "io/cube_map.h"
+#include "io/io_test_helpers.h"
 #include "majorant/io/internal/xml_tree.h"
+#include "majorant/pictures/internal/heat_color.h"
 
 namespace majorant {
 namespace {
@@ -94,6 +95,32 @@ TEST(HeatColor, RunsFromLightToDark) {
   for (int i = 0; i < 20; ++i) EXPECT_GT(brightness(i / 20.0), brightness((i + 1) / 20.0)) << i;
   EXPECT_EQ(heat_color(-1.0), heat_color(0.0));
   EXPECT_EQ(heat_color(7.0), heat_color(1.0));
+}
+
+TEST(WriteSvg, MarksSeamsConesAndGrid) {
+  const TemporaryFolder folder;
+  const MapFile file = to_map_file(cube_map(2));
+  write_svg(folder.file("a.svg"), file);
+  std::string text = content_of(folder.file("a.svg"));
+  const auto count = [&](const std::string& piece) {
+    std::size_t found = 0;
+    for (std::size_t at = 0; (at = text.find(piece, at)) != std::string::npos; ++at) ++found;
+    return found;
+  };
+  EXPECT_EQ(count("<circle"), 24u + 1u);  // every copy, and the legend's
+  EXPECT_EQ(count("stroke-linecap"), 1u);
+  EXPECT_EQ(count("<path"), 48u + 12u + 1u);
+  EXPECT_EQ(count("clip-path"), 0u);
+  write_svg(folder.file("a.svg"), file, {.grid = 1.0});
+  text = content_of(folder.file("a.svg"));
+  EXPECT_EQ(count("clip-path=\"url(#layout)\""), 1u);
+  EXPECT_EQ(count("grid 1<"), 1u);
+  const std::size_t start = text.find("<clipPath");
+  const std::string clip = text.substr(start, text.find("</clipPath>") - start);
+  EXPECT_EQ(std::count(clip.begin(), clip.end(), 'Z'), 6);  // charts
+  for (const double wrong : {-1.0, 1e-6, std::nan("")})
+    error_message(ErrorKind::Usage,
+                  [&] { write_svg(folder.file("b.svg"), file, {.grid = wrong}); });
 }
 
 }  // namespace

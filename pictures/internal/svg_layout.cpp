@@ -1,4 +1,4 @@
-#include "majorant/io/internal/svg_layout.h"
+#include "majorant/pictures/internal/svg_layout.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "majorant/io/internal/svg_marks.h"
+#include "majorant/pictures/internal/svg_marks.h"
 
 #include <algorithm>
 #include <cmath>

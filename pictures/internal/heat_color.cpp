@@ -1,4 +1,4 @@
-#include "majorant/io/internal/heat_color.h"
+#include "majorant/pictures/internal/heat_color.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // What is drawn over the cells of a layout: grid lines, charts, seams and cones.
 #pragma once
 
-#include "majorant/io/internal/svg_layout.h"
+#include "majorant/pictures/internal/svg_layout.h"
 
 namespace majorant {
 

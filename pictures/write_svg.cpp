@@ -1,4 +1,4 @@
-#include "majorant/io/write_svg.h"
+#include "majorant/pictures/write_svg.h"
 
 #include <fmt/format.h>
 
@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "majorant/io/internal/atomic_file.h"
-#include "majorant/io/internal/heat_color.h"
 #include "majorant/io/internal/map_check.h"
-#include "majorant/io/internal/svg_layout.h"
-#include "majorant/io/internal/svg_marks.h"
+#include "majorant/pictures/internal/heat_color.h"
+#include "majorant/pictures/internal/svg_layout.h"
+#include "majorant/pictures/internal/svg_marks.h"
 
 namespace majorant {
 namespace {
