@@ -1,4 +1,5 @@
-// Output files by extension: .vtu .obj .svg hold a map, .json a report, .csv an iteration trace.
+// Output files by extension: .vtu .obj .svg .png hold a map, .json a report, .csv an iteration
+// trace.
 //
 //   const std::vector<std::string> files{"a.vtu", "a.obj"};
 //   require_writable(common, {{files, {".vtu", ".obj"}}}, {path});   // before any work
@@ -19,6 +20,7 @@
 #include "majorant/io/internal/tessellate_map.h"
 #include "majorant/io/map_file.h"
 #include "majorant/mesh/polygon_mesh.h"
+#include "majorant/pictures/write_png.h"
 #include "majorant/pictures/write_svg.h"
 
 namespace majorant::app {
@@ -61,12 +63,18 @@ class WrittenFiles {
 struct FormatOptions {
   TessellationOptions tessellation;  // of OBJ
   SvgOptions svg;
+  PngOptions png;
 
-  void add_to(CLI::App& verb);  // --refine --grid
+  void add_to(CLI::App& verb);  // --refine --grid --color-range ...
+  // Data shall be turned, too.
+  bool turns_data() const { return svg.alignment == Alignment::Always; }
+
+ private:
+  void add_pictures_to(CLI::App& verb);
 };
 
 // Writes one of the map formats. input may be null. verify: of formats that hold data; pictures
-// (.svg) have nothing to verify.
+// (.svg .png) have nothing to verify.
 void write_map(const std::string& path, const MapFile& map, const PolygonMesh* input,
                const FormatOptions& options, const FileVerification& verify = {});
 

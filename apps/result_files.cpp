@@ -189,7 +189,7 @@ void summarize(const FinishedRun& run) {
 
 void OutputRequest::add_to(CLI::App& verb) {
   verb.add_option("output", positional, "output file, same as -o");
-  verb.add_option("-o,--output", files, "output: .vtu .obj .svg .json .csv, repeatable")
+  verb.add_option("-o,--output", files, "output: .vtu .obj .svg .png .json .csv, repeatable")
       ->allow_extra_args(false);
   formats.add_to(verb);
   verb.add_flag("--normalize", normalize, "scale the result into the unit square");
@@ -198,7 +198,7 @@ void OutputRequest::add_to(CLI::App& verb) {
 void OutputRequest::require_usable(const MapRequest& map) {
   if (!positional.empty()) files.push_back(positional);
   if (files.empty())
-    throw Error(ErrorKind::Usage, "no output file; add -o OUT.vtu (or .obj .svg .json .csv)");
+    throw Error(ErrorKind::Usage, "no output file; add -o OUT.vtu (or .obj .svg .png .json .csv)");
   if (normalize && !(map.pins.empty() && map.handles.empty()))
     throw Error(ErrorKind::Usage, "--normalize moves pins and handles; leave one of the two out");
 }
