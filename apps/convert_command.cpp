@@ -75,7 +75,7 @@ int convert(Request request) {
   if (!request.positional_output.empty()) request.outputs.push_back(request.positional_output);
   if (request.outputs.empty())
     throw Error(ErrorKind::Usage, "no output file; add -o OUT.obj (or .svg .vtu)");
-  require_writable(request.common, {{request.outputs, {".vtu", ".obj", ".svg"}}}, {request.input});
+  require_writable(request.common, {{request.outputs, {".vtu", ".obj", ".svg", ".html"}}}, {request.input});
   const ThreadCount threads(start_threads(request.common.threads));
   MapFile map = read_map(request.input);
   say_warnings(map.warnings);

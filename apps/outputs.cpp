@@ -13,6 +13,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/io/vtu.h"
 #include "majorant/io/write_obj.h"
+#include "majorant/pictures/write_page.h"
 
 namespace majorant::app {
 namespace {
@@ -147,6 +148,7 @@ void write_map(const std::string& path, const MapFile& map, const PolygonMesh* i
   if (e == ".vtu") write_vtu(path, map, verify);
   if (e == ".obj") write_obj(path, map, input, options.tessellation, verify);
   if (e == ".svg") write_svg(path, map, options.svg);
+  if (e == ".html") write_page(path, {.title = path, .map = map});
 }
 
 }  // namespace majorant::app
