@@ -14,7 +14,7 @@
 #include "majorant/io/internal/base64.h"
 #include "majorant/io/internal/bezier_cell.h"
 #include "majorant/io/internal/json_depth.h"
-#include "majorant/io/internal/map_check.h"
+#include "majorant/io/layout_scale.h"
 
 namespace majorant {
 namespace {
@@ -191,7 +191,7 @@ Json page_data(const MapPage& page) {
   data["faults"] = faults_of(page);
   data["snapshots"] = snapshots_of(page, order);
   if (page.scaffold) data["scaffold"] = plane_of(*page.scaffold);
-  data["scale"] = {{"value", 1.0}, {"assumed", false}};
+  data["scale"] = {{"value", layout_scale(map)}, {"assumed", has_assumed_scale(map)}};
   data["claims"] = parsed_object("the map's claims", map.claims);
   data["facts"] = parsed_object("what is known of the map", page.facts);
   return data;

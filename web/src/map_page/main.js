@@ -13,7 +13,7 @@ const byId = (id) => document.getElementById(id);
 
 // A number of cells along the layout so that one is 1, 2 or 5 times a power of ten wide.
 function checkerCells({size, center}, scale) {
-  const wanted = size / 24;
+  const wanted = size / 40;
   const power = 10 ** Math.floor(Math.log10(wanted));
   const width = power * ([1, 2, 5].find((digit) => digit * power >= wanted) ?? 10);
   return [size / width, ...center.map((c) => (c / width) % 2)];
