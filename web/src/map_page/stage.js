@@ -68,7 +68,7 @@ export function drawable(Kind, geometry, itsMaterial, order) {
 export {Mesh, Points, Scene};
 
 export class Stage {
-  // canvas: covers all views. views: [{scene, camera, element, beforeRender()}].
+  // canvas: covers all views. views: see view.js.
   constructor(canvas) {
     this.canvas = canvas;
     this.renderer = new WebGLRenderer({canvas, antialias: true, alpha: true,
@@ -95,7 +95,6 @@ export class Stage {
     const {width, height} = this.canvas.parentElement.getBoundingClientRect();
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));
     this.renderer.setSize(width, height, false);
-    for (const view of this.views) view.resize();
     this.request();
   }
 

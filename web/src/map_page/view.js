@@ -94,12 +94,31 @@ export class View {
     camera.updateProjectionMatrix();
   }
 
-  resize() {}
-
   // Where in the element, -1 to 1, y up.
   deviceCoordinates(event) {
     const box = this.element.getBoundingClientRect();
     return [2 * (event.clientX - box.left) / box.width - 1,
             1 - 2 * (event.clientY - box.top) / box.height];
   }
+
+  // Where a place {face, xi} is shown, in halves of the view's height, y up.
+  onScreen(place) {
+    const p = this.pointAt(place).project(this.camera);
+    return [p.x * this.camera.right / this.camera.top, p.y];
+  }
+
+  pickMiddle() {
+    const box = this.element.getBoundingClientRect();
+    return this.pick({clientX: box.left + box.width / 2, clientY: box.top + box.height / 2});
+  }
+
+  zoomBy(factor) {
+    const {minZoom, maxZoom} = this.controls;
+    this.camera.zoom = Math.min(maxZoom, Math.max(minZoom, this.camera.zoom * factor));
+    this.controls.update();
+    this.controls.dispatchEvent({type: 'change'});
+  }
+
+  // Whether it shows something else than at the beginning.
+  wasMoved() { return this.pose().join() !== this.homePose.join(); }
 }
