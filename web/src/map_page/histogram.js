@@ -17,7 +17,8 @@ export class Histogram {
     this.section = byId('scale');
     this.heading = element('h2');
     this.note = element('p', {className: 'note'});
-    this.svg = svgElement('svg', {'role': 'group', 'aria-label': 'Histogram by area'});
+    this.svg = svgElement('svg', {'role': 'group', 'aria-label': 'Histogram by area',
+                                    'shape-rendering': 'crispEdges'});
     this.section.append(this.heading, this.svg, this.note);
     this.listen();
     app.state.watch(['show', 'frame'], () => this.fill());
@@ -150,10 +151,10 @@ export class Histogram {
     if (this.flipped > 0) notes.push(`${percent(this.flipped / this.total)} turned over`);
     notes.push(state.show === 'angle'
         ? `${readable(this.scale.neutral)} is conformal`
-        : `${readable(this.scale.neutral)} is an isometry`);
+        : `an isometry has ${readable(this.scale.neutral)}`);
     if (map.scaleIsAssumed && state.show !== 'angle')
       notes.push('the layout, whose scale is not known, taken as large as the surface');
-    this.note.textContent = `By area. ${notes.join('; ')}.`;
+    this.note.textContent = `By area; ${notes.join('; ')}.`;
   }
 
   listen() {

@@ -47,6 +47,7 @@ function follow(app) {
   state.set(changes);
   const eye = numbersOf(words.get('eye'), 7);
   if (eye) app.surface.setPose(eye);
+  else if (changes.pinned) app.surface.turnTo(changes.pinned);
   const layout = numbersOf(words.get('layout'), 3);
   if (layout) app.layout.setPose(layout);
 }

@@ -204,7 +204,7 @@ void main() {
   if (uMode == ${modes.checker}) color = checker(uv);
   if (uMode == ${modes.grid}) color = grid(uv);
   if (uMode == ${modes.image}) color = texture(uImage, uv * uImageFrame.x + uImageFrame.yz).rgb;
-  if (uMode == ${modes.chart}) color = texelFetch(uTints, ivec2(int(face.x), 0), 0).rgb;
+  if (uMode == ${modes.chart}) color = mix(vec3(1.0), texelFetch(uTints, ivec2(int(face.x), 0), 0).rgb, 0.55);
   if (uMode == ${modes.heat})
     color = flipped ? uFlipped : texture(uColors, vec2((position * 255.0 + 0.5) / 256.0, 0.5)).rgb;
   if (flipped ? uBrush.x > 0.0 : position < uBrush.x || position > uBrush.y)

@@ -22,6 +22,7 @@ export function meet(origin, way, p, q, r) {
   return [(bx * kx + by * ky + bz * kz) / det, b, c];
 }
 
+const kMargin = 1.05;  // around what is seen first
 const kDistance = 4;   // of the camera, in radii
 const kOneSided = 0.2;  // sum of normals over area, from which a surface is seen from its front
 
@@ -47,10 +48,24 @@ export class SurfaceView extends View {
     camera.up.set(...up);  // before OrbitControls look
     camera.position.set(...eye).setLength(kDistance);
     super('surface', stage, element, camera, shared);
-    this.extent = 2.04;
+    this.extent = kMargin * this.shownSize(eye, up);
     Object.assign(this.controls, {minZoom: 0.2, maxZoom: 500, zoomToCursor: true});
     this.controls.update();
     this.homePose = this.pose();
+  }
+
+  // The larger side of what is seen from there, in radii.
+  shownSize(eye, up) {
+    const back = new Vector3(...eye).normalize();
+    const right = new Vector3(...up).cross(back).normalize();
+    const axes = [right, back.clone().cross(right)];
+    const {map, surfaceFrame: {center, radius}} = this.shared;
+    let most = 0;
+    for (let corner = 0; corner < map.cornerCount; ++corner) {
+      const p = new Vector3(...positionOf(map, corner)).sub(new Vector3(...center));
+      for (const axis of axes) most = Math.max(most, Math.abs(p.dot(axis)));
+    }
+    return 2 * most / radius || 2;
   }
 
   // Direction to the eye, what it looks at (in the frame of the view), zoom.
@@ -76,15 +91,27 @@ export class SurfaceView extends View {
         radius));
   }
 
-  // Turns a face to the eye, in the middle, large enough to be seen.
-  focusOn({face, xi}) {
-    const [p, q, r] = [0, 1, 2].map((c) =>
-        this.pointAt({face, xi: [0, 1, 2].map((k) => (k === c ? 1 : 0))}));
+  // Its normal, and the length of its longest edge.
+  shapeOf(face) {
+    const [p, q, r] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map((xi) => this.pointAt({face, xi}));
     const normal = q.clone().sub(p).cross(r.clone().sub(p));
-    const size = Math.max(p.distanceTo(q), q.distanceTo(r), r.distanceTo(p), 1e-6);
-    const eye = normal.length() > 0 ? normal.normalize() : new Vector3(0, 0, 1);
-    const at = this.pointAt({face, xi});
-    this.setPose([...eye.toArray(), ...at.toArray(), Math.min(400, Math.max(1, 0.2 / size))]);
+    if (normal.length() === 0) normal.set(0, 0, 1);
+    return {normal: normal.normalize(),
+            size: Math.max(p.distanceTo(q), q.distanceTo(r), r.distanceTo(p), 1e-6)};
+  }
+
+  // Turns a face that looks away to the eye.
+  turnTo({face}) {
+    const {normal} = this.shapeOf(face);
+    const pose = this.pose();
+    if (normal.dot(new Vector3(...pose)) < 0.2) this.setPose([...normal, ...pose.slice(3)]);
+  }
+
+  // Turns a face to the eye, in the middle, large enough to be seen.
+  focusOn(place) {
+    const {normal, size} = this.shapeOf(place.face);
+    const zoom = Math.min(400, Math.max(1, 0.2 / size));
+    this.setPose([...normal, ...this.pointAt(place), zoom]);
   }
 
   // Turns the camera around its target by radians.

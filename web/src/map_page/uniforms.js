@@ -21,8 +21,11 @@ function imageFrame({claims, scaleIsAssumed, uvBounds: {low, size, center}}) {
 }
 
 export function makeUniforms({map}) {
-  const {low, high, center} = map.bounds;
-  const radius = 0.5 * Math.hypot(...high.map((x, d) => x - low[d])) || 1;
+  const {center} = map.bounds;
+  let radius = 0;
+  for (let at = 0; at < map.positions.length; at += 3)
+    radius = Math.max(radius, Math.hypot(...center.map((c, d) => map.positions[at + d] - c)));
+  radius ||= 1;
   const inFrame = (corner) =>
       [0, 1, 2].map((d) => (map.positions[3 * corner + d] - center[d]) / radius);
   const tintBytes = Uint8Array.from(tints.flatMap((hex) => rgbOf(hex).map((x) => 255 * x)));
