@@ -32,7 +32,7 @@ export class LayoutView extends View {
     this.camera.position.set(x, y, 1);
     this.camera.zoom = zoom;
     this.controls.update();
-    this.stage.request();
+    this.stage.request(this);
   }
 
   // By tenths of what is seen.
@@ -59,7 +59,7 @@ export class LayoutView extends View {
   }
 
   addScaffold(scaffold) {
-    const geometry = latticeGeometry(this.piecesOf(scaffold), scaffold.faceCount);
+    const geometry = latticeGeometry(1, scaffold.faceCount);
     const uniforms = {...this.uniforms, uControl: {value: this.shared.scaffoldControl}};
     this.scaffold = this.add(drawable(
         Mesh, geometry,

@@ -80,7 +80,7 @@ export class SurfaceView extends View {
     this.camera.position.set(x, y, z).setLength(kDistance).add(this.controls.target);
     this.camera.zoom = zoom;
     this.controls.update();
-    this.stage.request();
+    this.stage.request(this);
   }
 
   pointAt({face, xi}) {
@@ -123,7 +123,7 @@ export class SurfaceView extends View {
     if (new Vector3().crossVectors(this.camera.up, steep).dot(across) > 0.02) arm.copy(steep);
     this.camera.position.copy(this.controls.target).add(arm);
     this.controls.update();
-    this.stage.request();
+    this.stage.request(this);
   }
 
   // {face, xi} under the mouse, or null.
