@@ -73,9 +73,8 @@ void write_report(const Request& request, WrittenFiles& written) {
 
 int convert(Request request) {
   if (!request.positional_output.empty()) request.outputs.push_back(request.positional_output);
-  if (request.outputs.empty())
-    throw Error(ErrorKind::Usage, "no output file; add -o OUT.obj (or .svg .vtu)");
-  require_writable(request.common, {{request.outputs, {".vtu", ".obj", ".svg"}}}, {request.input});
+  require_some_output(request.outputs, map_extensions());
+  require_writable(request.common, {{request.outputs, map_extensions()}}, {request.input});
   const ThreadCount threads(start_threads(request.common.threads));
   MapFile map = read_map(request.input);
   say_warnings(map.warnings);
@@ -99,7 +98,7 @@ void add_convert(CLI::App& app, Action* run) {
   CLI::App& verb = *app.add_subcommand("convert", "write a finished map in other formats");
   verb.add_option("result", request->input, "result: .vtu, or .obj with vt")->required();
   verb.add_option("output", request->positional_output, "output file, same as -o");
-  verb.add_option("-o,--output", request->outputs, "output: .vtu .obj .svg, repeatable")
+  verb.add_option("-o,--output", request->outputs, output_help(map_extensions()))
       ->allow_extra_args(false);
   request->formats.add_to(verb);
   request->common.add_to(verb);

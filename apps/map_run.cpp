@@ -25,7 +25,7 @@ MapRun::MapRun(std::string verb, MapVerb& request, const std::vector<std::string
   std::vector<std::string> inputs = request.map.inputs();
   inputs.insert(inputs.end(), other_inputs.begin(), other_inputs.end());
   require_writable(request.common,
-                   {{request.outputs.files, {".vtu", ".obj", ".svg", ".json", ".csv"}},
+                   {{request.outputs.files, request.outputs.extensions},
                     {{request.solve.scaffold_file}, {".vtu", ".svg"}}},
                    inputs);
   threads_.emplace(start_threads(request.common.threads));

@@ -71,6 +71,22 @@ std::string extension(const std::string& path) {
   return e;
 }
 
+std::vector<std::string> map_extensions(std::vector<std::string> also) {
+  also.insert(also.begin(), {".vtu", ".obj", ".svg", ".html"});
+  return also;
+}
+
+std::string output_help(const std::vector<std::string>& extensions) {
+  return fmt::format("output: {}, repeatable", fmt::join(extensions, " "));
+}
+
+void require_some_output(const std::vector<std::string>& outputs,
+                         const std::vector<std::string>& extensions) {
+  if (outputs.empty())
+    throw Error(ErrorKind::Usage, fmt::format("no output file; add -o OUT, its name ending in {}",
+                                              fmt::join(extensions, " ")));
+}
+
 void require_writable(const CommonOptions& common, const std::vector<OutputNames>& outputs,
                       const std::vector<std::string>& inputs) {
   std::vector<OutputNames> all = outputs;
@@ -147,6 +163,11 @@ void write_map(const std::string& path, const MapFile& map, const PolygonMesh* i
   if (e == ".vtu") write_vtu(path, map, verify);
   if (e == ".obj") write_obj(path, map, input, options.tessellation, verify);
   if (e == ".svg") write_svg(path, map, options.svg);
+  if (e == ".html") {
+    MapPage page = options.page;
+    page.map = map;
+    write_page(path, page);
+  }
 }
 
 }  // namespace majorant::app

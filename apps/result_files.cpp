@@ -189,16 +189,14 @@ void summarize(const FinishedRun& run) {
 
 void OutputRequest::add_to(CLI::App& verb) {
   verb.add_option("output", positional, "output file, same as -o");
-  verb.add_option("-o,--output", files, "output: .vtu .obj .svg .json .csv, repeatable")
-      ->allow_extra_args(false);
+  verb.add_option("-o,--output", files, output_help(extensions))->allow_extra_args(false);
   formats.add_to(verb);
   verb.add_flag("--normalize", normalize, "scale the result into the unit square");
 }
 
 void OutputRequest::require_usable(const MapRequest& map) {
   if (!positional.empty()) files.push_back(positional);
-  if (files.empty())
-    throw Error(ErrorKind::Usage, "no output file; add -o OUT.vtu (or .obj .svg .json .csv)");
+  require_some_output(files, extensions);
   if (normalize && !(map.pins.empty() && map.handles.empty()))
     throw Error(ErrorKind::Usage, "--normalize moves pins and handles; leave one of the two out");
 }

@@ -28,6 +28,7 @@ namespace majorant::app {
 struct OutputRequest {
   std::string positional;
   std::vector<std::string> files;
+  std::vector<std::string> extensions = map_extensions({".json", ".csv"});  // that the verb writes
   FormatOptions formats;
   bool normalize = false;
 
