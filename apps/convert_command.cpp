@@ -5,6 +5,7 @@
 #include "apps/claims.h"
 #include "apps/command.h"
 #include "apps/outputs.h"
+#include "apps/page_content.h"
 #include "apps/process.h"
 #include "apps/report.h"
 #include "apps/streams.h"
@@ -62,6 +63,17 @@ ProofRequest promise_of(const MapFile& map, const PolygonMesh& surface, const st
   return promise;
 }
 
+// What the claims say of the run that made the map.
+MapPage page_of(const MapFile& map, const std::string& name) {
+  MapPage page;
+  page.title = page_title(name);
+  page.facts = json_text({{"command", "convert"}});
+  const Claims claims = parse_claims(map.claims, name);
+  for (const ClaimedPin& pin : claims.pins.value_or(std::vector<ClaimedPin>()))
+    page.points.push_back({pin.vertex, pin.target, PagePoint::Hold::Pin});
+  return page;
+}
+
 void write_report(const Request& request, WrittenFiles& written) {
   const Json report{{"schema_version", 1},
                     {"version", MAJORANT_VERSION},
@@ -82,6 +94,7 @@ int convert(Request request) {
   request.formats.tessellation.overlap = allowed_overlap(map, request.input);
   const PolygonMesh surface = mesh_from_map(map, request.input);
   const ProofRequest promise = promise_of(map, surface, request.input);
+  if (has_page(request.outputs)) request.formats.page = page_of(map, request.input);
   WrittenFiles written;
   for (const std::string& path : request.outputs)
     written.write(path, [&] {

@@ -36,6 +36,7 @@ class Film {
 
   MapWatcher watcher();                 // the film outlives it
   int every() const { return every_; }  // now
+  std::size_t count() const { return frames_.size(); }
   // The frames and, as the last one, the result, elevated to its degree, by rising iterations.
   std::vector<PageSnapshot> frames(const Frame& result) const;
 

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "apps/command.h"
+#include "apps/film.h"
 #include "apps/map_request.h"
 #include "apps/outputs.h"
 #include "apps/report.h"
@@ -55,6 +56,7 @@ struct FinishedRun {
   double read_seconds = 0;
   std::string scaffold_file;                      // or empty
   const std::optional<InUnitSquare>& normalized;  // how result.map was moved
+  const Film* film = nullptr;                     // of the run, if asked for
 };
 
 // Whether there is a map to write: the run did not fail, and was feasible.

@@ -72,7 +72,8 @@ int unwrap_file(Request request) {
                     ": in the unit square its smallest triangles are too small for doubles; leave "
                     "out --normalize");
   return write_atlas({request.common, request.outputs, request.map, polygons, surface, atlas,
-                      square, record, options_of(request), start, read_seconds});
+                      square, record, options.chart.map.handles, options_of(request), start,
+                      read_seconds});
 }
 
 }  // namespace

@@ -330,10 +330,15 @@ ParametrizationResult parametrize_by(const SolverRules& rules, const BezierMap& 
   const ThreadCount threads(options.solve.threads);
   const ParametrizationOptions resolved = with_targets(start, options);
   // Edges that stay parallel to an axis leave a start no way to turn.
-  if (meets_pins(start, resolved.map.pins) || !options.map.aligned.empty())
-    return Run(rules, start, options, record).solve();
-  require_scale(resolved.map, start);
-  return Run(rules, reach_pins(start, resolved, record), resolved, record).solve();
+  ParametrizationResult result;
+  if (meets_pins(start, resolved.map.pins) || !options.map.aligned.empty()) {
+    result = Run(rules, start, options, record).solve();
+  } else {
+    require_scale(resolved.map, start);
+    result = Run(rules, reach_pins(start, resolved, record), resolved, record).solve();
+  }
+  result.handles = resolved.map.handles;
+  return result;
 }
 
 ParametrizationResult parametrize(const BezierMap& start, const ParametrizationOptions& options,
