@@ -7,6 +7,7 @@
 
 #include "apps/command.h"
 #include "apps/map_request.h"
+#include "apps/progress.h"
 #include "apps/result_files.h"
 #include "majorant/mesh/repair.h"
 #include "majorant/parametrization/atlas/unit_square.h"
@@ -26,6 +27,7 @@ struct FinishedAtlas {
   const RunRecord& record;
   Json options;                                 // as said
   std::chrono::steady_clock::time_point start;  // of the run
+  Progress& progress;
   double read_seconds = 0;
 };
 

@@ -18,6 +18,7 @@
 #include "apps/command.h"
 #include "apps/map_request.h"
 #include "apps/outputs.h"
+#include "apps/progress.h"
 #include "apps/report.h"
 #include "majorant/parametrization/drive/internal/unit_square.h"
 #include "majorant/parametrization/drive/parametrize.h"
@@ -29,6 +30,7 @@ struct OutputRequest {
   std::string positional;
   std::vector<std::string> files;
   FormatOptions formats;
+  std::string distortion;  // table per face, or empty
   bool normalize = false;
 
   // Adds a positional `output` too: call it after the verb's input.
@@ -54,6 +56,7 @@ struct FinishedRun {
   double read_seconds = 0;
   std::string scaffold_file;                      // or empty
   const std::optional<InUnitSquare>& normalized;  // how result.map was moved
+  Progress& progress;
 };
 
 // Whether there is a map to write: the run did not fail, and was feasible.

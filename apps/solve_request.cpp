@@ -5,7 +5,6 @@
 #include "apps/arguments/number_check.h"
 #include "apps/arguments/suggestion.h"
 #include "apps/process.h"
-#include "apps/progress.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/curvature_name.h"
 
@@ -62,9 +61,10 @@ void SolveRequest::require_usable(const OutputRequest& outputs, const MapRequest
   if (outputs.normalize) refuse("--normalize moves the map away from its scaffold; leave it out");
 }
 
-RunRecord SolveRequest::make_record(const CommonOptions& common) const {
+RunRecord SolveRequest::make_record(Progress& progress) const {
   if (!(time_limit >= 0)) throw Error(ErrorKind::Usage, "--time-limit is not a number of seconds");
-  return RunRecord(time_limit, max_iterations, interruption_flag(), make_progress(common));
+  return RunRecord(time_limit, max_iterations, interruption_flag(), progress.steps(),
+                   progress.activities());
 }
 
 }  // namespace majorant::app
