@@ -15,6 +15,7 @@
 #include "majorant/mesh/polygon_mesh.h"
 #include "majorant/parametrization/maps/bezier_map.h"
 #include "majorant/parametrization/maps/bezier_mesh.h"
+#include "majorant/parametrization/maps/measure_distortion.h"
 
 namespace majorant {
 
@@ -32,6 +33,8 @@ struct MapFile {
   Cells seam_edges;              // #F by 3, edges 01, 12, 20: chain + 1, 0 for none; may be empty
   Eigen::VectorXi chart;         // #F, piece of an atlas, 0-based; may be empty
   std::string claims;            // JSON object, what the file promises; may be empty
+  // #F by 6, columns as kFaceDistortionNames, at layout_scale(); may be empty.
+  FaceDistortion face_distortion;
   std::vector<std::string> warnings;  // what a reader left out, as in PolygonMesh; never written
 };
 
@@ -44,7 +47,7 @@ MapFile read_map(const std::string& path, const StopCheck& stop = {});
 // not be written.
 using FileVerification = std::function<void(const std::string& temporary_path)>;
 
-// Distortion, min_det and claims are left empty, cone and seam_edges too unless the map has seams
+// What is measured (distortion, min_det, face_distortion) and claims are left empty, cone and seam_edges too unless the map has seams
 // or cones.
 MapFile to_map_file(const BezierMap& map);
 // A mesh with texture coordinates as a map of degree 1: one point per (v, vt) pair; input_vertex

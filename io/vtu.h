@@ -9,6 +9,8 @@
 //     CellData  input_face     #F Int32     face of the input mesh
 //     CellData  distortion     #F Float64   mean density (if present)
 //     CellData  min_det        #F Float64   certified lower bound of det J (if present)
+//     CellData  sigma_1, sigma_2, area_distortion, angle_distortion, stretch_l2, stretch_linf
+//                              #F Float64   measure_distortion.h (if present, all or none)
 //     CellData  chart          #F Int32     piece of an atlas, from 0 (if present)
 //     CellData  seam_edges  #F by 3 Int32   edges 01, 12, 20: chain + 1, 0 for none (if present)
 //     FieldData majorant_claims  String     JSON, what the file promises (if present)

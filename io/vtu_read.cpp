@@ -208,12 +208,27 @@ class VtuReader {
     if (const XmlElement* array = find_array(section, "min_det")) {
       map_.min_det = matrix<Vec>(*array, 1, 1);
     }
+    read_face_distortion(section);
     if (const XmlElement* array = find_array(section, "chart")) map_.chart = index_array(*array);
     if (const XmlElement* array = find_array(section, "seam_edges")) {
       const Eigen::VectorXi values = index_array(*array);
       if (values.size() != 3 * map_.cells.rows()) fail("seam_edges is not 3 numbers per cell");
       map_.seam_edges = values.reshaped<Eigen::RowMajor>(map_.cells.rows(), 3);
     }
+  }
+
+  // All of its arrays or none: files of before they were written have none.
+  void read_face_distortion(const XmlElement& section) {
+    FaceDistortion all(map_.cells.rows(), Eigen::NoChange);
+    for (std::size_t k = 0; k < kFaceDistortionNames.size(); ++k) {
+      const XmlElement* array = find_array(section, kFaceDistortionNames[k]);
+      if (array == nullptr) return;
+      const Vec values = matrix<Vec>(*array, 1, 1);
+      if (values.size() != all.rows())
+        fail(fmt::format("{} is not one number per cell", kFaceDistortionNames[k]));
+      all.col(static_cast<Eigen::Index>(k)) = values;
+    }
+    map_.face_distortion = std::move(all);
   }
 
   void read_claims(const XmlElement& section) {

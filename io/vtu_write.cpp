@@ -118,6 +118,10 @@ void write_vtu(const std::string& path, const MapFile& map, const FileVerificati
   text.add("</PointData>\n<CellData>\n");
   text.add_array("distortion", 1, map.distortion.data(), map.distortion.size());
   text.add_array("min_det", 1, map.min_det.data(), map.min_det.size());
+  for (std::size_t k = 0; k < kFaceDistortionNames.size(); ++k)
+    text.add_array(kFaceDistortionNames[k], 1,
+                   map.face_distortion.col(static_cast<Eigen::Index>(k)).data(),
+                   map.face_distortion.rows());
   text.add_array("input_face", 1, map.input_face.data(), map.input_face.size());
   text.add_array("chart", 1, map.chart.data(), map.chart.size());
   text.add_array("seam_edges", 3, map.seam_edges.data(), map.seam_edges.size());
