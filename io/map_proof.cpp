@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "majorant/elements/element_space.h"
+#include "majorant/elements/internal/bernstein.h"
 #include "majorant/framework/error.h"
 #include "majorant/io/internal/cut_map.h"
 #include "majorant/io/internal/glued_map.h"
@@ -108,21 +109,59 @@ class MapProof::Judge {
 
   Vector2 corner(Index cell, int k) const { return file_.uv.row(file_.cells(cell, k)); }
 
-  double twice_area(Index cell) const {
-    const Vector2 a = corner(cell, 1) - corner(cell, 0), b = corner(cell, 2) - corner(cell, 0);
-    return cross(a, b);
+  // det J at a point of a cell, and how far it may be from that of the map that the file's digits
+  // make: what uv_rounding changes of it, and rounding here.
+  struct Determinant {
+    double value = 0, error = 0;
+  };
+  Determinant determinant(Index cell, const Barycentric& at) const {
+    const Eigen::MatrixX2d gradients = bernstein_gradients(file_.degree, at);
+    Vector2 first = Vector2::Zero(), second = first;  // from corner 0 to corners 1 and 2
+    for (int l = 0; l < file_.cells.cols(); ++l) {
+      const Vector2 p = corner(cell, l) - corner(cell, 0);  // differences keep their digits
+      first += (gradients(l, 1) - gradients(l, 0)) * p;
+      second -= gradients(l, 0) * p;
+    }
+    // Of the product alone at degree 1, where gradients are -1, 0, 1; else of all terms of a sum.
+    const double operations = file_.degree == 1 ? 4 : 32.0 * static_cast<double>(gradients.rows());
+    return {cross(first, second),
+            rounding_of_det(cell) +
+                operations * std::numeric_limits<double>::epsilon() * reach_of(cell).prod()};
   }
 
-  // What the decimals of a text file, which are not exactly its doubles, may change of twice the
-  // area of a triangle, and rounding of twice_area().
+  // The largest derivatives of the map in these two directions: control points of them are n times
+  // differences of neighbours.
+  Vector2 reach_of(Index cell) const {
+    const TriangleIndices& ix = TriangleIndices::of_degree(file_.degree);
+    Vector2 largest = Vector2::Zero();
+    for (int l = 0; l < ix.count(); ++l) {
+      const auto [i, j, k] = ix.multi(l);
+      if (i == 0) continue;
+      const Vector2 first = corner(cell, ix.local(i - 1, j + 1, k)) - corner(cell, l);
+      const Vector2 second = corner(cell, ix.local(i - 1, j, k + 1)) - corner(cell, l);
+      largest = largest.cwiseMax(Vector2(first.lpNorm<1>(), second.lpNorm<1>()));
+    }
+    return file_.degree * largest;
+  }
+
+  // What the digits of a file, which are not exactly its doubles (decimals; values in place of
+  // control points), may change of det J on a cell. A control point off by r in every coordinate
+  // moves a derivative of degree n by 2 n r.
   double rounding_of_det(Index cell) const {
     if (file_.uv_rounding.rows() == 0) return 0;
-    const double off = 2 * file_.uv_rounding(file_.cells.row(cell), Eigen::all).maxCoeff();
-    if (off == 0) return 0;
-    const Vector2 a = corner(cell, 1) - corner(cell, 0), b = corner(cell, 2) - corner(cell, 0);
-    const double reach = a.lpNorm<1>() + b.lpNorm<1>();
-    return 1.01 * (off * reach + 2 * off * off) +
-           4 * std::numeric_limits<double>::epsilon() * a.lpNorm<1>() * b.lpNorm<1>();
+    const double off =
+        2 * file_.degree * file_.uv_rounding(file_.cells.row(cell), Eigen::all).maxCoeff();
+    return 1.01 * (off * reach_of(cell).sum() + 2 * off * off);
+  }
+
+  // What remains of an answer for the doubles where the digits may be others.
+  ExactPositivity beyond_rounding(Index cell, const ExactPositivity& exact) const {
+    const bool is_certified = exact.result == Positivity::Certified;
+    if (is_certified && file_.degree > 1) return {};  // at degree 1 it is the same everywhere
+    const Determinant det =
+        determinant(cell, is_certified ? Barycentric::Constant(1.0 / 3) : exact.at);
+    const bool holds = is_certified ? det.value > det.error : det.value < -det.error;
+    return holds ? exact : ExactPositivity{};
   }
 
   void judge_positivity() {
@@ -144,7 +183,7 @@ class MapProof::Judge {
       if (proof.result == Positivity::Certified && proof.lower_bound > rounding) continue;
       ExactPositivity exact =
           exact_positivity(file_.uv(file_.cells.row(c), Eigen::all), request_.stop);
-      if (rounding > 0 && std::abs(twice_area(c)) <= rounding) exact = {};  // the decimals decide
+      if (rounding > 0) exact = beyond_rounding(c, exact);
       if (exact.result == Positivity::Certified) continue;
       proof_.not_positive.push_back(c);
       if (is_violated) continue;
