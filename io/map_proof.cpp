@@ -9,11 +9,11 @@
 #include <numbers>
 
 #include "majorant/elements/element_space.h"
-#include "majorant/elements/internal/bernstein.h"
 #include "majorant/framework/error.h"
 #include "majorant/io/internal/cut_map.h"
 #include "majorant/io/internal/glued_map.h"
 #include "majorant/io/internal/repaired_match.h"
+#include "majorant/io/internal/rounded_determinant.h"
 #include "majorant/io/internal/surface_match.h"
 #include "majorant/parametrization/injectivity/internal/exact_positivity.h"
 
@@ -109,61 +109,6 @@ class MapProof::Judge {
 
   Vector2 corner(Index cell, int k) const { return file_.uv.row(file_.cells(cell, k)); }
 
-  // det J at a point of a cell, and how far it may be from that of the map that the file's digits
-  // make: what uv_rounding changes of it, and rounding here.
-  struct Determinant {
-    double value = 0, error = 0;
-  };
-  Determinant determinant(Index cell, const Barycentric& at) const {
-    const Eigen::MatrixX2d gradients = bernstein_gradients(file_.degree, at);
-    Vector2 first = Vector2::Zero(), second = first;  // from corner 0 to corners 1 and 2
-    for (int l = 0; l < file_.cells.cols(); ++l) {
-      const Vector2 p = corner(cell, l) - corner(cell, 0);  // differences keep their digits
-      first += (gradients(l, 1) - gradients(l, 0)) * p;
-      second -= gradients(l, 0) * p;
-    }
-    // Of the product alone at degree 1, where gradients are -1, 0, 1; else of all terms of a sum.
-    const double operations = file_.degree == 1 ? 4 : 32.0 * static_cast<double>(gradients.rows());
-    return {cross(first, second),
-            rounding_of_det(cell) +
-                operations * std::numeric_limits<double>::epsilon() * reach_of(cell).prod()};
-  }
-
-  // The largest derivatives of the map in these two directions: control points of them are n times
-  // differences of neighbours.
-  Vector2 reach_of(Index cell) const {
-    const TriangleIndices& ix = TriangleIndices::of_degree(file_.degree);
-    Vector2 largest = Vector2::Zero();
-    for (int l = 0; l < ix.count(); ++l) {
-      const auto [i, j, k] = ix.multi(l);
-      if (i == 0) continue;
-      const Vector2 first = corner(cell, ix.local(i - 1, j + 1, k)) - corner(cell, l);
-      const Vector2 second = corner(cell, ix.local(i - 1, j, k + 1)) - corner(cell, l);
-      largest = largest.cwiseMax(Vector2(first.lpNorm<1>(), second.lpNorm<1>()));
-    }
-    return file_.degree * largest;
-  }
-
-  // What the digits of a file, which are not exactly its doubles (decimals; values in place of
-  // control points), may change of det J on a cell. A control point off by r in every coordinate
-  // moves a derivative of degree n by 2 n r.
-  double rounding_of_det(Index cell) const {
-    if (file_.uv_rounding.rows() == 0) return 0;
-    const double off =
-        2 * file_.degree * file_.uv_rounding(file_.cells.row(cell), Eigen::all).maxCoeff();
-    return 1.01 * (off * reach_of(cell).sum() + 2 * off * off);
-  }
-
-  // What remains of an answer for the doubles where the digits may be others.
-  ExactPositivity beyond_rounding(Index cell, const ExactPositivity& exact) const {
-    const bool is_certified = exact.result == Positivity::Certified;
-    if (is_certified && file_.degree > 1) return {};  // at degree 1 it is the same everywhere
-    const Determinant det =
-        determinant(cell, is_certified ? Barycentric::Constant(1.0 / 3) : exact.at);
-    const bool holds = is_certified ? det.value > det.error : det.value < -det.error;
-    return holds ? exact : ExactPositivity{};
-  }
-
   void judge_positivity() {
     NodeNumbering numbering;
     numbering.cells = file_.cells;
@@ -179,11 +124,11 @@ class MapProof::Judge {
         break;
       }
       const PositivityProof proof = space.certify(c, x, ProofDepth::kFinal);
-      const double rounding = rounding_of_det(c);
-      if (proof.result == Positivity::Certified && proof.lower_bound > rounding) continue;
-      ExactPositivity exact =
-          exact_positivity(file_.uv(file_.cells.row(c), Eigen::all), request_.stop);
-      if (rounding > 0) exact = beyond_rounding(c, exact);
+      if (proof.result == Positivity::Certified &&
+          proof.lower_bound > rounding_of_determinant(file_, c))
+        continue;
+      const ExactPositivity exact = beyond_rounding(
+          file_, c, exact_positivity(file_.uv(file_.cells.row(c), Eigen::all), request_.stop));
       if (exact.result == Positivity::Certified) continue;
       proof_.not_positive.push_back(c);
       if (is_violated) continue;
