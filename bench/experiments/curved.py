@@ -133,8 +133,8 @@ def root_mean_square(degrees, lengths):
 
 
 # ------------------------------------------------------------------ pictures
-def outlines(image, pieces):
-    """All edges as one polyline with gaps."""
+def outlines(image, pieces, box):
+    """All edges that touch the box (u from, to, v from, to; None: all), as one polyline with gaps."""
     s = np.linspace(0, 1, (pieces if image.degree > 1 else 1) + 1)
     lines, seen = [], set()
     for side in range(3):
@@ -142,7 +142,7 @@ def outlines(image, pieces):
         points[:, side], points[:, (side + 1) % 3] = 1 - s, s
         for line in image.values(points):
             ends = tuple(sorted(map(tuple, line[[0, -1]].tolist())))
-            if ends not in seen:
+            if ends not in seen and touches(line, box):
                 seen.add(ends)
                 lines.append(line)
     return joined(lines)
@@ -183,8 +183,12 @@ def joined(lines):
     return np.concatenate([part for line in lines for part in (line, gap)]).T
 
 
-def draw_layout(axis, image, colour, width=0.4, pieces=5):
-    axis.plot(*outlines(image, pieces), color=colour, linewidth=width, solid_joinstyle='round')
+def touches(line, box):
+    return box is None or (line.min(0) <= [box[1], box[3]]).all() and (line.max(0) >= [box[0], box[2]]).all()
+
+
+def draw_layout(axis, image, colour, width=0.4, box=None, pieces=4):
+    axis.plot(*outlines(image, pieces, box), color=colour, linewidth=width, solid_joinstyle='round')
     axis.set_aspect('equal')
     axis.set_axis_off()
 

@@ -64,11 +64,11 @@ def draw(rows):
     over = np.array([[1, 0, 0], [0, math.cos(tilt), -math.sin(tilt)], [0, math.sin(tilt), math.cos(tilt)]])
     figure, axes = experiment.panels(1, 3, 2.8, 3)
     model = rows[0]['model']
-    spacing = math.sqrt(IMAGES[model, 1].area.sum()) / 40
+    spacing = math.sqrt(IMAGES[model, 1].area.sum()) / 32
     for axis, degree in zip(axes[0], (0, *DEGREES)):
         image = IMAGES[model, degree]
         scale = 1 if degree else math.sqrt(area_of_layout(image) / image.area.sum())
-        axis.imshow(curved.picture(image, over @ around, spacing * scale, 300))
+        axis.imshow(curved.picture(image, over @ around, spacing * scale, 230))
         axis.set_title({0: 'start', 1: 'linear', 4: 'quartic'}[degree])
         axis.set_axis_off()
     return figure

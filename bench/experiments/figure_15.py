@@ -36,8 +36,7 @@ def judge(rows):
     return [experiment.Criterion('up to %d points end more than 1 %% above the best more often than not' % FEW,
                                  experiment.count(few), sum(few) > len(few) / 2),
             experiment.Criterion('36 and 78 points end within 1 % of the best', experiment.count(enough),
-                                 all(enough), 'Where they do not, other numbers of points are held at the limit '
-                                 'of injectivity, too: which one gets far is chance.'),
+                                 all(enough), 'The others are held at the limit of injectivity.'),
             experiment.Criterion('Gauss points end higher than 36 and 78 uniform ones, more often than not',
                                  experiment.count(worse), sum(worse) > len(worse) / 2,
                                  'On maps that do not get stuck a rule of higher order integrates better '

@@ -56,8 +56,7 @@ def judge(rows):
                                  experiment.count(few['elevated']),
                                  sum(few['elevated']) > len(few['elevated']) / 2),
             experiment.Criterion('36 and 78 points do', experiment.count(enough), all(enough),
-                                 'The rest is held at the limit of injectivity, which no number of '
-                                 'lattice points sees.')]
+                                 'The others are held at the limit of injectivity.')]
 
 
 if __name__ == '__main__':

@@ -56,9 +56,9 @@ def judge(rows):
                                                                          for part in parts))
                                        for setting, parts in medians.items()),
                              all(parts == sorted(parts) for parts in medians.values()),
-                             'With a fixed boundary the gain does not come from the surface: faces with two or '
-                             'three corners on the circle are squeezed whatever the resolution, and only '
-                             'curved ones can give way.'),
+                             'With a fixed boundary those models gain most, at every resolution, that have '
+                             'faces with all three corners on the circle (helix, koala, plane, scorpion, '
+                             'skull): straight ones are squeezed there, curved ones are not.'),
         experiment.Criterion('held points make it larger more often than not', experiment.count(more),
                              sum(more) > len(more) / 2),
         experiment.Criterion('going from quadratic to cubic is at most a quarter of the gain, in the median',
