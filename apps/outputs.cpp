@@ -131,6 +131,22 @@ std::string extension(const std::string& path) {
   return e;
 }
 
+std::vector<std::string> map_extensions(std::vector<std::string> also) {
+  also.insert(also.begin(), {".vtu", ".obj", ".svg", ".png", ".html"});
+  return also;
+}
+
+std::string output_help(const std::vector<std::string>& extensions) {
+  return fmt::format("output: {}, repeatable", fmt::join(extensions, " "));
+}
+
+void require_some_output(const std::vector<std::string>& outputs,
+                         const std::vector<std::string>& extensions) {
+  if (outputs.empty())
+    throw Error(ErrorKind::Usage, fmt::format("no output file; add -o OUT, its name ending in {}",
+                                              fmt::join(extensions, " ")));
+}
+
 void require_writable(const CommonOptions& common, const std::vector<OutputNames>& outputs,
                       const std::vector<std::string>& inputs) {
   std::vector<OutputNames> all = outputs;
@@ -216,8 +232,8 @@ void FormatOptions::add_pictures_to(CLI::App& verb) {
           [this](const std::string& answer) {
             svg.alignment = png.alignment = answer == "yes" ? Alignment::Always : Alignment::Never;
           },
-          "turn the layout, its longer side along u, also in data; no: not even in pictures, where "
-          "layouts that nothing holds are turned by themselves")
+          "pictures of the layout: its longer side lies (default where nothing holds the layout as "
+          "it is)")
       ->type_name("yes|no")
       ->default_str("yes")  // what it is without a value
       ->expected(0, 1)
@@ -246,6 +262,11 @@ void write_map(const std::string& path, const MapFile& map, const PolygonMesh* i
   if (e == ".obj") write_obj(path, map, input, options.tessellation, verify);
   if (e == ".svg") write_svg(path, map, options.svg);
   if (e == ".png") write_png(path, map, options.png);
+  if (e == ".html") {
+    MapPage page = options.page;
+    page.map = map;
+    write_page(path, page);
+  }
 }
 
 }  // namespace majorant::app
