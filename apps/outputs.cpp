@@ -13,7 +13,6 @@
 #include "majorant/framework/error.h"
 #include "majorant/io/vtu.h"
 #include "majorant/io/write_obj.h"
-#include "majorant/pictures/write_page.h"
 
 namespace majorant::app {
 namespace {
@@ -70,6 +69,22 @@ std::string extension(const std::string& path) {
   std::string e = std::filesystem::path(path).extension().string();
   std::transform(e.begin(), e.end(), e.begin(), [](unsigned char c) { return std::tolower(c); });
   return e;
+}
+
+std::vector<std::string> map_extensions(std::vector<std::string> also) {
+  also.insert(also.begin(), {".vtu", ".obj", ".svg", ".html"});
+  return also;
+}
+
+std::string output_help(const std::vector<std::string>& extensions) {
+  return fmt::format("output: {}, repeatable", fmt::join(extensions, " "));
+}
+
+void require_some_output(const std::vector<std::string>& outputs,
+                         const std::vector<std::string>& extensions) {
+  if (outputs.empty())
+    throw Error(ErrorKind::Usage, fmt::format("no output file; add -o OUT, its name ending in {}",
+                                              fmt::join(extensions, " ")));
 }
 
 void require_writable(const CommonOptions& common, const std::vector<OutputNames>& outputs,
@@ -148,7 +163,11 @@ void write_map(const std::string& path, const MapFile& map, const PolygonMesh* i
   if (e == ".vtu") write_vtu(path, map, verify);
   if (e == ".obj") write_obj(path, map, input, options.tessellation, verify);
   if (e == ".svg") write_svg(path, map, options.svg);
-  if (e == ".html") write_page(path, {.title = path, .map = map});
+  if (e == ".html") {
+    MapPage page = options.page;
+    page.map = map;
+    write_page(path, page);
+  }
 }
 
 }  // namespace majorant::app

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "apps/command.h"
+#include "apps/film.h"
 #include "apps/map_request.h"
 #include "apps/outputs.h"
 #include "apps/report.h"
@@ -28,6 +29,7 @@ namespace majorant::app {
 struct OutputRequest {
   std::string positional;
   std::vector<std::string> files;
+  std::vector<std::string> extensions = map_extensions({".json", ".csv"});  // that the verb writes
   FormatOptions formats;
   bool normalize = false;
 
@@ -54,6 +56,7 @@ struct FinishedRun {
   double read_seconds = 0;
   std::string scaffold_file;                      // or empty
   const std::optional<InUnitSquare>& normalized;  // how result.map was moved
+  const Film* film = nullptr;                     // of the run, if asked for
 };
 
 // Whether there is a map to write: the run did not fail, and was feasible.
