@@ -7,14 +7,17 @@
 #include <bit>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string_view>
 #include <vector>
 
+#include "majorant/energies/internal/energy_text.h"
 #include "majorant/framework/error.h"
 #include "majorant/io/internal/base64.h"
 #include "majorant/io/internal/bezier_cell.h"
 #include "majorant/io/internal/json_depth.h"
-#include "majorant/io/internal/map_check.h"
+#include "majorant/io/layout_scale.h"
+#include "majorant/pictures/color_scale.h"
 
 namespace majorant {
 namespace {
@@ -162,6 +165,37 @@ Json snapshots_of(const MapPage& page, const PageOrder& order) {
   return snapshots;
 }
 
+Json scale_of(Quantity quantity, const ColorScale& scale) {
+  std::vector<std::uint8_t> colors;
+  for (const Color& color : scale.colors())
+    colors.insert(colors.end(), {color.red, color.green, color.blue});
+  Json ticks = Json::array();
+  for (const ColorScale::Tick& tick : scale.ticks())
+    ticks.push_back({{"value", tick.value}, {"label", tick.label}, {"position", tick.position}});
+  return {{"name", quantity_name(quantity)},
+          {"label", scale.label()},
+          {"diverging", scale.shape() == ColorScale::Shape::Diverging},
+          {"low", scale.low()},
+          {"neutral", scale.neutral()},
+          {"high", scale.high()},
+          {"unit", scale.unit()},
+          {"colors", base64_of(colors)},
+          {"ticks", ticks}};
+}
+
+// Of every quantity; the density only where the claims name an energy.
+Json scales_of(const Json& claims) {
+  std::optional<EnergySum> energy;
+  const auto named = claims.find("energy");
+  if (named != claims.end() && named->is_string())
+    energy = find_energy_sum(named->get<std::string>());
+  Json scales = Json::array();
+  for (const Quantity quantity : kQuantities)
+    if (energy || quantity != Quantity::Density)
+      scales.push_back(scale_of(quantity, color_scale(quantity, energy.value_or(EnergySum()))));
+  return scales;
+}
+
 Json parsed_object(const std::string& what, const std::string& text) {
   require_shallow_json(what, text);
   const Json parsed = Json::parse(text.empty() ? "{}" : text, nullptr, false);
@@ -191,8 +225,9 @@ Json page_data(const MapPage& page) {
   data["faults"] = faults_of(page);
   data["snapshots"] = snapshots_of(page, order);
   if (page.scaffold) data["scaffold"] = plane_of(*page.scaffold);
-  data["scale"] = {{"value", 1.0}, {"assumed", false}};
+  data["scale"] = {{"value", layout_scale(map)}, {"assumed", has_assumed_scale(map)}};
   data["claims"] = parsed_object("the map's claims", map.claims);
+  data["scales"] = scales_of(data["claims"]);
   data["facts"] = parsed_object("what is known of the map", page.facts);
   return data;
 }

@@ -2,8 +2,8 @@
 
 import {MOUSE, OrthographicCamera, TOUCH, Vector3} from 'three';
 
-import {locate} from './bezier.js';
-import {controlOf} from './map_data.js';
+import {combine, locate} from './bezier.js';
+import {controlOf, evaluate} from './map_data.js';
 import * as shaders from './shaders.js';
 import {Mesh, drawable, latticeGeometry, material} from './stage.js';
 import {View} from './view.js';
@@ -19,11 +19,47 @@ export class LayoutView extends View {
       mouseButtons: {LEFT: MOUSE.PAN, MIDDLE: MOUSE.DOLLY, RIGHT: MOUSE.PAN},
       touches: {ONE: TOUCH.PAN, TWO: TOUCH.DOLLY_PAN},
     });
+    this.controls.update();
+    this.homePose = this.pose();
     if (shared.map.scaffold) this.addScaffold(shared.map.scaffold);
   }
 
+  // The middle of the view, relative to the layout's size, and zoom.
+  pose() { return [this.controls.target.x, this.controls.target.y, this.camera.zoom]; }
+
+  setPose([x, y, zoom]) {
+    this.controls.target.set(x, y, 0);
+    this.camera.position.set(x, y, 1);
+    this.camera.zoom = zoom;
+    this.controls.update();
+    this.stage.request(this);
+  }
+
+  // By tenths of what is seen.
+  move(right, up) {
+    const [x, y, zoom] = this.pose();
+    this.setPose([x + 0.1 * right * this.extent / zoom, y + 0.1 * up * this.extent / zoom, zoom]);
+    this.controls.dispatchEvent({type: 'change'});
+  }
+
+  pointAt({face, xi}) {
+    const {map, uv} = this.shared;
+    const {center, size} = map.uvBounds;
+    const [u, v] = combine(evaluate(map, face, xi, uv), xi);
+    return new Vector3((u - center[0]) / size, (v - center[1]) / size, 0);
+  }
+
+  // Into the middle, large enough to be seen.
+  focusOn(place) {
+    const {map} = this.shared;
+    const box = this.boxes(this.shared.uv).subarray(4 * place.face, 4 * place.face + 4);
+    const size = Math.max(box[2] - box[0], box[3] - box[1]) / map.uvBounds.size;
+    const {x, y} = this.pointAt(place);
+    this.setPose([x, y, Math.min(1500, Math.max(1, 0.1 / Math.max(size, 1e-6)))]);
+  }
+
   addScaffold(scaffold) {
-    const geometry = latticeGeometry(this.piecesOf(scaffold), scaffold.faceCount);
+    const geometry = latticeGeometry(1, scaffold.faceCount);
     const uniforms = {...this.uniforms, uControl: {value: this.shared.scaffoldControl}};
     this.scaffold = this.add(drawable(
         Mesh, geometry,

@@ -8,7 +8,7 @@ import {kTextureWidth} from './textures.js';
 
 // What fragments show: numbers of uMode.
 export const modes = {
-  checker: 0, grid: 1, image: 2, heat: 3, chart: 4, plain: 5,
+  checker: 0, grid: 1, image: 2, heat: 3, chart: 4,
   uvPass: 10, facePass: 11, baryPass: 12, quantityPass: 13,
 };
 // Numbers of uQuantity.
@@ -110,7 +110,9 @@ uniform vec4 uScale;         // 1 for diverging; log s(low), log s(high); neutra
 uniform float uUnit;         // of the scale
 uniform vec2 uBrush;         // positions on the scale that are selected
 uniform vec3 uChecker;       // cells along the size of uv, phase of u and v
-uniform vec3 uAccent, uFlipped, uFault;
+uniform vec3 uImageFrame;    // likewise of the image
+uniform vec3 uAccent, uFlipped;
+uniform bool uFaultsShown;
 uniform float uEdges;        // how dark edges are
 uniform vec3 uEye;           // direction to the eye
 uniform float uPixel;        // device pixels a CSS pixel
@@ -148,7 +150,7 @@ float scalePosition(float value) {
 float wave(float x, float w) {
   vec2 t = vec2(x - 0.5 * w, x + 0.5 * w) * 0.5;
   vec2 integral = floor(t) + min(fract(t) * 2.0, 1.0);
-  return w < 1e-6 ? step(fract(x * 0.5), 0.4999) : (integral.y * 1.0 - integral.x) / w;
+  return w < 1e-6 ? step(fract(x * 0.5), 0.4999) : (integral.y - integral.x) / w;
 }
 
 vec3 checker(vec2 uv) {
@@ -201,8 +203,8 @@ void main() {
   vec3 color = vec3(0.86);
   if (uMode == ${modes.checker}) color = checker(uv);
   if (uMode == ${modes.grid}) color = grid(uv);
-  if (uMode == ${modes.image}) color = texture(uImage, uv + 0.5).rgb;
-  if (uMode == ${modes.chart}) color = texelFetch(uTints, ivec2(int(face.x), 0), 0).rgb;
+  if (uMode == ${modes.image}) color = texture(uImage, uv * uImageFrame.x + uImageFrame.yz).rgb;
+  if (uMode == ${modes.chart}) color = mix(vec3(1.0), texelFetch(uTints, ivec2(int(face.x), 0), 0).rgb, 0.55);
   if (uMode == ${modes.heat})
     color = flipped ? uFlipped : texture(uColors, vec2((position * 255.0 + 0.5) / 256.0, 0.5)).rgb;
   if (flipped ? uBrush.x > 0.0 : position < uBrush.x || position > uBrush.y)
@@ -213,8 +215,8 @@ void main() {
   float small = 1.0 - smoothstep(0.06, 0.35, max(width.x, max(width.y, width.z)) / uPixel);
   float near = min(far.x, min(far.y, far.z));
   color *= 1.0 - uEdges * small * (1.0 - smoothstep(0.1 * uPixel, 0.9 * uPixel, near));
-  if (face.y > 0.5 && mod(gl_FragCoord.x + gl_FragCoord.y, 9.0 * uPixel) < 4.0 * uPixel)
-    color = uFault;
+  if (uFaultsShown && face.y > 0.5 && mod(gl_FragCoord.x + gl_FragCoord.y, 9.0 * uPixel) < 4.0 * uPixel)
+    color = uFlipped;
   if (vFace == uHovered) color = mix(color, uAccent, 0.28);
   if (vFace == uPinned)
     color = mix(color, uAccent, max(0.4, 1.0 - smoothstep(1.5 * uPixel, 2.5 * uPixel, near)));

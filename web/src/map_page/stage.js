@@ -10,15 +10,17 @@ import {modes} from './shaders.js';
 
 // Barycentric coordinates of a triangle cut into k * k, as the geometry of every cell.
 export function latticeGeometry(k, instances) {
-  const corners = [];
-  const add = (i, j) => corners.push(i / k, j / k, (k - i - j) / k);
-  for (let i = 0; i < k; ++i)
-    for (let j = 0; j < k - i; ++j) {
-      add(i + 1, j), add(i, j + 1), add(i, j);
-      if (i + j < k - 1) add(i, j + 1), add(i + 1, j), add(i + 1, j + 1);
+  const points = [], triangles = [];
+  const number = (i, j) => i * (k + 1) - (i * (i - 1)) / 2 + j;
+  for (let i = 0; i <= k; ++i)
+    for (let j = 0; j <= k - i; ++j) {
+      points.push(i / k, j / k, (k - i - j) / k);
+      if (i + j < k) triangles.push(number(i + 1, j), number(i, j + 1), number(i, j));
+      if (i + j < k - 1) triangles.push(number(i, j + 1), number(i + 1, j), number(i + 1, j + 1));
     }
   const geometry = new InstancedBufferGeometry();
-  geometry.setAttribute('position', new Float32BufferAttribute(corners, 3));
+  geometry.setAttribute('position', new Float32BufferAttribute(points, 3));
+  geometry.setIndex(triangles);
   geometry.instanceCount = instances;
   return geometry;
 }
@@ -68,11 +70,11 @@ export function drawable(Kind, geometry, itsMaterial, order) {
 export {Mesh, Points, Scene};
 
 export class Stage {
-  // canvas: covers all views. views: [{scene, camera, element, beforeRender()}].
+  // canvas: covers all views. views: see view.js.
   constructor(canvas) {
     this.canvas = canvas;
     this.renderer = new WebGLRenderer({canvas, antialias: true, alpha: true,
-                                       preserveDrawingBuffer: false});
+                                       preserveDrawingBuffer: true});
     this.renderer.info.autoReset = false;
     this.renderer.setClearColor(new Color(0, 0, 0), 0);
     this.views = [];
@@ -81,13 +83,14 @@ export class Stage {
     this.frames = 0;
   }
 
-  // Draws before the next frame is shown.
-  request() {
+  // Draws before the next frame is shown: one view, or all.
+  request(view = null) {
+    for (const other of this.views) other.isOld ||= !view || other === view;
     if (this.waiting) return;
     this.waiting = true;
     requestAnimationFrame(() => {
       this.waiting = false;
-      this.render();
+      this.render(this.views.filter((other) => other.isOld));
     });
   }
 
@@ -95,7 +98,6 @@ export class Stage {
     const {width, height} = this.canvas.parentElement.getBoundingClientRect();
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));
     this.renderer.setSize(width, height, false);
-    for (const view of this.views) view.resize();
     this.request();
   }
 
@@ -107,11 +109,12 @@ export class Stage {
             width: inner.width, height: inner.height, total: outer.height};
   }
 
-  render() {
+  render(views = this.views) {
     const {renderer} = this;
     renderer.info.reset();
     renderer.setScissorTest(true);
-    for (const view of this.views) {
+    for (const view of views) {
+      view.isOld = false;
       const {x, y, width, height, total} = this.rectangleOf(view);
       if (width < 1 || height < 1) continue;
       renderer.setViewport(x, total - y - height, width, height);

@@ -22,24 +22,96 @@ export function meet(origin, way, p, q, r) {
   return [(bx * kx + by * ky + bz * kz) / det, b, c];
 }
 
+const kMargin = 1.05;  // around what is seen first
+const kDistance = 4;   // of the camera, in radii
+const kOneSided = 0.2;  // sum of normals over area, from which a surface is seen from its front
+
+// Open surfaces from where most of them is seen, closed ones from the front, a little aside.
+function firstView(map) {
+  const sum = [0, 0, 0];
+  let area = 0;
+  for (let face = 0; face < map.faceCount; ++face) {
+    const [p, q, r] = cornersOf(map, face).map((c) => new Vector3(...positionOf(map, c)));
+    const normal = q.sub(p).cross(r.sub(p)).multiplyScalar(0.5);
+    normal.toArray().forEach((x, d) => { sum[d] += x; });
+    area += normal.length();
+  }
+  const length = Math.hypot(...sum);
+  const eye = length > kOneSided * area ? sum.map((x) => x / length) : [0.35, 0.25, 1];
+  return {eye, up: Math.abs(eye[1]) > 0.9 ? [0, 0, eye[1] > 0 ? -1 : 1] : [0, 1, 0]};
+}
+
 export class SurfaceView extends View {
   constructor(stage, element, shared) {
     const camera = new OrthographicCamera(-1, 1, 1, -1, -10, 20);
-    camera.position.set(0, 0, 4);
+    const {eye, up} = firstView(shared.map);
+    camera.up.set(...up);  // before OrbitControls look
+    camera.position.set(...eye).setLength(kDistance);
     super('surface', stage, element, camera, shared);
-    this.extent = 2.15;
-    this.controls.enablePan = true;
-    this.controls.minZoom = 0.2;
-    this.controls.maxZoom = 500;
-    this.controls.zoomToCursor = true;
+    this.extent = kMargin * this.shownSize(eye, up);
+    Object.assign(this.controls, {minZoom: 0.2, maxZoom: 500, zoomToCursor: true});
+    this.controls.update();
+    this.homePose = this.pose();
   }
 
-  // From a direction, the target in the middle.
-  lookFrom(way, up = [0, 1, 0]) {
-    this.controls.target.set(0, 0, 0);
-    this.camera.up.set(...up);
-    this.camera.position.copy(new Vector3(...way).normalize().multiplyScalar(4));
+  // The larger side of what is seen from there, in radii.
+  shownSize(eye, up) {
+    const back = new Vector3(...eye).normalize();
+    const right = new Vector3(...up).cross(back).normalize();
+    const axes = [right, back.clone().cross(right)];
+    const {map, surfaceFrame: {center, radius}} = this.shared;
+    let most = 0;
+    for (let corner = 0; corner < map.cornerCount; ++corner) {
+      const p = new Vector3(...positionOf(map, corner)).sub(new Vector3(...center));
+      for (const axis of axes) most = Math.max(most, Math.abs(p.dot(axis)));
+    }
+    return 2 * most / radius || 2;
+  }
+
+  // Direction to the eye, what it looks at (in the frame of the view), zoom.
+  pose() {
+    const {camera, controls: {target}} = this;
+    const eye = camera.position.clone().sub(target).normalize();
+    return [eye.x, eye.y, eye.z, target.x, target.y, target.z, camera.zoom];
+  }
+
+  setPose([x, y, z, tx, ty, tz, zoom]) {
+    this.controls.target.set(tx, ty, tz);
+    this.camera.position.set(x, y, z).setLength(kDistance).add(this.controls.target);
+    this.camera.zoom = zoom;
     this.controls.update();
+    this.stage.request(this);
+  }
+
+  pointAt({face, xi}) {
+    const {map, surfaceFrame: {center, radius}} = this.shared;
+    const corners = cornersOf(map, face).map((corner) => positionOf(map, corner));
+    return new Vector3(...[0, 1, 2].map((d) =>
+        (xi[0] * corners[0][d] + xi[1] * corners[1][d] + xi[2] * corners[2][d] - center[d]) /
+        radius));
+  }
+
+  // Its normal, and the length of its longest edge.
+  shapeOf(face) {
+    const [p, q, r] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map((xi) => this.pointAt({face, xi}));
+    const normal = q.clone().sub(p).cross(r.clone().sub(p));
+    if (normal.length() === 0) normal.set(0, 0, 1);
+    return {normal: normal.normalize(),
+            size: Math.max(p.distanceTo(q), q.distanceTo(r), r.distanceTo(p), 1e-6)};
+  }
+
+  // Turns a face that looks away to the eye.
+  turnTo({face}) {
+    const {normal} = this.shapeOf(face);
+    const pose = this.pose();
+    if (normal.dot(new Vector3(...pose)) < 0.2) this.setPose([...normal, ...pose.slice(3)]);
+  }
+
+  // Turns a face to the eye, in the middle, large enough to be seen.
+  focusOn(place) {
+    const {normal, size} = this.shapeOf(place.face);
+    const zoom = Math.min(400, Math.max(1, 0.2 / size));
+    this.setPose([...normal, ...this.pointAt(place), zoom]);
   }
 
   // Turns the camera around its target by radians.
@@ -51,7 +123,7 @@ export class SurfaceView extends View {
     if (new Vector3().crossVectors(this.camera.up, steep).dot(across) > 0.02) arm.copy(steep);
     this.camera.position.copy(this.controls.target).add(arm);
     this.controls.update();
-    this.stage.request();
+    this.stage.request(this);
   }
 
   // {face, xi} under the mouse, or null.

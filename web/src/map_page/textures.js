@@ -59,12 +59,8 @@ export function faceTexture(map, tintCount) {
   const {data} = texture.image;
   for (let face = 0; face < map.faceCount; ++face)
     data[4 * face] = map.chart ? map.chart[face] % tintCount : 0;
+  for (const {face} of map.faults) data[4 * face + 1] = 1;
   return texture;
-}
-
-export function markFaults(texture, faults) {
-  for (const {face} of faults) texture.image.data[4 * face + 1] = 1;
-  texture.needsUpdate = true;
 }
 
 // A row of colours, bytes r, g, b each.

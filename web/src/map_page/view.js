@@ -7,6 +7,11 @@ import * as shaders from './shaders.js';
 import {Mesh, Points, Scene, dotsGeometry, drawable, latticeGeometry, linesGeometry,
         material} from './stage.js';
 
+const kPieces = [1, 2, 3, 4, 6, 8, 12];  // of curved edges
+const kChord = 7;            // CSS pixels
+const kLinePieces = 8;       // of curved outlines
+const kUsualHeight = 600;    // CSS pixels
+
 export class View {
   // kind: 'surface' or 'layout'; scene: what main.js shares between views: map, energy, uniforms.
   constructor(kind, stage, element, camera, shared) {
@@ -20,21 +25,38 @@ export class View {
     };
     this.straight = {...this.uniforms, uStraight: {value: true}};
     const {map, energy} = shared;
-    const faces = latticeGeometry(kind === 'surface' ? 1 : this.piecesOf(map), map.faceCount);
+    const faces = latticeGeometry(1, map.faceCount);
     const faceMaterial = (uniforms) => material(
         shaders.facesVertex(map, kind), shaders.facesFragment(map, energy, kind), uniforms);
     this.faces = this.add(drawable(Mesh, faces, faceMaterial(this.uniforms), 1));
     if (kind === 'layout')
       this.straightFaces = this.add(drawable(Mesh, faces, faceMaterial(this.straight), 1));
     this.controls = new OrbitControls(camera, element);
-    this.controls.addEventListener('change', () => stage.request());
+    this.controls.addEventListener('change', () => stage.request(this));
     stage.views.push(this);
   }
 
-  // Along the edges of cells: chords are hardly seen; coarser where there are very many.
-  piecesOf({degree, faceCount}) {
-    if (degree === 1) return 1;
-    return Math.max(2, Math.min(degree === 2 ? 6 : 10, Math.round(Math.sqrt(4e5 / faceCount))));
+  // Along the edges of cells, so that chords are a few pixels long: more where the view is closer.
+  piecesOf({degree, faceCount}, height = kUsualHeight) {
+    if (this.kind === 'surface' || degree === 1) return 1;
+    const cell = height * this.camera.zoom / Math.sqrt(faceCount);
+    return kPieces.find((pieces) => pieces * kChord >= cell) ?? kPieces.at(-1);
+  }
+
+  // Takes finer or coarser geometry where the camera has come closer or gone away.
+  refine(height) {
+    for (const [plane, objects] of [[this.shared.map, [this.faces, this.straightFaces]],
+                                    [this.shared.map.scaffold, [this.scaffold]]]) {
+      if (!plane || !objects[0]) continue;
+      const pieces = this.piecesOf(plane, height);
+      for (const object of objects) {
+        if (!object || object.userData.pieces === pieces) continue;
+        object.userData.pieces = pieces;
+        const geometry = latticeGeometry(pieces, plane.faceCount);
+        object.geometry.dispose();
+        object.geometry = geometry;
+      }
+    }
   }
 
   add(object) {
@@ -44,7 +66,7 @@ export class View {
 
   setLines(lines) {
     const {map} = this.shared;
-    const pieces = this.kind === 'surface' ? 1 : this.piecesOf(map);
+    const pieces = this.kind === 'surface' || map.degree === 1 ? 1 : kLinePieces;
     for (const old of [this.lines, this.straightLines]) if (old) this.scene.remove(old);
     this.lines = this.straightLines = null;
     if (lines.length === 0) return;
@@ -70,6 +92,7 @@ export class View {
   // Before it is drawn into a rectangle that begins `left` device pixels from the target's edge.
   prepare({left, width, height, pixel}) {
     this.fit(width, height);
+    this.refine(height);
     this.camera.updateMatrixWorld();
     this.uniforms.uCamera.value.multiplyMatrices(this.camera.projectionMatrix,
                                                  this.camera.matrixWorldInverse);
@@ -94,12 +117,31 @@ export class View {
     camera.updateProjectionMatrix();
   }
 
-  resize() {}
-
   // Where in the element, -1 to 1, y up.
   deviceCoordinates(event) {
     const box = this.element.getBoundingClientRect();
     return [2 * (event.clientX - box.left) / box.width - 1,
             1 - 2 * (event.clientY - box.top) / box.height];
   }
+
+  // Where a place {face, xi} is shown, in halves of the view's height, y up.
+  onScreen(place) {
+    const p = this.pointAt(place).project(this.camera);
+    return [p.x * this.camera.right / this.camera.top, p.y];
+  }
+
+  pickMiddle() {
+    const box = this.element.getBoundingClientRect();
+    return this.pick({clientX: box.left + box.width / 2, clientY: box.top + box.height / 2});
+  }
+
+  zoomBy(factor) {
+    const {minZoom, maxZoom} = this.controls;
+    this.camera.zoom = Math.min(maxZoom, Math.max(minZoom, this.camera.zoom * factor));
+    this.controls.update();
+    this.controls.dispatchEvent({type: 'change'});
+  }
+
+  // Whether it shows something else than at the beginning.
+  wasMoved() { return this.pose().join() !== this.homePose.join(); }
 }
