@@ -70,9 +70,7 @@ MapPage page_of(const MapFile& map, const std::string& name) {
   MapPage page;
   page.title = page_title(name);
   page.facts = json_text({{"command", "convert"}});
-  const Claims claims = parse_claims(map.claims, name);
-  for (const ClaimedPin& pin : claims.pins.value_or(std::vector<ClaimedPin>()))
-    page.points.push_back({pin.vertex, pin.target, PagePoint::Hold::Pin});
+  page.points = claimed_points(parse_claims(map.claims, name), map);
   return page;
 }
 

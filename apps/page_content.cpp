@@ -67,4 +67,12 @@ std::vector<PagePoint> pulled_points(const std::vector<Pin>& handles, const Surf
   return points;
 }
 
+std::vector<PagePoint> claimed_points(const Claims& claims, const MapFile& map) {
+  std::vector<PagePoint> points;
+  for (const ClaimedPin& pin : claims.pins.value_or(std::vector<ClaimedPin>()))
+    if ((map.input_vertex.array() == pin.vertex).any())
+      points.push_back({pin.vertex, pin.target, PagePoint::Hold::Pin});
+  return points;
+}
+
 }  // namespace majorant::app

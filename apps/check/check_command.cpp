@@ -152,8 +152,7 @@ MapPage page_of(const Check& check) {
   page.facts = page_facts(check.report);
   for (const Index cell : check.proof->not_positive)
     page.faults.push_back({cell, describe_fault(*check.proof, cell)});
-  for (const ClaimedPin& pin : check.claims.pins.value_or(std::vector<ClaimedPin>()))
-    page.points.push_back({pin.vertex, pin.target, PagePoint::Hold::Pin});
+  page.points = claimed_points(check.claims, check.file);
   return page;
 }
 

@@ -16,7 +16,7 @@ import subprocess
 import sys
 import tempfile
 
-CHROMIUM = '/usr/bin/chromium'
+CHROMIUM = shutil.which('chromium')
 
 WATCH = """<script>
 const surprises = [];
@@ -120,8 +120,8 @@ def check(page, folder, width):
 
 
 def main():
-    if not os.path.exists(CHROMIUM):
-        print('there is no', CHROMIUM)
+    if not CHROMIUM:
+        print('skipped: no chromium')
         return 77
     folder = tempfile.mkdtemp(prefix='majorant_pages_')
     try:
