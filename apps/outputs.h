@@ -21,6 +21,7 @@
 #include "majorant/io/map_file.h"
 #include "majorant/mesh/polygon_mesh.h"
 #include "majorant/pictures/write_page.h"
+#include "majorant/pictures/write_png.h"
 #include "majorant/pictures/write_svg.h"
 
 namespace majorant::app {
@@ -72,13 +73,17 @@ class WrittenFiles {
 struct FormatOptions {
   TessellationOptions tessellation;  // of OBJ
   SvgOptions svg;
+  PngOptions png;
   MapPage page;  // but for its map
 
-  void add_to(CLI::App& verb);  // --refine --grid
+  void add_to(CLI::App& verb);  // --refine --grid --color-range ...
+
+ private:
+  void add_pictures_to(CLI::App& verb);
 };
 
 // Writes one of the map formats. input may be null. verify: of formats that hold data; pictures
-// (.svg, .html) have nothing to verify.
+// (.svg, .png, .html) have nothing to verify.
 void write_map(const std::string& path, const MapFile& map, const PolygonMesh* input,
                const FormatOptions& options, const FileVerification& verify = {});
 
