@@ -74,8 +74,9 @@ void write_report(const Request& request, WrittenFiles& written) {
 int convert(Request request) {
   if (!request.positional_output.empty()) request.outputs.push_back(request.positional_output);
   if (request.outputs.empty())
-    throw Error(ErrorKind::Usage, "no output file; add -o OUT.obj (or .svg .vtu)");
-  require_writable(request.common, {{request.outputs, {".vtu", ".obj", ".svg"}}}, {request.input});
+    throw Error(ErrorKind::Usage, "no output file; add -o OUT.obj (or .ply .msh .svg .vtu)");
+  require_writable(request.common, {{request.outputs, {".vtu", ".obj", ".ply", ".msh", ".svg"}}},
+                   {request.input});
   const ThreadCount threads(start_threads(request.common.threads));
   MapFile map = read_map(request.input);
   say_warnings(map.warnings);
@@ -86,7 +87,7 @@ int convert(Request request) {
   WrittenFiles written;
   for (const std::string& path : request.outputs)
     written.write(path, [&] {
-      write_map(path, map, nullptr, request.formats, certification(path, promise));
+      write_map(path, map, nullptr, request.formats, certification(path, promise, &map));
     });
   if (!request.common.report.empty()) write_report(request, written);
   return written.conclude(kSuccess);
@@ -97,9 +98,11 @@ int convert(Request request) {
 void add_convert(CLI::App& app, Action* run) {
   auto request = std::make_shared<Request>();
   CLI::App& verb = *app.add_subcommand("convert", "write a finished map in other formats");
-  verb.add_option("result", request->input, "result: .vtu, or .obj with vt")->required();
+  verb.add_option("result", request->input,
+                  "result: .vtu, .msh, or .obj or .ply with texture coordinates")
+      ->required();
   verb.add_option("output", request->positional_output, "output file, same as -o");
-  verb.add_option("-o,--output", request->outputs, "output: .vtu .obj .svg, repeatable")
+  verb.add_option("-o,--output", request->outputs, "output: .vtu .obj .ply .msh .svg, repeatable")
       ->allow_extra_args(false);
   request->formats.add_to(verb);
   request->common.add_to(verb);

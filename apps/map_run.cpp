@@ -24,10 +24,11 @@ MapRun::MapRun(std::string verb, MapVerb& request, const std::vector<std::string
   request.solve.require_usable(request.outputs, request.map);
   std::vector<std::string> inputs = request.map.inputs();
   inputs.insert(inputs.end(), other_inputs.begin(), other_inputs.end());
-  require_writable(request.common,
-                   {{request.outputs.files, {".vtu", ".obj", ".svg", ".json", ".csv"}},
-                    {{request.solve.scaffold_file}, {".vtu", ".svg"}}},
-                   inputs);
+  require_writable(
+      request.common,
+      {{request.outputs.files, {".vtu", ".obj", ".ply", ".msh", ".svg", ".json", ".csv"}},
+       {{request.solve.scaffold_file}, {".vtu", ".svg"}}},
+      inputs);
   threads_.emplace(start_threads(request.common.threads));
 }
 

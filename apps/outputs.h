@@ -1,4 +1,5 @@
-// Output files by extension: .vtu .obj .svg hold a map, .json a report, .csv an iteration trace.
+// Output files by extension: .vtu .obj .ply .msh .svg hold a map, .json a report, .csv an iteration
+// trace.
 //
 //   const std::vector<std::string> files{"a.vtu", "a.obj"};
 //   require_writable(common, {{files, {".vtu", ".obj"}}}, {path});   // before any work
@@ -18,6 +19,8 @@
 #include "majorant/io/internal/atomic_file.h"
 #include "majorant/io/internal/tessellate_map.h"
 #include "majorant/io/map_file.h"
+#include "majorant/io/msh.h"
+#include "majorant/io/vtu.h"
 #include "majorant/mesh/polygon_mesh.h"
 #include "majorant/pictures/write_svg.h"
 
@@ -59,11 +62,17 @@ class WrittenFiles {
 
 // How single formats are written, as said.
 struct FormatOptions {
-  TessellationOptions tessellation;  // of OBJ
+  TessellationOptions tessellation;  // of OBJ and PLY
+  VtuCells vtu = VtuCells::Bezier;
+  MshContent msh = MshContent::Image;
   SvgOptions svg;
 
-  void add_to(CLI::App& verb);  // --refine --grid
+  void add_to(CLI::App& verb);  // --refine --vtu --msh --grid
 };
+
+// The formats that hold a map as data, and of these those without curves.
+bool is_map_data(const std::string& path);
+bool is_straight_map_data(const std::string& path);
 
 // Writes one of the map formats. input may be null. verify: of formats that hold data; pictures
 // (.svg) have nothing to verify.

@@ -71,7 +71,8 @@ ProofRequest promise(const FinishedRun& run, const std::string& path) {
   if (run.in.cuts) promise.cuts = CutRule::Free;
   if (run.in.options.map.injectivity == MapInjectivity::Global)
     promise.overlap = ProofRequest::Overlap::Forbidden;
-  if (extension(path) == ".vtu") promise.labels = ProofRequest::FaceLabels::Compared;
+  if (extension(path) == ".vtu" || extension(path) == ".msh")
+    promise.labels = ProofRequest::FaceLabels::Compared;
   return promise;
 }
 
@@ -90,7 +91,7 @@ void write_maps(const FinishedRun& run, WrittenFiles& written) {
     written.write(path, [&] {
       if (extension(path) == ".csv") return write_trace(path, run.record.trace());
       write_map(path, file, run.result.other_triangles ? nullptr : &run.in.polygons, formats,
-                certification(path, promise(run, path)));
+                certification(path, promise(run, path), &file));
     });
   }
   if (!run.scaffold_file.empty())
@@ -189,7 +190,7 @@ void summarize(const FinishedRun& run) {
 
 void OutputRequest::add_to(CLI::App& verb) {
   verb.add_option("output", positional, "output file, same as -o");
-  verb.add_option("-o,--output", files, "output: .vtu .obj .svg .json .csv, repeatable")
+  verb.add_option("-o,--output", files, "output: .vtu .obj .ply .msh .svg .json .csv, repeatable")
       ->allow_extra_args(false);
   formats.add_to(verb);
   verb.add_flag("--normalize", normalize, "scale the result into the unit square");
@@ -198,7 +199,8 @@ void OutputRequest::add_to(CLI::App& verb) {
 void OutputRequest::require_usable(const MapRequest& map) {
   if (!positional.empty()) files.push_back(positional);
   if (files.empty())
-    throw Error(ErrorKind::Usage, "no output file; add -o OUT.vtu (or .obj .svg .json .csv)");
+    throw Error(ErrorKind::Usage,
+                "no output file; add -o OUT.vtu (or .obj .ply .msh .svg .json .csv)");
   if (normalize && !(map.pins.empty() && map.handles.empty()))
     throw Error(ErrorKind::Usage, "--normalize moves pins and handles; leave one of the two out");
 }

@@ -38,7 +38,8 @@ void require_usable(Request& request) {
   request.outputs.require_usable(request.map);
   if (request.map.degree == 0) request.map.degree = 1;
   if (request.unwrap.seams.seams.empty()) request.unwrap.seams.seams = "auto";
-  require_writable(request.common, {{request.outputs.files, {".vtu", ".obj", ".svg", ".json"}}},
+  require_writable(request.common,
+                   {{request.outputs.files, {".vtu", ".obj", ".ply", ".msh", ".svg", ".json"}}},
                    {request.map.input, request.map.pins, request.map.handles, request.map.weights,
                     request.unwrap.seams.file()});
 }

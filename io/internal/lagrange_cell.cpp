@@ -187,6 +187,18 @@ Points2 lagrange_nodes(const MapFile& map, const StopCheck& stop) {
   return nodes;
 }
 
+double lagrange_amplification(int degree) {
+  const CellMatrix matrix = interpolation(degree);
+  double largest = 0;
+  for (std::size_t row = 0; row < matrix.size(); ++row) {
+    double sum = 0;
+    for (std::size_t column = 0; column < matrix.size(); ++column)
+      sum += static_cast<double>(magnitude(matrix.weight(row, column)));
+    largest = std::max(largest, sum);
+  }
+  return largest;
+}
+
 void take_as_lagrange_nodes(MapFile& map, const std::string& file, const StopCheck& stop) {
   if (map.degree == 1) return;
   if (map.degree > kHighestLagrangeDegree)
