@@ -19,7 +19,9 @@ FileVerification certification(std::string path, ProofRequest wanted, const MapF
     try {
       MapFile file = read_map(temporary);
       if (format_of(path) == ".msh" && written != nullptr) {
-        if (file.cells != written->cells) refuse("its cells are not those of the map");
+        if (file.degree != written->degree || file.cells.rows() != written->cells.rows() ||
+            file.cells != written->cells)
+          refuse("its cells are not those of the map");
         file.points = written->points;
         file.input_vertex = written->input_vertex;
         file.input_face = written->input_face;

@@ -121,7 +121,7 @@ class OtherTools(CommandTest):
         """Compressed by zlib, as it does by default, in blocks of several sizes, and not."""
         for name in ('3.vtu', '3.lagrange.vtu', '1.vtu'):
             grid = grid_of(self.map_path(name))
-            for mode in ('Appended', 'Binary', 'Ascii'):
+            for mode in ('Appended', 'Binary'):
                 for block, header in ((32768, 32), (64, 64), (1024, 64), (8192, 32)):
                     for compressor in ('ZLib', 'None'):
                         writer = vtk.vtkXMLUnstructuredGridWriter()
@@ -134,11 +134,7 @@ class OtherTools(CommandTest):
                         self.assertEqual(writer.Write(), 1)
                         with self.subTest(name=name, mode=mode, block=block, header=header,
                                           compressor=compressor):
-                            code = OK if mode != 'Ascii' else None  # 11 digits tear some maps
-                            outcome = majorant('check', self.path('saved.vtu'), '--surface',
-                                               self.mesh)
-                            self.assertIn(outcome.code, (OK,) if code == OK else (OK, INVALID),
-                                          outcome.err)
+                            self.run_ok('check', self.path('saved.vtu'), '--surface', self.mesh)
                         if compressor == 'ZLib':
                             self.assertIn(b'vtkZLibDataCompressor', self.read('saved.vtu'))
 

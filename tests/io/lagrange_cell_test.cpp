@@ -42,7 +42,7 @@ TEST(LagrangeCell, ValuesAreRoundedCorrectly) {
 TEST(LagrangeCell, WholeNumbersComeBackExactly) {
   for (int degree = 2; degree <= 10; ++degree) {
     MapFile map = random_strip(degree, 3, 9);
-    map.uv = (1000 * map.uv).array().round() * std::pow(degree, degree);
+    map.uv = (1000 * map.uv).array().round().matrix() * std::pow(degree, degree);
     MapFile read = map;
     read.uv = lagrange_nodes(map);
     take_as_lagrange_nodes(read, "a.vtu");

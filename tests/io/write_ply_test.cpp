@@ -1,7 +1,9 @@
 #include "majorant/io/write_ply.h"
 
-#include <algorithm>
-#include <set>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
 
 #include "cube_map.h"
 #include "io_test_helpers.h"
@@ -71,8 +73,8 @@ TEST(WritePly, LargePolygons) {
   MapFile map;
   constexpr Index kCorners = 300;
   for (Index k = 0; k < kCorners; ++k)
-    input.positions.emplace_back(std::cos(2 * M_PI * k / kCorners),
-                                 std::sin(2 * M_PI * k / kCorners), 0);
+    input.positions.emplace_back(std::cos(2 * std::numbers::pi * k / kCorners),
+                                 std::sin(2 * std::numbers::pi * k / kCorners), 0);
   input.polygons.emplace_back();
   for (Index k = 0; k < kCorners; ++k) input.polygons[0].push_back(k);
   map.points.resize(kCorners, 3);
