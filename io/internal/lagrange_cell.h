@@ -1,9 +1,9 @@
 // Maps given by their values at the lattice points (i, j, k) / n of every cell, as most programs
 // hold curved triangles ("Lagrange", "high order"), and by control points, as this library does.
 //
-//   const Points2 nodes = lagrange_nodes(map);    // #N by 2: what to write
-//   map.uv = nodes;                               // what was read
-//   take_as_lagrange_nodes(map, "a.vtu");         // uv: control points; uv_rounding: how exact
+//   const Points2 nodes = lagrange_nodes(file);   // #N by 2: what to write
+//   file.uv = nodes;                              // what was read
+//   take_as_lagrange_nodes(file, path);           // uv: control points; uv_rounding: how exact
 //
 // Values and control points of a cell have one order, VTK's, so that `cells` numbers both. The
 // values along an edge depend on the control points along it alone, and are computed from them in
