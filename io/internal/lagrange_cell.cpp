@@ -143,7 +143,7 @@ class CellTransform {
   }
 
  private:
-  // More than what rounding a bound to double takes away.
+  // More than what rounding a bound to double takes away. Origin: 2^-53 of it.
   static constexpr double kRoundUp = 1.0000001;
 
   static Vector2 rounding(const MapFile& map, Index point) {
@@ -185,6 +185,18 @@ Points2 lagrange_nodes(const MapFile& map, const StopCheck& stop) {
       nodes.row(map.cells(cell, k)) = transform.apply(map, cell, k).value;
   }
   return nodes;
+}
+
+double lagrange_amplification(int degree) {
+  const CellMatrix matrix = interpolation(degree);
+  double largest = 0;
+  for (std::size_t row = 0; row < matrix.size(); ++row) {
+    double sum = 0;
+    for (std::size_t column = 0; column < matrix.size(); ++column)
+      sum += static_cast<double>(magnitude(matrix.weight(row, column)));
+    largest = std::max(largest, sum);
+  }
+  return largest;
 }
 
 void take_as_lagrange_nodes(MapFile& map, const std::string& file, const StopCheck& stop) {
