@@ -32,8 +32,8 @@ namespace {
 
 struct Request {
   CommonOptions common;
-  std::string result, surface, distortion,
-      cuts;  // cuts: none, free or, where nothing is said, empty
+  std::string result, surface, cuts;  // cuts: none, free or, where nothing is said, empty
+  std::string distortion;             // table per face, or empty
   double time_limit = std::numeric_limits<double>::infinity();
   bool certify = false, seamless = false;
 };
