@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "apps/page_content.h"
 #include "apps/seam_request.h"
 #include "apps/streams.h"
 #include "majorant/framework/linear_solver.h"
@@ -77,26 +78,6 @@ MapFile layout(const FinishedAtlas& run) {
   MapFile file = joined(charts);
   file.claims = claims(run);
   return file;
-}
-
-void write_maps(const FinishedAtlas& run, WrittenFiles& written) {
-  MapFile file = layout(run);
-  if (const std::string& path = run.outputs.distortion; !path.empty())
-    written.write(path, [&] { write_distortion(path, file, file.face_distortion); });
-  file.face_distortion =
-      is_measured_anew(run) ? finite_or_none(file.face_distortion) : FaceDistortion();
-  FormatOptions formats = run.outputs.formats;
-  ProofRequest promise;
-  promise.cuts = CutRule::Free;
-  if (run.atlas.packing) {
-    formats.tessellation.overlap = Overlap::Excluded;
-    promise.overlap = ProofRequest::Overlap::Forbidden;
-  }
-  for (const std::string& path : run.outputs.files)
-    if (extension(path) != ".json")
-      written.write(path, [&] {
-        write_map(path, file, &run.polygons, formats, certification(path, promise));
-      });
 }
 
 Json charts_section(const Atlas& atlas) {
@@ -196,6 +177,41 @@ Json report(const FinishedAtlas& run, double write_seconds, const WrittenFiles& 
           {"peak_memory_bytes", peak_memory_bytes()},
           {"threads", ThreadCount::current()},
           {"vector_instructions", vector_instructions()}};
+}
+
+// Points with targets keep their charts where they put them.
+MapPage page_of(const FinishedAtlas& run) {
+  MapPage page;
+  page.title = page_title(run.map.input);
+  page.facts = page_facts(report(run, 0, {}));
+  page.points = pulled_points(run.handles, *run.surface.mesh);
+  for (const Chart& chart : run.atlas.charts)
+    for (const Pin& pin : chart.pins)
+      page.points.push_back({chart.map->mesh().input_vertex(pin.vertex),
+                             chart.map->control_points().segment<2>(2 * pin.vertex),
+                             PagePoint::Hold::Pin});
+  return page;
+}
+
+void write_maps(const FinishedAtlas& run, WrittenFiles& written) {
+  MapFile file = layout(run);
+  if (const std::string& path = run.outputs.distortion; !path.empty())
+    written.write(path, [&] { write_distortion(path, file, file.face_distortion); });
+  file.face_distortion =
+      is_measured_anew(run) ? finite_or_none(file.face_distortion) : FaceDistortion();
+  FormatOptions formats = run.outputs.formats;
+  if (has_page(run.outputs.files)) formats.page = page_of(run);
+  ProofRequest promise;
+  promise.cuts = CutRule::Free;
+  if (run.atlas.packing) {
+    formats.tessellation.overlap = Overlap::Excluded;
+    promise.overlap = ProofRequest::Overlap::Forbidden;
+  }
+  for (const std::string& path : run.outputs.files)
+    if (extension(path) != ".json")
+      written.write(path, [&] {
+        write_map(path, file, &run.polygons, formats, certification(path, promise));
+      });
 }
 
 void write_reports(const FinishedAtlas& run, double write_seconds, WrittenFiles& written) {

@@ -25,6 +25,7 @@ struct FinishedAtlas {
   const Atlas& atlas;
   const std::optional<AtlasSquare>& square;  // what the maps were moved into
   const RunRecord& record;
+  const std::vector<Pin>& handles;              // of vertices of the surface
   Json options;                                 // as said
   std::chrono::steady_clock::time_point start;  // of the run
   Progress& progress;

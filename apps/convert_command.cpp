@@ -5,6 +5,7 @@
 #include "apps/claims.h"
 #include "apps/command.h"
 #include "apps/outputs.h"
+#include "apps/page_content.h"
 #include "apps/process.h"
 #include "apps/report.h"
 #include "apps/streams.h"
@@ -64,6 +65,17 @@ ProofRequest promise_of(const MapFile& map, const PolygonMesh& surface, const st
   return promise;
 }
 
+// What the claims say of the run that made the map.
+MapPage page_of(const MapFile& map, const std::string& name) {
+  MapPage page;
+  page.title = page_title(name);
+  page.facts = json_text({{"command", "convert"}});
+  const Claims claims = parse_claims(map.claims, name);
+  for (const ClaimedPin& pin : claims.pins.value_or(std::vector<ClaimedPin>()))
+    page.points.push_back({pin.vertex, pin.target, PagePoint::Hold::Pin});
+  return page;
+}
+
 // Arrays of a file whose scale is assumed would claim what it does not.
 void measure(const Request& request, MapFile& map, WrittenFiles& written) {
   const MapDistortion measured = measure_distortion(map);
@@ -88,10 +100,9 @@ void write_report(const Request& request, WrittenFiles& written) {
 
 int convert(Request request) {
   if (!request.positional_output.empty()) request.outputs.push_back(request.positional_output);
-  if (request.outputs.empty() && request.distortion.empty())
-    throw Error(ErrorKind::Usage, "no output file; add -o OUT.obj (or .svg .vtu)");
+  if (request.distortion.empty()) require_some_output(request.outputs, map_extensions());
   require_writable(request.common,
-                   {{request.outputs, {".vtu", ".obj", ".svg"}}, {{request.distortion}, {".csv"}}},
+                   {{request.outputs, map_extensions()}, {{request.distortion}, {".csv"}}},
                    {request.input});
   const ThreadCount threads(start_threads(request.common.threads));
   MapFile map = read_map(request.input);
@@ -100,6 +111,7 @@ int convert(Request request) {
   request.formats.tessellation.overlap = allowed_overlap(map, request.input);
   const PolygonMesh surface = mesh_from_map(map, request.input);
   const ProofRequest promise = promise_of(map, surface, request.input);
+  if (has_page(request.outputs)) request.formats.page = page_of(map, request.input);
   WrittenFiles written;
   measure(request, map, written);
   for (const std::string& path : request.outputs)
@@ -117,7 +129,7 @@ void add_convert(CLI::App& app, Action* run) {
   CLI::App& verb = *app.add_subcommand("convert", "write a finished map in other formats");
   verb.add_option("result", request->input, "result: .vtu, or .obj with vt")->required();
   verb.add_option("output", request->positional_output, "output file, same as -o");
-  verb.add_option("-o,--output", request->outputs, "output: .vtu .obj .svg, repeatable")
+  verb.add_option("-o,--output", request->outputs, output_help(map_extensions()))
       ->allow_extra_args(false);
   request->formats.add_to(verb);
   verb.add_option("--distortion", request->distortion,

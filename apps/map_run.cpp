@@ -25,7 +25,7 @@ MapRun::MapRun(std::string verb, MapVerb& request, const std::vector<std::string
   std::vector<std::string> inputs = request.map.inputs();
   inputs.insert(inputs.end(), other_inputs.begin(), other_inputs.end());
   require_writable(request.common,
-                   {{request.outputs.files, {".vtu", ".obj", ".svg", ".json", ".csv"}},
+                   {{request.outputs.files, request.outputs.extensions},
                     {{request.solve.scaffold_file}, {".vtu", ".svg"}},
                     {{request.outputs.distortion}, {".csv"}}},
                    inputs);
@@ -45,6 +45,10 @@ MapInput& MapRun::read(const StartMaker& make_start) {
   record_.begin(Activity::Reading);
   in_ = read_input(request_.map, record_.start_stop(), timed);
   request_.solve.apply(in_.options);
+  if (request_.solve.snapshots > 0) {
+    film_.emplace(request_.solve.snapshots, request_.map.degree);
+    in_.options.solve.watch = film_->watcher();
+  }
   if (request_.outputs.has_report(request_.common))
     in_.options.solve.factor_cost = FactorCost::Measured;
   read_seconds_ = seconds() - start_seconds_;
@@ -59,7 +63,7 @@ int MapRun::finish(ParametrizationResult result, const Json& extra) {
   options.update(extra);
   return write_result({verb_, request_.common, request_.outputs, request_.map, in_, result, record_,
                        options, start_, read_seconds_, request_.solve.scaffold_file, normalized,
-                       progress_});
+                       progress_, film_ ? &*film_ : nullptr});
 }
 
 // What is moved must be proven anew; where that fails there is no result.

@@ -56,6 +56,7 @@ class MapRun {
   RunRecord record_;
   std::optional<ThreadCount> threads_;
   MapInput in_;
+  std::optional<Film> film_;
   double read_seconds_ = 0, start_seconds_ = 0;
 };
 

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "apps/command.h"
+#include "apps/film.h"
 #include "apps/map_request.h"
 #include "apps/outputs.h"
 #include "apps/progress.h"
@@ -29,6 +30,7 @@ namespace majorant::app {
 struct OutputRequest {
   std::string positional;
   std::vector<std::string> files;
+  std::vector<std::string> extensions = map_extensions({".json", ".csv"});  // that the verb writes
   FormatOptions formats;
   std::string distortion;  // table per face, or empty
   bool normalize = false;
@@ -57,6 +59,7 @@ struct FinishedRun {
   std::string scaffold_file;                      // or empty
   const std::optional<InUnitSquare>& normalized;  // how result.map was moved
   Progress& progress;
+  const Film* film = nullptr;  // of the run, if asked for
 };
 
 // Whether there is a map to write: the run did not fail, and was feasible.

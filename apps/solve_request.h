@@ -16,6 +16,7 @@ namespace majorant::app {
 struct SolveRequest {
   std::string elevation = "incremental";
   int max_iterations = 1000;
+  int snapshots = 0;  // iterations from one to the next; 0: none
   bool bijective = false, no_flips = false, improve_mesh = false;
   std::string scaffold_file;  // or empty
   double tolerance = 1e-6, time_limit = std::numeric_limits<double>::infinity();

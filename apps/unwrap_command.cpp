@@ -39,7 +39,7 @@ void require_usable(Request& request) {
   if (request.map.degree == 0) request.map.degree = 1;
   if (request.unwrap.seams.seams.empty()) request.unwrap.seams.seams = "auto";
   require_writable(request.common,
-                   {{request.outputs.files, {".vtu", ".obj", ".svg", ".json"}},
+                   {{request.outputs.files, request.outputs.extensions},
                     {{request.outputs.distortion}, {".csv"}}},
                    {request.map.input, request.map.pins, request.map.handles, request.map.weights,
                     request.unwrap.seams.file()});
@@ -75,7 +75,8 @@ int unwrap_file(Request request) {
                     ": in the unit square its smallest triangles are too small for doubles; leave "
                     "out --normalize");
   return write_atlas({request.common, request.outputs, request.map, polygons, surface, atlas,
-                      square, record, options_of(request), start, progress, read_seconds});
+                      square, record, options.chart.map.handles, options_of(request), start,
+                      progress, read_seconds});
 }
 
 }  // namespace
@@ -85,6 +86,7 @@ void add_unwrap(CLI::App& app, Action* run) {
   CLI::App& verb = *app.add_subcommand(
       "unwrap", "cut any mesh into charts and lay them side by side, without overlaps");
   request->map.add_to(verb);
+  request->outputs.extensions = map_extensions({".json"});
   request->outputs.add_to(verb);
   request->unwrap.add_to(verb);
   request->solve.add_limits_to(verb, request->map.curvature);

@@ -23,7 +23,8 @@ struct MapFile {
   int degree = 1;
   Points3 points;       // #N by 3, control points of the flat surface triangles
   Points2 uv;           // #N by 2, control points of the map
-  Points2 uv_rounding;  // #N by 2, how far the digits of the file may be from uv; empty: not
+  Points2 uv_rounding;  // #N by 2, how far the digits of the file (decimals; values that uv
+                        // was computed from) may be from uv; empty: not at all
   Cells cells;          // #F by (n+1)(n+2)/2, point numbers in VTK order
   Eigen::VectorXi input_vertex;  // #N, vertex of the input mesh, -1 where there is none
   Eigen::VectorXi input_face;    // #F, face (polygon) of the input mesh, 0-based
@@ -38,7 +39,7 @@ struct MapFile {
   std::vector<std::string> warnings;  // what a reader left out, as in PolygonMesh; never written
 };
 
-// From a file: .vtu, or a triangle .obj with texture coordinates (degree 1). Throws
+// From a file: .vtu, .msh, or a mesh with texture coordinates (degree 1), .obj or .ply. Throws
 // Error(Unreadable) when it cannot be read or holds no map; Stopped.
 MapFile read_map(const std::string& path, const StopCheck& stop = {});
 

@@ -46,16 +46,17 @@ struct PageSnapshot {
 };
 
 struct MapPage {
-  std::string title;                // what is mapped, a file name say
-  MapFile map;                      // degree 1 to 8; it may be invalid, but must be finite
-  std::optional<MapFile> scaffold;  // the space around the image, of the map's degree
-  std::vector<PagePoint> points;
-  std::vector<PageFault> faults;  // listed in this order
+  std::string title;  // what is mapped, a file name say
+  MapFile map;        // degree 1 to 8; it may be invalid, but must be finite
+  std::optional<MapFile> scaffold =
+      std::nullopt;  // the space around the image, of the map's degree
+  std::vector<PagePoint> points = {};
+  std::vector<PageFault> faults = {};  // listed in this order
   // A JSON object: what is known of the map, as in reports. Shown are `status`, `command`,
   // `message`, the numbers of `result` and `distortion`, `proofs` and `findings`, where these are.
   std::string facts = "{}";
   // By rising iterations. They are kept in single precision, 8 bytes a control point each.
-  std::vector<PageSnapshot> snapshots;
+  std::vector<PageSnapshot> snapshots = {};
 };
 
 // Texts may hold any bytes; what is not UTF-8 is shown as U+FFFD. Energy and scale of the layout

@@ -15,6 +15,7 @@
 #include "apps/energy_option.h"
 #include "apps/global_verdict.h"
 #include "apps/outputs.h"
+#include "apps/page_content.h"
 #include "apps/process.h"
 #include "apps/progress.h"
 #include "apps/report.h"
@@ -32,8 +33,9 @@ namespace {
 
 struct Request {
   CommonOptions common;
-  std::string result, surface, cuts;  // cuts: none, free or, where nothing is said, empty
-  std::string distortion;             // table per face, or empty
+  std::string result, surface, distortion;
+  std::string cuts;                  // none, free or, where nothing is said, empty
+  std::vector<std::string> outputs;  // pages
   double time_limit = std::numeric_limits<double>::infinity();
   bool certify = false, seamless = false;
 };
@@ -74,7 +76,7 @@ void prove(Check& check, const StopCheck& stop) {
   wanted.cuts = cut_rule(check.request, check.claims, is_seamless);
   if (check.request.certify || check.claims.bijective.value_or(false))
     wanted.overlap = ProofRequest::Overlap::Forbidden;
-  else if (!check.request.common.report.empty())
+  else if (!check.request.common.report.empty() || !check.request.outputs.empty())
     wanted.overlap = ProofRequest::Overlap::Reported;
   if (extension(check.request.result) == ".vtu") wanted.labels = ProofRequest::FaceLabels::Compared;
   wanted.stop = stop;
@@ -128,6 +130,33 @@ std::string in_words(const MapProof& proof) {
   return proven + open;
 }
 
+// What a page says of a cell that is not proven to be positive: det J at the points of a lattice.
+std::string describe_fault(const MapProof& proof, Index cell) {
+  if (!proof.map()) return "det J is not proven to be positive";
+  constexpr int kSteps = 8;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i <= kSteps; ++i)
+    for (int j = 0; i + j <= kSteps; ++j) {
+      const double a = static_cast<double>(i) / kSteps, b = static_cast<double>(j) / kSteps;
+      least = std::min(least, proof.map()->jacobian(cell, {a, b, 1 - a - b}).determinant());
+    }
+  return least > 0
+             ? fmt::format("det J is not proven to be positive, sampled down to {:.3g}", least)
+             : fmt::format("turned over: det J is {:.3g} at a point of it", least);
+}
+
+MapPage page_of(const Check& check) {
+  MapPage page;
+  page.title = page_title(check.request.result);
+  page.map = check.file;
+  page.facts = page_facts(check.report);
+  for (const Index cell : check.proof->not_positive)
+    page.faults.push_back({cell, describe_fault(*check.proof, cell)});
+  for (const ClaimedPin& pin : check.claims.pins.value_or(std::vector<ClaimedPin>()))
+    page.points.push_back({pin.vertex, pin.target, PagePoint::Hold::Pin});
+  return page;
+}
+
 int conclude(Check& check) {
   const Request& request = check.request;
   const std::vector<std::string>& list = check.findings.list();
@@ -146,6 +175,8 @@ int conclude(Check& check) {
   }
   WrittenFiles written;
   const std::string& report = request.common.report;
+  for (const std::string& path : request.outputs)
+    written.write(path, [&] { write_page(path, page_of(check)); });
   if (const std::string& path = request.distortion; !path.empty())
     written.write(
         path, [&] { write_distortion(path, check.file, measure_distortion(check.file).faces); });
@@ -154,7 +185,7 @@ int conclude(Check& check) {
 }
 
 int check(const Request& request) {
-  require_writable(request.common, {{{request.distortion}, {".csv"}}},
+  require_writable(request.common, {{request.outputs, {".html"}}, {{request.distortion}, {".csv"}}},
                    {request.result, request.surface});
   const ThreadCount threads(start_threads(request.common.threads));
   Progress progress(request.common);
@@ -190,6 +221,9 @@ void add_check(CLI::App& app, Action* run) {
   verb.add_option("result", request->result, "result: .vtu, or .obj with vt")->required();
   verb.add_option("--surface", request->surface, "the mesh it should be a map of")
       ->type_name("FILE");
+  verb.add_option("-o,--output", request->outputs,
+                  "the map and what is wrong with it as a page: .html, repeatable")
+      ->allow_extra_args(false);
   verb.add_option("--cuts", request->cuts,
                   "none: inner edges whose sides differ are violations; free: they are counted "
                   "(default with --surface: none)")

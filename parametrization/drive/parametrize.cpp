@@ -90,13 +90,19 @@ class Run {
         record_(record),
         start_(start, options.map),
         map_(start_.map()),
-        setup_{start_.specification(), options.solve, record.stop(), rules, {}} {}
+        setup_{start_.specification(), options.solve, record.stop(), rules, {}} {
+    if (!options.solve.watch) return;
+    setup_.watch = [this](const TraceEntry& row, const auto& space, VecIn x) {
+      options_.solve.watch(row, [&] { return start_.in_model_units(map_.with(space, x)); });
+    };
+  }
 
   ParametrizationResult solve() {
     const double started = record_.seconds();
     result_.start_moved = start_.moved();
     Vec unused;
     result_.initial_value = mean_density(map_, setup_.map.rest, options_.map.energy, unused);
+    show_start();
     if (options_.map.injectivity == MapInjectivity::Global) record_.begin(Activity::Scaffold);
     domain_ = make_domain();
     record_.begin(Activity::Solving);
@@ -112,6 +118,14 @@ class Run {
   }
 
  private:
+  void show_start() const {
+    if (!setup_.watch) return;
+    TraceEntry row;
+    row.record.iteration = static_cast<int>(record_.trace().size());
+    row.record.energy = row.energy = result_.initial_value;
+    setup_.watch(row, map_.shared_space(), map_.control_points());
+  }
+
   // solved: of the last degree that was optimized.
   void raise_degree(SolveResult& solved) {
     if (!std::isfinite(result_.initial_value)) enter_domain();
@@ -321,10 +335,15 @@ ParametrizationResult parametrize_by(const SolverRules& rules, const BezierMap& 
   const ThreadCount threads(options.solve.threads);
   const ParametrizationOptions resolved = with_targets(start, options);
   // Edges that stay parallel to an axis leave a start no way to turn.
-  if (meets_pins(start, resolved.map.pins) || !options.map.aligned.empty())
-    return Run(rules, start, options, record).solve();
-  require_scale(resolved.map, start);
-  return Run(rules, reach_pins(start, resolved, record), resolved, record).solve();
+  ParametrizationResult result;
+  if (meets_pins(start, resolved.map.pins) || !options.map.aligned.empty()) {
+    result = Run(rules, start, options, record).solve();
+  } else {
+    require_scale(resolved.map, start);
+    result = Run(rules, reach_pins(start, resolved, record), resolved, record).solve();
+  }
+  result.handles = resolved.map.handles;
+  return result;
 }
 
 ParametrizationResult parametrize(const BezierMap& start, const ParametrizationOptions& options,
