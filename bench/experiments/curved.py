@@ -76,7 +76,8 @@ def read(path):
 
 def lattice(m):
     """Centroids of the upright triangles of the m-fold subdivision."""
-    return np.array([(a + 1 / 3, b + 1 / 3, m - 1 - a - b + 1 / 3) for a in range(m) for b in range(m - a)]) / m
+    corners = [(a, b, m - 1 - a - b) for a in range(m) for b in range(m - a)]
+    return (np.array(corners) + 1 / 3) / m
 
 
 def symmetric_dirichlet(image, m):
