@@ -1,11 +1,12 @@
-# make demo   install what is missing, build, flatten the bundled creature, say where the files are
-# make test   install what is missing, build, run every test
+# make demo   install what the command needs, build it, flatten the bundled creature, say where the
+#             files are
+# make test   install what tests need, too, build, run every test, say which were not run and why
 # make build | asan | tsan | bench | clean
 JOBS ?= $(shell nproc)
 BINARY = build/release/apps/majorant
 OUT = out
 
-.PHONY: demo test build setup configure command asan tsan bench clean
+.PHONY: demo test build setup test-setup configure command asan tsan bench clean
 
 demo: command
 	@mkdir -p $(OUT)
@@ -17,10 +18,15 @@ demo: command
 	@echo "report:                       $(OUT)/creature.json"
 
 test: build
-	ctest --preset release -j $(JOBS)
+	@ctest --preset release -j $(JOBS) --no-tests=error --output-junit tests.xml; status=$$?; \
+	  /usr/bin/python3 scripts/skipped_tests.py build/release/tests.xml; exit $$status
 
 setup:
 	@scripts/install_packages.sh
+
+test-setup:
+	@scripts/install_packages.sh scripts/packages_test.txt
+	@scripts/install_packages.sh scripts/packages_browser.txt || echo "no browser, or no npm"
 
 configure: setup
 	@cmake --preset release > /dev/null
@@ -28,19 +34,19 @@ configure: setup
 command: configure
 	@cmake --build --preset release -j $(JOBS) --target majorant_command
 
-build: configure
+build: test-setup configure
 	cmake --build --preset release -j $(JOBS)
 
-asan: setup
+asan: test-setup
 	cmake --preset asan
 	cmake --build --preset asan -j $(JOBS)
-	ctest --preset asan -j $(JOBS)
+	ctest --preset asan -j $(JOBS) --no-tests=error
 
 tsan:
-	@scripts/install_packages.sh scripts/packages_tsan.txt
+	@scripts/install_packages.sh scripts/packages_test.txt scripts/packages_tsan.txt
 	cmake --preset tsan
 	cmake --build --preset tsan -j $(JOBS)
-	ctest --preset tsan -j $(JOBS)
+	ctest --preset tsan -j $(JOBS) --no-tests=error
 
 bench: build
 	build/release/bench/majorant_bench

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "apps/page_content.h"
 #include "apps/seam_request.h"
 #include "apps/streams.h"
 #include "majorant/framework/linear_solver.h"
 #include "majorant/framework/thread_count.h"
 #include "majorant/io/atlas_file.h"
+#include "majorant/io/map_distortion.h"
 #include "majorant/io/map_proof.h"
 
 namespace majorant::app {
@@ -61,32 +63,21 @@ std::string claims(const FinishedAtlas& run) {
   return json_text(claims);
 }
 
+double scale_of(const FinishedAtlas& run) { return run.square ? run.square->size : 1; }
+
 MapFile layout(const FinishedAtlas& run) {
   std::vector<MapFile> charts;
   for (const Chart& chart : run.atlas.charts) {
     MapFile& file = charts.emplace_back(to_map_file(*chart.map));
     if (is_measured_anew(run)) file.distortion = chart.measures.face_value;
     if (is_measured_anew(run)) file.min_det = chart.measures.min_det;
+    file.face_distortion = chart.measures.cut_short
+                               ? measure_distortion(*chart.map, scale_of(run)).faces
+                               : chart.measures.distortion.faces;
   }
   MapFile file = joined(charts);
   file.claims = claims(run);
   return file;
-}
-
-void write_maps(const FinishedAtlas& run, WrittenFiles& written) {
-  const MapFile file = layout(run);
-  FormatOptions formats = run.outputs.formats;
-  ProofRequest promise;
-  promise.cuts = CutRule::Free;
-  if (run.atlas.packing) {
-    formats.tessellation.overlap = Overlap::Excluded;
-    promise.overlap = ProofRequest::Overlap::Forbidden;
-  }
-  for (const std::string& path : run.outputs.files)
-    if (extension(path) != ".json")
-      written.write(path, [&] {
-        write_map(path, file, &run.polygons, formats, certification(path, promise));
-      });
 }
 
 Json charts_section(const Atlas& atlas) {
@@ -129,6 +120,7 @@ Json result_section(const FinishedAtlas& run) {
   double max_density = 0, sigma_max = 0, sigma_min = INFINITY, min_det = INFINITY;
   bool is_injective = true;
   Index points = 0;
+  std::vector<const MapDistortion*> distortions;
   for (const Chart& chart : atlas.charts) {
     max_density = std::max(max_density, chart.measures.max_density);
     sigma_max = std::max(sigma_max, chart.measures.sigma_max);
@@ -136,6 +128,7 @@ Json result_section(const FinishedAtlas& run) {
     min_det = std::min(min_det, chart.measures.min_det.minCoeff());
     is_injective = is_injective && chart.measures.locally_injective;
     points += chart.map->space().node_count();
+    distortions.push_back(&chart.measures.distortion);
   }
   Json result{{"degree", run.map.degree},
               {"control_points", points},
@@ -151,6 +144,7 @@ Json result_section(const FinishedAtlas& run) {
               {"charts", atlas.charts.size()},
               {"stretch_l2", stretch.l2},
               {"stretch_max", stretch.max}};
+  if (!is_cut_short(atlas)) result["distortion"] = distortion_section(distortions, scale_of(run));
   result.update(cuts_section(atlas.cuts, run.surface));
   if (!atlas.packing) return result;
   result["fill"] = atlas.packing->fill;
@@ -183,6 +177,41 @@ Json report(const FinishedAtlas& run, double write_seconds, const WrittenFiles& 
           {"peak_memory_bytes", peak_memory_bytes()},
           {"threads", ThreadCount::current()},
           {"vector_instructions", vector_instructions()}};
+}
+
+// Points with targets keep their charts where they put them.
+MapPage page_of(const FinishedAtlas& run) {
+  MapPage page;
+  page.title = page_title(run.map.input);
+  page.facts = page_facts(report(run, 0, {}));
+  page.points = pulled_points(run.handles, *run.surface.mesh);
+  for (const Chart& chart : run.atlas.charts)
+    for (const Pin& pin : chart.pins)
+      page.points.push_back({chart.map->mesh().input_vertex(pin.vertex),
+                             chart.map->control_points().segment<2>(2 * pin.vertex),
+                             PagePoint::Hold::Pin});
+  return page;
+}
+
+void write_maps(const FinishedAtlas& run, WrittenFiles& written) {
+  MapFile file = layout(run);
+  if (const std::string& path = run.outputs.distortion; !path.empty())
+    written.write(path, [&] { write_distortion(path, file, file.face_distortion); });
+  file.face_distortion =
+      is_measured_anew(run) ? finite_or_none(file.face_distortion) : FaceDistortion();
+  FormatOptions formats = run.outputs.formats;
+  if (has_page(run.outputs.files)) formats.page = page_of(run);
+  ProofRequest promise;
+  promise.cuts = CutRule::Free;
+  if (run.atlas.packing) {
+    formats.tessellation.overlap = Overlap::Excluded;
+    promise.overlap = ProofRequest::Overlap::Forbidden;
+  }
+  for (const std::string& path : run.outputs.files)
+    if (extension(path) != ".json")
+      written.write(path, [&] {
+        write_map(path, file, &run.polygons, formats, certification(path, promise));
+      });
 }
 
 void write_reports(const FinishedAtlas& run, double write_seconds, WrittenFiles& written) {
@@ -228,8 +257,10 @@ void summarize(const FinishedAtlas& run, const WrittenFiles& written) {
 int write_atlas(const FinishedAtlas& run) {
   const double before = seconds_since(run.start);
   WrittenFiles written;
+  run.record.begin(Activity::Writing);
   if (run.atlas.status() != Status::Failed) write_maps(run, written);
   write_reports(run, seconds_since(run.start) - before, written);
+  run.progress.finish();
   summarize(run, written);
   return written.conclude(exit_code(run.atlas.status()));
 }

@@ -4,7 +4,6 @@
 
 #include "apps/energy_option.h"
 #include "apps/process.h"
-#include "apps/progress.h"
 
 namespace majorant::app {
 
@@ -18,15 +17,17 @@ void MapVerb::add_to(CLI::App& verb) {
 MapRun::MapRun(std::string verb, MapVerb& request, const std::vector<std::string>& other_inputs)
     : verb_(std::move(verb)),
       request_(request),
-      record_(request.solve.make_record(request.common)) {
+      progress_(request.common),
+      record_(request.solve.make_record(progress_)) {
   request.outputs.require_usable(request.map);
   request.map.choose_degree(request.outputs.files);
   request.solve.require_usable(request.outputs, request.map);
   std::vector<std::string> inputs = request.map.inputs();
   inputs.insert(inputs.end(), other_inputs.begin(), other_inputs.end());
   require_writable(request.common,
-                   {{request.outputs.files, {".vtu", ".obj", ".svg", ".json", ".csv"}},
-                    {{request.solve.scaffold_file}, {".vtu", ".svg"}}},
+                   {{request.outputs.files, request.outputs.extensions},
+                    {{request.solve.scaffold_file}, {".vtu", ".svg"}},
+                    {{request.outputs.distortion}, {".csv"}}},
                    inputs);
   threads_.emplace(start_threads(request.common.threads));
 }
@@ -36,12 +37,18 @@ MapInput& MapRun::read(const StartMaker& make_start) {
   if (make_start)
     timed = [&](const PolygonMesh& polygons, const SurfaceMesh& mesh) {
       const double before = seconds();
+      record_.begin(Activity::Starting);
       Start start = make_start(polygons, mesh);
       start_seconds_ = seconds() - before;
       return start;
     };
+  record_.begin(Activity::Reading);
   in_ = read_input(request_.map, record_.start_stop(), timed);
   request_.solve.apply(in_.options);
+  if (request_.solve.snapshots > 0) {
+    film_.emplace(request_.solve.snapshots, request_.map.degree);
+    in_.options.solve.watch = film_->watcher();
+  }
   if (request_.outputs.has_report(request_.common))
     in_.options.solve.factor_cost = FactorCost::Measured;
   read_seconds_ = seconds() - start_seconds_;
@@ -49,18 +56,19 @@ MapInput& MapRun::read(const StartMaker& make_start) {
 }
 
 int MapRun::finish(ParametrizationResult result, const Json& extra) {
-  finish_progress(request_.common);
   result.initialize_seconds += start_seconds_;
   std::optional<InUnitSquare> normalized;
   if (request_.outputs.normalize && has_result(result)) normalized = normalize(result);
   Json options = request_.solve.to_json();
   options.update(extra);
   return write_result({verb_, request_.common, request_.outputs, request_.map, in_, result, record_,
-                       options, start_, read_seconds_, request_.solve.scaffold_file, normalized});
+                       options, start_, read_seconds_, request_.solve.scaffold_file, normalized,
+                       progress_, film_ ? &*film_ : nullptr});
 }
 
 // What is moved must be proven anew; where that fails there is no result.
 std::optional<InUnitSquare> MapRun::normalize(ParametrizationResult& result) {
+  record_.begin(Activity::Measuring);
   auto normalized = into_unit_square(*result.map, in_.options.map.energy, record_.stop());
   if (normalized) {
     result.map = normalized->map;

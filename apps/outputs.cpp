@@ -30,6 +30,19 @@ double parse_spacing(const std::string& text) {
   return spacing;
 }
 
+// "A,B".
+ColorRange parse_range(const std::string& text) {
+  const std::size_t comma = text.find(',');
+  ColorRange range;
+  if (comma == std::string::npos || !CLI::detail::lexical_cast(text.substr(0, comma), range.low) ||
+      !CLI::detail::lexical_cast(text.substr(comma + 1), range.high) || !(range.low < range.high) ||
+      !std::isfinite(range.low) || !std::isfinite(range.high))
+    throw CLI::ValidationError(
+        "--color-range",
+        fmt::format("'{}' is no range; give two numbers, the smaller one first: 4,10", text));
+  return range;
+}
+
 void require_extension(const std::string& path, const std::vector<std::string>& allowed) {
   const std::string e = extension(path);
   if (e.empty())
@@ -69,6 +82,22 @@ std::string extension(const std::string& path) {
   std::string e = std::filesystem::path(path).extension().string();
   std::transform(e.begin(), e.end(), e.begin(), [](unsigned char c) { return std::tolower(c); });
   return e;
+}
+
+std::vector<std::string> map_extensions(std::vector<std::string> also) {
+  also.insert(also.begin(), {".vtu", ".obj", ".svg", ".html"});
+  return also;
+}
+
+std::string output_help(const std::vector<std::string>& extensions) {
+  return fmt::format("output: {}, repeatable", fmt::join(extensions, " "));
+}
+
+void require_some_output(const std::vector<std::string>& outputs,
+                         const std::vector<std::string>& extensions) {
+  if (outputs.empty())
+    throw Error(ErrorKind::Usage, fmt::format("no output file; add -o OUT, its name ending in {}",
+                                              fmt::join(extensions, " ")));
 }
 
 void require_writable(const CommonOptions& common, const std::vector<OutputNames>& outputs,
@@ -139,6 +168,12 @@ void FormatOptions::add_to(CLI::App& verb) {
       ->type_name("SPACING")
       ->default_str(kAutomatic)  // what it is without a value
       ->expected(0, 1);
+  verb.add_option_function<std::string>(
+          "--color-range",
+          [this](const std::string& range) { svg.color_range = parse_range(range); },
+          "pictures: the values that colours go from and to (default the same for every map, from "
+          "isometry up)")
+      ->type_name("A,B");
 }
 
 void write_map(const std::string& path, const MapFile& map, const PolygonMesh* input,
@@ -147,6 +182,11 @@ void write_map(const std::string& path, const MapFile& map, const PolygonMesh* i
   if (e == ".vtu") write_vtu(path, map, verify);
   if (e == ".obj") write_obj(path, map, input, options.tessellation, verify);
   if (e == ".svg") write_svg(path, map, options.svg);
+  if (e == ".html") {
+    MapPage page = options.page;
+    page.map = map;
+    write_page(path, page);
+  }
 }
 
 }  // namespace majorant::app

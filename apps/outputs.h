@@ -1,7 +1,8 @@
-// Output files by extension: .vtu .obj .svg hold a map, .json a report, .csv an iteration trace.
+// Output files by extension: map_extensions() hold or show a map, .json is a report, .csv an
+// iteration trace.
 //
 //   const std::vector<std::string> files{"a.vtu", "a.obj"};
-//   require_writable(common, {{files, {".vtu", ".obj"}}}, {path});   // before any work
+//   require_writable(common, {{files, map_extensions()}}, {path});   // before any work
 //   WrittenFiles written;
 //   for (const std::string& path : files)
 //     written.write(path, [&] { write_map(path, file, nullptr, FormatOptions()); });
@@ -19,12 +20,22 @@
 #include "majorant/io/internal/tessellate_map.h"
 #include "majorant/io/map_file.h"
 #include "majorant/mesh/polygon_mesh.h"
+#include "majorant/pictures/write_page.h"
 #include "majorant/pictures/write_svg.h"
 
 namespace majorant::app {
 
 // Lower case, with the dot.
 std::string extension(const std::string& path);
+
+// Of the formats that hold a map or show one, in the order of messages, and then `also`: the one
+// list behind help, refusals and require_writable().
+std::vector<std::string> map_extensions(std::vector<std::string> also = {});
+// "output: .vtu .obj, repeatable": help of -o.
+std::string output_help(const std::vector<std::string>& extensions);
+// Throws Error(Usage) where no output is named.
+void require_some_output(const std::vector<std::string>& outputs,
+                         const std::vector<std::string>& extensions);
 
 // What one option names, and the extensions it takes. Empty paths stand for options not given.
 struct OutputNames {
@@ -61,12 +72,13 @@ class WrittenFiles {
 struct FormatOptions {
   TessellationOptions tessellation;  // of OBJ
   SvgOptions svg;
+  MapPage page;  // but for its map
 
   void add_to(CLI::App& verb);  // --refine --grid
 };
 
 // Writes one of the map formats. input may be null. verify: of formats that hold data; pictures
-// (.svg) have nothing to verify.
+// (.svg, .html) have nothing to verify.
 void write_map(const std::string& path, const MapFile& map, const PolygonMesh* input,
                const FormatOptions& options, const FileVerification& verify = {});
 

@@ -6,10 +6,12 @@
 #include <chrono>
 
 #include "apps/global_verdict.h"
+#include "apps/page_content.h"
 #include "apps/seam_request.h"
 #include "apps/streams.h"
 #include "majorant/framework/linear_solver.h"
 #include "majorant/framework/thread_count.h"
+#include "majorant/io/map_distortion.h"
 #include "majorant/io/map_proof.h"
 
 namespace majorant::app {
@@ -75,16 +77,32 @@ ProofRequest promise(const FinishedRun& run, const std::string& path) {
   return promise;
 }
 
-void write_maps(const FinishedRun& run, WrittenFiles& written) {
+double scale_of(const FinishedRun& run) { return run.normalized ? run.normalized->size : 1; }
+
+void write_table(const FinishedRun& run, const MapFile& file, WrittenFiles& written) {
+  const std::string& path = run.outputs.distortion;
+  if (path.empty()) return;
+  written.write(path, [&] {
+    write_distortion(path, file,
+                     run.result.measures.cut_short
+                         ? measure_distortion(*run.result.map, scale_of(run)).faces
+                         : run.result.measures.distortion.faces);
+  });
+}
+
+void write_maps(const FinishedRun& run, const Json& report, WrittenFiles& written) {
   MapFile file = to_map_file(*run.result.map);
   if (!run.result.measures.cut_short) file.distortion = run.result.measures.face_value;
   file.min_det = run.result.measures.min_det;
+  file.face_distortion = finite_or_none(run.result.measures.distortion.faces);
   file.claims = claims(run);
   FormatOptions formats = run.outputs.formats;
   if (run.in.options.map.injectivity == MapInjectivity::Global)
     formats.tessellation.overlap = Overlap::Excluded;
   if (run.result.scaffold && !run.normalized)
     formats.svg.scaffold = to_map_file(*run.result.scaffold);
+  if (has_page(run.outputs.files)) formats.page = page_of(run, report);
+  formats.page.scaffold = formats.svg.scaffold;
   for (const std::string& path : run.outputs.files) {
     if (extension(path) == ".json") continue;
     written.write(path, [&] {
@@ -93,6 +111,7 @@ void write_maps(const FinishedRun& run, WrittenFiles& written) {
                 certification(path, promise(run, path)));
     });
   }
+  write_table(run, file, written);
   if (!run.scaffold_file.empty())
     written.write(run.scaffold_file, [&] {
       write_map(run.scaffold_file, to_map_file(run.result.scaffold.value()), nullptr, {},
@@ -108,12 +127,16 @@ Json result_section(const FinishedRun& run) {
   const ParametrizationResult& r = run.result;
   if (!r.map) return nullptr;
   Json result = measures_section(*r.map, r.measures, run.map.energy);
-  if (was_stopped(r) && run.in.options.map.injectivity != MapInjectivity::Global)
+  if (!r.measures.cut_short)
+    result["distortion"] = distortion_section({&r.measures.distortion}, scale_of(run));
+  if (was_stopped(r) && run.in.options.map.injectivity != MapInjectivity::Global) {
     result["boundary"] = {{"reason", "not asked after the limit"}};
-  else
+  } else {
+    run.record.begin(Activity::Proving);
     add_global_injectivity(result, *r.map, r.measures, check_boundary(*r.map, {.stopped = [&] {
                              return run.record.directive() != Directive::Continue;
                            }}));
+  }
   result["start"] = start_taken(run);
   result["variables"] = r.variables;
   result["initial_value"] = r.initial_value;
@@ -133,12 +156,8 @@ Json seam_start_section(const Start& start) {
           {"chains", seams.chain_count()}, {"seam_edges", seams.edges().size()}};
 }
 
-void write_reports(const FinishedRun& run, double write_seconds, WrittenFiles& written) {
-  std::vector<std::string> paths;
-  if (!run.common.report.empty()) paths.push_back(run.common.report);
-  for (const std::string& path : run.outputs.files)
-    if (extension(path) == ".json") paths.push_back(path);
-  if (paths.empty()) return;
+// Whole but for what writing adds to it.
+Json report_of(const FinishedRun& run) {
   const ParametrizationResult& r = run.result;
   Json report{{"schema_version", 1},
               {"version", MAJORANT_VERSION},
@@ -148,7 +167,7 @@ void write_reports(const FinishedRun& run, double write_seconds, WrittenFiles& w
               {"input", input_section(run.in.polygons, *run.in.mesh)},
               {"options", options_section(run)},
               {"result", result_section(run)},
-              {"outputs", written.to_json()},
+              {"outputs", nullptr},
               {"iterations", iterations_section(run.record.trace())},
               {"injectivity_tests", {{"depth", r.injectivity_tests}}},
               {"remedies", remedies_section(r.remedies)},
@@ -159,14 +178,29 @@ void write_reports(const FinishedRun& run, double write_seconds, WrittenFiles& w
                 {"optimize", r.optimize_seconds},
                 {"scaffold", r.scaffold_seconds},
                 {"measure", r.measure_seconds},
-                {"write", write_seconds},
-                {"total", seconds_since(run.start)}}},
+                {"write", nullptr},
+                {"total", nullptr}}},
               {"peak_memory_bytes", peak_memory_bytes()},
               {"threads", ThreadCount::current()},
               {"vector_instructions", vector_instructions()}};
   if (run.in.start && !run.in.start->map.seams().trivial())
     report["seam_start"] = seam_start_section(*run.in.start);
-  for (const std::string& path : paths) written.write(path, [&] { write_json(path, report); });
+  if (run.film) report["snapshots"] = {{"every", run.film->every()}, {"frames", run.film->count()}};
+  return report;
+}
+
+void write_reports(const FinishedRun& run, Json report, double write_seconds,
+                   WrittenFiles& written) {
+  std::vector<std::string> paths;
+  if (!run.common.report.empty()) paths.push_back(run.common.report);
+  for (const std::string& path : run.outputs.files)
+    if (extension(path) == ".json") paths.push_back(path);
+  for (const std::string& path : paths) {
+    report["outputs"] = written.to_json();
+    report["seconds"]["write"] = write_seconds;
+    report["seconds"]["total"] = seconds_since(run.start);
+    written.write(path, [&] { write_json(path, report); });
+  }
 }
 
 void summarize(const FinishedRun& run) {
@@ -189,16 +223,17 @@ void summarize(const FinishedRun& run) {
 
 void OutputRequest::add_to(CLI::App& verb) {
   verb.add_option("output", positional, "output file, same as -o");
-  verb.add_option("-o,--output", files, "output: .vtu .obj .svg .json .csv, repeatable")
-      ->allow_extra_args(false);
+  verb.add_option("-o,--output", files, output_help(extensions))->allow_extra_args(false);
   formats.add_to(verb);
+  verb.add_option("--distortion", distortion,
+                  "write a table of stretch, area and angle distortion per face to FILE.csv")
+      ->type_name("FILE");
   verb.add_flag("--normalize", normalize, "scale the result into the unit square");
 }
 
 void OutputRequest::require_usable(const MapRequest& map) {
   if (!positional.empty()) files.push_back(positional);
-  if (files.empty())
-    throw Error(ErrorKind::Usage, "no output file; add -o OUT.vtu (or .obj .svg .json .csv)");
+  require_some_output(files, extensions);
   if (normalize && !(map.pins.empty() && map.handles.empty()))
     throw Error(ErrorKind::Usage, "--normalize moves pins and handles; leave one of the two out");
 }
@@ -214,10 +249,14 @@ bool has_result(const ParametrizationResult& result) {
 }
 
 int write_result(const FinishedRun& run) {
+  Json report;
+  if (run.outputs.has_report(run.common) || has_page(run.outputs.files)) report = report_of(run);
   const double before = seconds_since(run.start);
   WrittenFiles written;
-  if (has_result(run.result)) write_maps(run, written);
-  write_reports(run, seconds_since(run.start) - before, written);
+  run.record.begin(Activity::Writing);
+  if (has_result(run.result)) write_maps(run, report, written);
+  write_reports(run, std::move(report), seconds_since(run.start) - before, written);
+  run.progress.finish();
   summarize(run);
   return written.conclude(exit_code(run.result.status));
 }

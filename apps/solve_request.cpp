@@ -4,8 +4,8 @@
 
 #include "apps/arguments/number_check.h"
 #include "apps/arguments/suggestion.h"
+#include "apps/page_content.h"
 #include "apps/process.h"
-#include "apps/progress.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/curvature_name.h"
 
@@ -19,6 +19,10 @@ void SolveRequest::add_to(CLI::App& verb, std::string& curvature) {
       ->type_name("FILE");
   verb.add_flag("--improve-mesh", improve_mesh,
                 "flip edges inside flat parts of the surface where that lowers the energy");
+  verb.add_option("--snapshots", snapshots,
+                  "the map after every so many iterations goes into the page, .html")
+      ->type_name("K")
+      ->check(CLI::Range(1, std::numeric_limits<int>::max()));
   add_limits_to(verb, curvature);
 }
 
@@ -48,8 +52,8 @@ void SolveRequest::apply(ParametrizationOptions& options) const {
 Json SolveRequest::to_json() const {
   return {{"improve_mesh", improve_mesh},    {"elevation", elevation},
           {"bijective", bijective},          {"no_flips", no_flips},
-          {"write_scaffold", scaffold_file}, {"tolerance", tolerance},
-          {"max_iterations", max_iterations}};
+          {"write_scaffold", scaffold_file}, {"snapshots", snapshots},
+          {"tolerance", tolerance},          {"max_iterations", max_iterations}};
 }
 
 void SolveRequest::require_usable(const OutputRequest& outputs, const MapRequest& map) const {
@@ -57,14 +61,19 @@ void SolveRequest::require_usable(const OutputRequest& outputs, const MapRequest
   if (no_flips && !bijective) refuse("--no-flips needs --bijective");
   if (improve_mesh && !map.weights.empty())
     refuse("--improve-mesh changes the faces that --weights are for; leave one of the two out");
+  if (snapshots > 0 && !has_page(outputs.files))
+    refuse("--snapshots needs a page; add -o OUT.html");
+  if (snapshots > 0 && improve_mesh)
+    refuse("--improve-mesh changes the triangles that --snapshots show; leave one of the two out");
   if (scaffold_file.empty()) return;
   if (!bijective) refuse("--write-scaffold needs --bijective");
   if (outputs.normalize) refuse("--normalize moves the map away from its scaffold; leave it out");
 }
 
-RunRecord SolveRequest::make_record(const CommonOptions& common) const {
+RunRecord SolveRequest::make_record(Progress& progress) const {
   if (!(time_limit >= 0)) throw Error(ErrorKind::Usage, "--time-limit is not a number of seconds");
-  return RunRecord(time_limit, max_iterations, interruption_flag(), make_progress(common));
+  return RunRecord(time_limit, max_iterations, interruption_flag(), progress.steps(),
+                   progress.activities());
 }
 
 }  // namespace majorant::app

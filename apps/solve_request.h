@@ -6,6 +6,7 @@
 #include <string>
 
 #include "apps/command.h"
+#include "apps/progress.h"
 #include "apps/report.h"
 #include "apps/result_files.h"
 #include "majorant/parametrization/drive/parametrize.h"
@@ -15,6 +16,7 @@ namespace majorant::app {
 struct SolveRequest {
   std::string elevation = "incremental";
   int max_iterations = 1000;
+  int snapshots = 0;  // iterations from one to the next; 0: none
   bool bijective = false, no_flips = false, improve_mesh = false;
   std::string scaffold_file;  // or empty
   double tolerance = 1e-6, time_limit = std::numeric_limits<double>::infinity();
@@ -27,7 +29,8 @@ struct SolveRequest {
   void apply(ParametrizationOptions& options) const;
   Json to_json() const;
   // Limits, Ctrl-C and progress lines. Throws Error(Usage) for a time limit that is no number.
-  RunRecord make_record(const CommonOptions& common) const;
+  // progress: outlives the record.
+  RunRecord make_record(Progress& progress) const;
 };
 
 }  // namespace majorant::app

@@ -38,19 +38,23 @@ void require_usable(Request& request) {
   request.outputs.require_usable(request.map);
   if (request.map.degree == 0) request.map.degree = 1;
   if (request.unwrap.seams.seams.empty()) request.unwrap.seams.seams = "auto";
-  require_writable(request.common, {{request.outputs.files, {".vtu", ".obj", ".svg", ".json"}}},
+  require_writable(request.common,
+                   {{request.outputs.files, request.outputs.extensions},
+                    {{request.outputs.distortion}, {".csv"}}},
                    {request.map.input, request.map.pins, request.map.handles, request.map.weights,
                     request.unwrap.seams.file()});
 }
 
 int unwrap_file(Request request) {
   const auto start = std::chrono::steady_clock::now();
-  RunRecord record = request.solve.make_record(request.common);
+  Progress progress(request.common);
+  RunRecord record = request.solve.make_record(progress);
   require_usable(request);
   const ThreadCount threads(start_threads(request.common.threads));
   PolygonMesh polygons;
   RepairedSurface surface;
   UnwrapOptions options;
+  record.begin(Activity::Reading);
   unless_stopped("reading " + request.map.input, [&] {
     polygons = read_mesh(request.map.input, record.start_stop());
     say_warnings(polygons.warnings);
@@ -63,7 +67,6 @@ int unwrap_file(Request request) {
   const double read_seconds = record.seconds();
   Atlas atlas = unless_stopped("unwrapping " + request.map.input,
                                [&] { return unwrap(surface.mesh, options, record); });
-  finish_progress(request.common);
   std::optional<AtlasSquare> square;
   if (request.outputs.normalize) square = into_unit_square(atlas);
   if (request.outputs.normalize && !square)
@@ -72,7 +75,8 @@ int unwrap_file(Request request) {
                     ": in the unit square its smallest triangles are too small for doubles; leave "
                     "out --normalize");
   return write_atlas({request.common, request.outputs, request.map, polygons, surface, atlas,
-                      square, record, options_of(request), start, read_seconds});
+                      square, record, options.chart.map.handles, options_of(request), start,
+                      progress, read_seconds});
 }
 
 }  // namespace
@@ -82,6 +86,7 @@ void add_unwrap(CLI::App& app, Action* run) {
   CLI::App& verb = *app.add_subcommand(
       "unwrap", "cut any mesh into charts and lay them side by side, without overlaps");
   request->map.add_to(verb);
+  request->outputs.extensions = map_extensions({".json"});
   request->outputs.add_to(verb);
   request->unwrap.add_to(verb);
   request->solve.add_limits_to(verb, request->map.curvature);

@@ -1,9 +1,12 @@
 #!/bin/sh
 # install_packages.sh [LIST...]: installs the packages of scripts/packages.txt, and of other lists,
 # that are missing (Debian, root or sudo). Does nothing, and needs no network, when all are there.
+# PACKAGE/PROGRAM in a list: not where there is such a program already.
 set -eu
 missing=""
-for package in $(cat "$(dirname "$0")/packages.txt" "$@" | sed 's/#.*//'); do
+for entry in $(cat "$(dirname "$0")/packages.txt" "$@" | sed 's/#.*//'); do
+  package=${entry%/*}
+  [ "$package" = "$entry" ] || ! command -v "${entry#*/}" > /dev/null || continue
   status=$(dpkg-query -W -f='${Status}' "$package" 2>/dev/null || true)
   case "$status" in
     *"install ok installed"*) ;;

@@ -15,11 +15,15 @@
 #include "apps/energy_option.h"
 #include "apps/global_verdict.h"
 #include "apps/outputs.h"
+#include "apps/page_content.h"
 #include "apps/process.h"
+#include "apps/progress.h"
 #include "apps/report.h"
 #include "apps/streams.h"
 #include "apps/unless_stopped.h"
 #include "majorant/framework/thread_count.h"
+#include "majorant/io/layout_scale.h"
+#include "majorant/io/map_distortion.h"
 #include "majorant/io/map_file.h"
 #include "majorant/io/map_proof.h"
 #include "majorant/io/read_mesh.h"
@@ -29,7 +33,9 @@ namespace {
 
 struct Request {
   CommonOptions common;
-  std::string result, surface, cuts;  // cuts: none, free or, where nothing is said, empty
+  std::string result, surface, distortion;
+  std::string cuts;                  // none, free or, where nothing is said, empty
+  std::vector<std::string> outputs;  // pages
   double time_limit = std::numeric_limits<double>::infinity();
   bool certify = false, seamless = false;
 };
@@ -55,6 +61,14 @@ struct Check {
   std::optional<MapProof> proof = {};
 };
 
+// At the scale of its claims, or a scale of its own.
+Json measured_distortion(const MapFile& file) {
+  const MapDistortion measured = measure_distortion(file);
+  Json section = distortion_section({&measured}, layout_scale(file));
+  section["scale_is_assumed"] = has_assumed_scale(file);
+  return section;
+}
+
 void prove(Check& check, const StopCheck& stop) {
   const bool is_seamless = check.request.seamless || check.claims.seams.value_or(false);
   ProofRequest wanted;
@@ -62,7 +76,7 @@ void prove(Check& check, const StopCheck& stop) {
   wanted.cuts = cut_rule(check.request, check.claims, is_seamless);
   if (check.request.certify || check.claims.bijective.value_or(false))
     wanted.overlap = ProofRequest::Overlap::Forbidden;
-  else if (!check.request.common.report.empty())
+  else if (!check.request.common.report.empty() || !check.request.outputs.empty())
     wanted.overlap = ProofRequest::Overlap::Reported;
   if (extension(check.request.result) == ".vtu") wanted.labels = ProofRequest::FaceLabels::Compared;
   wanted.stop = stop;
@@ -81,16 +95,22 @@ void prove(Check& check, const StopCheck& stop) {
                           {"other_edges", cuts.others},
                           {"length", cuts.length},
                           {"charts", cuts.charts}};
-  if (!check.proof->map()) return;
+}
 
+// What there is a map of, and what is claimed of that.
+void measure(Check& check, const StopCheck& stop) {
+  if (!check.proof->map()) return;
   const BezierMap& map = *check.proof->map();
   check.measures = measure_as_claimed(map, check.claims, stop, check.findings);
   Json result = measures_section(map, *check.measures, claimed_energy(check.claims));
   if (check.proof->global)
     add_global_injectivity(result, map, *check.measures, *check.proof->global);
+  if (!check.measures->cut_short && !check.request.common.report.empty())
+    result["distortion"] = measured_distortion(check.file);
   check.report["result"] = result;
   if (check.proof->surface.answer == Answer::Violated) return;  // claims are about another mesh
-  check_claims({check.file, map, *check.measures, check.claims, wanted.surface, cuts},
+  check_claims({check.file, map, *check.measures, check.claims,
+                check.surface ? &*check.surface : nullptr, check.proof->cuts},
                check.findings);
 }
 
@@ -108,6 +128,33 @@ std::string in_words(const MapProof& proof) {
     proven += fmt::format(", cut along {} into {}", counted(proof.cuts.others, "edge"),
                           counted(proof.cuts.charts, "chart"));
   return proven + open;
+}
+
+// What a page says of a cell that is not proven to be positive: det J at the points of a lattice.
+std::string describe_fault(const MapProof& proof, Index cell) {
+  if (!proof.map()) return "det J is not proven to be positive";
+  constexpr int kSteps = 8;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i <= kSteps; ++i)
+    for (int j = 0; i + j <= kSteps; ++j) {
+      const double a = static_cast<double>(i) / kSteps, b = static_cast<double>(j) / kSteps;
+      least = std::min(least, proof.map()->jacobian(cell, {a, b, 1 - a - b}).determinant());
+    }
+  return least > 0
+             ? fmt::format("det J is not proven to be positive, sampled down to {:.3g}", least)
+             : fmt::format("turned over: det J is {:.3g} at a point of it", least);
+}
+
+MapPage page_of(const Check& check) {
+  MapPage page;
+  page.title = page_title(check.request.result);
+  page.map = check.file;
+  page.facts = page_facts(check.report);
+  for (const Index cell : check.proof->not_positive)
+    page.faults.push_back({cell, describe_fault(*check.proof, cell)});
+  for (const ClaimedPin& pin : check.claims.pins.value_or(std::vector<ClaimedPin>()))
+    page.points.push_back({pin.vertex, pin.target, PagePoint::Hold::Pin});
+  return page;
 }
 
 int conclude(Check& check) {
@@ -128,18 +175,26 @@ int conclude(Check& check) {
   }
   WrittenFiles written;
   const std::string& report = request.common.report;
+  for (const std::string& path : request.outputs)
+    written.write(path, [&] { write_page(path, page_of(check)); });
+  if (const std::string& path = request.distortion; !path.empty())
+    written.write(
+        path, [&] { write_distortion(path, check.file, measure_distortion(check.file).faces); });
   if (!report.empty()) written.write(report, [&] { write_json(report, check.report); });
   return written.conclude(list.empty() ? kSuccess : kInvalid);
 }
 
 int check(const Request& request) {
-  require_writable(request.common, {}, {request.result, request.surface});
+  require_writable(request.common, {{request.outputs, {".html"}}, {{request.distortion}, {".csv"}}},
+                   {request.result, request.surface});
   const ThreadCount threads(start_threads(request.common.threads));
-  const RunRecord record(request.time_limit, 0, interruption_flag());
+  Progress progress(request.common);
+  const RunRecord record(request.time_limit, 0, interruption_flag(), {}, progress.activities());
   const StopCheck& stop = record.stop();
   const auto read = [&](const std::string& path, const auto& reader) {
     return unless_stopped("reading " + path, [&] { return reader(path, stop); });
   };
+  record.begin(Activity::Reading);
   const MapFile file = read(request.result, read_map);
   say_warnings(file.warnings);
   const Claims claims = parse_claims(file.claims, request.result);
@@ -150,7 +205,11 @@ int check(const Request& request) {
   }
   Check check{request, file, claims, surface};
   check.report = {{"schema_version", 1}, {"version", MAJORANT_VERSION}, {"command", "check"}};
+  record.begin(Activity::Proving);
   prove(check, stop);
+  record.begin(Activity::Measuring);
+  measure(check, stop);
+  if (check.findings.list().empty()) progress.finish();
   return conclude(check);
 }
 
@@ -162,6 +221,9 @@ void add_check(CLI::App& app, Action* run) {
   verb.add_option("result", request->result, "result: .vtu, or .obj with vt")->required();
   verb.add_option("--surface", request->surface, "the mesh it should be a map of")
       ->type_name("FILE");
+  verb.add_option("-o,--output", request->outputs,
+                  "the map and what is wrong with it as a page: .html, repeatable")
+      ->allow_extra_args(false);
   verb.add_option("--cuts", request->cuts,
                   "none: inner edges whose sides differ are violations; free: they are counted "
                   "(default with --surface: none)")
@@ -171,6 +233,9 @@ void add_check(CLI::App& app, Action* run) {
   verb.add_option("--time-limit", request->time_limit,
                   "seconds; what is not decided by then is said to be undecided")
       ->check(non_negative_number(std::numeric_limits<double>::infinity()));
+  verb.add_option("--distortion", request->distortion,
+                  "write a table of stretch, area and angle distortion per face to FILE.csv")
+      ->type_name("FILE");
   verb.add_flag("--certify", request->certify, "prove global injectivity as well");
   request->common.add_to(verb);
   verb.footer("Example: majorant check bunny.vtu --surface bunny.obj --report check.json");

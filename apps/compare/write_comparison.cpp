@@ -9,7 +9,6 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <string_view>
 
 #include "apps/compare/comparison_table.h"
 #include "embedded/comparison_chart_js.h"
@@ -17,6 +16,7 @@
 #include "embedded/comparison_page_html.h"
 #include "embedded/comparison_page_js.h"
 #include "majorant/io/internal/atomic_file.h"
+#include "majorant/pictures/internal/page_text.h"
 
 namespace majorant {
 namespace {
@@ -33,50 +33,6 @@ std::string csv_field(const std::string& text) {
     quoted += c;
   }
   return quoted + "\"";
-}
-
-// The text with U+FFFD for what is not UTF-8.
-std::string valid_utf8(const std::string& text) {
-  return Json::parse(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace));
-}
-
-std::string html_text(const std::string& text) {
-  std::string escaped;
-  for (const char c : valid_utf8(text)) {
-    switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      case '\0':
-        escaped += "\ufffd";
-        break;  // not allowed in HTML
-      default:
-        escaped += c;
-    }
-  }
-  return escaped;
-}
-
-// JSON for a <script> element: "<" occurs in strings only, and there it may be written \u003c.
-std::string script_json(const Json& json) {
-  std::string text;
-  for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {
-    if (c == '<') {
-      text += "\\u003c";
-    } else {
-      text += c;
-    }
-  }
-  return text;
 }
 
 // null where JSON has no number.
@@ -215,22 +171,6 @@ std::string notes(const Comparison& comparison) {
         kDrawnPoints);
   }
   return text;
-}
-
-// Puts the values into their {{name}}, in one pass: a value is never searched for names.
-std::string fill_in(std::string_view page,
-                    const std::vector<std::pair<std::string_view, std::string>>& values) {
-  std::string result;
-  for (std::size_t open = page.find("{{"); open != std::string_view::npos; open = page.find("{{")) {
-    const std::size_t close = page.find("}}", open);
-    const std::string_view name = page.substr(open + 2, close - open - 2);
-    const auto value = std::find_if(values.begin(), values.end(),
-                                    [&](const auto& entry) { return entry.first == name; });
-    result += page.substr(0, open);
-    result += value->second;
-    page.remove_prefix(close + 2);
-  }
-  return result.append(page);
 }
 
 }  // namespace

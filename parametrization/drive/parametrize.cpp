@@ -90,14 +90,22 @@ class Run {
         record_(record),
         start_(start, options.map),
         map_(start_.map()),
-        setup_{start_.specification(), options.solve, record.stop(), rules, {}} {}
+        setup_{start_.specification(), options.solve, record.stop(), rules, {}} {
+    if (!options.solve.watch) return;
+    setup_.watch = [this](const TraceEntry& row, const auto& space, VecIn x) {
+      options_.solve.watch(row, [&] { return start_.in_model_units(map_.with(space, x)); });
+    };
+  }
 
   ParametrizationResult solve() {
     const double started = record_.seconds();
     result_.start_moved = start_.moved();
     Vec unused;
     result_.initial_value = mean_density(map_, setup_.map.rest, options_.map.energy, unused);
+    show_start();
+    if (options_.map.injectivity == MapInjectivity::Global) record_.begin(Activity::Scaffold);
     domain_ = make_domain();
+    record_.begin(Activity::Solving);
     SolveResult solved;
     solved.energy = result_.initial_value;
     try {
@@ -110,6 +118,14 @@ class Run {
   }
 
  private:
+  void show_start() const {
+    if (!setup_.watch) return;
+    TraceEntry row;
+    row.record.iteration = static_cast<int>(record_.trace().size());
+    row.record.energy = row.energy = result_.initial_value;
+    setup_.watch(row, map_.shared_space(), map_.control_points());
+  }
+
   // solved: of the last degree that was optimized.
   void raise_degree(SolveResult& solved) {
     if (!std::isfinite(result_.initial_value)) enter_domain();
@@ -228,12 +244,14 @@ class Run {
   }
 
   void take_measures() {
+    record_.begin(Activity::Measuring);
     const double started = record_.seconds();
     result_.measures = measure_map(*result_.map, options_.map.energy, record_.stop());
     result_.measure_seconds += record_.seconds() - started;
   }
 
   void flip_triangles() {
+    record_.begin(Activity::Solving);
     const double started = record_.seconds();
     ImprovedMap improved = improve_mesh(*result_.map, options_.map.energy, record_.stop());
     result_.optimize_seconds += record_.seconds() - started;
@@ -264,6 +282,7 @@ class Run {
 
   // What was held by the scaffold, proven once more from the boundary of what is returned.
   void prove_no_overlaps() {
+    record_.begin(Activity::Proving);
     const double started = record_.seconds();
     const GlobalInjectivity proof = check_boundary(*result_.map);
     result_.measure_seconds += record_.seconds() - started;
@@ -316,10 +335,15 @@ ParametrizationResult parametrize_by(const SolverRules& rules, const BezierMap& 
   const ThreadCount threads(options.solve.threads);
   const ParametrizationOptions resolved = with_targets(start, options);
   // Edges that stay parallel to an axis leave a start no way to turn.
-  if (meets_pins(start, resolved.map.pins) || !options.map.aligned.empty())
-    return Run(rules, start, options, record).solve();
-  require_scale(resolved.map, start);
-  return Run(rules, reach_pins(start, resolved, record), resolved, record).solve();
+  ParametrizationResult result;
+  if (meets_pins(start, resolved.map.pins) || !options.map.aligned.empty()) {
+    result = Run(rules, start, options, record).solve();
+  } else {
+    require_scale(resolved.map, start);
+    result = Run(rules, reach_pins(start, resolved, record), resolved, record).solve();
+  }
+  result.handles = resolved.map.handles;
+  return result;
 }
 
 ParametrizationResult parametrize(const BezierMap& start, const ParametrizationOptions& options,
@@ -332,6 +356,7 @@ ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,
   require_valid(options);
   const double started = record.seconds();
   const ThreadCount threads(options.solve.threads);
+  record.begin(Activity::Starting);
   StartMethod taken;
   const BezierMap start =
       BezierMap::linear(mesh, initial_map(*mesh, options.map, record.start_stop(), &taken));

@@ -42,6 +42,7 @@ struct ParametrizationResult {
   double newton_decrement = 0;
   double constraint_residual = 0;  // model units
   double start_moved = 0;          // by aligning edges, largest distance, model units
+  std::vector<Pin> handles;        // with their targets
   double handle_distance = 0;      // largest distance of a soft handle from its target, model units
   Index variables = 0;
   MapMeasures measures;

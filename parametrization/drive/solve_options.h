@@ -2,8 +2,12 @@
 // them but for the path to it, which may lead to another local one.
 #pragma once
 
+#include <functional>
+
 #include "majorant/elements/element_space.h"
 #include "majorant/framework/curvature.h"
+#include "majorant/framework/trace.h"
+#include "majorant/parametrization/maps/bezier_map.h"
 
 namespace majorant {
 
@@ -20,6 +24,13 @@ enum class Triangles { Kept, Flipped };
 // (ParametrizationResult::factor_solve_seconds). Its time counts nowhere.
 enum class FactorCost { IfKnown, Measured };
 
+// Sees a run on its way, and changes nothing of it: called with the start, in a row of its own
+// whose iteration is that of the row before it (0 at first), and after every row of the trace.
+// map(): as it is then, at the row's degree, in model units; valid during the call, and costs what
+// it takes to copy it only where it is called. Starts that are pulled to their pins are seen, too.
+using MapWatcher =
+    std::function<void(const TraceEntry& row, const std::function<BezierMap()>& map)>;
+
 struct SolveOptions {
   Curvature curvature = Curvature::Projected;
   double tolerance = 1e-6;  // relative energy decrease per iteration, StoppingRules
@@ -30,7 +41,8 @@ struct SolveOptions {
   ScaffoldFlips scaffold_flips = ScaffoldFlips::Performed;  // of MapInjectivity::Global
   Triangles triangles = Triangles::Kept;
   FactorCost factor_cost = FactorCost::IfKnown;
-  int threads = 0;  // 0: as many as the caller has (thread_count.h); results do not depend on it
+  MapWatcher watch;  // may be empty
+  int threads = 0;   // 0: as many as the caller has (thread_count.h); results do not depend on it
 };
 
 }  // namespace majorant

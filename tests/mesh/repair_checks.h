@@ -94,4 +94,42 @@ inline Index count_of(const RepairedSurface& out, RepairKind kind) {
   return 0;
 }
 
+inline RepairedSurface repaired(const PolygonMesh& mesh, const RepairOptions& options = {}) {
+  RepairedSurface out = repair(mesh, options);
+  expect_repaired(mesh, out);
+  return out;
+}
+
+// Components, boundary loops, Euler characteristic.
+inline std::array<Index, 3> shape_of(const RepairedSurface& out) {
+  const Topology& t = out.mesh->topology();
+  return {t.components, t.boundary_loops, t.euler_characteristic()};
+}
+using Shape = std::array<Index, 3>;
+
+inline PolygonMesh both(PolygonMesh a, const PolygonMesh& b) {
+  const auto first = static_cast<Index>(a.positions.size());
+  a.positions.insert(a.positions.end(), b.positions.begin(), b.positions.end());
+  for (std::vector<Index> polygon : b.polygons) {
+    for (Index& v : polygon) v += first;
+    a.polygons.push_back(polygon);
+  }
+  return a;
+}
+
+// Texture coordinates that are the vertex's x and y, moved by (10 part, 0).
+inline PolygonMesh textured(PolygonMesh mesh, const std::function<int(const Vector3&)>& part) {
+  for (const auto& polygon : mesh.polygons) {
+    Vector3 middle = Vector3::Zero();
+    for (const Index v : polygon) middle += mesh.positions[at(v)] / double(polygon.size());
+    auto& corners = mesh.polygon_texcoords.emplace_back();
+    for (const Index v : polygon) {
+      corners.push_back(static_cast<Index>(mesh.texcoords.size()));
+      mesh.texcoords.emplace_back(mesh.positions[at(v)].head<2>());
+      mesh.texcoords.back().x() += 10 * part(middle);
+    }
+  }
+  return mesh;
+}
+
 }  // namespace majorant

@@ -104,7 +104,9 @@ Directive DegreeSolver::note(const IterationRecord& own, StepResult::Outcome out
   row.energy = own.energy;
   if (rows.phase != Phase::Newton)
     row.energy = setup_.asked_energy ? setup_.asked_energy(x()) : own_energy(x_);
-  return rows.record.note(std::move(row));
+  const Directive directive = rows.record.note(std::move(row));
+  if (setup_.watch) setup_.watch(rows.record.trace().back(), space_, x());
+  return directive;
 }
 
 // One step and what the domain makes of it; energy: of the problem, result.energy: the map's own.

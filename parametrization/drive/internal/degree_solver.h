@@ -36,6 +36,9 @@ class DegreeSolver {
     // Of a map, 2 numbers per node, for the trace: where another energy is minimized than the one
     // asked for. Empty: that of `map`.
     std::function<double(VecIn)> asked_energy;
+    // Called after every row of the trace, with the nodes of the map. May be empty.
+    std::function<void(const TraceEntry&, const std::shared_ptr<const BezierTriangleSpace>&, VecIn)>
+        watch = {};
   };
 
   // x: start, 2 numbers per node of `space`, normalised, locally injective. setup and domain

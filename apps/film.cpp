@@ -1,0 +1,42 @@
+#include "apps/film.h"
+
+#include <algorithm>
+
+#include "majorant/io/map_file.h"
+
+namespace majorant::app {
+
+MapWatcher Film::watcher() {
+  return [this](const TraceEntry& row, const std::function<BezierMap()>& map) { take(row, map); };
+}
+
+void Film::take(const TraceEntry& row, const std::function<BezierMap()>& map) {
+  const int iteration = row.record.iteration;
+  const bool is_known = !frames_.empty() && frames_.back().iteration >= iteration;
+  if (is_known || iteration % every_ != 0) return;
+  frames_.push_back({map(), iteration, row.energy});
+  if (frame_bytes_ == 0) {
+    const BezierTriangleSpace& space = frames_.back().map.space();
+    const BezierTriangleSpace last(space.faces(), space.vertex_count(), degree_);
+    frame_bytes_ = static_cast<std::size_t>(last.node_count()) * 2 * sizeof(float);
+  }
+  while (frames_.size() > 1 && frames_.size() * frame_bytes_ > most_bytes_) {
+    every_ *= 2;
+    std::erase_if(frames_, [&](const Frame& frame) { return frame.iteration % every_ != 0; });
+  }
+}
+
+std::vector<PageSnapshot> Film::frames(const Frame& result) const {
+  std::vector<PageSnapshot> snapshots;
+  const auto add = [&](const Frame& frame) {
+    BezierMap map = frame.map;
+    while (map.degree() < degree_) map = map.elevated();
+    snapshots.push_back({frame.iteration, frame.map.degree(), frame.energy, to_map_file(map).uv});
+  };
+  for (const Frame& frame : frames_)
+    if (frame.iteration < result.iteration || frame.iteration == 0) add(frame);
+  add(result);
+  return snapshots;
+}
+
+}  // namespace majorant::app

@@ -1,0 +1,51 @@
+// The maps that a run goes through, every few iterations, for the page that shows them.
+//
+//   Film film(5, options.map.degree);
+//   options.solve.watch = film.watcher();
+//   const ParametrizationResult result = parametrize(mesh, options, record);
+//   page.snapshots = film.frames({*result.map, last_iteration, energy});
+//
+// Memory is bounded: frames are counted as the page holds them, 8 bytes a control point at the
+// degree of the result. When one more would not fit, every second one goes, and from then on only
+// every second one is taken. The start, iteration 0, is always one of them.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "majorant/parametrization/drive/solve_options.h"
+#include "majorant/pictures/write_page.h"
+
+namespace majorant::app {
+
+class Film {
+ public:
+  // Of all frames: 46 of 10,000 cubic triangles.
+  static constexpr std::size_t kMostBytes = std::size_t{1} << 24;
+
+  struct Frame {
+    BezierMap map;
+    int iteration = 0;
+    double energy = 0;
+  };
+
+  // every: iterations from frame to frame, at least 1. degree: of the result.
+  Film(int every, int degree, std::size_t most_bytes = kMostBytes)
+      : every_(every), degree_(degree), most_bytes_(most_bytes) {}
+
+  MapWatcher watcher();                 // the film outlives it
+  int every() const { return every_; }  // now
+  std::size_t count() const { return frames_.size(); }
+  // The frames and, as the last one, the result, elevated to its degree, by rising iterations.
+  std::vector<PageSnapshot> frames(const Frame& result) const;
+
+ private:
+  void take(const TraceEntry& row, const std::function<BezierMap()>& map);
+
+  int every_, degree_;
+  std::size_t most_bytes_, frame_bytes_ = 0;
+  std::vector<Frame> frames_;
+};
+
+}  // namespace majorant::app

@@ -1,0 +1,70 @@
+#include "apps/page_content.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "apps/outputs.h"
+
+namespace majorant::app {
+namespace {
+
+std::vector<PagePoint> held_points(const BezierMap& map, const std::vector<Pin>& pins) {
+  std::vector<PagePoint> points;
+  for (const Pin& pin : pins)
+    points.push_back({map.mesh().input_vertex(pin.vertex),
+                      map.control_points().segment<2>(2 * pin.vertex), PagePoint::Hold::Pin});
+  return points;
+}
+
+// In the units of the result's file.
+std::vector<PageSnapshot> frames_of(const FinishedRun& run) {
+  const std::vector<TraceEntry>& trace = run.record.trace();
+  const int last = trace.empty() ? 0 : trace.back().record.iteration;
+  std::vector<PageSnapshot> frames =
+      run.film->frames({*run.result.map, last, run.result.value_quadrature});
+  if (!run.normalized) return frames;
+  for (std::size_t k = 0; k + 1 < frames.size(); ++k)  // the result has been moved
+    frames[k].uv =
+        (frames[k].uv.rowwise() - run.normalized->origin.transpose()).eval() / run.normalized->size;
+  return frames;
+}
+
+}  // namespace
+
+std::string page_title(const std::string& input) {
+  return std::filesystem::path(input).filename().string();
+}
+
+std::string page_facts(Json report) {
+  for (const char* left_out : {"outputs", "iterations"}) report.erase(left_out);
+  return json_text(report);
+}
+
+bool is_page(const std::string& path) { return extension(path) == ".html"; }
+
+bool has_page(const std::vector<std::string>& paths) {
+  return std::any_of(paths.begin(), paths.end(), is_page);
+}
+
+MapPage page_of(const FinishedRun& run, Json report) {
+  MapPage page;
+  page.title = page_title(run.map.input);
+  page.facts = page_facts(std::move(report));
+  const BezierMap& map = *run.result.map;
+  page.points = held_points(map, run.in.options.map.pins);
+  for (const PagePoint& point : pulled_points(run.result.handles, map.mesh()))
+    page.points.push_back(point);
+  if (run.film) page.snapshots = frames_of(run);
+  return page;
+}
+
+std::vector<PagePoint> pulled_points(const std::vector<Pin>& handles, const SurfaceMesh& mesh) {
+  std::vector<PagePoint> points;
+  for (const Pin& handle : handles)
+    if (handle.target)
+      points.push_back({mesh.input_vertex(handle.vertex), *handle.target, PagePoint::Hold::Handle});
+  return points;
+}
+
+}  // namespace majorant::app

@@ -1,0 +1,26 @@
+// What pages (.html) show of a run besides its map: facts, points that were held or pulled, the
+// maps on the way.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "apps/film.h"
+#include "apps/report.h"
+#include "apps/result_files.h"
+
+namespace majorant::app {
+
+// The file's name, without its folder.
+std::string page_title(const std::string& input);
+// A report without what pages do not show: outputs, and iterations step by step.
+std::string page_facts(Json report);
+bool is_page(const std::string& path);
+bool has_page(const std::vector<std::string>& paths);
+
+// The page of a run, but for its map and its scaffold.
+MapPage page_of(const FinishedRun& run, Json report);
+// Handles with a target, by vertex of the input, model units.
+std::vector<PagePoint> pulled_points(const std::vector<Pin>& handles, const SurfaceMesh& mesh);
+
+}  // namespace majorant::app

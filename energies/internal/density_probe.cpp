@@ -1,0 +1,60 @@
+#include "majorant/energies/internal/density_probe.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+#include "majorant/elements/bezier_triangle_space.h"
+#include "majorant/elements/quadrature.h"
+
+namespace majorant {
+namespace {
+
+constexpr int kMost = Chunk::kMaxSize;
+
+}  // namespace
+
+// As many triangles (p0, p1, p2) = ((1, 0), (0, 1), (0, 0)) as a chunk takes, each on its own.
+DensityProbe::DensityProbe(const EnergySum& energy) {
+  Cells faces(kMost, 3);
+  RowMatrix positions(3 * kMost, 2);
+  for (Index k = 0; k < kMost; ++k) {
+    faces.row(k) << 3 * k, 3 * k + 1, 3 * k + 2;
+    positions.middleRows(3 * k, 3) << 1, 0, 0, 1, 0, 0;
+  }
+  RestShapes rest = flat_simplices(positions, faces);
+  rest.measure.setOnes();  // values of the term are those of the density then
+  const auto space = std::make_shared<const BezierTriangleSpace>(faces, 3 * kMost, 1);
+  for (const WeightedEnergy& summand : energy)
+    summands_.push_back({summand.make(space, rest, {lattice_rule(1)}), summand.weight});
+}
+
+double DensityProbe::at(double sigma_max, double sigma_min) const {
+  const Vector2 sigma(sigma_max, sigma_min);
+  double value = 0;
+  evaluate({&sigma, 1}, {&value, 1});
+  return value;
+}
+
+void DensityProbe::evaluate(std::span<const Vector2> sigma, std::span<double> values) const {
+  std::array<Index, kMost> elements;
+  std::iota(elements.begin(), elements.end(), 0);
+  std::array<double, kMost> part;
+  Vec x = Vec::Zero(6 * kMost);
+  Workspace workspace;
+  for (std::size_t first = 0; first < sigma.size(); first += kMost) {
+    const std::size_t count = std::min<std::size_t>(kMost, sigma.size() - first);
+    for (std::size_t k = 0; k < count; ++k) {
+      x[static_cast<Index>(6 * k)] = sigma[first + k][0];
+      x[static_cast<Index>(6 * k + 3)] = sigma[first + k][1];
+    }
+    const auto out = values.subspan(first, count);
+    std::fill(out.begin(), out.end(), 0.0);
+    for (const Summand& summand : summands_) {
+      summand.term->values(x, {0, {elements.data(), count}}, {}, workspace, part);
+      for (std::size_t k = 0; k < count; ++k) out[k] += summand.weight * part[k];
+    }
+  }
+}
+
+}  // namespace majorant

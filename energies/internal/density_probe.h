@@ -1,0 +1,35 @@
+// The density of an energy at single Jacobians, of any energy: for scales, and pixels of pictures.
+//
+//   const DensityProbe probe({{symmetric_dirichlet(), 1.0}});
+//   probe.at(1, 1);                                            // 4
+//
+// By the kernels that solve, 128 Jacobians at a time. Not for what can use a DensityTerm itself.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "majorant/energies/energy_factory.h"
+
+namespace majorant {
+
+class DensityProbe {
+ public:
+  // Isotropic densities of planar maps: functions of singular values alone.
+  explicit DensityProbe(const EnergySum& energy);
+
+  double at(double sigma_max, double sigma_min) const;
+  // sigma: largest and smallest (signed) of as many Jacobians as there are values to be written;
+  // +inf outside the energy's domain. May be called by several threads at a time.
+  void evaluate(std::span<const Vector2> sigma, std::span<double> values) const;
+
+ private:
+  struct Summand {
+    std::shared_ptr<const DensityTerm> term;
+    double weight;
+  };
+  std::vector<Summand> summands_;
+};
+
+}  // namespace majorant

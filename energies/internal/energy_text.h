@@ -1,0 +1,27 @@
+// Energies as files and command lines name them: 'symmetric-dirichlet + 0.1*asap'.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "majorant/energies/energy_factory.h"
+
+namespace majorant {
+
+struct EnergyWord {
+  std::optional<std::string> weight;  // as written, which may be no number
+  std::string name;
+};
+
+// The summands of [weight *] name joined by +, without the space around them. At least one.
+std::vector<EnergyWord> split_energy_text(std::string_view text);
+
+// The number, if it is one, positive and finite.
+std::optional<double> parse_energy_weight(std::string_view text);
+
+// The energy of a text; none where a summand is not understood.
+std::optional<EnergySum> find_energy_sum(std::string_view text);
+
+}  // namespace majorant

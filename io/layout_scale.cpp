@@ -1,0 +1,77 @@
+#include "majorant/io/layout_scale.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "majorant/elements/rest_shapes.h"
+#include "majorant/framework/error.h"
+#include "majorant/io/internal/bezier_cell.h"
+#include "majorant/io/internal/json_depth.h"
+
+namespace majorant {
+namespace {
+
+using nlohmann::json;
+
+[[noreturn]] void fail(const char* problem) {
+  throw Error(ErrorKind::Unreadable, std::string("majorant_claims") + problem + "; damaged file");
+}
+
+double claimed_scale(const std::string& claims) {
+  require_shallow_json("majorant_claims", claims);
+  const json document = json::parse(claims, nullptr, false);
+  if (!document.is_object()) fail(" is not a JSON object");
+  const auto normalized = document.find("normalized");
+  if (normalized == document.end() || normalized->is_null()) return 1;
+  if (!normalized->is_object() || !normalized->contains("size") ||
+      !(*normalized)["size"].is_number())
+    fail(".normalized.size is not a number");
+  const double size = (*normalized)["size"].get<double>();
+  if (!(size > 0) || !std::isfinite(size)) fail(".normalized.size is not positive");
+  return size;
+}
+
+double binomial(int n, int k) {
+  double b = 1;
+  for (int i = 1; i <= k; ++i) b = b * (n - k + i) / i;
+  return b;
+}
+
+// Integral over [0, 1] of B_i of degree n times B_j of degree n - 1.
+double product_integral(int n, int i, int j) {
+  return binomial(n, i) * binomial(n - 1, j) / (binomial(2 * n - 1, i + j) * 2 * n);
+}
+
+}  // namespace
+
+double layout_scale(const MapFile& file) {
+  if (!has_assumed_scale(file)) return claimed_scale(file.claims);
+  double layout = 0;
+  for (Index c = 0; c < file.cells.rows(); ++c) layout += std::abs(image_area(file, c));
+  const double surface = flat_triangles(file.points, file.cells.leftCols<3>()).measure.sum();
+  const double scale = std::sqrt(surface / layout);
+  return scale > 0 && std::isfinite(scale) ? scale : 1;
+}
+
+bool has_assumed_scale(const MapFile& file) { return file.claims.empty(); }
+
+// Green's theorem: half of the integral of c x dc along the boundary, relative to a corner.
+double image_area(const MapFile& file, Index c) {
+  const int n = file.degree;
+  const Vector2 origin = file.uv.row(file.cells(c, 0));
+  const auto point = [&](int local) {
+    return Vector2(Vector2(file.uv.row(file.cells(c, local))) - origin);
+  };
+  double twice = 0;
+  for (int edge = 0; edge < 3; ++edge) {
+    const std::vector<int> along = bezier_edge_points(n, edge);
+    for (int i = 0; i <= n; ++i)
+      for (int j = 0; j < n; ++j) {
+        const Vector2 step = point(along[at(j + 1)]) - point(along[at(j)]);
+        twice += product_integral(n, i, j) * n * cross(point(along[at(i)]), step);
+      }
+  }
+  return twice / 2;
+}
+
+}  // namespace majorant

@@ -1,0 +1,14 @@
+#include "majorant/pictures/internal/claimed_energy.h"
+
+#include "majorant/energies/internal/energy_text.h"
+#include "majorant/pictures/internal/claims_json.h"
+
+namespace majorant {
+
+ClaimedEnergy claimed_energy(const MapFile& map) {
+  const std::string name = text_at(claims_of(map), "energy");
+  const std::optional<EnergySum> sum = find_energy_sum(name);
+  return sum ? ClaimedEnergy{name, *sum} : ClaimedEnergy{};
+}
+
+}  // namespace majorant

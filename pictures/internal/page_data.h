@@ -1,0 +1,17 @@
+// What a page of a map holds, as docs/viewer.md describes it: the map's arrays in base64, little
+// endian, and the rest in words.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "majorant/pictures/write_page.h"
+
+namespace majorant {
+
+// The highest degree a page evaluates. Origin: the highest the command solves; chosen, not tuned.
+inline constexpr int kHighestPageDegree = 8;
+
+// Throws Error(Invalid) that says what of the page does not fit its map.
+nlohmann::ordered_json page_data(const MapPage& page);
+
+}  // namespace majorant

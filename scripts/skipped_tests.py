@@ -1,0 +1,30 @@
+#!/usr/bin/python3
+"""skipped_tests.py FILE: one line on the tests that ctest --output-junit FILE did not run, and why.
+
+A test that lacks something says what on its last line, `skipped: no ...`, and exits with 77.
+"""
+import re
+import sys
+import xml.etree.ElementTree
+
+
+def reasons(tree):
+    """{why: [test, ...]} of the tests that were not run."""
+    found = {}
+    for case in tree.iter('testcase'):
+        if case.find('skipped') is None:
+            continue
+        said = re.findall(r'^skipped: (.*)$', case.findtext('system-out') or '', re.M)
+        found.setdefault(said[-1] if said else 'not said why', []).append(case.get('name'))
+    return found
+
+
+def main():
+    found = reasons(xml.etree.ElementTree.parse(sys.argv[1]).getroot())
+    print('not run: ' + '; '.join('%s (%s)' % (', '.join(sorted(names)), why)
+                                  for why, names in sorted(found.items()))
+          if found else 'every test was run')
+
+
+if __name__ == '__main__':
+    sys.exit(main())

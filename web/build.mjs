@@ -1,0 +1,15 @@
+// Bundles the pages into dist/, which is committed: building the command needs no npm.
+//   npm ci && npm run build
+import {build} from 'esbuild';
+
+await build({
+  entryPoints: {map_page: 'src/map_page/main.js'},
+  outdir: process.argv[2] ?? 'dist',
+  bundle: true,
+  minify: true,
+  format: 'iife',
+  target: 'es2020',
+  charset: 'ascii',
+  legalComments: 'eof',
+  logLevel: 'warning',
+});

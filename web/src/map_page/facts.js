@@ -1,0 +1,77 @@
+// What is known of the map, in words: one line below the title, numbers, proofs, faults.
+
+import {byId, element} from './elements.js';
+import {count, degreeName, readable} from './numbers.js';
+
+const resultNames = [
+  ['value', 'energy'], ['max_density', 'largest density'], ['sigma_max', 'largest \u03c3\u2081'],
+  ['sigma_min', 'smallest \u03c3\u2082'], ['min_det_bound', 'det J at least'],
+  ['charts', 'charts'], ['stretch_l2', 'stretch L\u00b2'], ['stretch_linf', 'stretch L\u221e'],
+  ['seam_length_relative', 'seam length'], ['fill', 'square filled'],
+];
+
+function summaryOf({map, facts}) {
+  const parts = [`${degreeName(map.degree)}, ${count(map.faceCount, 'face')}`];
+  const energy = map.claims.energy;
+  const value = facts.result?.value ?? map.claims.value;
+  if (energy && Number.isFinite(value)) parts.push(`${energy} ${readable(value)}`);
+  else if (energy) parts.push(energy);
+  if (facts.status) parts.push(facts.status.replaceAll('_', ' '));
+  if (map.faults.length > 0) parts.push(count(map.faults.length, 'face fails', 'faces fail'));
+  return parts.join(' \u00b7 ');
+}
+
+function numbersOf(facts) {
+  const list = element('dl');
+  const sources = {...facts.result, ...facts.distortion, ...facts.result?.distortion};
+  for (const [key, name] of resultNames)
+    if (typeof sources[key] === 'number')
+      list.append(element('dt', {}, name), element('dd', {}, readable(sources[key])));
+  return list.childElementCount > 0 ? [element('h2', {}, 'Measured'), list] : [];
+}
+
+function proofsOf(facts) {
+  const parts = [];
+  const asked = Object.entries(facts.proofs ?? {}).filter(([, p]) => p.answer !== 'not asked');
+  if (asked.length > 0) {
+    const list = element('dl', {className: 'proofs'});
+    for (const [question, {answer, detail}] of asked)
+      list.append(element('dt', {}, question),
+                  element('dd', {className: answer}, detail ? `${answer}: ${detail}` : answer));
+    parts.push(element('h2', {}, 'Proofs'), list);
+  }
+  for (const finding of facts.findings ?? [])
+    parts.push(element('p', {className: 'finding'}, String(finding)));
+  return parts;
+}
+
+export function writeFacts(app) {
+  const {map} = app;
+  const {facts} = map;
+  byId('summary').textContent = summaryOf({map, facts});
+  const parts = [...numbersOf(facts), ...proofsOf(facts)];
+  if (facts.message) parts.push(element('p', {className: 'note'}, facts.message));
+  if (Object.keys(facts).length > 0)
+    parts.push(element('details', {}, element('summary', {}, 'all of the report'),
+                       element('pre', {tabindex: 0}, JSON.stringify(facts, null, 1))));
+  byId('facts').append(...parts);
+  byId('facts').hidden = parts.length === 0;
+}
+
+const kListed = 200;
+
+// Faces that fail, as buttons that show them.
+export function listFaults(app) {
+  const {faults} = app.map;
+  if (faults.length === 0) return;
+  const section = byId('faults');
+  section.hidden = false;
+  const items = faults.slice(0, kListed).map(({face, text}) => element('li', {},
+      element('button', {
+        type: 'button', onclick: () => app.focusOn({face, xi: [1 / 3, 1 / 3, 1 / 3]}),
+      }, `face ${readable(face)}`), ` ${text}`));
+  section.append(element('h2', {}, count(faults.length, 'face fails', 'faces fail')),
+                 element('ul', {}, ...items));
+  if (faults.length > kListed)
+    section.append(element('p', {className: 'note'}, `The first ${kListed} are listed.`));
+}

@@ -1,0 +1,202 @@
+// The scale of the quantity that is shown: a histogram by area over its colours, with ticks, and a
+// brush that selects a part of it.
+
+import {byId, element, svgElement} from './elements.js';
+import {percent, readable} from './numbers.js';
+import {evenPlaces, sampleSingularValues} from './sampling.js';
+import {valuesOf} from './scales.js';
+
+const kBins = 96;
+const kPlaces = 3;  // a side of curved faces: 9 places a face
+const kHeight = 74, kBar = 12, kSide = 14;  // of the drawing, CSS pixels
+const kStep = 1 / 64;  // of the brush by keys
+
+export class Histogram {
+  constructor(app) {
+    this.app = app;
+    this.section = byId('scale');
+    this.heading = element('h2');
+    this.note = element('p', {className: 'note'});
+    this.svg = svgElement('svg', {'role': 'group', 'aria-label': 'Histogram by area',
+                                    'shape-rendering': 'crispEdges'});
+    this.section.append(this.heading, this.svg, this.note);
+    this.listen();
+    app.state.watch(['show', 'frame'], () => this.fill());
+    app.state.watch(['brush'], () => this.draw());
+    new ResizeObserver(() => this.draw()).observe(this.section);
+  }
+
+  get scale() { return this.app.scales[this.app.state.show]; }
+
+  samples() {
+    const {map, uv} = this.app;
+    if (this.sampledUv !== uv) {
+      this.sampled = sampleSingularValues(map, uv, evenPlaces(map.degree === 1 ? 1 : kPlaces));
+      this.sampledUv = uv;
+    }
+    return this.sampled;
+  }
+
+  // Areas of the surface by position on the scale.
+  fill() {
+    this.section.hidden = !this.scale;
+    if (!this.scale) return;
+    const {map, energy, state} = this.app;
+    const {S, s, perFace} = this.samples();
+    const value = valuesOf[state.show];
+    this.bins = new Float64Array(kBins);
+    this.below = this.above = this.flipped = this.total = 0;
+    for (let at = 0; at < S.length; ++at) {
+      const area = map.areas[Math.floor(at / perFace)] / perFace;
+      this.total += area;
+      if (!(s[at] > 0)) {
+        this.flipped += area;
+        continue;
+      }
+      const x = value(S[at], s[at], energy);
+      this.bins[Math.min(kBins - 1, Math.floor(this.scale.position(x) * kBins))] += area;
+      if (x < this.scale.low) this.below += area;
+      if (x > this.scale.high) this.above += area;
+    }
+    this.draw();
+  }
+
+  // Share of the surface that the brush selects, to within a bin.
+  selectedShare([from, to]) {
+    let area = 0;
+    for (let k = 0; k < kBins; ++k)
+      if ((k + 0.5) / kBins >= from && (k + 0.5) / kBins <= to) area += this.bins[k];
+    return area / this.total;
+  }
+
+  draw() {
+    if (!this.scale || !this.bins) return;
+    const width = Math.max(200, this.section.clientWidth);
+    const inner = width - 2 * kSide;
+    const x = (position) => kSide + inner * position;
+    this.x = x;
+    this.svg.setAttribute('viewBox', `0 0 ${width} ${kHeight + kBar + 26}`);
+    this.svg.setAttribute('height', kHeight + kBar + 26);
+    const most = Math.max(...this.bins);
+    const brush = this.app.state.brush;
+    const parts = [];
+    this.bins.forEach((area, k) => {
+      const middle = (k + 0.5) / kBins;
+      const height = most > 0 ? (kHeight - 6) * area / most : 0;
+      const outside = brush && (middle < brush[0] || middle > brush[1]);
+      if (height > 0)
+        parts.push(svgElement('rect', {
+          x: x(k / kBins), width: inner / kBins + 0.3, y: kHeight - Math.max(height, 1),
+          height: Math.max(height, 1), className: outside ? 'bin outside' : 'bin',
+        }));
+    });
+    for (let k = 0; k < 128; ++k)
+      parts.push(svgElement('rect', {x: x(k / 128), y: kHeight + 2, width: inner / 128 + 0.5,
+                                     height: kBar, fill: this.scale.color((k + 0.5) / 128)}));
+    this.addTicks(parts, x);
+    this.addBrush(parts, x);
+    const focused = document.activeElement?.getAttribute?.('data-handle');
+    this.svg.replaceChildren(...parts);
+    if (focused) this.svg.querySelector(`[data-handle="${focused}"]`)?.focus();
+    this.write();
+  }
+
+  addTicks(parts, x) {
+    for (const {label, position, value} of this.scale.ticks) {
+      const neutral = value === this.scale.neutral;
+      parts.push(svgElement('line', {x1: x(position), x2: x(position), y1: kHeight + 2,
+                                     y2: kHeight + kBar + (neutral ? 8 : 6), className: 'tick'}));
+      parts.push(svgElement('text', {x: x(position), y: kHeight + kBar + 20,
+                                     className: neutral ? 'neutral' : ''}, label));
+    }
+    // Values beyond an end have its colour: a triangle says so.
+    const y = kHeight + 2 + kBar / 2;
+    for (const [area, at, way] of [[this.below, x(0), -1], [this.above, x(1), 1]])
+      if (area > 0)
+        parts.push(svgElement('path', {
+          d: `M${at + 2 * way},${y - kBar / 2}l${8 * way},${kBar / 2}l${-8 * way},${kBar / 2}z`,
+          fill: this.scale.color(way < 0 ? 0 : 1),
+        }));
+  }
+
+  addBrush(parts, x) {
+    const brush = this.app.state.brush;
+    const [from, to] = brush ?? [0, 1];
+    if (brush)
+      parts.push(svgElement('rect', {x: x(from), width: x(to) - x(from), y: 0, height: kHeight,
+                                     className: 'brush'}));
+    for (const [name, position] of [['from', from], ['to', to]]) {
+      parts.push(svgElement('g', {
+        'data-handle': name, 'tabindex': 0, 'role': 'slider', 'class': 'handle',
+        'transform': `translate(${x(position)} 0)`,
+        'aria-label': `Selected ${name}`, 'aria-valuemin': 0, 'aria-valuemax': 100,
+        'aria-valuenow': Math.round(100 * position),
+        'aria-valuetext': readable(this.scale.value(position), 3),
+      }, svgElement('line', {y1: 0, y2: kHeight + kBar + 2}),
+         svgElement('rect', {x: -4, y: kHeight / 2 - 11, width: 8, height: 22, rx: 4})));
+    }
+  }
+
+  write() {
+    const {state, map} = this.app;
+    this.heading.textContent = this.app.titles[state.show];
+    const notes = [];
+    if (state.brush) {
+      const [from, to] = state.brush.map((position) => readable(this.scale.value(position), 3));
+      notes.push(`${percent(this.selectedShare(state.brush))} of the surface between ${from} and ` +
+                 `${to} (Escape: all)`);
+    }
+    if (this.below > 0) notes.push(`${percent(this.below / this.total)} below the scale`);
+    if (this.above > 0) notes.push(`${percent(this.above / this.total)} above the scale`);
+    if (this.flipped > 0) notes.push(`${percent(this.flipped / this.total)} turned over`);
+    notes.push(state.show === 'angle'
+        ? `${readable(this.scale.neutral)} is conformal`
+        : `an isometry has ${readable(this.scale.neutral)}`);
+    if (map.scaleIsAssumed && state.show !== 'angle')
+      notes.push('the layout, whose scale is not known, taken as large as the surface');
+    this.note.textContent = `By area; ${notes.join('; ')}.`;
+  }
+
+  listen() {
+    const positionOf = (event) => {
+      const box = this.svg.getBoundingClientRect();
+      const inner = box.width - 2 * kSide;
+      return Math.min(1, Math.max(0, (event.clientX - box.left - kSide) / inner));
+    };
+    let start = null;
+    this.svg.addEventListener('pointerdown', (event) => {
+      const handle = event.target.closest('[data-handle]')?.dataset.handle;
+      const [from, to] = this.app.state.brush ?? [0, 1];
+      start = handle ? (handle === 'from' ? to : from) : positionOf(event);
+      this.svg.setPointerCapture(event.pointerId);
+    });
+    this.svg.addEventListener('pointermove', (event) => {
+      if (start === null) return;
+      const here = positionOf(event);
+      if (Math.abs(here - start) < 0.01) return;
+      this.select(Math.min(start, here), Math.max(start, here));
+    });
+    this.svg.addEventListener('pointerup', (event) => {
+      if (start !== null && Math.abs(positionOf(event) - start) < 0.01) this.select(0, 1);
+      start = null;
+    });
+    this.svg.addEventListener('keydown', (event) => {
+      const handle = event.target.getAttribute('data-handle');
+      const way = {ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, PageUp: 8,
+                   PageDown: -8, Home: -1e3, End: 1e3}[event.key];
+      if (event.key === 'Escape') this.select(0, 1);
+      if (!handle || !way) return;
+      event.preventDefault();
+      const brush = [...(this.app.state.brush ?? [0, 1])];
+      const which = handle === 'from' ? 0 : 1;
+      brush[which] = Math.min(1, Math.max(0, brush[which] + way * kStep));
+      brush[which] = which === 0 ? Math.min(brush[0], brush[1] - kStep)
+                                 : Math.max(brush[1], brush[0] + kStep);
+      this.select(...brush);
+    });
+  }
+
+  select(from, to) {
+    this.app.state.set({brush: from <= 0 && to >= 1 ? null : [from, to]});
+  }
+}

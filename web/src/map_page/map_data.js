@@ -1,0 +1,103 @@
+// What the page holds (docs/viewer.md), as arrays.
+
+import {cellSize, lastTriangle, restInverse} from './bezier.js';
+
+function bytesOf(base64) {
+  const text = atob(base64);
+  const bytes = new Uint8Array(text.length);
+  for (let k = 0; k < text.length; ++k) bytes[k] = text.charCodeAt(k);
+  return bytes;
+}
+
+const arrayOf = (Type, base64) => (base64 ? new Type(bytesOf(base64).buffer) : null);
+
+function planeOf(data) {
+  return {
+    degree: data.degree,
+    faceCount: data.faces,
+    size: cellSize(data.degree),
+    uv: arrayOf(Float64Array, data.uv),
+    cells: arrayOf(Uint32Array, data.cells),
+  };
+}
+
+// Control points of one face, pairs by local index.
+export function controlOf(map, face, uv = map.uv) {
+  const control = new Float64Array(2 * map.size);
+  for (let l = 0; l < map.size; ++l) {
+    const point = map.cells[face * map.size + l];
+    control[2 * l] = uv[2 * point];
+    control[2 * l + 1] = uv[2 * point + 1];
+  }
+  return control;
+}
+
+// Where corners 0, 1, 2 stand in the local order.
+export const cornerLocals = (n) => [0, cellSize(n) - n - 1, cellSize(n) - 1];
+
+export function cornersOf(map, face) {
+  return cornerLocals(map.degree).map((l) => map.cells[face * map.size + l]);
+}
+
+export const positionOf = (map, corner) => map.positions.subarray(3 * corner, 3 * corner + 3);
+
+function areaOf([p, q, r]) {
+  const [a, b] = [q, r].map((x) => [x[0] - p[0], x[1] - p[1], x[2] - p[2]]);
+  return 0.5 * Math.hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+                          a[0] * b[1] - a[1] * b[0]);
+}
+
+function addGeometry(map) {
+  map.rest = new Float64Array(4 * map.faceCount);
+  map.areas = new Float64Array(map.faceCount);
+  for (let face = 0; face < map.faceCount; ++face) {
+    const corners = cornersOf(map, face).map((corner) => positionOf(map, corner));
+    map.rest.set(restInverse(...corners), 4 * face);
+    map.areas[face] = areaOf(corners);
+  }
+}
+
+export function boundsOf(values, dimension) {
+  const low = Array(dimension).fill(Infinity);
+  const high = Array(dimension).fill(-Infinity);
+  for (let k = 0; k < values.length; ++k) {
+    const d = k % dimension;
+    if (values[k] < low[d]) low[d] = values[k];
+    if (values[k] > high[d]) high[d] = values[k];
+  }
+  const center = low.map((x, d) => 0.5 * x + 0.5 * high[d]);
+  const size = Math.max(...low.map((x, d) => high[d] - x));
+  return {low, high, center, size: size > 0 ? size : 1};
+}
+
+// The map of the page. uv, positions: as in the file, in doubles; bounds of both.
+export function readMap(data) {
+  const map = {
+    ...planeOf(data),
+    title: data.title,
+    cornerCount: data.corners,
+    positions: arrayOf(Float64Array, data.positions),
+    inputVertex: arrayOf(Int32Array, data.input_vertex),
+    inputFace: arrayOf(Int32Array, data.input_face),
+    chart: arrayOf(Int32Array, data.chart),
+    seamEdges: arrayOf(Int32Array, data.seam_edges),
+    cones: data.cones,
+    points: data.points,
+    faults: data.faults,
+    scaffold: data.scaffold ? planeOf(data.scaffold) : null,
+    claims: data.claims,
+    facts: data.facts,
+    scale: data.scale.value,
+    scaleIsAssumed: data.scale.assumed,
+  };
+  map.snapshots = data.snapshots.map(({uv, ...rest}) => ({...rest, uv: arrayOf(Float32Array, uv)}));
+  map.uvBounds = boundsOf(map.uv, 2);
+  map.bounds = boundsOf(map.positions, 3);
+  addGeometry(map);
+  return map;
+}
+
+// Of the map, or of the straight map of the same corners: at xi on a face.
+export function evaluate(map, face, xi, uv = map.uv) {
+  return lastTriangle(map.degree, controlOf(map, face, uv), xi);
+}

@@ -1,0 +1,110 @@
+// Lines and dots that are drawn over cells: outlines, seams, cones, points and what the mouse is on.
+
+import {cornerLocals} from './map_data.js';
+import {facesOfEdges, surfaceNames} from './neighbours.js';
+
+// Colours of seams and charts: Okabe and Ito's, and a few more of their kind.
+export const tints = [
+  '#0072b2', '#d55e00', '#009e73', '#cc79a7', '#e69f00', '#56b4e9', '#7a5195', '#6b8e23',
+  '#b5651d', '#c43d5a',
+];
+export const rgbOf = (hex) =>
+    [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16) / 255);
+
+// [{face, edge, kind, number}]: kind `boundary` of the surface, `cut` of the layout alone, `seam`;
+// number: of the chain, of the chart.
+export function outlineEdges(map) {
+  const names = surfaceNames(map);
+  const inLayout = facesOfEdges(map, (corner) => corner);
+  const onSurface = facesOfEdges(map, (corner) => names[corner]);
+  const edges = [];
+  for (let face = 0; face < map.faceCount; ++face)
+    for (let edge = 0; edge < 3; ++edge) {
+      const chain = map.seamEdges ? map.seamEdges[3 * face + edge] : 0;
+      const number = map.chart?.[face] ?? -1;
+      if (chain > 0) edges.push({face, edge, kind: 'seam', number: chain - 1});
+      else if (onSurface.at(face, edge).length === 1)
+        edges.push({face, edge, kind: 'boundary', number});
+      else if (inLayout.at(face, edge).length === 1) edges.push({face, edge, kind: 'cut', number});
+    }
+  return edges;
+}
+
+// For every corner one face that has it, and which of its corners it is there.
+export function cornerPlaces(map) {
+  const places = new Array(map.cornerCount);
+  for (let face = 0; face < map.faceCount; ++face)
+    cornerLocals(map.degree).forEach((local, c) => {
+      places[map.cells[face * map.size + local]] ??= {face, corner: c};
+    });
+  return places;
+}
+
+const hexOf = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+export const themeColor = (name) => rgbOf(hexOf(name));
+
+// Draws the marks that the state asks for into both views, and again when it changes.
+export class Marks {
+  constructor(app) {
+    this.app = app;
+    this.edges = outlineEdges(app.map);
+    this.places = cornerPlaces(app.map);
+    app.state.watch(['seams', 'points', 'theme'], () => this.drawLines());
+    app.state.watch(['cones', 'points', 'hovered', 'pinned', 'theme'], () => this.drawDots());
+  }
+
+  // Which toggles have something to show.
+  get has() {
+    const {map} = this.app;
+    return {
+      seams: this.edges.some((edge) => edge.kind !== 'boundary'),
+      cones: map.cones.length > 0,
+      points: map.points.length > 0,
+      scaffold: map.scaffold !== null,
+      faults: map.faults.length > 0,
+    };
+  }
+
+  lineOf({face, edge, kind, number}) {
+    if (kind === 'boundary') return {face, edge, width: 1, tint: themeColor('--outline')};
+    const tint = kind === 'cut' && number < 0 ? themeColor('--accent')
+                                              : rgbOf(tints[Math.max(0, number) % tints.length]);
+    return {face, edge, width: kind === 'seam' ? 2.4 : 1.8, tint};
+  }
+
+  drawLines() {
+    const {state, map, surface, layout, stage} = this.app;
+    const lines = this.edges.filter((edge) => state.seams || edge.kind === 'boundary')
+        .map((edge) => this.lineOf(edge));
+    const targets = !state.points ? [] : map.points.flatMap(({corners, target, hold}) =>
+        corners.map((corner) => ({
+          ...this.places[corner], edge: 3, width: 1.6, tint: this.tintOf(hold),
+          target: target.map((x, d) => (x - map.uvBounds.center[d]) / map.uvBounds.size),
+        })));
+    surface.setLines(lines);
+    layout.setLines([...lines, ...targets]);
+    stage.request();
+  }
+
+  tintOf(hold) { return hold === 'pin' ? [0.11, 0.12, 0.14] : rgbOf('#d55e00'); }
+
+  dotAt(corner, radius, tint) {
+    const {face, corner: c} = this.places[corner];
+    return {face, xi: [0, 1, 2].map((k) => (k === c ? 1 : 0)), radius, tint};
+  }
+
+  drawDots() {
+    const {state, map, surface, layout, stage} = this.app;
+    const dots = [];
+    if (state.cones)
+      for (const [corner, turns] of map.cones)
+        dots.push(this.dotAt(corner, 4.5, rgbOf(turns < 4 ? '#0072b2' : '#009e73')));
+    if (state.points)
+      for (const {corners, hold} of map.points)
+        for (const corner of corners) dots.push(this.dotAt(corner, 4, this.tintOf(hold)));
+    for (const place of [state.hovered, state.pinned])
+      if (place) dots.push({...place, radius: 5, tint: themeColor('--accent')});
+    for (const view of [surface, layout]) view.setDots(dots);
+    stage.request();
+  }
+}

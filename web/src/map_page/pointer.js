@@ -1,0 +1,38 @@
+// Mouse and touch on the views: pointing shows, a click keeps. Dragging is the cameras' business.
+
+const kClickSlack = 5;  // CSS pixels a click may move
+
+export function followPointer(app) {
+  const {state, surface, layout} = app;
+  for (const view of [surface, layout]) {
+    let down = null;
+    let waiting = null;
+    const show = () => {
+      const place = waiting && view.pick(waiting);
+      waiting = null;
+      state.set({hovered: place});
+    };
+    view.element.addEventListener('pointermove', (event) => {
+      if (event.pointerType === 'touch' || event.buttons !== 0) return;
+      if (!waiting) requestAnimationFrame(show);
+      waiting = {clientX: event.clientX, clientY: event.clientY};
+    });
+    view.element.addEventListener('pointerleave', () => {
+      waiting = null;
+      state.set({hovered: null});
+    });
+    view.element.addEventListener('pointerdown', (event) => {
+      down = event.isPrimary ? {x: event.clientX, y: event.clientY} : null;
+    });
+    view.element.addEventListener('pointerup', (event) => {
+      if (!down || !event.isPrimary || event.button !== 0) return;
+      if (Math.hypot(event.clientX - down.x, event.clientY - down.y) > kClickSlack) return;
+      const place = view.pick(event);
+      state.set({pinned: place && place.face === state.pinned?.face ? null : place});
+    });
+    view.element.addEventListener('dblclick', (event) => {
+      const place = view.pick(event);
+      if (place) app.focusOn(place);
+    });
+  }
+}

@@ -1,0 +1,66 @@
+// The numbers of the place that is pointed at, and of the one that is selected.
+
+import {combine, singularValues} from './bezier.js';
+import {byId, element} from './elements.js';
+import {cornersOf, evaluate} from './map_data.js';
+import {readable} from './numbers.js';
+import {valuesOf} from './scales.js';
+
+// What the map does at a place {face, xi}: all in doubles.
+export function measure(app, {face, xi}) {
+  const {map, uv, energy} = app;
+  const q = evaluate(map, face, xi, uv);
+  const [u, v] = combine(q, xi);
+  const rest = map.rest.subarray(4 * face, 4 * face + 4);
+  const [S, s] = singularValues(map.degree, q, rest, map.scale);
+  const values = Object.fromEntries(
+      Object.keys(app.scales).map((name) => [name, valuesOf[name](S, s, energy)]));
+  return {face, xi, u, v, ...values, 'sigma-max': S, 'sigma-min': s};
+}
+
+function linesOf(app, place) {
+  const {map} = app;
+  const values = measure(app, place);
+  const {face} = place;
+  const lines = [['face', readable(face)]];
+  const input = map.inputFace?.[face];
+  if (input !== undefined && input !== face) lines.push(['of the input', readable(input)]);
+  if (map.chart) lines.push(['chart', readable(map.chart[face])]);
+  lines.push(['u', readable(values.u, 6)], ['v', readable(values.v, 6)]);
+  for (const name of ['sigma-max', 'sigma-min', 'area', 'angle', 'density'])
+    if (name in values) lines.push([app.symbols[name], readable(values[name], 6)]);
+  const vertices = cornersOf(map, face).map((corner) => map.inputVertex?.[corner] ?? corner);
+  lines.push(['vertices', vertices.map((x) => readable(x)).join('  ')]);
+  const fault = map.faults.find((entry) => entry.face === face);
+  if (fault) lines.push(['fails', fault.text]);
+  return lines;
+}
+
+export class Readout {
+  constructor(app) {
+    this.app = app;
+    this.body = element('div', {className: 'places'});
+    byId('readout').append(this.body);
+    app.state.watch(['hovered', 'pinned', 'frame'], () => this.write());
+  }
+
+  write() {
+    const {state} = this.app;
+    const column = (title, place) => {
+      const list = element('dl');
+      for (const [name, value] of linesOf(this.app, place))
+        list.append(element('dt', {}, name), element('dd', {}, value));
+      return element('div', {}, element('h2', {}, title), list);
+    };
+    const columns = [];
+    if (state.pinned) columns.push(column('Selected', state.pinned));
+    if (state.hovered) columns.push(column('Pointed at', state.hovered));
+    if (columns.length === 0)
+      columns.push(element('p', {className: 'note'},
+                           'Point at a face for its numbers; click to keep them.'));
+    this.body.replaceChildren(...columns);
+    const said = state.pinned ? linesOf(this.app, state.pinned).map((l) => l.join(' ')).join(', ')
+                              : '';
+    byId('said').textContent = said;
+  }
+}

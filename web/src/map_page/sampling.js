@@ -1,0 +1,59 @@
+// Singular values at even places of all faces, for histograms and for pictures without WebGL.
+
+import {cellSize, lastTriangle} from './bezier.js';
+
+// Middles of the k * k triangles that a triangle is cut into: each stands for the same area.
+export function evenPlaces(k) {
+  const places = [];
+  const add = (i, j) => places.push([i / (3 * k), j / (3 * k), (3 * k - i - j) / (3 * k)]);
+  for (let i = 0; i < k; ++i)
+    for (let j = 0; j < k - i; ++j) {
+      add(3 * i + 1, 3 * j + 1);
+      if (i + j < k - 1) add(3 * i + 2, 3 * j + 2);
+    }
+  return places;
+}
+
+// Coefficients of n (q0 - q2) and n (q1 - q2) at a place, by local index.
+function derivativeWeights(n, xi) {
+  const size = cellSize(n);
+  const weights = [new Float64Array(size), new Float64Array(size)];
+  for (let l = 0; l < size; ++l) {
+    const unit = new Float64Array(2 * size);
+    unit[2 * l] = 1;
+    const q = lastTriangle(n, unit, xi);
+    weights[0][l] = n * (q[0][0] - q[2][0]);
+    weights[1][l] = n * (q[1][0] - q[2][0]);
+  }
+  return weights;
+}
+
+// {S, s}: #faces * #places signed singular values, face by face, times the scale of the layout.
+export function sampleSingularValues(map, uv, places) {
+  const {degree, size, faceCount, cells, rest, scale} = map;
+  const weights = places.map((xi) => derivativeWeights(degree, xi));
+  const S = new Float64Array(faceCount * places.length);
+  const s = new Float64Array(faceCount * places.length);
+  let at = 0;
+  for (let face = 0; face < faceCount; ++face) {
+    const [ra, rb, rc, rd] = rest.subarray(4 * face, 4 * face + 4);
+    for (const [we, wf] of weights) {
+      let eu = 0, ev = 0, fu = 0, fv = 0;
+      for (let l = 0; l < size; ++l) {
+        const point = 2 * cells[face * size + l];
+        eu += we[l] * uv[point];
+        ev += we[l] * uv[point + 1];
+        fu += wf[l] * uv[point];
+        fv += wf[l] * uv[point + 1];
+      }
+      const a = eu * ra + fu * rc, b = eu * rb + fu * rd;
+      const c = ev * ra + fv * rc, d = ev * rb + fv * rd;
+      const alpha = 0.5 * scale * Math.hypot(a + d, c - b);
+      const beta = 0.5 * scale * Math.hypot(a - d, c + b);
+      S[at] = alpha + beta;
+      s[at] = alpha - beta;
+      ++at;
+    }
+  }
+  return {S, s, perFace: places.length};
+}

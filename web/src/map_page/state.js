@@ -1,0 +1,23 @@
+// What is shown at the moment, and who wants to know.
+//
+//   state.watch(['show', 'brush'], draw);   // called once now, and after every change of either
+//   state.set({show: 'area', brush: null});
+
+export class State {
+  constructor(values) {
+    Object.assign(this, values);
+    this.watchers = [];
+  }
+
+  watch(names, call) {
+    this.watchers.push({names, call});
+    call();
+  }
+
+  set(changes) {
+    const changed = Object.keys(changes).filter((name) => this[name] !== changes[name]);
+    Object.assign(this, changes);
+    for (const {names, call} of this.watchers)
+      if (names.some((name) => changed.includes(name))) call();
+  }
+}

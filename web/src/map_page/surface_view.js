@@ -1,0 +1,145 @@
+// The surface in 3D: an orbit around it, and which face a ray meets.
+
+import {OrthographicCamera, Vector3} from 'three';
+
+import {cornersOf, positionOf} from './map_data.js';
+import {View} from './view.js';
+
+// Where a ray meets the triangle p, q, r: [distance, b, c] of Moeller and Trumbore, or null.
+export function meet(origin, way, p, q, r) {
+  const ax = q[0] - p[0], ay = q[1] - p[1], az = q[2] - p[2];
+  const bx = r[0] - p[0], by = r[1] - p[1], bz = r[2] - p[2];
+  const hx = way[1] * bz - way[2] * by, hy = way[2] * bx - way[0] * bz,
+        hz = way[0] * by - way[1] * bx;
+  const det = ax * hx + ay * hy + az * hz;
+  if (det === 0) return null;
+  const sx = origin[0] - p[0], sy = origin[1] - p[1], sz = origin[2] - p[2];
+  const b = (sx * hx + sy * hy + sz * hz) / det;
+  if (!(b >= 0 && b <= 1)) return null;
+  const kx = sy * az - sz * ay, ky = sz * ax - sx * az, kz = sx * ay - sy * ax;
+  const c = (way[0] * kx + way[1] * ky + way[2] * kz) / det;
+  if (!(c >= 0 && b + c <= 1)) return null;
+  return [(bx * kx + by * ky + bz * kz) / det, b, c];
+}
+
+const kMargin = 1.05;  // around what is seen first
+const kDistance = 4;   // of the camera, in radii
+const kOneSided = 0.2;  // sum of normals over area, from which a surface is seen from its front
+
+// Open surfaces from where most of them is seen, closed ones from the front, a little aside.
+function firstView(map) {
+  const sum = [0, 0, 0];
+  let area = 0;
+  for (let face = 0; face < map.faceCount; ++face) {
+    const [p, q, r] = cornersOf(map, face).map((c) => new Vector3(...positionOf(map, c)));
+    const normal = q.sub(p).cross(r.sub(p)).multiplyScalar(0.5);
+    normal.toArray().forEach((x, d) => { sum[d] += x; });
+    area += normal.length();
+  }
+  const length = Math.hypot(...sum);
+  const eye = length > kOneSided * area ? sum.map((x) => x / length) : [0.35, 0.25, 1];
+  return {eye, up: Math.abs(eye[1]) > 0.9 ? [0, 0, eye[1] > 0 ? -1 : 1] : [0, 1, 0]};
+}
+
+export class SurfaceView extends View {
+  constructor(stage, element, shared) {
+    const camera = new OrthographicCamera(-1, 1, 1, -1, -10, 20);
+    const {eye, up} = firstView(shared.map);
+    camera.up.set(...up);  // before OrbitControls look
+    camera.position.set(...eye).setLength(kDistance);
+    super('surface', stage, element, camera, shared);
+    this.extent = kMargin * this.shownSize(eye, up);
+    Object.assign(this.controls, {minZoom: 0.2, maxZoom: 500, zoomToCursor: true});
+    this.controls.update();
+    this.homePose = this.pose();
+  }
+
+  // The larger side of what is seen from there, in radii.
+  shownSize(eye, up) {
+    const back = new Vector3(...eye).normalize();
+    const right = new Vector3(...up).cross(back).normalize();
+    const axes = [right, back.clone().cross(right)];
+    const {map, surfaceFrame: {center, radius}} = this.shared;
+    let most = 0;
+    for (let corner = 0; corner < map.cornerCount; ++corner) {
+      const p = new Vector3(...positionOf(map, corner)).sub(new Vector3(...center));
+      for (const axis of axes) most = Math.max(most, Math.abs(p.dot(axis)));
+    }
+    return 2 * most / radius || 2;
+  }
+
+  // Direction to the eye, what it looks at (in the frame of the view), zoom.
+  pose() {
+    const {camera, controls: {target}} = this;
+    const eye = camera.position.clone().sub(target).normalize();
+    return [eye.x, eye.y, eye.z, target.x, target.y, target.z, camera.zoom];
+  }
+
+  setPose([x, y, z, tx, ty, tz, zoom]) {
+    this.controls.target.set(tx, ty, tz);
+    this.camera.position.set(x, y, z).setLength(kDistance).add(this.controls.target);
+    this.camera.zoom = zoom;
+    this.controls.update();
+    this.stage.request(this);
+  }
+
+  pointAt({face, xi}) {
+    const {map, surfaceFrame: {center, radius}} = this.shared;
+    const corners = cornersOf(map, face).map((corner) => positionOf(map, corner));
+    return new Vector3(...[0, 1, 2].map((d) =>
+        (xi[0] * corners[0][d] + xi[1] * corners[1][d] + xi[2] * corners[2][d] - center[d]) /
+        radius));
+  }
+
+  // Its normal, and the length of its longest edge.
+  shapeOf(face) {
+    const [p, q, r] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map((xi) => this.pointAt({face, xi}));
+    const normal = q.clone().sub(p).cross(r.clone().sub(p));
+    if (normal.length() === 0) normal.set(0, 0, 1);
+    return {normal: normal.normalize(),
+            size: Math.max(p.distanceTo(q), q.distanceTo(r), r.distanceTo(p), 1e-6)};
+  }
+
+  // Turns a face that looks away to the eye.
+  turnTo({face}) {
+    const {normal} = this.shapeOf(face);
+    const pose = this.pose();
+    if (normal.dot(new Vector3(...pose)) < 0.2) this.setPose([...normal, ...pose.slice(3)]);
+  }
+
+  // Turns a face to the eye, in the middle, large enough to be seen.
+  focusOn(place) {
+    const {normal, size} = this.shapeOf(place.face);
+    const zoom = Math.min(400, Math.max(1, 0.2 / size));
+    this.setPose([...normal, ...this.pointAt(place), zoom]);
+  }
+
+  // Turns the camera around its target by radians.
+  turn(right, up) {
+    const arm = this.camera.position.clone().sub(this.controls.target);
+    const across = new Vector3().crossVectors(this.camera.up, arm).normalize();
+    arm.applyAxisAngle(this.camera.up, -right);
+    const steep = arm.clone().applyAxisAngle(across, up);
+    if (new Vector3().crossVectors(this.camera.up, steep).dot(across) > 0.02) arm.copy(steep);
+    this.camera.position.copy(this.controls.target).add(arm);
+    this.controls.update();
+    this.stage.request(this);
+  }
+
+  // {face, xi} under the mouse, or null.
+  pick(event) {
+    const [x, y] = this.deviceCoordinates(event);
+    const {map, surfaceFrame: {center, radius}} = this.shared;
+    const inModel = (p) => [p.x, p.y, p.z].map((t, d) => t * radius + center[d]);
+    const from = inModel(new Vector3(x, y, -1).unproject(this.camera));
+    const to = inModel(new Vector3(x, y, 1).unproject(this.camera));
+    const way = to.map((t, d) => t - from[d]);
+    let best = null;
+    for (let face = 0; face < map.faceCount; ++face) {
+      const found = meet(from, way, ...cornersOf(map, face).map((c) => positionOf(map, c)));
+      if (found && (!best || found[0] < best.distance))
+        best = {face, xi: [1 - found[1] - found[2], found[1], found[2]], distance: found[0]};
+    }
+    return best && {face: best.face, xi: best.xi};
+  }
+}
