@@ -11,6 +11,7 @@
 #include "majorant/framework/linear_solver.h"
 #include "majorant/framework/thread_count.h"
 #include "majorant/io/atlas_file.h"
+#include "majorant/io/map_distortion.h"
 #include "majorant/io/map_proof.h"
 
 namespace majorant::app {
@@ -62,12 +63,17 @@ std::string claims(const FinishedAtlas& run) {
   return json_text(claims);
 }
 
+double scale_of(const FinishedAtlas& run) { return run.square ? run.square->size : 1; }
+
 MapFile layout(const FinishedAtlas& run) {
   std::vector<MapFile> charts;
   for (const Chart& chart : run.atlas.charts) {
     MapFile& file = charts.emplace_back(to_map_file(*chart.map));
     if (is_measured_anew(run)) file.distortion = chart.measures.face_value;
     if (is_measured_anew(run)) file.min_det = chart.measures.min_det;
+    file.face_distortion = chart.measures.cut_short
+                               ? measure_distortion(*chart.map, scale_of(run)).faces
+                               : chart.measures.distortion.faces;
   }
   MapFile file = joined(charts);
   file.claims = claims(run);
@@ -114,6 +120,7 @@ Json result_section(const FinishedAtlas& run) {
   double max_density = 0, sigma_max = 0, sigma_min = INFINITY, min_det = INFINITY;
   bool is_injective = true;
   Index points = 0;
+  std::vector<const MapDistortion*> distortions;
   for (const Chart& chart : atlas.charts) {
     max_density = std::max(max_density, chart.measures.max_density);
     sigma_max = std::max(sigma_max, chart.measures.sigma_max);
@@ -121,6 +128,7 @@ Json result_section(const FinishedAtlas& run) {
     min_det = std::min(min_det, chart.measures.min_det.minCoeff());
     is_injective = is_injective && chart.measures.locally_injective;
     points += chart.map->space().node_count();
+    distortions.push_back(&chart.measures.distortion);
   }
   Json result{{"degree", run.map.degree},
               {"control_points", points},
@@ -136,6 +144,7 @@ Json result_section(const FinishedAtlas& run) {
               {"charts", atlas.charts.size()},
               {"stretch_l2", stretch.l2},
               {"stretch_max", stretch.max}};
+  if (!is_cut_short(atlas)) result["distortion"] = distortion_section(distortions, scale_of(run));
   result.update(cuts_section(atlas.cuts, run.surface));
   if (!atlas.packing) return result;
   result["fill"] = atlas.packing->fill;
@@ -185,7 +194,11 @@ MapPage page_of(const FinishedAtlas& run) {
 }
 
 void write_maps(const FinishedAtlas& run, WrittenFiles& written) {
-  const MapFile file = layout(run);
+  MapFile file = layout(run);
+  if (const std::string& path = run.outputs.distortion; !path.empty())
+    written.write(path, [&] { write_distortion(path, file, file.face_distortion); });
+  file.face_distortion =
+      is_measured_anew(run) ? finite_or_none(file.face_distortion) : FaceDistortion();
   FormatOptions formats = run.outputs.formats;
   if (has_page(run.outputs.files)) formats.page = page_of(run);
   ProofRequest promise;
@@ -244,8 +257,10 @@ void summarize(const FinishedAtlas& run, const WrittenFiles& written) {
 int write_atlas(const FinishedAtlas& run) {
   const double before = seconds_since(run.start);
   WrittenFiles written;
+  run.record.begin(Activity::Writing);
   if (run.atlas.status() != Status::Failed) write_maps(run, written);
   write_reports(run, seconds_since(run.start) - before, written);
+  run.progress.finish();
   summarize(run, written);
   return written.conclude(exit_code(run.atlas.status()));
 }

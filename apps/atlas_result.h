@@ -7,6 +7,7 @@
 
 #include "apps/command.h"
 #include "apps/map_request.h"
+#include "apps/progress.h"
 #include "apps/result_files.h"
 #include "majorant/mesh/repair.h"
 #include "majorant/parametrization/atlas/unit_square.h"
@@ -27,6 +28,7 @@ struct FinishedAtlas {
   const std::vector<Pin>& handles;              // of vertices of the surface
   Json options;                                 // as said
   std::chrono::steady_clock::time_point start;  // of the run
+  Progress& progress;
   double read_seconds = 0;
 };
 

@@ -11,6 +11,8 @@
 #include "apps/streams.h"
 #include "majorant/framework/thread_count.h"
 #include "majorant/io/internal/cut_map.h"
+#include "majorant/io/layout_scale.h"
+#include "majorant/io/map_distortion.h"
 #include "majorant/io/map_file.h"
 #include "majorant/io/map_proof.h"
 #include "majorant/io/read_mesh.h"
@@ -20,7 +22,7 @@ namespace {
 
 struct Request {
   CommonOptions common;
-  std::string input, positional_output;
+  std::string input, positional_output, distortion;
   std::vector<std::string> outputs;
   FormatOptions formats;
 };
@@ -68,10 +70,21 @@ MapPage page_of(const MapFile& map, const std::string& name) {
   MapPage page;
   page.title = page_title(name);
   page.facts = json_text({{"command", "convert"}});
-  const Claims claims = parse_claims(map.claims, name);
-  for (const ClaimedPin& pin : claims.pins.value_or(std::vector<ClaimedPin>()))
-    page.points.push_back({pin.vertex, pin.target, PagePoint::Hold::Pin});
+  page.points = claimed_points(parse_claims(map.claims, name), map);
   return page;
+}
+
+// Arrays of a file whose scale is assumed would claim what it does not.
+void measure(const Request& request, MapFile& map, WrittenFiles& written) {
+  const MapDistortion measured = measure_distortion(map);
+  const bool is_assumed = has_assumed_scale(map);
+  map.face_distortion = is_assumed ? FaceDistortion() : finite_or_none(measured.faces);
+  const std::string& path = request.distortion;
+  if (path.empty()) return;
+  if (is_assumed && !request.common.quiet)
+    say("{}: claims no scale: measured with the layout as large as the surface, uv times {:.6g}\n",
+        request.input, layout_scale(map));
+  written.write(path, [&] { write_distortion(path, map, measured.faces); });
 }
 
 void write_report(const Request& request, WrittenFiles& written) {
@@ -85,8 +98,10 @@ void write_report(const Request& request, WrittenFiles& written) {
 
 int convert(Request request) {
   if (!request.positional_output.empty()) request.outputs.push_back(request.positional_output);
-  require_some_output(request.outputs, map_extensions());
-  require_writable(request.common, {{request.outputs, map_extensions()}}, {request.input});
+  if (request.distortion.empty()) require_some_output(request.outputs, map_extensions());
+  require_writable(request.common,
+                   {{request.outputs, map_extensions()}, {{request.distortion}, {".csv"}}},
+                   {request.input});
   const ThreadCount threads(start_threads(request.common.threads));
   MapFile map = read_map(request.input);
   say_warnings(map.warnings);
@@ -96,6 +111,7 @@ int convert(Request request) {
   const ProofRequest promise = promise_of(map, surface, request.input);
   if (has_page(request.outputs)) request.formats.page = page_of(map, request.input);
   WrittenFiles written;
+  measure(request, map, written);
   for (const std::string& path : request.outputs)
     written.write(path, [&] {
       write_map(path, map, nullptr, request.formats, certification(path, promise));
@@ -114,6 +130,9 @@ void add_convert(CLI::App& app, Action* run) {
   verb.add_option("-o,--output", request->outputs, output_help(map_extensions()))
       ->allow_extra_args(false);
   request->formats.add_to(verb);
+  verb.add_option("--distortion", request->distortion,
+                  "write a table of stretch, area and angle distortion per face to FILE.csv")
+      ->type_name("FILE");
   request->common.add_to(verb);
   verb.footer("Example: majorant convert bunny.vtu -o bunny.obj --refine 8");
   verb.callback([request, run] { *run = [request] { return convert(*request); }; });

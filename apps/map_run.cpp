@@ -4,7 +4,6 @@
 
 #include "apps/energy_option.h"
 #include "apps/process.h"
-#include "apps/progress.h"
 
 namespace majorant::app {
 
@@ -18,7 +17,8 @@ void MapVerb::add_to(CLI::App& verb) {
 MapRun::MapRun(std::string verb, MapVerb& request, const std::vector<std::string>& other_inputs)
     : verb_(std::move(verb)),
       request_(request),
-      record_(request.solve.make_record(request.common)) {
+      progress_(request.common),
+      record_(request.solve.make_record(progress_)) {
   request.outputs.require_usable(request.map);
   request.map.choose_degree(request.outputs.files);
   request.solve.require_usable(request.outputs, request.map);
@@ -26,7 +26,8 @@ MapRun::MapRun(std::string verb, MapVerb& request, const std::vector<std::string
   inputs.insert(inputs.end(), other_inputs.begin(), other_inputs.end());
   require_writable(request.common,
                    {{request.outputs.files, request.outputs.extensions},
-                    {{request.solve.scaffold_file}, {".vtu", ".svg"}}},
+                    {{request.solve.scaffold_file}, {".vtu", ".svg"}},
+                    {{request.outputs.distortion}, {".csv"}}},
                    inputs);
   threads_.emplace(start_threads(request.common.threads));
 }
@@ -36,10 +37,12 @@ MapInput& MapRun::read(const StartMaker& make_start) {
   if (make_start)
     timed = [&](const PolygonMesh& polygons, const SurfaceMesh& mesh) {
       const double before = seconds();
+      record_.begin(Activity::Starting);
       Start start = make_start(polygons, mesh);
       start_seconds_ = seconds() - before;
       return start;
     };
+  record_.begin(Activity::Reading);
   in_ = read_input(request_.map, record_.start_stop(), timed);
   request_.solve.apply(in_.options);
   if (request_.solve.snapshots > 0) {
@@ -53,7 +56,6 @@ MapInput& MapRun::read(const StartMaker& make_start) {
 }
 
 int MapRun::finish(ParametrizationResult result, const Json& extra) {
-  finish_progress(request_.common);
   result.initialize_seconds += start_seconds_;
   std::optional<InUnitSquare> normalized;
   if (request_.outputs.normalize && has_result(result)) normalized = normalize(result);
@@ -61,11 +63,12 @@ int MapRun::finish(ParametrizationResult result, const Json& extra) {
   options.update(extra);
   return write_result({verb_, request_.common, request_.outputs, request_.map, in_, result, record_,
                        options, start_, read_seconds_, request_.solve.scaffold_file, normalized,
-                       film_ ? &*film_ : nullptr});
+                       progress_, film_ ? &*film_ : nullptr});
 }
 
 // What is moved must be proven anew; where that fails there is no result.
 std::optional<InUnitSquare> MapRun::normalize(ParametrizationResult& result) {
+  record_.begin(Activity::Measuring);
   auto normalized = into_unit_square(*result.map, in_.options.map.energy, record_.stop());
   if (normalized) {
     result.map = normalized->map;

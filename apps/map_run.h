@@ -16,6 +16,7 @@
 
 #include "apps/command.h"
 #include "apps/map_request.h"
+#include "apps/progress.h"
 #include "apps/result_files.h"
 #include "apps/solve_request.h"
 #include "majorant/framework/thread_count.h"
@@ -51,6 +52,7 @@ class MapRun {
   std::string verb_;
   MapVerb& request_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  Progress progress_;
   RunRecord record_;
   std::optional<ThreadCount> threads_;
   MapInput in_;

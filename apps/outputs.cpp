@@ -30,6 +30,19 @@ double parse_spacing(const std::string& text) {
   return spacing;
 }
 
+// "A,B".
+ColorRange parse_range(const std::string& text) {
+  const std::size_t comma = text.find(',');
+  ColorRange range;
+  if (comma == std::string::npos || !CLI::detail::lexical_cast(text.substr(0, comma), range.low) ||
+      !CLI::detail::lexical_cast(text.substr(comma + 1), range.high) || !(range.low < range.high) ||
+      !std::isfinite(range.low) || !std::isfinite(range.high))
+    throw CLI::ValidationError(
+        "--color-range",
+        fmt::format("'{}' is no range; give two numbers, the smaller one first: 4,10", text));
+  return range;
+}
+
 void require_extension(const std::string& path, const std::vector<std::string>& allowed) {
   const std::string e = extension(path);
   if (e.empty())
@@ -155,6 +168,12 @@ void FormatOptions::add_to(CLI::App& verb) {
       ->type_name("SPACING")
       ->default_str(kAutomatic)  // what it is without a value
       ->expected(0, 1);
+  verb.add_option_function<std::string>(
+          "--color-range",
+          [this](const std::string& range) { svg.color_range = parse_range(range); },
+          "pictures: the values that colours go from and to (default the same for every map, from "
+          "isometry up)")
+      ->type_name("A,B");
 }
 
 void write_map(const std::string& path, const MapFile& map, const PolygonMesh* input,

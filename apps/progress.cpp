@@ -1,13 +1,22 @@
 #include "apps/progress.h"
 
+#include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
 #include <string>
+#include <system_error>
+#include <thread>
 
 #include "apps/streams.h"
 
 namespace majorant::app {
 namespace {
+
+using Clock = std::chrono::steady_clock;
 
 std::string line(const TraceEntry& e) {
   const std::string phase =
@@ -18,20 +27,153 @@ std::string line(const TraceEntry& e) {
                      e.record.step, phase, level);
 }
 
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// What fits on one line: a line that wraps cannot be taken away.
+std::size_t terminal_width() {
+  winsize size{};
+  if (::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return 80;
+  return size.ws_col;
+}
+
+// The line at the bottom of a terminal.
+class LiveLine {
+ public:
+  LiveLine() {
+    try {
+      thread_ = std::jthread([this](const std::stop_token& ended) { tick(ended); });
+    } catch (const std::system_error&) {  // no room for a thread: shown when something happens
+    }
+  }
+  ~LiveLine() {
+    thread_.request_stop();
+    if (thread_.joinable()) thread_.join();
+    show_live({});
+  }
+
+  void begin(Activity activity) {
+    const std::lock_guard lock(mutex_);
+    activity_ = activity;
+    since_ = Clock::now();
+    step_.clear();
+    show();
+  }
+  void note(const TraceEntry& entry) {
+    const std::lock_guard lock(mutex_);
+    step_ = line(entry);
+    show();
+  }
+
+ private:
+  static constexpr std::chrono::milliseconds kPeriod{500};
+
+  void tick(const std::stop_token& ended) {
+    std::unique_lock lock(mutex_);
+    while (!changed_.wait_for(lock, ended, kPeriod, [&] { return ended.stop_requested(); })) show();
+  }
+  void show() const {
+    if (!activity_) return;
+    const std::string text =
+        fmt::format("{} {:.1f} s  {}", activity_name(*activity_), seconds_since(since_), step_);
+    show_live(std::string_view(text).substr(0, terminal_width() - 1));
+  }
+
+  std::mutex mutex_;  // of all below
+  std::condition_variable_any changed_;
+  std::optional<Activity> activity_;
+  Clock::time_point since_;
+  std::string step_;
+  std::jthread thread_;
+};
+
+// The lines of a log.
+class Log {
+ public:
+  void begin(Activity activity) {
+    end();
+    activity_ = activity;
+    since_ = Clock::now();
+  }
+  void end() {
+    if (!activity_) return;
+    held_ += fmt::format("{:<9} {:8.2f} s\n", activity_name(*activity_), seconds_since(since_));
+    if (*activity_ == Activity::Solving) flush();
+    if (is_open_) flush();
+    activity_.reset();
+  }
+  void flush() {
+    is_open_ = true;
+    if (!held_.empty()) say_text(held_);
+    held_.clear();
+  }
+
+ private:
+  std::optional<Activity> activity_;
+  Clock::time_point since_;
+  std::string held_;
+  bool is_open_ = false;  // nothing is held back any more
+};
+
 }  // namespace
 
-RunRecord::Progress make_progress(const CommonOptions& options) {
-  if (options.quiet) return {};
-  if (options.verbose) return [](const TraceEntry& e) { say("{}\n", line(e)); };
-  if (isatty(STDERR_FILENO)) return [](const TraceEntry& e) { say("\r\x1b[K{}", line(e)); };
-  return [degree = 0](const TraceEntry& e) mutable {
-    if (e.degree != degree || e.record.iteration % 10 == 0) say("{}\n", line(e));
-    degree = e.degree;
+class Progress::Display {
+ public:
+  explicit Display(bool is_verbose) : is_verbose_(is_verbose) {
+    if (!is_verbose && isatty(STDERR_FILENO))
+      live_.emplace();
+    else
+      log_.emplace();
+  }
+  void begin(Activity activity) {
+    if (live_) live_->begin(activity);
+    if (log_) log_->begin(activity);
+  }
+  void note(const TraceEntry& e) {
+    if (live_) return live_->note(e);
+    const bool is_told = is_verbose_ || e.degree != degree_ || e.record.iteration % 10 == 0;
+    degree_ = e.degree;
+    if (!is_told) return;
+    log_->flush();
+    say("{}\n", line(e));
+  }
+  void finish() {
+    if (!log_) return;
+    log_->end();
+    log_->flush();
+  }
+
+ private:
+  bool is_verbose_;
+  int degree_ = 0;
+  std::optional<LiveLine> live_;
+  std::optional<Log> log_;  // where live_ is not
+};
+
+Progress::Progress(const CommonOptions& options) {
+  if (!options.quiet) display_ = std::make_unique<Display>(options.verbose);
+}
+
+Progress::~Progress() = default;
+
+RunRecord::Progress Progress::steps() {
+  if (!display_) return {};
+  return [this](const TraceEntry& e) {
+    if (display_) display_->note(e);
   };
 }
 
-void finish_progress(const CommonOptions& options) {
-  if (!options.quiet && !options.verbose && isatty(STDERR_FILENO)) say("\r\x1b[K");
+RunRecord::Announce Progress::activities() {
+  if (!display_) return {};
+  return [this](Activity activity) {
+    if (display_) display_->begin(activity);
+  };
+}
+
+void Progress::finish() {
+  if (display_) display_->finish();
+  display_.reset();
 }
 
 }  // namespace majorant::app

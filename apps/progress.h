@@ -1,15 +1,43 @@
-// Progress on stderr: one live line on a terminal, plain lines otherwise.
+// What a run is doing, on stderr: one live line on a terminal, plain lines otherwise.
+//
+//   Progress progress(common);
+//   RunRecord record(60, 1000, interruption_flag(), progress.steps(), progress.activities());
+//   record.begin(Activity::Reading);
+//   ...
+//   progress.finish();   // before the line that sums up
+//
+// A terminal shows what is being done, for how long, and the last step; twice a second it is shown
+// anew, by a thread of its own, so that it never stands still. Elsewhere every activity leaves a
+// line with its seconds, and steps leave one for the first of a degree and every tenth, or for each
+// when verbose. Quiet runs say nothing.
+//
+// Lines of activities are held back until there was a step or the solve is over: what is refused
+// before has said one line, that of the refusal. Ended by an exception, those held back are lost.
 #pragma once
+
+#include <memory>
 
 #include "apps/command.h"
 #include "majorant/framework/run_record.h"
 
 namespace majorant::app {
 
-// Nothing when quiet; every iteration when verbose; else on a terminal one live line, elsewhere a
-// line per degree and every tenth iteration.
-RunRecord::Progress make_progress(const CommonOptions& options);
-// Ends the live line.
-void finish_progress(const CommonOptions& options);
+class Progress {
+ public:
+  explicit Progress(const CommonOptions& options);
+  ~Progress();  // takes the live line away
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  // For the record of the run, which this must outlive.
+  RunRecord::Progress steps();
+  RunRecord::Announce activities();
+  // The last activity is over. Nothing is shown any more.
+  void finish();
+
+ private:
+  class Display;
+  std::unique_ptr<Display> display_;  // none when quiet
+};
 
 }  // namespace majorant::app

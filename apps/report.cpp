@@ -73,6 +73,28 @@ Json measures_section(const BezierMap& map, const MapMeasures& m, const std::str
   return section;
 }
 
+namespace {
+
+Json spread_section(const Spread& spread) {
+  Json section{{"mean", spread.mean}};
+  for (std::size_t k = 0; k < kPercentiles.size(); ++k)
+    section[fmt::format("p{}", kPercentiles[k])] = spread.percentile[k];
+  return section;
+}
+
+}  // namespace
+
+Json distortion_section(const std::vector<const MapDistortion*>& parts, double scale) {
+  const DistortionSummary all = summary(parts);
+  return {{"scale", scale},
+          {"stretch_l2", all.stretch_l2},
+          {"stretch_linf", all.stretch_linf},
+          {"sigma_1", spread_section(all.sigma_1)},
+          {"sigma_2", spread_section(all.sigma_2)},
+          {"area", spread_section(all.area)},
+          {"angle", spread_section(all.angle)}};
+}
+
 std::string seam_summary(const Json& measures_section) {
   if (!measures_section.contains("cones")) return {};
   return fmt::format(", {} cones, seams fit to {:.1g} ({:.1f} ulp of the layout)",

@@ -19,6 +19,8 @@ Json cones_section(const BezierMap& map);
 // value, extremes, injectivity, and cones of maps with seams: the part of "result" that any map
 // has.
 Json measures_section(const BezierMap& map, const MapMeasures& measures, const std::string& energy);
+// Percentiles, means and stretch of all parts as one map, measured at that scale of the layout.
+Json distortion_section(const std::vector<const MapDistortion*>& parts, double scale);
 // What a line that sums up says of that section's seams, ", ..."; empty when there are none.
 std::string seam_summary(const Json& measures_section);
 // {"deepen": {"runs": 2, "gained": 0.01}, ...} of every remedy, energies as in the trace.

@@ -11,6 +11,7 @@
 #include "apps/streams.h"
 #include "majorant/framework/linear_solver.h"
 #include "majorant/framework/thread_count.h"
+#include "majorant/io/map_distortion.h"
 #include "majorant/io/map_proof.h"
 
 namespace majorant::app {
@@ -76,10 +77,24 @@ ProofRequest promise(const FinishedRun& run, const std::string& path) {
   return promise;
 }
 
+double scale_of(const FinishedRun& run) { return run.normalized ? run.normalized->size : 1; }
+
+void write_table(const FinishedRun& run, const MapFile& file, WrittenFiles& written) {
+  const std::string& path = run.outputs.distortion;
+  if (path.empty()) return;
+  written.write(path, [&] {
+    write_distortion(path, file,
+                     run.result.measures.cut_short
+                         ? measure_distortion(*run.result.map, scale_of(run)).faces
+                         : run.result.measures.distortion.faces);
+  });
+}
+
 void write_maps(const FinishedRun& run, const Json& report, WrittenFiles& written) {
   MapFile file = to_map_file(*run.result.map);
   if (!run.result.measures.cut_short) file.distortion = run.result.measures.face_value;
   file.min_det = run.result.measures.min_det;
+  file.face_distortion = finite_or_none(run.result.measures.distortion.faces);
   file.claims = claims(run);
   FormatOptions formats = run.outputs.formats;
   if (run.in.options.map.injectivity == MapInjectivity::Global)
@@ -96,6 +111,7 @@ void write_maps(const FinishedRun& run, const Json& report, WrittenFiles& writte
                 certification(path, promise(run, path)));
     });
   }
+  write_table(run, file, written);
   if (!run.scaffold_file.empty())
     written.write(run.scaffold_file, [&] {
       write_map(run.scaffold_file, to_map_file(run.result.scaffold.value()), nullptr, {},
@@ -111,12 +127,16 @@ Json result_section(const FinishedRun& run) {
   const ParametrizationResult& r = run.result;
   if (!r.map) return nullptr;
   Json result = measures_section(*r.map, r.measures, run.map.energy);
-  if (was_stopped(r) && run.in.options.map.injectivity != MapInjectivity::Global)
+  if (!r.measures.cut_short)
+    result["distortion"] = distortion_section({&r.measures.distortion}, scale_of(run));
+  if (was_stopped(r) && run.in.options.map.injectivity != MapInjectivity::Global) {
     result["boundary"] = {{"reason", "not asked after the limit"}};
-  else
+  } else {
+    run.record.begin(Activity::Proving);
     add_global_injectivity(result, *r.map, r.measures, check_boundary(*r.map, {.stopped = [&] {
                              return run.record.directive() != Directive::Continue;
                            }}));
+  }
   result["start"] = start_taken(run);
   result["variables"] = r.variables;
   result["initial_value"] = r.initial_value;
@@ -165,7 +185,9 @@ Json report_of(const FinishedRun& run) {
               {"vector_instructions", vector_instructions()}};
   if (run.in.start && !run.in.start->map.seams().trivial())
     report["seam_start"] = seam_start_section(*run.in.start);
-  if (run.film) report["snapshots"] = {{"every", run.film->every()}, {"frames", run.film->count()}};
+  if (run.film)
+    report["snapshots"] = {{"every", run.film->every()},
+                           {"frames", run.film->count(last_iteration(run.record.trace()))}};
   return report;
 }
 
@@ -205,6 +227,9 @@ void OutputRequest::add_to(CLI::App& verb) {
   verb.add_option("output", positional, "output file, same as -o");
   verb.add_option("-o,--output", files, output_help(extensions))->allow_extra_args(false);
   formats.add_to(verb);
+  verb.add_option("--distortion", distortion,
+                  "write a table of stretch, area and angle distortion per face to FILE.csv")
+      ->type_name("FILE");
   verb.add_flag("--normalize", normalize, "scale the result into the unit square");
 }
 
@@ -230,8 +255,10 @@ int write_result(const FinishedRun& run) {
   if (run.outputs.has_report(run.common) || has_page(run.outputs.files)) report = report_of(run);
   const double before = seconds_since(run.start);
   WrittenFiles written;
+  run.record.begin(Activity::Writing);
   if (has_result(run.result)) write_maps(run, report, written);
   write_reports(run, std::move(report), seconds_since(run.start) - before, written);
+  run.progress.finish();
   summarize(run);
   return written.conclude(exit_code(run.result.status));
 }

@@ -19,6 +19,7 @@
 #include "apps/film.h"
 #include "apps/map_request.h"
 #include "apps/outputs.h"
+#include "apps/progress.h"
 #include "apps/report.h"
 #include "majorant/parametrization/drive/internal/unit_square.h"
 #include "majorant/parametrization/drive/parametrize.h"
@@ -31,6 +32,7 @@ struct OutputRequest {
   std::vector<std::string> files;
   std::vector<std::string> extensions = map_extensions({".json", ".csv"});  // that the verb writes
   FormatOptions formats;
+  std::string distortion;  // table per face, or empty
   bool normalize = false;
 
   // Adds a positional `output` too: call it after the verb's input.
@@ -56,7 +58,8 @@ struct FinishedRun {
   double read_seconds = 0;
   std::string scaffold_file;                      // or empty
   const std::optional<InUnitSquare>& normalized;  // how result.map was moved
-  const Film* film = nullptr;                     // of the run, if asked for
+  Progress& progress;
+  const Film* film = nullptr;  // of the run, if asked for
 };
 
 // Whether there is a map to write: the run did not fail, and was feasible.

@@ -6,7 +6,6 @@
 #include "apps/arguments/suggestion.h"
 #include "apps/page_content.h"
 #include "apps/process.h"
-#include "apps/progress.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/curvature_name.h"
 
@@ -71,9 +70,10 @@ void SolveRequest::require_usable(const OutputRequest& outputs, const MapRequest
   if (outputs.normalize) refuse("--normalize moves the map away from its scaffold; leave it out");
 }
 
-RunRecord SolveRequest::make_record(const CommonOptions& common) const {
+RunRecord SolveRequest::make_record(Progress& progress) const {
   if (!(time_limit >= 0)) throw Error(ErrorKind::Usage, "--time-limit is not a number of seconds");
-  return RunRecord(time_limit, max_iterations, interruption_flag(), make_progress(common));
+  return RunRecord(time_limit, max_iterations, interruption_flag(), progress.steps(),
+                   progress.activities());
 }
 
 }  // namespace majorant::app

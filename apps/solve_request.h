@@ -6,6 +6,7 @@
 #include <string>
 
 #include "apps/command.h"
+#include "apps/progress.h"
 #include "apps/report.h"
 #include "apps/result_files.h"
 #include "majorant/parametrization/drive/parametrize.h"
@@ -28,7 +29,8 @@ struct SolveRequest {
   void apply(ParametrizationOptions& options) const;
   Json to_json() const;
   // Limits, Ctrl-C and progress lines. Throws Error(Usage) for a time limit that is no number.
-  RunRecord make_record(const CommonOptions& common) const;
+  // progress: outlives the record.
+  RunRecord make_record(Progress& progress) const;
 };
 
 }  // namespace majorant::app

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <mutex>
 
 #include "majorant/io/internal/temporary_file.h"
 
@@ -11,6 +12,15 @@ namespace majorant::app {
 namespace {
 
 int first_error = 0;  // of stdout
+
+constexpr std::string_view kClearLine = "\r\x1b[K";
+std::mutex writing;  // to stderr
+bool is_live = false;
+
+void clear_live() noexcept {
+  if (is_live) write_all(STDERR_FILENO, kClearLine);
+  is_live = false;
+}
 
 }  // namespace
 
@@ -22,13 +32,25 @@ void open_standard_streams() noexcept {
   }
 }
 
-void say_text(std::string_view text) noexcept { write_all(STDERR_FILENO, text); }
+void say_text(std::string_view text) noexcept {
+  const std::lock_guard lock(writing);
+  clear_live();
+  write_all(STDERR_FILENO, text);
+}
+
+void show_live(std::string_view line) noexcept {
+  const std::lock_guard lock(writing);
+  clear_live();
+  is_live = !line.empty();
+  write_all(STDERR_FILENO, line);
+}
 
 void say_warnings(const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) say("majorant: warning: {}\n", warning);
 }
 
 void print_text(std::string_view text) noexcept {
+  show_live({});
   if (first_error == 0) first_error = write_all(STDOUT_FILENO, text);
 }
 

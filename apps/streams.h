@@ -20,6 +20,9 @@ namespace majorant::app {
 void open_standard_streams() noexcept;
 
 void say_text(std::string_view text) noexcept;
+// The last line of a terminal, shown anew by every call until something else is said; empty: none.
+// From any thread.
+void show_live(std::string_view line) noexcept;
 void print_text(std::string_view text) noexcept;
 
 // "majorant: warning: ..." for each.

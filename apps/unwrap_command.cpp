@@ -38,19 +38,23 @@ void require_usable(Request& request) {
   request.outputs.require_usable(request.map);
   if (request.map.degree == 0) request.map.degree = 1;
   if (request.unwrap.seams.seams.empty()) request.unwrap.seams.seams = "auto";
-  require_writable(request.common, {{request.outputs.files, request.outputs.extensions}},
+  require_writable(request.common,
+                   {{request.outputs.files, request.outputs.extensions},
+                    {{request.outputs.distortion}, {".csv"}}},
                    {request.map.input, request.map.pins, request.map.handles, request.map.weights,
                     request.unwrap.seams.file()});
 }
 
 int unwrap_file(Request request) {
   const auto start = std::chrono::steady_clock::now();
-  RunRecord record = request.solve.make_record(request.common);
+  Progress progress(request.common);
+  RunRecord record = request.solve.make_record(progress);
   require_usable(request);
   const ThreadCount threads(start_threads(request.common.threads));
   PolygonMesh polygons;
   RepairedSurface surface;
   UnwrapOptions options;
+  record.begin(Activity::Reading);
   unless_stopped("reading " + request.map.input, [&] {
     polygons = read_mesh(request.map.input, record.start_stop());
     say_warnings(polygons.warnings);
@@ -63,7 +67,6 @@ int unwrap_file(Request request) {
   const double read_seconds = record.seconds();
   Atlas atlas = unless_stopped("unwrapping " + request.map.input,
                                [&] { return unwrap(surface.mesh, options, record); });
-  finish_progress(request.common);
   std::optional<AtlasSquare> square;
   if (request.outputs.normalize) square = into_unit_square(atlas);
   if (request.outputs.normalize && !square)
@@ -73,7 +76,7 @@ int unwrap_file(Request request) {
                     "out --normalize");
   return write_atlas({request.common, request.outputs, request.map, polygons, surface, atlas,
                       square, record, options.chart.map.handles, options_of(request), start,
-                      read_seconds});
+                      progress, read_seconds});
 }
 
 }  // namespace

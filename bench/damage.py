@@ -166,7 +166,7 @@ def change_claims(content, rng):
     pattern = re.compile(rb'(Name="majorant_claims"[^>]*>\n)([\d ]*)(\n</)')
     found = pattern.search(content)
     try:
-        claims = json.loads(bytes(map(int, found.group(2).split()))[:-1]) if found else {}
+        claims = json.loads(bytes(map(int, found.group(2).split())).rstrip(b'\0')) if found else {}
     except (ValueError, RecursionError):
         claims = {}
     if isinstance(claims, dict) and rng.random() < 0.4:
@@ -176,11 +176,11 @@ def change_claims(content, rng):
     text = json.dumps(claims).encode()
     if rng.random() < 0.05:
         text = nest(text, rng)
-    codes = ' '.join(map(str, text)).encode() + b' 0'
+    codes = ' '.join(map(str, text)).encode()
     if found:
         return content[:found.start(2)] + codes + content[found.end(2):]
-    field = b'<FieldData>\n<Array type="String" Name="majorant_claims" NumberOfTuples="1" format="ascii">\n' + codes \
-        + b'\n</Array>\n</FieldData>\n<Piece'
+    field = b'<FieldData>\n<DataArray type="UInt8" Name="majorant_claims" format="ascii">\n' + codes \
+        + b'\n</DataArray>\n</FieldData>\n<Piece'
     return content.replace(b'<Piece', field, 1)
 
 

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "majorant/framework/activity.h"
 #include "majorant/framework/minimizer.h"
 #include "majorant/framework/trace.h"
 
@@ -20,6 +21,8 @@ class RunRecord {
  public:
   // Called after every row of the trace.
   using Progress = std::function<void(const TraceEntry&)>;
+  // Called by the thread that runs, when it begins something else.
+  using Announce = std::function<void(Activity)>;
 
   // Seconds beyond the time limit that reading and making the start may take: what is stopped
   // before it has a map has nothing to show. (50,000 faces take half a second for both.) Ctrl-C has
@@ -28,15 +31,17 @@ class RunRecord {
 
   explicit RunRecord(double time_limit_seconds = std::numeric_limits<double>::infinity(),
                      int max_iterations = std::numeric_limits<int>::max(),
-                     const std::atomic<bool>* interrupt = nullptr, Progress progress = {})
+                     const std::atomic<bool>* interrupt = nullptr, Progress progress = {},
+                     Announce announce = {})
       : max_iterations_(max_iterations),
         stop_(limits(start_, time_limit_seconds, interrupt)),
         start_stop_(limits(start_, time_limit_seconds + kGrace, interrupt)),
-        progress_(std::move(progress)) {}
+        progress_(std::move(progress)),
+        announce_(std::move(announce)) {}
   // Ended by `stop` alone, without grace.
   explicit RunRecord(const StopCheck& stop) : stop_(stop), start_stop_(stop) {}
   // Of one part of the run that is solved by itself, perhaps on another thread: the same limits
-  // (iterations count from 0), a trace of its own.
+  // (iterations count from 0), a trace of its own; what it begins is not announced.
   RunRecord part(Progress progress = {}) const {
     RunRecord part;
     part.max_iterations_ = max_iterations_;
@@ -57,6 +62,9 @@ class RunRecord {
     trace_.push_back(std::move(row));
     if (progress_) progress_(trace_.back());
     return directive();
+  }
+  void begin(Activity activity) const {
+    if (announce_) announce_(activity);
   }
   // Notes the steps that a minimizer takes on the energy asked for.
   Observer observer(int degree, int level = 0) {
@@ -107,6 +115,7 @@ class RunRecord {
   int max_iterations_ = std::numeric_limits<int>::max();
   StopCheck stop_, start_stop_;
   Progress progress_;
+  Announce announce_;
   std::vector<TraceEntry> trace_;
   std::optional<Remedy> remedy_;
 };

@@ -45,6 +45,7 @@ MapFile joined(const std::vector<MapFile>& charts) {
   all.input_face = stacked(charts, &MapFile::input_face);
   all.distortion = stacked(charts, &MapFile::distortion);
   all.min_det = stacked(charts, &MapFile::min_det);
+  all.face_distortion = stacked(charts, &MapFile::face_distortion);
   all.chart.resize(all.cells.rows());
   Eigen::Index cell = 0;
   Index point = 0;
@@ -63,6 +64,7 @@ MapFile joined(const std::vector<MapFile>& charts) {
   reorder(all.input_face, order);
   reorder(all.distortion, order);
   reorder(all.min_det, order);
+  reorder(all.face_distortion, order);
   reorder(all.chart, order);
   return all;
 }

@@ -185,7 +185,14 @@ MapFile to_map_file(const BezierMesh& mesh) {
   for (Index f = 0; f < mesh.face_count(); ++f)
     for (Index l = 0; l < file.cells.cols(); ++l)
       file.uv.row(file.cells(f, l)) = mesh.point(f, static_cast<int>(l));
-  file.points.leftCols<2>() = file.uv;
+  // The surface is flat triangles between the corners, wherever the map bends them.
+  const TriangleIndices& ix = TriangleIndices::of_degree(mesh.degree);
+  for (Index f = 0; f < mesh.face_count(); ++f)
+    for (int l = 0; l < ix.count(); ++l) {
+      Eigen::RowVector2d point = Eigen::RowVector2d::Zero();
+      for (int k = 0; k < 3; ++k) point += ix.multi(l)[at(k)] * file.uv.row(file.cells(f, k));
+      file.points.row(file.cells(f, l)).head<2>() = point / mesh.degree;
+    }
   return file;
 }
 

@@ -15,6 +15,7 @@
 #include "majorant/mesh/polygon_mesh.h"
 #include "majorant/parametrization/maps/bezier_map.h"
 #include "majorant/parametrization/maps/bezier_mesh.h"
+#include "majorant/parametrization/maps/measure_distortion.h"
 
 namespace majorant {
 
@@ -22,7 +23,8 @@ struct MapFile {
   int degree = 1;
   Points3 points;       // #N by 3, control points of the flat surface triangles
   Points2 uv;           // #N by 2, control points of the map
-  Points2 uv_rounding;  // #N by 2, how far the digits of the file may be from uv; empty: not
+  Points2 uv_rounding;  // #N by 2, how far the digits of the file (decimals; values that uv
+                        // was computed from) may be from uv; empty: not at all
   Cells cells;          // #F by (n+1)(n+2)/2, point numbers in VTK order
   Eigen::VectorXi input_vertex;  // #N, vertex of the input mesh, -1 where there is none
   Eigen::VectorXi input_face;    // #F, face (polygon) of the input mesh, 0-based
@@ -32,10 +34,12 @@ struct MapFile {
   Cells seam_edges;              // #F by 3, edges 01, 12, 20: chain + 1, 0 for none; may be empty
   Eigen::VectorXi chart;         // #F, piece of an atlas, 0-based; may be empty
   std::string claims;            // JSON object, what the file promises; may be empty
+  // #F by 6, columns as kFaceDistortionNames, at layout_scale(); may be empty.
+  FaceDistortion face_distortion;
   std::vector<std::string> warnings;  // what a reader left out, as in PolygonMesh; never written
 };
 
-// From a file: .vtu, or a triangle .obj with texture coordinates (degree 1). Throws
+// From a file: .vtu, .msh, or a mesh with texture coordinates (degree 1), .obj or .ply. Throws
 // Error(Unreadable) when it cannot be read or holds no map; Stopped.
 MapFile read_map(const std::string& path, const StopCheck& stop = {});
 
@@ -44,7 +48,7 @@ MapFile read_map(const std::string& path, const StopCheck& stop = {});
 // not be written.
 using FileVerification = std::function<void(const std::string& temporary_path)>;
 
-// Distortion, min_det and claims are left empty, cone and seam_edges too unless the map has seams
+// What is measured (distortion, min_det, face_distortion) and claims are left empty, cone and seam_edges too unless the map has seams
 // or cones.
 MapFile to_map_file(const BezierMap& map);
 // A mesh with texture coordinates as a map of degree 1: one point per (v, vt) pair; input_vertex

@@ -13,6 +13,7 @@
 #include "majorant/io/internal/cut_map.h"
 #include "majorant/io/internal/glued_map.h"
 #include "majorant/io/internal/repaired_match.h"
+#include "majorant/io/internal/rounded_determinant.h"
 #include "majorant/io/internal/surface_match.h"
 #include "majorant/parametrization/injectivity/internal/exact_positivity.h"
 
@@ -108,23 +109,6 @@ class MapProof::Judge {
 
   Vector2 corner(Index cell, int k) const { return file_.uv.row(file_.cells(cell, k)); }
 
-  double twice_area(Index cell) const {
-    const Vector2 a = corner(cell, 1) - corner(cell, 0), b = corner(cell, 2) - corner(cell, 0);
-    return cross(a, b);
-  }
-
-  // What the decimals of a text file, which are not exactly its doubles, may change of twice the
-  // area of a triangle, and rounding of twice_area().
-  double rounding_of_det(Index cell) const {
-    if (file_.uv_rounding.rows() == 0) return 0;
-    const double off = 2 * file_.uv_rounding(file_.cells.row(cell), Eigen::all).maxCoeff();
-    if (off == 0) return 0;
-    const Vector2 a = corner(cell, 1) - corner(cell, 0), b = corner(cell, 2) - corner(cell, 0);
-    const double reach = a.lpNorm<1>() + b.lpNorm<1>();
-    return 1.01 * (off * reach + 2 * off * off) +
-           4 * std::numeric_limits<double>::epsilon() * a.lpNorm<1>() * b.lpNorm<1>();
-  }
-
   void judge_positivity() {
     NodeNumbering numbering;
     numbering.cells = file_.cells;
@@ -140,11 +124,11 @@ class MapProof::Judge {
         break;
       }
       const PositivityProof proof = space.certify(c, x, ProofDepth::kFinal);
-      const double rounding = rounding_of_det(c);
-      if (proof.result == Positivity::Certified && proof.lower_bound > rounding) continue;
-      ExactPositivity exact =
-          exact_positivity(file_.uv(file_.cells.row(c), Eigen::all), request_.stop);
-      if (rounding > 0 && std::abs(twice_area(c)) <= rounding) exact = {};  // the decimals decide
+      if (proof.result == Positivity::Certified &&
+          proof.lower_bound > rounding_of_determinant(file_, c))
+        continue;
+      const ExactPositivity exact = beyond_rounding(
+          file_, c, exact_positivity(file_.uv(file_.cells.row(c), Eigen::all), request_.stop));
       if (exact.result == Positivity::Certified) continue;
       proof_.not_positive.push_back(c);
       if (is_violated) continue;

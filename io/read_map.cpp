@@ -1,12 +1,16 @@
 #include "majorant/io/internal/input_file.h"
 #include "majorant/io/map_file.h"
+#include "majorant/io/msh.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/vtu.h"
 
 namespace majorant {
 
 MapFile read_map(const std::string& path, const StopCheck& stop) {
-  return format_of(path) == ".vtu" ? read_vtu(path, stop) : to_map_file(read_mesh(path, stop));
+  const std::string format = format_of(path);
+  if (format == ".vtu") return read_vtu(path, stop);
+  if (format == ".msh") return read_msh(path, stop);
+  return to_map_file(read_mesh(path, stop));
 }
 
 }  // namespace majorant

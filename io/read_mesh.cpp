@@ -9,6 +9,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/io/internal/input_file.h"
 #include "majorant/io/internal/mesh_readers.h"
+#include "majorant/io/internal/msh_content.h"
 #include "majorant/io/vtu.h"
 
 namespace majorant {
@@ -26,7 +27,8 @@ void require_complete(const PolygonMesh& mesh) {
 }
 
 bool is_mesh_name(const std::string& path) {
-  constexpr std::array<std::string_view, 5> kFormats = {".obj", ".off", ".ply", ".stl", ".vtu"};
+  constexpr std::array<std::string_view, 6> kFormats = {".obj", ".off", ".ply",
+                                                        ".stl", ".vtu", ".msh"};
   return std::find(kFormats.begin(), kFormats.end(), format_of(path)) != kFormats.end();
 }
 
@@ -36,12 +38,12 @@ PolygonMesh read_mesh(const std::string& path, const StopCheck& stop) {
   if (extension == ".off") return read_off(path, read_whole_file(path, stop), stop);
   if (extension == ".ply") return read_ply(path, read_whole_file(path, stop), stop);
   if (extension == ".stl") return read_stl(path, read_whole_file(path, stop), stop);
+  if (extension == ".msh") return read_msh_mesh(path, read_whole_file(path, stop), stop);
   if (extension == ".vtu") return mesh_from_map(read_vtu(path, stop), path);
-  throw Error(
-      ErrorKind::Unreadable,
-      fmt::format(
-          "{}: unknown mesh format {}; use .obj, .off, .ply, .stl or .vtu, or one of them with .gz",
-          path, in_quotes(extension)));
+  throw Error(ErrorKind::Unreadable,
+              fmt::format("{}: unknown mesh format {}; use .obj, .off, .ply, .stl, .vtu or .msh, "
+                          "or one of them with .gz",
+                          path, in_quotes(extension)));
 }
 
 }  // namespace majorant

@@ -7,6 +7,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/io/internal/bezier_cell.h"
 #include "majorant/io/internal/input_file.h"
+#include "majorant/io/internal/lagrange_cell.h"
 #include "majorant/io/internal/map_check.h"
 #include "majorant/io/internal/vtu_arrays.h"
 #include "majorant/io/internal/xml_tree.h"
@@ -16,7 +17,11 @@ namespace majorant {
 namespace {
 
 constexpr long long kTriangle = 5;
+constexpr long long kQuadraticTriangle = 22;
+constexpr long long kLagrangeTriangle = 69;
 constexpr long long kBezierTriangle = 76;
+
+bool is_lagrange(long long type) { return type == kLagrangeTriangle || type == kQuadraticTriangle; }
 
 bool same_name(std::string_view a, std::string_view b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char x, unsigned char y) {
@@ -27,7 +32,10 @@ bool same_name(std::string_view a, std::string_view b) {
 class VtuReader {
  public:
   VtuReader(const std::string& path, const StopCheck& stop)
-      : path_(path), content_(read_whole_file(path, stop)), arrays_(path, content_, stop) {}
+      : path_(path),
+        stop_(stop),
+        content_(read_whole_file(path, stop)),
+        arrays_(path, content_, stop) {}
 
   MapFile read() {
     const XmlElement root = parse_xml(path_, content_);
@@ -46,6 +54,7 @@ class VtuReader {
     if (const XmlElement* data = piece.child("CellData")) read_cell_data(*data);
     if (const XmlElement* data = grid.child("FieldData")) read_claims(*data);
     if (const std::string defect = map_defect(map_); !defect.empty()) fail(defect);
+    if (is_lagrange_) take_as_lagrange_nodes(map_, path_, stop_);
     return std::move(map_);
   }
 
@@ -159,14 +168,16 @@ class VtuReader {
     }
     map_.degree = bezier_cell_degree(offsets[0]);
     if (map_.degree == 0) {
-      fail(fmt::format("a cell of {} points is no Bezier triangle of degree 1..{}", offsets[0],
+      fail(fmt::format("a cell of {} points is no triangle of degree 1..{}", offsets[0],
                        kHighestFileDegree));
     }
     const long long size = offsets[0];
     for (std::size_t f = 0; f < types.size(); ++f) {
-      const bool fits = types[f] == kBezierTriangle || (types[f] == kTriangle && map_.degree == 1);
-      if (!fits)
-        fail(fmt::format("cell {} of type {}; only Bezier triangles are supported", f, types[f]));
+      if (!fits(types[f]))
+        fail(fmt::format("cell {} of type {}; only Bezier and Lagrange triangles are supported", f,
+                         types[f]));
+      if (is_lagrange(types[f]) != is_lagrange(types[0]))
+        fail(fmt::format("cell {} is of another type than cell 0", f));
       if (offsets[f] != size * static_cast<long long>(f + 1)) {
         fail(fmt::format("cell {} has another number of points than cell 0", f));
       }
@@ -174,9 +185,16 @@ class VtuReader {
     if (static_cast<long long>(connectivity.size()) != offsets.back()) {
       fail("connectivity and offsets disagree; damaged or truncated");
     }
+    is_lagrange_ = map_.degree > 1 && is_lagrange(types[0]);
     map_.cells.resize(static_cast<Eigen::Index>(types.size()), size);
     std::transform(connectivity.begin(), connectivity.end(), map_.cells.data(),
                    [this](long long id) { return index(id); });
+  }
+
+  bool fits(long long type) const {
+    return type == kBezierTriangle || type == kLagrangeTriangle ||
+           (type == kTriangle && map_.degree == 1) ||
+           (type == kQuadraticTriangle && map_.degree == 2);
   }
 
   // -1 (none) passes; map_defect refuses it where a point is needed.
@@ -208,6 +226,7 @@ class VtuReader {
     if (const XmlElement* array = find_array(section, "min_det")) {
       map_.min_det = matrix<Vec>(*array, 1, 1);
     }
+    read_face_distortion(section);
     if (const XmlElement* array = find_array(section, "chart")) map_.chart = index_array(*array);
     if (const XmlElement* array = find_array(section, "seam_edges")) {
       const Eigen::VectorXi values = index_array(*array);
@@ -216,16 +235,32 @@ class VtuReader {
     }
   }
 
+  // All of its arrays or none: files of before they were written have none.
+  void read_face_distortion(const XmlElement& section) {
+    FaceDistortion all(map_.cells.rows(), kFaceDistortionNames.size());
+    for (std::size_t k = 0; k < kFaceDistortionNames.size(); ++k) {
+      const XmlElement* array = find_array(section, kFaceDistortionNames[k]);
+      if (array == nullptr) return;
+      const Vec values = matrix<Vec>(*array, 1, 1);
+      if (values.size() != all.rows())
+        fail(fmt::format("{} is not one number per cell", kFaceDistortionNames[k]));
+      all.col(static_cast<Eigen::Index>(k)) = values;
+    }
+    map_.face_distortion = std::move(all);
+  }
+
   void read_claims(const XmlElement& section) {
     const XmlElement* array = find_array(section, "majorant_claims");
     if (array != nullptr) map_.claims = arrays_.string(*array);
   }
 
   const std::string& path_;
+  const StopCheck& stop_;
   std::string content_;
   VtuArrays arrays_;
   MapFile map_;
   std::string cell_count_;
+  bool is_lagrange_ = false;
 };
 
 }  // namespace

@@ -5,12 +5,14 @@
 #include <cstdint>
 #include <cstring>
 #include <iterator>
+#include <span>
 #include <type_traits>
 #include <vector>
 
 #include "majorant/io/internal/atomic_file.h"
 #include "majorant/io/internal/base64.h"
 #include "majorant/io/internal/bezier_cell.h"
+#include "majorant/io/internal/lagrange_cell.h"
 #include "majorant/io/internal/map_check.h"
 #include "majorant/io/vtu.h"
 
@@ -47,11 +49,14 @@ class VtuText {
     text_ += "\n</DataArray>\n";
   }
 
-  // As VTK writes a string array: character codes (signed), terminated by 0.
-  void add_string(std::string_view name, std::string_view value) {
-    add("<Array type=\"String\" Name=\"{}\" NumberOfTuples=\"1\" format=\"ascii\">\n", name);
-    for (const char c : value) add("{} ", static_cast<int>(static_cast<signed char>(c)));
-    text_ += "0\n</Array>\n";
+  // Bytes as numbers: there are readers that know no array of strings, and refuse the whole file.
+  void add_bytes(std::string_view name, std::string_view value) {
+    add("<DataArray type=\"UInt8\" Name=\"{}\" NumberOfTuples=\"{}\" format=\"ascii\">\n", name,
+        value.size());
+    add("{}",
+        fmt::join(std::span(reinterpret_cast<const unsigned char*>(value.data()), value.size()),
+                  " "));
+    text_ += "\n</DataArray>\n";
   }
 
   const std::string& text() const { return text_; }
@@ -60,7 +65,7 @@ class VtuText {
   std::string text_;
 };
 
-void add_cells(const MapFile& map, VtuText& text) {
+void add_cells(const MapFile& map, VtuCells cells, VtuText& text) {
   const Eigen::Index count = map.cells.rows();
   const auto size = static_cast<std::size_t>(count);
   const std::vector<std::int64_t> connectivity(map.cells.data(),
@@ -69,7 +74,8 @@ void add_cells(const MapFile& map, VtuText& text) {
   for (std::size_t f = 0; f < size; ++f) {
     offsets[f] = static_cast<std::int64_t>(f + 1) * map.cells.cols();
   }
-  const std::vector<std::uint8_t> types(size, map.degree == 1 ? 5 : 76);
+  const int curved = cells == VtuCells::Lagrange ? 69 : 76;
+  const std::vector<std::uint8_t> types(size, map.degree == 1 ? 5 : curved);
   text.add("<Cells>\n");
   text.add_array("connectivity", 1, connectivity.data(), map.cells.size());
   text.add_array("offsets", 1, offsets.data(), count);
@@ -96,21 +102,24 @@ Eigen::VectorXi seam_of_points(const MapFile& map) {
 
 }  // namespace
 
-void write_vtu(const std::string& path, const MapFile& map, const FileVerification& verify) {
+void write_vtu(const std::string& path, const MapFile& map, VtuCells cells,
+               const FileVerification& verify) {
   require_sound(path, map);
+  if (cells == VtuCells::Lagrange) require_lagrange_degree(path, map);
+  const Points2 uv = cells == VtuCells::Lagrange ? lagrange_nodes(map) : map.uv;
   VtuText text;
   text.add(
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
       "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<UnstructuredGrid>\n");
   if (!map.claims.empty()) {
     text.add("<FieldData>\n");
-    text.add_string("majorant_claims", map.claims);
+    text.add_bytes("majorant_claims", map.claims);
     text.add("</FieldData>\n");
   }
   text.add("<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n", map.points.rows(),
            map.cells.rows());
   text.add("<PointData>\n");
-  text.add_array("uv", 2, map.uv.data(), map.uv.size());
+  text.add_array("uv", 2, uv.data(), uv.size());
   text.add_array("input_vertex", 1, map.input_vertex.data(), map.input_vertex.size());
   text.add_array("cone", 1, map.cone.data(), map.cone.size());
   if (map.seam_edges.size() > 0)
@@ -118,15 +127,23 @@ void write_vtu(const std::string& path, const MapFile& map, const FileVerificati
   text.add("</PointData>\n<CellData>\n");
   text.add_array("distortion", 1, map.distortion.data(), map.distortion.size());
   text.add_array("min_det", 1, map.min_det.data(), map.min_det.size());
+  for (std::size_t k = 0; k < kFaceDistortionNames.size(); ++k)
+    text.add_array(kFaceDistortionNames[k], 1,
+                   map.face_distortion.col(static_cast<Eigen::Index>(k)).data(),
+                   map.face_distortion.rows());
   text.add_array("input_face", 1, map.input_face.data(), map.input_face.size());
   text.add_array("chart", 1, map.chart.data(), map.chart.size());
   text.add_array("seam_edges", 3, map.seam_edges.data(), map.seam_edges.size());
   text.add("</CellData>\n<Points>\n");
   text.add_array("Points", 3, map.points.data(), map.points.size());
   text.add("</Points>\n");
-  add_cells(map, text);
+  add_cells(map, cells, text);
   text.add("</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
   write_file_atomically(path, text.text(), verify);
+}
+
+void write_vtu(const std::string& path, const MapFile& map, const FileVerification& verify) {
+  write_vtu(path, map, VtuCells::Bezier, verify);
 }
 
 }  // namespace majorant

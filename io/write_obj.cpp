@@ -8,6 +8,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/io/internal/atomic_file.h"
+#include "majorant/io/internal/cones_of.h"
 #include "majorant/io/internal/map_check.h"
 #include "majorant/io/internal/material_files.h"
 #include "majorant/io/internal/tessellate_map.h"
@@ -16,10 +17,7 @@ namespace majorant {
 namespace {
 
 std::string cone_comments(const MapFile& map) {
-  std::map<Index, int> cones;
-  for (Index p = 0; p < std::min(map.cone.size(), map.input_vertex.size()); ++p) {
-    if (map.cone[p] != 0 && map.input_vertex[p] >= 0) cones[map.input_vertex[p]] = map.cone[p];
-  }
+  const std::map<Index, int> cones = cones_of(map);
   if (cones.empty()) return {};
   std::string text = "# cones: vertices count from 0; angle = quarter_turns * 90 degrees\n";
   for (const auto& [vertex, turns] : cones) {

@@ -17,8 +17,9 @@
 namespace majorant::app {
 namespace {
 
-constexpr double kEnergyClose = 1e-4;  // what reported energies are good to
-constexpr double kZeroEnergy = 1e-9;   // energies may vanish at isometries
+constexpr double kEnergyClose = 1e-4;      // what reported energies are good to
+constexpr double kDistortionClose = 1e-2;  // of faces; what rounding does to tiny ones is less
+constexpr double kZeroEnergy = 1e-9;       // energies may vanish at isometries
 
 // Points of the map by vertex of the input mesh.
 std::vector<Index> find_vertex(const MapFile& file, Index input_vertex) {
@@ -116,6 +117,19 @@ void check_arrays(const CheckedMap& checked, Findings& findings) {
     }
 }
 
+void check_face_distortion(const CheckedMap& checked, Findings& findings) {
+  const FaceDistortion &claimed = checked.file.face_distortion,
+                       &found = checked.measures.distortion.faces;
+  if (checked.measures.cut_short) return;
+  for (Index f = 0; f < claimed.rows(); ++f)
+    for (std::size_t k = 0; k < kFaceDistortionNames.size(); ++k) {
+      const double c = claimed(f, static_cast<Index>(k)), m = found(f, static_cast<Index>(k));
+      if (std::abs(c - m) <= kDistortionClose * std::abs(m)) continue;
+      return findings.add_violation(fmt::format("cell {}: {} {:.6g} is claimed, {:.6g} is found", f,
+                                                kFaceDistortionNames[k], c, m));
+    }
+}
+
 void check_boundary_claim(const CheckedMap& checked, Findings& findings) {
   try {
     if (checked.map.seams().trivial())
@@ -171,6 +185,7 @@ void check_claims(const CheckedMap& checked, Findings& findings) {
   check_seams(checked, findings);
   if (claims.boundary == "fixed") check_boundary_claim(checked, findings);
   check_arrays(checked, findings);
+  check_face_distortion(checked, findings);
 }
 
 }  // namespace majorant::app

@@ -17,10 +17,13 @@
 #include "apps/outputs.h"
 #include "apps/page_content.h"
 #include "apps/process.h"
+#include "apps/progress.h"
 #include "apps/report.h"
 #include "apps/streams.h"
 #include "apps/unless_stopped.h"
 #include "majorant/framework/thread_count.h"
+#include "majorant/io/layout_scale.h"
+#include "majorant/io/map_distortion.h"
 #include "majorant/io/map_file.h"
 #include "majorant/io/map_proof.h"
 #include "majorant/io/read_mesh.h"
@@ -30,8 +33,9 @@ namespace {
 
 struct Request {
   CommonOptions common;
-  std::string result, surface, cuts;  // cuts: none, free or, where nothing is said, empty
-  std::vector<std::string> outputs;   // pages
+  std::string result, surface, distortion;
+  std::string cuts;                  // none, free or, where nothing is said, empty
+  std::vector<std::string> outputs;  // pages
   double time_limit = std::numeric_limits<double>::infinity();
   bool certify = false, seamless = false;
 };
@@ -56,6 +60,14 @@ struct Check {
   std::optional<MapMeasures> measures = {};
   std::optional<MapProof> proof = {};
 };
+
+// At the scale of its claims, or a scale of its own.
+Json measured_distortion(const MapFile& file) {
+  const MapDistortion measured = measure_distortion(file);
+  Json section = distortion_section({&measured}, layout_scale(file));
+  section["scale_is_assumed"] = has_assumed_scale(file);
+  return section;
+}
 
 void prove(Check& check, const StopCheck& stop) {
   const bool is_seamless = check.request.seamless || check.claims.seams.value_or(false);
@@ -83,16 +95,22 @@ void prove(Check& check, const StopCheck& stop) {
                           {"other_edges", cuts.others},
                           {"length", cuts.length},
                           {"charts", cuts.charts}};
-  if (!check.proof->map()) return;
+}
 
+// What there is a map of, and what is claimed of that.
+void measure(Check& check, const StopCheck& stop) {
+  if (!check.proof->map()) return;
   const BezierMap& map = *check.proof->map();
   check.measures = measure_as_claimed(map, check.claims, stop, check.findings);
   Json result = measures_section(map, *check.measures, claimed_energy(check.claims));
   if (check.proof->global)
     add_global_injectivity(result, map, *check.measures, *check.proof->global);
+  if (!check.measures->cut_short && !check.request.common.report.empty())
+    result["distortion"] = measured_distortion(check.file);
   check.report["result"] = result;
   if (check.proof->surface.answer == Answer::Violated) return;  // claims are about another mesh
-  check_claims({check.file, map, *check.measures, check.claims, wanted.surface, cuts},
+  check_claims({check.file, map, *check.measures, check.claims,
+                check.surface ? &*check.surface : nullptr, check.proof->cuts},
                check.findings);
 }
 
@@ -134,8 +152,7 @@ MapPage page_of(const Check& check) {
   page.facts = page_facts(check.report);
   for (const Index cell : check.proof->not_positive)
     page.faults.push_back({cell, describe_fault(*check.proof, cell)});
-  for (const ClaimedPin& pin : check.claims.pins.value_or(std::vector<ClaimedPin>()))
-    page.points.push_back({pin.vertex, pin.target, PagePoint::Hold::Pin});
+  page.points = claimed_points(check.claims, check.file);
   return page;
 }
 
@@ -159,19 +176,24 @@ int conclude(Check& check) {
   const std::string& report = request.common.report;
   for (const std::string& path : request.outputs)
     written.write(path, [&] { write_page(path, page_of(check)); });
+  if (const std::string& path = request.distortion; !path.empty())
+    written.write(
+        path, [&] { write_distortion(path, check.file, measure_distortion(check.file).faces); });
   if (!report.empty()) written.write(report, [&] { write_json(report, check.report); });
   return written.conclude(list.empty() ? kSuccess : kInvalid);
 }
 
 int check(const Request& request) {
-  require_writable(request.common, {{request.outputs, {".html"}}},
+  require_writable(request.common, {{request.outputs, {".html"}}, {{request.distortion}, {".csv"}}},
                    {request.result, request.surface});
   const ThreadCount threads(start_threads(request.common.threads));
-  const RunRecord record(request.time_limit, 0, interruption_flag());
+  Progress progress(request.common);
+  const RunRecord record(request.time_limit, 0, interruption_flag(), {}, progress.activities());
   const StopCheck& stop = record.stop();
   const auto read = [&](const std::string& path, const auto& reader) {
     return unless_stopped("reading " + path, [&] { return reader(path, stop); });
   };
+  record.begin(Activity::Reading);
   const MapFile file = read(request.result, read_map);
   say_warnings(file.warnings);
   const Claims claims = parse_claims(file.claims, request.result);
@@ -182,7 +204,11 @@ int check(const Request& request) {
   }
   Check check{request, file, claims, surface};
   check.report = {{"schema_version", 1}, {"version", MAJORANT_VERSION}, {"command", "check"}};
+  record.begin(Activity::Proving);
   prove(check, stop);
+  record.begin(Activity::Measuring);
+  measure(check, stop);
+  if (check.findings.list().empty()) progress.finish();
   return conclude(check);
 }
 
@@ -206,6 +232,9 @@ void add_check(CLI::App& app, Action* run) {
   verb.add_option("--time-limit", request->time_limit,
                   "seconds; what is not decided by then is said to be undecided")
       ->check(non_negative_number(std::numeric_limits<double>::infinity()));
+  verb.add_option("--distortion", request->distortion,
+                  "write a table of stretch, area and angle distortion per face to FILE.csv")
+      ->type_name("FILE");
   verb.add_flag("--certify", request->certify, "prove global injectivity as well");
   request->common.add_to(verb);
   verb.footer("Example: majorant check bunny.vtu --surface bunny.obj --report check.json");

@@ -32,6 +32,7 @@ std::string map_defect(const MapFile& map) {
         size_defect("input_face", map.input_face.size(), cells),
         size_defect("distortion", map.distortion.size(), cells),
         size_defect("min_det", map.min_det.size(), cells),
+        size_defect("the distortion of faces", map.face_distortion.rows(), cells),
         size_defect("cone", map.cone.size(), points), size_defect("chart", map.chart.size(), cells),
         size_defect("seam_edges", map.seam_edges.rows(), cells)}) {
     if (!defect.empty()) return defect;
@@ -47,6 +48,9 @@ std::string map_defect(const MapFile& map) {
   if (!map.uv.allFinite()) return "a coordinate of uv is not finite";
   if (!map.distortion.allFinite()) return "a value of distortion is not finite";
   if (!map.min_det.allFinite()) return "a value of min_det is not finite";
+  for (std::size_t k = 0; k < kFaceDistortionNames.size(); ++k)
+    if (!map.face_distortion.col(static_cast<Eigen::Index>(k)).allFinite())
+      return fmt::format("a value of {} is not finite", kFaceDistortionNames[k]);
   return {};
 }
 

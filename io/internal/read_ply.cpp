@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <tuple>
 
 #include "majorant/framework/error.h"
 #include "majorant/io/internal/byte_cursor.h"
@@ -121,7 +123,12 @@ class PlyReader {
     source_.finish();
     require_indices();
     require_complete(mesh_);
-    if (!mesh_.texcoords.empty()) mesh_.polygon_texcoords = mesh_.polygons;
+    if (has_wedges_) {
+      take_wedges();
+    } else if (!mesh_.texcoords.empty()) {
+      mesh_.polygon_texcoords = mesh_.polygons;
+      if (!copy_of_.empty()) join_copies();
+    }
     return std::move(mesh_);
   }
 
@@ -134,6 +141,7 @@ class PlyReader {
     if (is_vertex) locate_vertex(element);
     if (is_face || is_strip)
       corners_ = require_property(element, {"vertex_indices", "vertex_index"});
+    if (is_face) locate_wedges(element);
     PlyRecord record;
     for (record_ = 0; record_ < element.count; ++record_) {
       stop_.poll_at(static_cast<std::size_t>(record_));
@@ -165,6 +173,25 @@ class PlyReader {
     if (!has_texcoords_) return;
     texcoord_ = {require_property(element, {"texture_u", "s", "u"}),
                  require_property(element, {"texture_v", "t", "v"})};
+    locate_copies(element);
+  }
+
+  // What write_ply marks copies of a vertex with.
+  void locate_copies(const PlyElement& element) {
+    const int found = element.find({"input_vertex"});
+    if (found < 0) return;
+    const PlyProperty& property = element.properties[static_cast<std::size_t>(found)];
+    if (property.list_size_type || property.type >= PlyType::Float32) return;
+    input_vertex_ = static_cast<std::size_t>(found);
+    has_copies_ = true;
+  }
+
+  // u v of every corner, as VCG (MeshLab) writes it.
+  void locate_wedges(const PlyElement& element) {
+    const int found = element.find({"texcoord"});
+    has_wedges_ = found >= 0 &&
+                  element.properties[static_cast<std::size_t>(found)].list_size_type.has_value();
+    if (has_wedges_) wedges_ = static_cast<std::size_t>(found);
   }
 
   // Channels that are numbers of one type: integers count from 0 to their largest value.
@@ -226,6 +253,7 @@ class PlyReader {
     }
     if (!has_texcoords_) return;
     mesh_.texcoords.emplace_back(finite(record, texcoord_[0]), finite(record, texcoord_[1]));
+    if (has_copies_) copy_of_.push_back(vertex_index(record.values[record.begin[input_vertex_]]));
   }
 
   void add_face(const PlyRecord& record) {
@@ -239,6 +267,24 @@ class PlyReader {
     for (std::size_t k = 0; k < count; ++k) polygon[k] = vertex_index(record.values[first + k]);
     mesh_.polygons.push_back(std::move(polygon));
     mesh_.polygon_lines.push_back(source_.place(record_));
+    if (has_wedges_) add_wedges(record, count);
+  }
+
+  // An empty list: the face has none.
+  void add_wedges(const PlyRecord& record, std::size_t corners) {
+    const std::size_t first = record.begin[wedges_];
+    const std::size_t count = record.begin[wedges_ + 1] - first;
+    if (count != 0 && count != 2 * corners)
+      source_.fail(
+          fmt::format("face {} has {} corners and {} texture coordinates; 2 a corner are "
+                      "needed",
+                      record_ + 1, corners, count));
+    auto& list = wedge_uv_.emplace_back();
+    for (std::size_t k = first; k < first + count; k += 2) {
+      list.emplace_back(record.values[k], record.values[k + 1]);
+      if (!list.back().allFinite())
+        source_.fail(fmt::format("face {}: a number is not finite; correct the file", record_ + 1));
+    }
   }
 
   Index vertex_index(double value) const {
@@ -270,6 +316,51 @@ class PlyReader {
     }
   }
 
+  // Corners of one vertex with equal coordinates share them. Those of vertices do not count, and
+  // strips have none.
+  void take_wedges() {
+    std::map<std::tuple<Index, double, double>, Index> numbers;
+    mesh_.texcoords.clear();
+    wedge_uv_.resize(mesh_.polygons.size());
+    mesh_.polygon_texcoords.resize(mesh_.polygons.size());
+    for (std::size_t p = 0; p < mesh_.polygons.size(); ++p)
+      for (std::size_t k = 0; k < wedge_uv_[p].size(); ++k) {
+        const Vector2& uv = wedge_uv_[p][k];
+        const auto [entry, is_new] = numbers.emplace(std::tuple(mesh_.polygons[p][k], uv[0], uv[1]),
+                                                     static_cast<Index>(mesh_.texcoords.size()));
+        if (is_new) mesh_.texcoords.push_back(uv);
+        mesh_.polygon_texcoords[p].push_back(entry->second);
+      }
+    if (mesh_.texcoords.empty()) mesh_.polygon_texcoords.clear();
+  }
+
+  // Vertices are what they are copies of; texture coordinates stay one a copy.
+  void join_copies() {
+    const auto damaged = [&](std::string_view problem) {
+      throw Error(ErrorKind::Unreadable,
+                  fmt::format("{}: input_vertex {}; damaged file", mesh_.file, problem));
+    };
+    const Index largest = *std::max_element(copy_of_.begin(), copy_of_.end());
+    if (at(largest) >= copy_of_.size()) damaged(fmt::format("{} is out of range", largest));
+    std::vector<Index> first(at(largest) + 1, -1);
+    for (std::size_t k = 0; k < copy_of_.size(); ++k) {
+      Index& original = first[at(copy_of_[k])];
+      if (original < 0) original = static_cast<Index>(k);
+      if (mesh_.positions[at(original)] != mesh_.positions[k])
+        damaged(fmt::format("{} is at two places", copy_of_[k]));
+    }
+    std::vector<Vector3> positions, colors;
+    for (std::size_t v = 0; v < first.size(); ++v) {
+      if (first[v] < 0) damaged(fmt::format("{} is missing", v));
+      positions.push_back(mesh_.positions[at(first[v])]);
+      if (!mesh_.colors.empty()) colors.push_back(mesh_.colors[at(first[v])]);
+    }
+    mesh_.positions = std::move(positions);
+    mesh_.colors = std::move(colors);
+    for (auto& polygon : mesh_.polygons)
+      for (Index& v : polygon) v = copy_of_[at(v)];
+  }
+
   // At the end, since faces may come before the vertices.
   void require_indices() const {
     for (std::size_t p = 0; p < mesh_.polygons.size(); ++p) {
@@ -291,8 +382,10 @@ class PlyReader {
   std::array<std::size_t, 2> texcoord_{};
   std::array<std::size_t, 3> color_{};
   std::array<double, 3> color_scale_{};
-  bool has_texcoords_ = false, has_colors_ = false;
-  std::size_t corners_ = 0;
+  bool has_texcoords_ = false, has_colors_ = false, has_copies_ = false, has_wedges_ = false;
+  std::size_t corners_ = 0, wedges_ = 0, input_vertex_ = 0;
+  std::vector<Index> copy_of_;                  // by vertex
+  std::vector<std::vector<Vector2>> wedge_uv_;  // by face
 };
 
 }  // namespace

@@ -237,20 +237,21 @@ std::vector<long long> VtuArrays::integers(const XmlElement& array) const {
 }
 
 std::string VtuArrays::string(const XmlElement& array) const {
-  if (array.attribute("type") != "String") fail(array, "a String is needed");
+  const bool is_string = array.attribute("type") == "String";
   std::string text;
-  if (array.attribute("format", "ascii") == "ascii") {
+  if (is_string && array.attribute("format", "ascii") != "ascii") {
+    text = bytes(array);
+  } else {
     for (const long long code : values<long long>(array)) {  // signed or unsigned characters
       if (code < -128 || code > 255) fail(array, "a character code is out of range");
       text += static_cast<char>(static_cast<unsigned char>(code));
     }
-  } else {
-    text = bytes(array);
   }
   const std::size_t end = text.find('\0');
-  if (end == std::string::npos) fail(array, "the string is not terminated; truncated");
-  text.resize(end);
-  return text;
+  if (is_string && end == std::string::npos) {
+    fail(array, "the string is not terminated; truncated");
+  }
+  return text.substr(0, end);
 }
 
 }  // namespace majorant

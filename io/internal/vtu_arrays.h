@@ -28,7 +28,7 @@ class VtuArrays {
   // Throw Error(Unreadable) naming the array.
   std::vector<double> doubles(const XmlElement& array) const;
   std::vector<long long> integers(const XmlElement& array) const;
-  // The first string of an array of type String.
+  // Text: the bytes of an array of integers, or the first string of one of type String.
   std::string string(const XmlElement& array) const;
 
  private:

@@ -50,9 +50,11 @@ class Unwrapping {
     CutOptions cuts = options_.cuts;
     for (const auto* points : {&options_.chart.map.pins, &options_.chart.map.handles})
       for (const Pin& p : *points) cuts.whole.push_back(p.vertex);
+    record_.begin(Activity::Cutting);
     atlas_.cuts = choose_cuts(surface_, cuts, record_.start_stop());
     make_tasks();
     atlas_.initialize_seconds = record_.seconds() - started;
+    record_.begin(Activity::Solving);
     solve_charts();
     atlas_.optimize_seconds = record_.seconds() - started - atlas_.initialize_seconds;
     if (options_.packing && atlas_.status() != Status::Failed) place_charts();
@@ -181,6 +183,7 @@ class Unwrapping {
   }
 
   void place_charts() {
+    record_.begin(Activity::Packing);
     std::vector<BezierMap> maps = maps_of(atlas_);
     PackOptions packing = *options_.packing;
     packing.fixed.clear();

@@ -103,7 +103,9 @@ class Run {
     Vec unused;
     result_.initial_value = mean_density(map_, setup_.map.rest, options_.map.energy, unused);
     show_start();
+    if (options_.map.injectivity == MapInjectivity::Global) record_.begin(Activity::Scaffold);
     domain_ = make_domain();
+    record_.begin(Activity::Solving);
     SolveResult solved;
     solved.energy = result_.initial_value;
     try {
@@ -242,12 +244,14 @@ class Run {
   }
 
   void take_measures() {
+    record_.begin(Activity::Measuring);
     const double started = record_.seconds();
     result_.measures = measure_map(*result_.map, options_.map.energy, record_.stop());
     result_.measure_seconds += record_.seconds() - started;
   }
 
   void flip_triangles() {
+    record_.begin(Activity::Solving);
     const double started = record_.seconds();
     ImprovedMap improved = improve_mesh(*result_.map, options_.map.energy, record_.stop());
     result_.optimize_seconds += record_.seconds() - started;
@@ -278,6 +282,7 @@ class Run {
 
   // What was held by the scaffold, proven once more from the boundary of what is returned.
   void prove_no_overlaps() {
+    record_.begin(Activity::Proving);
     const double started = record_.seconds();
     const GlobalInjectivity proof = check_boundary(*result_.map);
     result_.measure_seconds += record_.seconds() - started;
@@ -351,6 +356,7 @@ ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,
   require_valid(options);
   const double started = record.seconds();
   const ThreadCount threads(options.solve.threads);
+  record.begin(Activity::Starting);
   StartMethod taken;
   const BezierMap start =
       BezierMap::linear(mesh, initial_map(*mesh, options.map, record.start_stop(), &taken));

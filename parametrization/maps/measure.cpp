@@ -143,6 +143,9 @@ MapMeasures measure_normalized(const BezierMap& map, double scale, const EnergyS
       scale == 1 ? map : map.with(map.shared_space(), scale * map.control_points());
   measure_energy(scaled, rest, energy, stop, m);
   sample_extremes(scaled, rest, energy, stop, m);
+  if (!m.cut_short)
+    m.distortion =
+        measure_distortion(map.degree(), map.space().cells(), map.control_points(), rest, scale);
   m.min_det = LocalInjectivity(map.shared_space(), 2 * rest.measure, ProofDepth::kFinal)
                   .lower_bounds(map.control_points());
   const bool interior_ok =

@@ -5,6 +5,7 @@
 #include "majorant/energies/energy_factory.h"
 #include "majorant/framework/stop_check.h"
 #include "majorant/parametrization/maps/bezier_map.h"
+#include "majorant/parametrization/maps/measure_distortion.h"
 
 namespace majorant {
 
@@ -16,6 +17,7 @@ struct MapMeasures {
   bool cut_short = false;
   double max_density = 0;               // sampled
   double sigma_max = 0, sigma_min = 0;  // sampled extreme singular values
+  MapDistortion distortion;             // of no faces where cut short
   Vec min_det;  // #F certified lower bound of det J (<= 0: not proven positive)
   // All min_det > 0 and interior angle sums 2 pi, at cones their angle.
   bool locally_injective = false;

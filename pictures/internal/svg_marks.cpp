@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -15,6 +16,9 @@ constexpr const char* kGridColor = "#14327a";
 constexpr double kOutlineWidth = 1.5;
 constexpr double kSeamWidth = 2.5;
 constexpr double kConeRadius = 5.0;
+constexpr double kNameShare = 0.3;  // of the side of a square as large as the chart
+constexpr double kSmallestName = 8.0;
+constexpr double kLargestName = 22.0;
 // Far apart in hue from their neighbours, dark enough to be seen on the cells' colours.
 constexpr const char* kColors[] = {"#7b2fbe", "#008b8b", "#c2185b", "#2e7d32", "#1565c0",
                                    "#5d4037", "#d81bff", "#00a4d6", "#556b2f", "#3f3f9f"};
@@ -77,6 +81,37 @@ std::pair<std::size_t, std::size_t> count_cones(const MapFile& map) {
   return {positive.size(), negative.size()};
 }
 
+// Where the name of a chart goes: the middle of the cell that is closest to the chart's.
+struct ChartRoom {
+  double area = 0;  // drawing units squared
+  Vector2 middle = Vector2::Zero(), place = Vector2::Zero();
+  double distance = std::numeric_limits<double>::infinity();
+};
+
+std::map<Index, ChartRoom> rooms_of_charts(const SvgLayout& layout) {
+  const MapFile& map = layout.map();
+  std::map<Index, ChartRoom> rooms;
+  const auto corner = [&](Index c, Index k) { return layout.place(map.cells(c, k)); };
+  const auto middle = [&](Index c) {
+    return Vector2((corner(c, 0) + corner(c, 1) + corner(c, 2)) / 3);
+  };
+  for (Index c = 0; c < map.cells.rows(); ++c) {
+    ChartRoom& room = rooms[map.chart[c]];
+    const double area =
+        0.5 * std::abs(cross(corner(c, 1) - corner(c, 0), corner(c, 2) - corner(c, 0)));
+    room.area += area;
+    room.middle += area * middle(c);
+  }
+  for (Index c = 0; c < map.cells.rows(); ++c) {
+    ChartRoom& room = rooms[map.chart[c]];
+    const double distance = (middle(c) - room.middle / room.area).norm();
+    if (!(distance < room.distance)) continue;
+    room.distance = distance;
+    room.place = middle(c);
+  }
+  return rooms;
+}
+
 void add_dot(SvgLayout& layout, const Vector2& center, int quarter_turns) {
   layout.add("<circle cx=\"");
   layout.add_number(center[0]);
@@ -109,6 +144,24 @@ void add_chart_outlines(SvgLayout& layout) {
     }
   layout.add("<g fill=\"none\" stroke-width=\"{}\" stroke-linecap=\"round\">\n", kOutlineWidth);
   for (const auto& [chart, edges] : outlines) add_edges(layout, edges, chart_color(chart));
+  layout.add("</g>\n");
+}
+
+void add_chart_names(SvgLayout& layout) {
+  const MapFile& map = layout.map();
+  if (!has_charts(map)) return;
+  layout.add(
+      "<g font-family=\"sans-serif\" text-anchor=\"middle\" fill=\"#222\" stroke=\"#fff\" "
+      "stroke-width=\"3\" paint-order=\"stroke\">\n");
+  for (const auto& [chart, room] : rooms_of_charts(layout)) {
+    const double size = std::min(kLargestName, kNameShare * std::sqrt(room.area));
+    if (size < kSmallestName) continue;
+    layout.add("<text font-size=\"{:.3g}\" x=\"", size);
+    layout.add_number(room.place[0]);
+    layout.add("\" y=\"");
+    layout.add_number(room.place[1] + 0.35 * size);
+    layout.add("\">{}</text>\n", chart);
+  }
   layout.add("</g>\n");
 }
 

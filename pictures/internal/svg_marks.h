@@ -17,6 +17,10 @@ const char* chart_color(Index chart);
 // The outline of every chart, in its colour.
 void add_chart_outlines(SvgLayout& layout);
 
+// The number of every chart, as MapFile::chart has it, inside it; none where it would be too small
+// to read.
+void add_chart_names(SvgLayout& layout);
+
 // Both sides of every seam edge, one colour a chain.
 void add_seams(SvgLayout& layout);
 // A dot on every copy of a cone: blue for index > 0 (angle < 360 degrees), green for index < 0.

@@ -84,9 +84,10 @@ class Bijective(CommandTest):
 
     def test_the_scaffold_as_a_file(self):
         mesh = self.write('ramp.obj', obj_text(*ramp(1.3)))
-        for name in ('scaffold.vtu', 'scaffold.svg'):
+        for name, degree in (('scaffold.vtu', 1), ('curved.vtu', 2), ('scaffold.svg', 2)):
             self.run_ok('parametrize', mesh, '-o', self.path('out.vtu'), '--quiet', '--bijective',
-                        '--max-iterations', 5, '--write-scaffold', self.path(name), code=LIMIT)
+                        '--degree', degree, '--elevation', 'direct', '--max-iterations', 5,
+                        '--write-scaffold', self.path(name), code=LIMIT)
             self.assertGreater(len(self.read(name)), 1000)
         self.refused(USAGE, 'parametrize', mesh, '-o', self.path('out.vtu'), '--quiet',
                      '--write-scaffold', self.path('scaffold.vtu'), says='--bijective')

@@ -37,8 +37,8 @@ class Claims(CommandTest):
         self.run_ok('parametrize', '--quiet', self.mesh, '-o', self.path('map.vtu'), '--degree', '1')
 
     def with_claims(self, text):
-        array = ' '.join(map(str, text.encode())) + ' 0'
-        vtu = re.sub(r'(Name="majorant_claims"[^>]*>\n).*?(\n</Array>)',
+        array = ' '.join(map(str, text.encode()))
+        vtu = re.sub(r'(Name="majorant_claims"[^>]*>\n).*?(\n</DataArray>)',
                      lambda m: m.group(1) + array + m.group(2), self.read('map.vtu').decode(),
                      flags=re.S)
         return self.write('claims.vtu', vtu)

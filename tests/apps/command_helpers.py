@@ -181,8 +181,8 @@ class Vtu:
             count = size // struct.calcsize(_FORMATS[kind])
             self.types[name], self.components[name] = kind, int(components)
             self.arrays[name] = list(struct.unpack('<%d%s' % (count, _FORMATS[kind]), raw[8:]))
-        claims = re.search(r'Name="majorant_claims"[^>]*>\n(.*?)\n</Array>', self.text, re.S).group(1)
-        self.claims = json.loads(bytes(map(int, claims.split())).rstrip(b'\0').decode())
+        claims = re.search(r'Name="majorant_claims"[^>]*>\n(.*?)\n</DataArray>', self.text, re.S).group(1)
+        self.claims = json.loads(bytes(map(int, claims.split())).decode())
 
     def rows(self, name):
         a, k = self.arrays[name], self.components[name]
@@ -199,8 +199,8 @@ class Vtu:
             payload = base64.b64encode(struct.pack('<Q', len(data)) + data).decode()
             text = re.sub(r'(Name="%s" NumberOfComponents="\d+" format="binary">\n).*?(\n</DataArray>)'
                           % name, lambda m: m.group(1) + payload + m.group(2), text, flags=re.S)
-        claims = ' '.join(map(str, json.dumps(self.claims).encode())) + ' 0'
-        text = re.sub(r'(Name="majorant_claims"[^>]*>\n).*?(\n</Array>)',
+        claims = ' '.join(map(str, json.dumps(self.claims).encode()))
+        text = re.sub(r'(Name="majorant_claims"[^>]*>\n).*?(\n</DataArray>)',
                       lambda m: m.group(1) + claims + m.group(2), text, flags=re.S)
         text = re.sub(r'NumberOfPoints="\d+"', 'NumberOfPoints="%d"' % len(self.rows('uv')), text)
         with open(path, 'w') as f:

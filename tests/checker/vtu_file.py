@@ -137,7 +137,7 @@ def _degree(types, cells):
 
 def _claims(root):
     """The claims, for listing only. None where there are none or where they are not JSON."""
-    for array in root.iter('Array'):
+    for array in list(root.iter('DataArray')) + list(root.iter('Array')):  # of strings, once
         if array.get('Name') == 'majorant_claims' and array.get('format') == 'ascii':
             try:
                 return json.loads(bytes(map(int, (array.text or '').split())).rstrip(b'\0'))

@@ -100,6 +100,7 @@ def keys(value, path=''):
         for inner in value:
             yield from keys(inner, path + '[]')
     elif path:
+        path = re.sub(r'^(result\.distortion)\.\w+\.(?=\w+$)', r'\1.QUANTITY.', path)
         yield re.sub(r'^(proofs|methods\[\]\.within)\.(\w+(?:\.\d+)?)',
                      lambda m: m[1] + ('.QUESTION' if m[1] == 'proofs' else '.FRACTION'), path)
 

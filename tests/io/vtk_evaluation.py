@@ -51,7 +51,7 @@ def check(path):
     for name in ("distortion", "min_det", "input_face"):
         assert grid.GetCellData().GetArray(name) is not None, name + " is missing"
     assert grid.GetPointData().GetArray("input_vertex") is not None, "input_vertex is missing"
-    claims = grid.GetFieldData().GetAbstractArray("majorant_claims").GetValue(0)
+    claims = bytes(vtk_to_numpy(grid.GetFieldData().GetArray("majorant_claims"))).decode()
     assert isinstance(json.loads(claims), dict), "claims are no JSON object"
 
     # The map as a surface of its own: VTK then evaluates it like any other.

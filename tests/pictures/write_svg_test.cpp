@@ -1,11 +1,12 @@
 #include "majorant/pictures/write_svg.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "io/cube_map.h"
 #include "io/io_test_helpers.h"
+#include "majorant/energies/named_energies.h"
 #include "majorant/io/internal/xml_tree.h"
-#include "majorant/pictures/internal/heat_color.h"
 
 namespace majorant {
 namespace {
@@ -86,15 +87,89 @@ TEST(WriteSvg, ExtremeLayoutsGiveNumbers) {
   error_message(ErrorKind::Invalid, [&] { write_svg(folder.file("b.svg"), map); });
 }
 
-TEST(HeatColor, RunsFromLightToDark) {
-  const auto brightness = [](double t) {
-    const unsigned long rgb = std::stoul(heat_color(t).substr(1), nullptr, 16);
-    return 0.2126 * static_cast<double>(rgb >> 16) + 0.7152 * static_cast<double>(rgb >> 8 & 255) +
-           0.0722 * static_cast<double>(rgb & 255);
-  };
-  for (int i = 0; i < 20; ++i) EXPECT_GT(brightness(i / 20.0), brightness((i + 1) / 20.0)) << i;
-  EXPECT_EQ(heat_color(-1.0), heat_color(0.0));
-  EXPECT_EQ(heat_color(7.0), heat_color(1.0));
+// Two triangles, the first of density `first`.
+MapFile two_triangles(double first) {
+  MapFile map = random_strip(1, 2, 3);
+  map.uv << 0, 0, 2, 0, 0, 1, 2, 1;
+  map.distortion = Vec::Constant(2, first);
+  map.distortion[1] = 5;
+  map.claims = R"({"energy": "symmetric-dirichlet", "pins": [], "seams": false,
+                   "boundary": "free", "init": "tutte", "options": {"handles": ""}})";
+  return map;
+}
+
+std::string drawing_of(const MapFile& map, const SvgOptions& options = {}) {
+  const TemporaryFolder folder;
+  write_svg(folder.file("a.svg"), map, options);
+  return content_of(folder.file("a.svg"));
+}
+
+// The colours of the cells, in order.
+std::vector<std::string> fills(const std::string& text) {
+  std::vector<std::string> result;
+  for (std::size_t at = text.find("<path fill=\"#"); at != std::string::npos;
+       at = text.find("<path fill=\"#", at + 1))
+    result.push_back(text.substr(at + 12, 7));
+  return result;
+}
+
+TEST(WriteSvg, ADensityHasOneColourInAllMaps) {
+  const ColorScale scale = color_scale(Quantity::Density, {{symmetric_dirichlet(), 1.0}});
+  for (const double first : {4.0, 4.003, 12.0, 39.0, 400.0}) {
+    const std::string text = drawing_of(two_triangles(first));
+    EXPECT_EQ(fills(text), (std::vector{scale.color(first).hex(), scale.color(5).hex()}));
+    expect_contains(text, {">symmetric-dirichlet density, degree 1<", ">isometry 4; smallest ",
+                           ">4</text>", ">40</text>", "<rect width=\"1000\""});
+    EXPECT_EQ(count(text, "1 of 2 triangles above 40"), first > 40 ? 1u : 0u);
+    EXPECT_EQ(count(text, "<polygon"), first > 40 ? 1u : 0u);
+  }
+  const std::string ranged = drawing_of(two_triangles(5.5), {.color_range = ColorRange{4.5, 5}});
+  expect_contains(ranged, {">4.5</text>", ">5</text>", "1 of 2 triangles above 5<"});
+  EXPECT_EQ(fills(ranged), (std::vector(2, scale.colors().back().hex())));
+  expect_contains(error_message(ErrorKind::Usage,
+                                [] {
+                                  drawing_of(two_triangles(4), {.color_range = ColorRange{3, 5}});
+                                }),
+                  {"--color-range: ", "4 at isometry"});
+}
+
+TEST(WriteSvg, WithoutAnEnergyThereIsNoScale) {
+  MapFile map = two_triangles(4);
+  for (const char* claims : {"", "{", "[]", R"({"energy": 3})", R"({"energy": "unknown"})"}) {
+    map.claims = claims;
+    EXPECT_EQ(fills(drawing_of(map)), (std::vector<std::string>(2, "#dddddd"))) << claims;
+  }
+}
+
+TEST(WriteSvg, LayoutsThatNothingHoldsLieAlongTheirLongerSide) {
+  MapFile map = two_triangles(4);
+  const std::string lying = drawing_of(map, {.alignment = Alignment::Never});
+  const Eigen::Rotation2Dd turn(1.0);
+  for (Index k = 0; k < 4; ++k) map.uv.row(k) = (turn * Vector2(map.uv.row(k))).transpose();
+  const auto height = [](const std::string& text) { return text.substr(text.find("viewBox"), 30); };
+  EXPECT_EQ(height(drawing_of(map)), height(lying));
+  EXPECT_NE(height(drawing_of(map, {.alignment = Alignment::Never})), height(lying));
+  const std::string free = map.claims;
+  for (const auto& [what, held] :
+       {std::pair{R"("pins": [])", R"("pins": [{"vertex": 1, "target": [0, 0]}])"},
+        std::pair{R"("seams": false)", R"("seams": true)"},
+        std::pair{R"("handles": "")", R"("handles": "points.json")"},
+        std::pair{R"("free")", R"("fixed")"}, std::pair{R"("tutte")", R"("planar")"}}) {
+    map.claims = free;
+    map.claims.replace(free.find(what), std::string(what).size(), held);
+    EXPECT_NE(height(drawing_of(map)), height(lying)) << held;
+    EXPECT_EQ(height(drawing_of(map, {.alignment = Alignment::Always})), height(lying)) << held;
+  }
+  map.claims = free;
+  EXPECT_NE(height(drawing_of(map, {.grid = 1.0})), height(lying));
+}
+
+TEST(WriteSvg, ChartsHaveTheirNumbers) {
+  MapFile map = random_strip(2, 4, 3);
+  map.chart = Eigen::Vector4i(3, 3, 17, 17);
+  const std::string text = drawing_of(map);
+  EXPECT_EQ(count(text, ">3</text>"), 1u);
+  EXPECT_EQ(count(text, ">17</text>"), 1u);
 }
 
 TEST(WriteSvg, MarksSeamsConesAndGrid) {

@@ -1,0 +1,227 @@
+// The method of [MC20] as it is written, for experiments that ask what its parts are worth: Newton
+// steps with the paper's majorizer, its lattices of quadrature points, its stopping rules, and its
+// remedy for stalls only where that is asked for. Nothing that parametrize() adds: no guard points,
+// no refined rules, no blended Hessians, no steps longer than Newton's, no other start than
+// Tutte's.
+//
+// Prints one JSON object: `rows` has a row for the start and one for each step, with degree, energy
+// (of a rule of 252 points, whatever the optimizer's), processor seconds so far without those of
+// measuring; `energy` of the result, adaptively; `stuck`: a step ended at the limit of injectivity
+// far from a minimum; `unit_seconds`: 1 fe (unit_fe.h) of the degree-1 matrix of this mesh.
+//
+// Sample runs:
+//   build/release/bench/majorant_paper_method meshes/creature.obj --degree 3
+//   build/release/bench/majorant_paper_method meshes/creature.obj --degree 2 --points 55 --direct
+//   build/release/bench/majorant_paper_method meshes/creature.obj --degree 2 --rule gauss --points 81
+#include <fmt/format.h>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "../unit_fe.h"
+#include "majorant/framework/newton.h"
+#include "majorant/framework/thread_count.h"
+#include "majorant/io/read_mesh.h"
+#include "majorant/parametrization/maps/map_problem.h"
+#include "majorant/parametrization/maps/measure.h"
+#include "majorant/parametrization/starts/texture_seams.h"
+#include "majorant/parametrization/starts/tutte.h"
+
+using namespace majorant;
+
+namespace {
+
+// Origin: [MC20] Sec. 4.3, 5.2, 8.3, 8.5; the weight and the number of rounds: method.md section 9.
+constexpr double kElevate = 1e-2, kFinished = 1e-5, kSmallestStep = 1e-5, kExcluded = 1e-6;
+constexpr int kPoints[] = {1, 36, 78, 105}, kRounds = 60;
+// Of the energy; more is left at the limit of injectivity than a minimum has. Origin: as
+// StoppingRules::stall_decrement.
+constexpr double kMinimum = 1e-4;
+constexpr int kTimes = 5;
+
+struct Asked {
+  std::string mesh, rule = "lattice", init = "tutte";
+  int degree = 3, points = 0, most_iterations = 500;
+  std::vector<Index> pins;
+  bool direct = false, exclude = false, fixed = false;
+};
+
+// m^2 Gauss points of the square, one side of which is collapsed into a corner: exact for degree
+// 2m - 2, as the rules of finite elements are for theirs.
+Quadrature collapsed_gauss_rule(int m) {
+  const Quadrature line = gauss_rule(m);
+  Quadrature rule{{3}, RowMatrix(m * m, 3), Vec(m * m)};
+  for (int i = 0, l = 0; i < m; ++i)
+    for (int j = 0; j < m; ++j, ++l) {
+      const double s = line.points(i, 0), t = (1 - s) * line.points(j, 0);
+      rule.points.row(l) << s, t, 1 - s - t;
+      rule.weights[l] = 2 * (1 - s) * line.weights[i] * line.weights[j];
+    }
+  rule.weights /= rule.weights.sum();
+  return rule;
+}
+
+Quadrature rule_of(const Asked& asked, int degree) {
+  const int usual = kPoints[std::min<std::size_t>(at(degree), std::size(kPoints)) - 1];
+  const int points = asked.points > 0 ? asked.points : usual;
+  const bool gauss = asked.rule == "gauss";
+  int m = 1;
+  while ((gauss ? m * m : m * (m + 1) / 2) < points) ++m;
+  return gauss ? collapsed_gauss_rule(m) : lattice_rule(m);
+}
+
+// One degree: its problem, and steps until the energy falls by less than a part.
+class Level {
+ public:
+  Level(const MapSpecification& spec, const BezierMap& map, const Asked& asked)
+      : spec_(spec),
+        map_(map),
+        asked_(asked),
+        fine_(energy_terms(spec, map.shared_space(), {composite_rule(radon_rule(), 6)})),
+        built_(map_problem(
+            spec, map.shared_space(), map.control_points(),
+            energy_terms(spec, map.shared_space(), {rule_of(asked, map.degree())}),
+            std::make_shared<const LocalInjectivity>(map.shared_space(), 2 * spec.rest.measure))),
+        stepper_(built_.problem, options()),
+        y_(built_.problem.reduce(map.control_points())),
+        energy_(stepper_.evaluator().value(y_)) {}
+
+  // Appends rows; seconds: of the processor up to here, kept up to date.
+  void descend(double decrease, nlohmann::json& rows, double& seconds) {
+    double began = cpu_seconds();
+    for (int rounds = 0; static_cast<int>(rows.size()) <= asked_.most_iterations;) {
+      const Stepper::Step step = stepper_.step(y_, energy_);
+      const bool moved = step.outcome == Stepper::Outcome::Moved;
+      decrement_ = step.record.newton_decrement;
+      const bool held = !moved || step.record.step < kSmallestStep ||
+                        (step.record.relative_decrease < decrease && step.record.step_bound < 1);
+      if (asked_.exclude && held && !step.blocking.empty() && rounds++ < kRounds) {
+        step_without(step.blocking);
+        continue;
+      }
+      if (moved) note(step.record, rows, seconds, began);
+      if (!moved || step.record.relative_decrease < decrease) break;
+    }
+    seconds += cpu_seconds() - began;
+  }
+
+  BezierMap map() const { return map_.with(map_.shared_space(), built_.problem.expand(y_)); }
+  bool stuck() const { return decrement_ > kMinimum * energy_; }
+  double measured() const { return energy_of_map(spec_, fine_, {}, built_.problem.expand(y_)); }
+  // Of a unit matrix with the pattern of this problem's Hessian: the values do not matter.
+  double unit_seconds() const {
+    const SparsePattern& pattern = built_.problem.pattern();
+    Vec values = Vec::Zero(pattern.nonzeros());
+    for (Index k = 0; k < pattern.size; ++k) values[pattern.diagonal_slot(k)] = 1;
+    return measure_unit_fe(pattern, values, Vec::Ones(pattern.size), kTimes).seconds;
+  }
+
+ private:
+  static NewtonOptions options() {
+    NewtonOptions newton;
+    newton.curvature = Curvature::PaperMajorizer;
+    newton.blend.below = 0;
+    newton.line_search.most_improvements = 0;
+    return newton;
+  }
+
+  // [MC20] Sec. 4.3: those triangles have no say in one step.
+  void step_without(const std::vector<Index>& blocking) {
+    Vec weight = Vec::Ones(map_.space().element_count());
+    for (const Index e : blocking) weight[e] = kExcluded;
+    set_weights(weight);
+    stepper_.step(y_, energy_);
+    set_weights({});
+  }
+
+  void set_weights(const Vec& weight) {
+    stepper_.reset(built_.problem.with(energy_states(spec_, built_.energies, {}, weight)));
+    energy_ = stepper_.evaluator().value(y_);
+  }
+
+  void note(const IterationRecord& record, nlohmann::json& rows, double& seconds, double& began) {
+    seconds += cpu_seconds() - began;
+    rows.push_back({{"degree", map_.degree()},
+                    {"iteration", rows.size()},
+                    {"energy", measured()},
+                    {"step", record.step},
+                    {"seconds", seconds}});
+    began = cpu_seconds();
+  }
+
+  const MapSpecification& spec_;
+  BezierMap map_;
+  const Asked& asked_;
+  DensityTerms fine_;
+  MapProblem built_;
+  NewtonStepper stepper_;
+  Vec y_;
+  double energy_, decrement_ = 0;
+};
+
+nlohmann::json run(const Asked& asked) {
+  const auto mesh =
+      std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(read_mesh(asked.mesh)));
+  const Vec uv = asked.init == "input" ? texture_map(*mesh) : tutte_map(*mesh);
+  BezierMap map = BezierMap::linear(mesh, uv);
+  MapSpecification spec;
+  spec.rest = flat_triangles(mesh->positions(), mesh->faces());
+  if (asked.fixed) spec.boundary = BoundaryCondition::Fixed;
+  for (const Index v : asked.pins) spec.pins.push_back({v, uv.segment<2>(2 * v)});
+  nlohmann::json out{{"faces", mesh->face_count()}, {"rows", nlohmann::json::array()}};
+  double seconds = 0;
+  {
+    Level first(spec, map, asked);
+    out["unit_seconds"] = first.unit_seconds();
+    out["rows"].push_back(
+        {{"degree", 1}, {"iteration", 0}, {"energy", first.measured()}, {"seconds", 0.0}});
+  }
+  while (asked.direct && map.degree() < asked.degree) map = map.elevated();
+  for (bool stuck = false;; map = map.elevated()) {
+    const double began = cpu_seconds();
+    Level level(spec, map, asked);
+    seconds += cpu_seconds() - began;
+    level.descend(map.degree() < asked.degree ? kElevate : kFinished, out["rows"], seconds);
+    map = level.map();
+    stuck = level.stuck();
+    if (map.degree() < asked.degree) continue;
+    out["stuck"] = stuck;
+    break;
+  }
+  Vec face_value;
+  out["energy"] = mean_density(map, spec.rest, spec.energy, face_value);
+  return out;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Asked asked;
+  CLI::App app("The method of [MC20] as it is written.");
+  app.add_option("mesh", asked.mesh)->required();
+  app.add_option("--degree", asked.degree);
+  app.add_option("--points", asked.points, "of quadrature; 0: 1, 36, 78, 105 by degree");
+  app.add_option("--rule", asked.rule)->check(CLI::IsMember({"lattice", "gauss"}));
+  app.add_option("--init", asked.init)->check(CLI::IsMember({"tutte", "input"}));
+  app.add_option("--pins", asked.pins, "vertices that stay where the start has them")
+      ->delimiter(',');
+  app.add_option("--max-iterations", asked.most_iterations);
+  app.add_flag("--direct", asked.direct, "the degree asked for from the start");
+  app.add_flag("--exclude", asked.exclude, "blocking triangles, for a step (Sec. 4.3)");
+  app.add_flag("--fixed", asked.fixed, "the boundary stays");
+  CLI11_PARSE(app, argc, argv);
+  const ThreadCount threads(1);
+  try {
+    fmt::print("{}\n", run(asked).dump(1));
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "majorant_paper_method: {}\n", e.what());
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,21 @@
+// What the digits of a file, which are not exactly its doubles (MapFile::uv_rounding: decimals, or
+// values where control points are needed), leave of what is known of det J on a cell.
+//
+//   const double rounding = rounding_of_determinant(file, cell);
+//   if (proof.lower_bound > rounding) ...            // positive for the digits, too
+//   const ExactPositivity exact = beyond_rounding(file, cell, exact_positivity(points));
+#pragma once
+
+#include "majorant/io/map_file.h"
+#include "majorant/parametrization/injectivity/internal/exact_positivity.h"
+
+namespace majorant {
+
+// How far det J of the map that the digits make may be from that of the doubles, anywhere on the
+// cell; 0 where they are the same.
+double rounding_of_determinant(const MapFile& file, Index cell);
+
+// What remains of an exact answer for the doubles: itself, or Undecided.
+ExactPositivity beyond_rounding(const MapFile& file, Index cell, const ExactPositivity& exact);
+
+}  // namespace majorant

@@ -1,0 +1,113 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "majorant/io/internal/atomic_file.h"
+#include "majorant/io/internal/lagrange_cell.h"
+#include "majorant/io/internal/map_check.h"
+#include "majorant/io/internal/msh_content.h"
+#include "majorant/io/msh.h"
+
+namespace majorant {
+namespace {
+
+class MshText {
+ public:
+  MshText(const MapFile& map, const Points3& nodes) : map_(map), nodes_(nodes) {
+    const auto chart_of = [&](Index cell) { return map.chart.size() == 0 ? 0 : map.chart[cell]; };
+    std::vector<char> is_placed(at(static_cast<Index>(nodes.rows())), 0);
+    for (Index c = 0; c < map.cells.rows(); ++c) {
+      Chart& chart = charts_[chart_of(c)];
+      chart.cells.push_back(c);
+      for (const Index p : map.cells.row(c))
+        if (!std::exchange(is_placed[at(p)], 1)) chart.nodes.push_back(p);
+    }
+    for (std::size_t p = 0; p < is_placed.size(); ++p)  // those of no cell
+      if (!is_placed[p]) charts_.begin()->second.nodes.push_back(static_cast<Index>(p));
+  }
+
+  void add_mesh() {
+    add("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n");
+    add_entities();
+    add("$Nodes\n{} {} 1 {}\n", charts_.size(), nodes_.rows(), nodes_.rows());
+    for (const auto& [number, chart] : charts_) {
+      add("2 {} 0 {}\n", long{number} + 1, chart.nodes.size());
+      for (const Index p : chart.nodes) add("{}\n", p + 1);
+      for (const Index p : chart.nodes) add("{} {} {}\n", nodes_(p, 0), nodes_(p, 1), nodes_(p, 2));
+    }
+    const Index count = static_cast<Index>(map_.cells.rows());
+    add("$EndNodes\n$Elements\n{} {} 1 {}\n", charts_.size(), count, count);
+    for (const auto& [number, chart] : charts_) {
+      add("2 {} {} {}\n", long{number} + 1, kMshTriangles[at(map_.degree - 1)].first,
+          chart.cells.size());
+      for (const Index c : chart.cells) {
+        add("{}", c + 1);
+        for (const Index p : map_.cells.row(c)) add(" {}", p + 1);
+        add("\n");
+      }
+    }
+    add("$EndElements\n");
+  }
+
+  // One number per node, shown by gmsh as colours and lines of equal value.
+  template <class Values>
+  void add_view(char name, const Values& values) {
+    add("$NodeData\n1\n\"{}\"\n1\n0\n3\n0\n1\n{}\n", name, values.size());
+    for (Index p = 0; p < values.size(); ++p) add("{} {}\n", p + 1, values[p]);
+    add("$EndNodeData\n");
+  }
+
+  std::string text() const { return fmt::to_string(text_); }
+
+ private:
+  template <class... Args>
+  void add(fmt::format_string<Args...> format, Args&&... args) {
+    fmt::format_to(std::back_inserter(text_), format, std::forward<Args>(args)...);
+  }
+
+  // Surfaces with their boxes, no boundary, no physical groups.
+  void add_entities() {
+    add("$Entities\n0 0 {} 0\n", charts_.size());
+    for (const auto& [number, chart] : charts_) {
+      const Cells cells = map_.cells(chart.cells, Eigen::all);
+      const Points3 here = nodes_(cells.reshaped(), Eigen::all);
+      const Eigen::RowVector3d low = here.colwise().minCoeff(), high = here.colwise().maxCoeff();
+      add("{} {} {} 0 0\n", long{number} + 1, fmt::join(low, " "), fmt::join(high, " "));
+    }
+    add("$EndEntities\n");
+  }
+
+  struct Chart {
+    std::vector<Index> cells, nodes;
+  };
+
+  const MapFile& map_;
+  const Points3& nodes_;
+  std::map<Index, Chart> charts_;
+  fmt::memory_buffer text_;
+};
+
+}  // namespace
+
+void write_msh(const std::string& path, const MapFile& map, MshContent content,
+               const FileVerification& verify) {
+  require_sound(path, map);
+  require_lagrange_degree(path, map);
+  const Points2 uv = lagrange_nodes(map);
+  Points3 nodes = map.points;  // of flat triangles control points are values, too
+  if (content == MshContent::Image) nodes << uv, Vec::Zero(uv.rows());
+  MshText text(map, nodes);
+  text.add_mesh();
+  if (content == MshContent::Surface) {
+    text.add_view('u', uv.col(0));
+    text.add_view('v', uv.col(1));
+  }
+  write_file_atomically(path, text.text(), verify);
+}
+
+}  // namespace majorant

@@ -1,0 +1,15 @@
+// The layout as a picture shows it.
+#pragma once
+
+#include "majorant/io/map_file.h"
+#include "majorant/pictures/picture_options.h"
+
+namespace majorant {
+
+// The direction that is to be horizontal: that of the longer side, or (1, 0) where the layout stays
+// as it is.
+Vector2 picture_direction(const MapFile& map, Alignment alignment);
+// The map with `direction` in the plane made horizontal.
+MapFile turned(const MapFile& map, const Vector2& direction);
+
+}  // namespace majorant

@@ -1,0 +1,26 @@
+// What the legend of a coloured map says, however it is drawn.
+#pragma once
+
+#include <string>
+
+#include "majorant/io/map_file.h"
+#include "majorant/pictures/picture_options.h"
+
+namespace majorant {
+
+struct Legend {
+  ColorScale scale;
+  std::string title, note;  // one line each, ASCII; what the energy was called included
+  bool goes_below = false, goes_above = false;  // values are beyond the ends
+};
+
+// The scale of a quantity of this map, with the range that was asked for. Throws Error(Usage) as
+// ColorScale does, naming --color-range, and for a density whose energy the claims do not name.
+ColorScale picture_scale(const MapFile& map, Quantity quantity,
+                         const std::optional<ColorRange>& range);
+
+// values: of every cell, or of other parts, called `parts` ("triangles").
+Legend make_legend(const MapFile& map, const ColorScale& scale, VecIn values,
+                   const std::string& parts);
+
+}  // namespace majorant

@@ -1,0 +1,15 @@
+// What a vector drawing says of its colours.
+#pragma once
+
+#include "majorant/pictures/internal/legend.h"
+#include "majorant/pictures/internal/svg_layout.h"
+
+namespace majorant {
+
+inline constexpr double kSvgLegendHeight = 58.0;
+
+// From this height on: the bar with its ticks, pointed at ends that values are beyond, and the
+// lines of text beside it.
+void add_color_legend(SvgLayout& layout, const Legend& legend, double top);
+
+}  // namespace majorant

@@ -1,0 +1,19 @@
+// What all pictures of a map can be told.
+#pragma once
+
+#include <optional>
+
+#include "majorant/pictures/color_scale.h"
+
+namespace majorant {
+
+// Whether a picture shows the layout turned, its longer side lying. Automatic: where nothing holds
+// it as it is, as far as the map's claims tell: no pins, handles, seams or charts, no grid, and it
+// is not a deformation. Files keep their coordinates either way.
+enum class Alignment { Automatic, Always, Never };
+
+struct ColorRange {
+  double low = 0, high = 1;  // as ColorScale::with_range() has them
+};
+
+}  // namespace majorant
