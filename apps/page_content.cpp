@@ -19,8 +19,7 @@ std::vector<PagePoint> held_points(const BezierMap& map, const std::vector<Pin>&
 
 // In the units of the result's file.
 std::vector<PageSnapshot> frames_of(const FinishedRun& run) {
-  const std::vector<TraceEntry>& trace = run.record.trace();
-  const int last = trace.empty() ? 0 : trace.back().record.iteration;
+  const int last = last_iteration(run.record.trace());
   std::vector<PageSnapshot> frames =
       run.film->frames({*run.result.map, last, run.result.value_quadrature});
   if (!run.normalized) return frames;

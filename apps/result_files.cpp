@@ -186,7 +186,9 @@ Json report_of(const FinishedRun& run) {
               {"vector_instructions", vector_instructions()}};
   if (run.in.start && !run.in.start->map.seams().trivial())
     report["seam_start"] = seam_start_section(*run.in.start);
-  if (run.film) report["snapshots"] = {{"every", run.film->every()}, {"frames", run.film->count()}};
+  if (run.film)
+    report["snapshots"] = {{"every", run.film->every()},
+                           {"frames", run.film->count(last_iteration(run.record.trace()))}};
   return report;
 }
 

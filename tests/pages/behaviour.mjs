@@ -70,9 +70,12 @@ const scenes = {
     const found = [];
     for (const view of ['surface', 'layout'])
       for (const face of options.faces) {
+        await page.evaluate((face) => {
+          window.majorantPage.app.focusOn({face, xi: [0.2, 0.3, 0.5]});
+        }, face);
+        await settled(page);
         const at = await page.evaluate(([view, face]) => {
           const {app} = window.majorantPage;
-          app.focusOn({face, xi: [0.2, 0.3, 0.5]});
           const place = {face, xi: [0.2, 0.3, 0.5]};
           const p = app[view].pointAt(place).project(app[view].camera);
           const box = app[view].element.getBoundingClientRect();

@@ -35,6 +35,11 @@ def require_chromium():
     return path
 
 
+def read(path):
+    with open(path) as f:
+        return f.read()
+
+
 def npm_ci(source, folder, needed):
     """npm ci of the package in `source`, in `folder`; nothing to do where that has been done."""
     require_npm()
@@ -42,9 +47,9 @@ def npm_ci(source, folder, needed):
     with open(folder + '.lock', 'w') as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)
         names = ('package.json', 'package-lock.json')
-        wanted = [open(os.path.join(source, name)).read() for name in names]
+        wanted = json.dumps([read(os.path.join(source, name)) for name in names])
         mark = os.path.join(folder, 'installed.json')
-        if os.path.exists(mark) and json.load(open(mark)) == wanted:
+        if os.path.exists(mark) and read(mark) == wanted:
             return
         for name in names:
             shutil.copy(os.path.join(source, name), folder)
@@ -54,7 +59,8 @@ def npm_ci(source, folder, needed):
         if done.returncode != 0 or not os.path.isdir(os.path.join(folder, 'node_modules', needed)):
             print(done.stdout)
             skip('no %s from npm' % needed)
-        json.dump(wanted, open(mark, 'w'))
+        with open(mark, 'w') as f:
+            f.write(wanted)
 
 
 def run(script, *arguments, timeout=300):

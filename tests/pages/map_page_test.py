@@ -97,7 +97,8 @@ class MapPage(CommandTest):
         found = self.play('facts', 'a.html', flags=['--disable-3d-apis'])
         self.assertFalse(found['hasWebGl'])
         self.assertIn('WebGL2', found['text'])
-        self.assertIn('%.3f' % json.loads(self.read('a.json'))['result']['value'], found['text'])
+        value = json.loads(self.read('a.json'))['result']['value']
+        self.assertIn('%.5g' % value, found['text'])
 
     def test_any_width(self):
         self.make('--degree', 2)

@@ -50,11 +50,11 @@ class UvPass(CommandTest):
                 self.compare(degree, Vtu(self.path('%d.vtu' % degree)), answer['result'])
 
     def compare(self, degree, vtu, read):
-        cells, uv, points = vtu.cells(), np.array(vtu.rows('uv')), np.array(vtu.rows('points'))
+        cells, uv, points = vtu.cells(), np.array(vtu.rows('uv')), np.array(vtu.rows('Points'))
         center, size = np.array(read['uvFrame']['center']), read['uvFrame']['size']
         middle, radius = np.array(read['surfaceFrame']['center']), read['surfaceFrame']['radius']
         self.assertEqual(len(read['fragments']), 1000)
-        self.assertGreater(len({f['face'] for f in read['fragments']}), 40)
+        self.assertGreater(len({f['face'] for f in read['fragments']}), 20)
         far = off = 0
         for fragment in read['fragments']:
             cell = cells[fragment['face']]

@@ -40,7 +40,7 @@ try {
   found.swatches = count('tbody th svg');
   found.hostile = count('#hostile');
   found.tips = 0;
-  for (const chart of charts) {
+  for (const chart of window.comparisonPage.charts) {
     for (const place of chart.placed.filter((_, i) => i % 10 === 0)) {
       const box = chart.svg.getBoundingClientRect();
       const scale = box.width / chart.svg.viewBox.baseVal.width;
