@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -125,19 +126,23 @@ class CellTransform {
       std::reverse(order.begin(), order.end());
     Rounded result;
     for (int axis = 0; axis < 2; ++axis) {
-      Quad sum = 0, size = 0, error = 0;
+      Quad sum = 0;
+      double size = 0, error = 0;
       for (const int k : order) {
         const Quad weight = matrix_.weight(at(row), at(k));
-        sum += weight * map.uv(input(k), axis);
-        size += magnitude(weight * map.uv(input(k), axis));
-        error += magnitude(weight) * rounding(map, input(k))[axis];
+        const Quad term = weight * map.uv(input(k), axis);
+        sum += term;
+        size += std::abs(static_cast<double>(term));
+        if (map.uv_rounding.rows() > 0)
+          error += std::abs(static_cast<double>(weight)) * rounding(map, input(k))[axis];
       }
-      // Of `order` weights, products and sums, each rounded once.
-      const Quad own = 3 * static_cast<double>(order.size()) * kUnitRoundoff<Quad> * size;
+      // Of `order` weights, terms and sums, each rounded once.
+      const double own =
+          3 * static_cast<double>(order.size()) * static_cast<double>(kUnitRoundoff<Quad>) * size;
       result.value[axis] = static_cast<double>(sum);
-      const Quad cut_off = magnitude(sum - Quad(result.value[axis]));
-      result.error[axis] = kRoundUp * static_cast<double>(cut_off + own + error) +
-                           std::numeric_limits<double>::denorm_min();
+      const double cut_off = std::abs(static_cast<double>(sum - Quad(result.value[axis])));
+      result.error[axis] =
+          kRoundUp * (cut_off + own + error) + std::numeric_limits<double>::denorm_min();
     }
     return result;
   }

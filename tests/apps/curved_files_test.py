@@ -126,9 +126,9 @@ class CurvedFiles(CommandTest):
         self.assertEqual(len(self.files()), 5)
 
     def test_options_are_choices(self):
-        for option in ('--vtu', '--msh'):
+        for option, choices in (('--vtu', '{bezier,lagrange}'), ('--msh', '{image,surface}')):
             self.refused(USAGE, 'convert', self.mesh, '-o', self.path('a.msh'), option, 'curved',
-                         says=[option])
+                         says=[option, choices])
 
 
 if __name__ == '__main__':
