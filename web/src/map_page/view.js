@@ -8,7 +8,7 @@ import {Mesh, Points, Scene, dotsGeometry, drawable, latticeGeometry, linesGeome
         material} from './stage.js';
 
 const kPieces = [1, 2, 3, 4, 6, 8, 12];  // of curved edges
-const kChord = 7;            // CSS pixels
+const kChord = 5;            // CSS pixels
 const kLinePieces = 8;       // of curved outlines
 const kUsualHeight = 600;    // CSS pixels
 
