@@ -1,5 +1,5 @@
 // The programs that draw a map, for its degree and energy. Geometry is no attribute: cells are
-// instances, and everything about them is fetched from data textures (textures.js), so that a
+// numbers, and everything about them is fetched from data textures (textures.js), so that a
 // fragment can evaluate the Bezier triangle it lies in.
 
 import {localIndex, multiIndices, multinomial} from './bezier.js';
@@ -85,20 +85,21 @@ vec4 placeAt(int face, vec3 xi) {
 
 export const facesVertex = (map, view) => `${common(map)}${place(view)}
 uniform sampler2D uNormal;
-in vec3 position;  // barycentric
+in vec3 position;  // cell, first two barycentric coordinates
 flat out int vFace;
 out vec2 vBary, vUv;
 out vec3 vNormal;
 void main() {
-  vFace = gl_InstanceID;
-  vBary = position.xy;
+  vFace = int(position.x);
+  vBary = position.yz;
+  vec3 xi = vec3(vBary, 1.0 - vBary.x - vBary.y);
   mat3x2 d;
-  ${view === 'layout' ? 'bezier(vFace, position, uStraight, vUv, d);' : 'vUv = vec2(0.0);'}
-  vNormal = texelFetch(uNormal, at(3 * vFace), 0).xyz * position.x +
-            texelFetch(uNormal, at(3 * vFace + 1), 0).xyz * position.y +
-            texelFetch(uNormal, at(3 * vFace + 2), 0).xyz * position.z;
+  ${view === 'layout' ? 'bezier(vFace, xi, uStraight, vUv, d);' : 'vUv = vec2(0.0);'}
+  vNormal = texelFetch(uNormal, at(3 * vFace), 0).xyz * xi.x +
+            texelFetch(uNormal, at(3 * vFace + 1), 0).xyz * xi.y +
+            texelFetch(uNormal, at(3 * vFace + 2), 0).xyz * xi.z;
   gl_Position = ${view === 'layout' ? 'uCamera * vec4(vUv, 0.0, 1.0)'
-                                    : 'placeAt(vFace, position)'};
+                                    : 'placeAt(vFace, xi)'};
 }`;
 
 // The layout is drawn in flat pieces: the fragment is exactly at vUv, but xi is interpolated over
@@ -316,11 +317,11 @@ void main() {
 
 // The space around the image.
 export const scaffoldVertex = (scaffold) => `${common(scaffold)}${place('layout')}
-in vec3 position;
+in vec3 position;  // as of facesVertex
 out vec2 vBary;
 void main() {
-  vBary = position.xy;
-  gl_Position = placeAt(gl_InstanceID, position);
+  vBary = position.yz;
+  gl_Position = placeAt(int(position.x), vec3(vBary, 1.0 - vBary.x - vBary.y));
 }`;
 
 export const scaffoldFragment = `
