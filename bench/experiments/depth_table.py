@@ -1,12 +1,12 @@
 #!/usr/bin/python3
 """The depth table of Sec. 5.2: how often proofs of injectivity need bisection.
 
-Claim ([MC20] Sec. 5.2): of the injectivity tests while cubic maps are optimized, nearly all are decided without
-bisection: 1,142,164 of 1,142,272, 563,482 of 564,070 and 294,618 of 294,848.
+Claim ([MC20] Sec. 5.2): of the injectivity tests while cubic maps are optimized, nearly all are
+decided without bisection: 1,142,164 of 1,142,272, 563,482 of 564,070 and 294,618 of 294,848.
 
-Here: degree 3 with the paper's settings on the 13 public disks with 500 and 2,500 faces, free boundary;
-elements that were certified after 0, 1, 2, ... bisections (`injectivity_tests.depth`; one that is not
-certified is not counted). A run that is held back goes deeper than the paper's 5.
+Here: degree 3 with the paper's settings on the 13 public disks with 500 and 2,500 faces, free
+boundary; elements that were certified after 0, 1, 2, ... bisections (`injectivity_tests.depth`; one
+that is not certified is not counted). A run that is held back goes deeper than the paper's 5.
 
 Time: half a minute of one core.
 

@@ -149,7 +149,7 @@ def panels(rows, columns, width, height, **more):
 
 def write_svg(figure, path):
     figure.savefig(path, format='svg', facecolor='white', metadata={'Date': None})
-    text = re.sub(r'(\d\.\d\d)\d+', r'\1', path.read_text())   # hundredths of a point are enough
+    text = re.sub(r'(\d\.\d)\d{2,}', r'\1', path.read_text())  # tenths of a point are enough
     path.write_text(re.sub(r' +\n', '\n', text))
 
 

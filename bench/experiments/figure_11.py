@@ -1,12 +1,13 @@
 #!/usr/bin/python3
 """Figure 11: histograms of the distortion.
 
-Claim ([MC20] Fig. 11, Sec. 8.1): for a model of average behaviour, at three resolutions and with the
-three kinds of constraints of figure 9, higher degrees take away the strongly distorted parts of the
-surface.
+Claim ([MC20] Fig. 11, Sec. 8.1): for a model of average behaviour, at three resolutions and with
+the three kinds of constraints of figure 9, higher degrees take away the strongly distorted parts of
+the surface.
 
-Here: goathead, settings as for figure 9, the symmetric Dirichlet density at 78 points of every triangle,
-and which part of the area has how much of it. "Worst": the density that one percent of the area exceeds.
+Here: goathead, settings as for figure 9, the symmetric Dirichlet density at 78 points of every
+triangle, and which part of the area has how much of it. "Worst": the density that one percent of
+the area exceeds.
 
 Time: half a minute of one core.
 

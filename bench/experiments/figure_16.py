@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 """Figure 16: how many quadrature points, with degree elevation.
 
-Claim ([MC20] Fig. 16, Sec. 8.3): with elevation the number of quadrature points is less critical than
-without; relatively small numbers are enough in many cases.
+Claim ([MC20] Fig. 16, Sec. 8.3): with elevation the number of quadrature points is less critical
+than without; relatively small numbers are enough in many cases.
 
-Here: as figure 15, with elevation instead of exclusion, and beside it what figure 15 runs, to compare. All
-degrees of a run have the same number of points.
+Here: as figure 15, with elevation instead of exclusion, and beside it what figure 15 runs, to
+compare. All degrees of a run have the same number of points.
 
 Time: two minutes of one core.
 
