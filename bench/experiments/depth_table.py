@@ -8,7 +8,7 @@ Here: degree 3 with the paper's settings on the 13 public disks with 500 and 2,5
 boundary; elements that were certified after 0, 1, 2, ... bisections (`injectivity_tests.depth`; one
 that is not certified is not counted). A run that is held back goes deeper than the paper's 5.
 
-Time: half a minute of one core.
+Time: about seven seconds of one core.
 
 Sample run:
   bench/experiments/depth_table.py --out build/experiments

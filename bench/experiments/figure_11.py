@@ -9,7 +9,7 @@ Here: goathead, settings as for figure 9, the symmetric Dirichlet density at 78 
 triangle, and which part of the area has how much of it. "Worst": the density that one percent of
 the area exceeds.
 
-Time: half a minute of one core.
+Time: about half a minute of one core.
 
 Sample run:
   bench/experiments/figure_11.py --out build/experiments

@@ -10,7 +10,7 @@ square over inner edges by their length; "elsewhere": without the edges between 
 handle pulls at. Drawn: a square grid on the shape, where the linear map has its largest kink away
 from them.
 
-Time: ten seconds of one core.
+Time: about three seconds of one core.
 
 Sample run:
   bench/experiments/figure_13.py --out build/experiments

@@ -7,7 +7,7 @@ than without; relatively small numbers are enough in many cases.
 Here: as figure 15, with elevation instead of exclusion, and beside it what figure 15 runs, to
 compare. All degrees of a run have the same number of points.
 
-Time: two minutes of one core.
+Time: about half a minute of one core.
 
 Sample run:
   bench/experiments/figure_16.py --out build/experiments

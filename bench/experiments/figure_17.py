@@ -10,7 +10,7 @@ iteration in fe, CHOLMOD's factorization and solve of the same matrix: a Newton 
 with CHOLMOD needs 1 fe an iteration, and its own assembly on top. `solver_cost --no-runs` on the 13
 public disks with 500, 2,500 and 10,000 faces; medians of five, processor time.
 
-Time: half a minute of one core.
+Time: about ten seconds of one core.
 
 Sample run:
   bench/experiments/figure_17.py --out build/experiments

@@ -6,9 +6,9 @@ to the advantage of the energy; reaching the final minimum can still take severa
 Cubic maps get there sooner than without elevation.
 
 Here: `majorant_paper_method` on three public disks with 2,500 faces, degrees 1, 2, 3 with
-elevation, degree 3 also without (dashed), 1, 36, 78 points; spot is drawn. Time as in figure 18.
+elevation, degree 3 also without (dashed), 1, 36, 78 points; spot is drawn. Times as in figure 18.
 
-Time: half a minute of one core.
+Time: about ten seconds of one core.
 
 Sample run:
   bench/experiments/figure_19.py --out build/experiments
