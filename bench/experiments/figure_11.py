@@ -89,9 +89,10 @@ def judge(rows):
     gained = [1 - cubic[key] / linear[key] for key in linear]
     return [experiment.Criterion('the worst density of quadratic and cubic maps is below that of linear ones',
                                  experiment.count(lower), all(lower)),
-            experiment.Criterion('cubic maps lower it by a tenth or more, in the median',
+            experiment.Criterion('cubic maps lower the worst density by a tenth or more, in the median',
                                  '%.0f %%' % (100 * experiment.median(gained)),
-                                 experiment.median(gained) >= 0.1)]
+                                 experiment.median(gained) >= 0.1,
+                                 'It shrinks with the resolution, as the gain of figure 9 does.')]
 
 
 if __name__ == '__main__':

@@ -93,7 +93,7 @@ def judge(rows):
                                  max(parts['kink_rms_degrees']) <= 0.5,
                                  'Kinks shrink but do not vanish; the largest stay where points are '
                                  'pulled.'),
-            experiment.Criterion('away from the handles at most a quarter',
+            experiment.Criterion('away from the handles kinks are at most a quarter',
                                  experiment.percents(parts['elsewhere_degrees']),
                                  max(parts['elsewhere_degrees']) <= 0.25),
             experiment.Criterion('its energy is lower', experiment.count(energies), all(energies))]

@@ -57,9 +57,9 @@ def table(rows):
 def judge(rows):
     parts = [r['assembly_fe'] + r['factorization_fe'] + r['solve_fe'] for r in rows]
     less = [part < 1 for part in parts]
-    return [experiment.Criterion('hardly more time than CompMajor', '-', None,
+    return [experiment.Criterion('setting up and solving takes hardly more time than CompMajor', '-', None,
                                  'CompMajor itself is not here to be measured.'),
-            experiment.Criterion('setting up and solving takes less than 1 fe on nine meshes of ten',
+            experiment.Criterion('it takes less than 1 fe on nine meshes of ten',
                                  '%s, median %.2f fe' % (experiment.count(less), experiment.median(parts)),
                                  sum(less) >= 0.9 * len(less))]
 
