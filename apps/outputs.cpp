@@ -12,13 +12,15 @@
 #include "apps/arguments/suggestion.h"
 #include "apps/streams.h"
 #include "majorant/framework/error.h"
-#include "majorant/io/vtu.h"
 #include "majorant/io/write_obj.h"
+#include "majorant/io/write_ply.h"
 
 namespace majorant::app {
 namespace {
 
 constexpr const char* kAutomatic = "auto";
+constexpr const char* kLagrange = "lagrange";
+constexpr const char* kSurface = "surface";
 
 // A positive number, 0 for kAutomatic.
 double parse_spacing(const std::string& text) {
@@ -132,7 +134,7 @@ std::string extension(const std::string& path) {
 }
 
 std::vector<std::string> map_extensions(std::vector<std::string> also) {
-  also.insert(also.begin(), {".vtu", ".obj", ".svg", ".png", ".html"});
+  also.insert(also.begin(), {".vtu", ".obj", ".ply", ".msh", ".svg", ".png", ".html"});
   return also;
 }
 
@@ -206,9 +208,23 @@ int WrittenFiles::conclude(int code) const {
 
 void FormatOptions::add_to(CLI::App& verb) {
   verb.add_option("--refine", tessellation.refine,
-                  "pieces per edge in OBJ output, at least (default 1: cells stay one triangle "
-                  "where that is valid)")
+                  "pieces per edge in OBJ and PLY output, at least (default 1: cells stay one "
+                  "triangle where that is valid)")
       ->check(CLI::Range(1, 20));
+  verb.add_option_function<std::string>(
+          "--vtu",
+          [this](const std::string& cells) {
+            vtu = cells == kLagrange ? VtuCells::Lagrange : VtuCells::Bezier;
+          },
+          "curved cells of VTU output: bezier, lossless, or lagrange, which more programs know")
+      ->check(one_of({"bezier", kLagrange}));
+  verb.add_option_function<std::string>(
+          "--msh",
+          [this](const std::string& content) {
+            msh = content == kSurface ? MshContent::Surface : MshContent::Image;
+          },
+          "gmsh output: image, the mesh in the plane, or surface, with u and v as views of it")
+      ->check(one_of({"image", kSurface}));
   verb.add_option_function<std::string>(
           "--grid", [this](const std::string& spacing) { svg.grid = parse_spacing(spacing); },
           "SVG: draw lines of constant u and v this far apart in uv (alone: a 32nd of the layout)")
@@ -255,11 +271,21 @@ void FormatOptions::add_pictures_to(CLI::App& verb) {
       ->check(CLI::ExistingFile);
 }
 
+bool is_straight_map_data(const std::string& path) {
+  return extension(path) == ".obj" || extension(path) == ".ply";
+}
+
+bool is_map_data(const std::string& path) {
+  return is_straight_map_data(path) || extension(path) == ".vtu" || extension(path) == ".msh";
+}
+
 void write_map(const std::string& path, const MapFile& map, const PolygonMesh* input,
                const FormatOptions& options, const FileVerification& verify) {
   const std::string e = extension(path);
-  if (e == ".vtu") write_vtu(path, map, verify);
+  if (e == ".vtu") write_vtu(path, map, options.vtu, verify);
+  if (e == ".msh") write_msh(path, map, options.msh, verify);
   if (e == ".obj") write_obj(path, map, input, options.tessellation, verify);
+  if (e == ".ply") write_ply(path, map, input, options.tessellation, verify);
   if (e == ".svg") write_svg(path, map, options.svg);
   if (e == ".png") write_png(path, map, options.png);
   if (e == ".html") {

@@ -237,7 +237,7 @@ class VtuReader {
 
   // All of its arrays or none: files of before they were written have none.
   void read_face_distortion(const XmlElement& section) {
-    FaceDistortion all(map_.cells.rows(), Eigen::NoChange);
+    FaceDistortion all(map_.cells.rows(), kFaceDistortionNames.size());
     for (std::size_t k = 0; k < kFaceDistortionNames.size(); ++k) {
       const XmlElement* array = find_array(section, kFaceDistortionNames[k]);
       if (array == nullptr) return;
