@@ -23,7 +23,8 @@ def read_png(data):
         at += 12 + size
     raw, rows, before = zlib.decompress(pixels), [], bytes(3 * width)
     for y in range(height):
-        kind, line = raw[y * (3 * width + 1)], raw[y * (3 * width + 1) + 1:(y + 1) * (3 * width + 1)]
+        start = y * (3 * width + 1)
+        kind, line = raw[start], raw[start + 1:start + 1 + 3 * width]
         row = bytearray(line)
         for i in range(3 * width):
             left = row[i - 3] if i >= 3 else 0
@@ -65,7 +66,8 @@ class Pictures(CommandTest):
             self.assertEqual(data, self.picture(result, '--size', '120,90', '--threads', 2, *more))
             width, height, rows = read_png(data)
             self.assertEqual((width, height), (120, 90))
-            inside = sum(row[3 * x:3 * x + 3] != b'\xff\xff\xff' for row in rows for x in range(width))
+            inside = sum(row[3 * x:3 * x + 3] != b'\xff\xff\xff'
+                         for row in rows for x in range(width))
             self.assertGreater(inside, 1000, more)
         picture = self.picture(result, '--size', '64,64', name='i.png')
         self.assertNotEqual(self.picture(result, '--view', '1,0.5,2', '--size', '64,64', '--image',
