@@ -26,6 +26,17 @@ void Film::take(const TraceEntry& row, const std::function<BezierMap()>& map) {
   }
 }
 
+// The start is a frame of its own, even where nothing moved it.
+bool Film::is_before(const Frame& frame, int last_iteration) {
+  return frame.iteration < last_iteration || frame.iteration == 0;
+}
+
+std::size_t Film::count(int last_iteration) const {
+  return 1 + static_cast<std::size_t>(std::count_if(
+                 frames_.begin(), frames_.end(),
+                 [&](const Frame& frame) { return is_before(frame, last_iteration); }));
+}
+
 std::vector<PageSnapshot> Film::frames(const Frame& result) const {
   std::vector<PageSnapshot> snapshots;
   const auto add = [&](const Frame& frame) {
@@ -34,9 +45,13 @@ std::vector<PageSnapshot> Film::frames(const Frame& result) const {
     snapshots.push_back({frame.iteration, frame.map.degree(), frame.energy, to_map_file(map).uv});
   };
   for (const Frame& frame : frames_)
-    if (frame.iteration < result.iteration || frame.iteration == 0) add(frame);
+    if (is_before(frame, result.iteration)) add(frame);
   add(result);
   return snapshots;
+}
+
+int last_iteration(const std::vector<TraceEntry>& trace) {
+  return trace.empty() ? 0 : trace.back().record.iteration;
 }
 
 }  // namespace majorant::app

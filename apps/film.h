@@ -36,16 +36,21 @@ class Film {
 
   MapWatcher watcher();                 // the film outlives it
   int every() const { return every_; }  // now
-  std::size_t count() const { return frames_.size(); }
+  // How many frames() gives for a result of that iteration.
+  std::size_t count(int last_iteration) const;
   // The frames and, as the last one, the result, elevated to its degree, by rising iterations.
   std::vector<PageSnapshot> frames(const Frame& result) const;
 
  private:
+  static bool is_before(const Frame& frame, int last_iteration);
   void take(const TraceEntry& row, const std::function<BezierMap()>& map);
 
   int every_, degree_;
   std::size_t most_bytes_, frame_bytes_ = 0;
   std::vector<Frame> frames_;
 };
+
+// Of the last row, 0 where there is none.
+int last_iteration(const std::vector<TraceEntry>& trace);
 
 }  // namespace majorant::app

@@ -19,8 +19,7 @@ std::vector<PagePoint> held_points(const BezierMap& map, const std::vector<Pin>&
 
 // In the units of the result's file.
 std::vector<PageSnapshot> frames_of(const FinishedRun& run) {
-  const std::vector<TraceEntry>& trace = run.record.trace();
-  const int last = trace.empty() ? 0 : trace.back().record.iteration;
+  const int last = last_iteration(run.record.trace());
   std::vector<PageSnapshot> frames =
       run.film->frames({*run.result.map, last, run.result.value_quadrature});
   if (!run.normalized) return frames;
@@ -64,6 +63,14 @@ std::vector<PagePoint> pulled_points(const std::vector<Pin>& handles, const Surf
   for (const Pin& handle : handles)
     if (handle.target)
       points.push_back({mesh.input_vertex(handle.vertex), *handle.target, PagePoint::Hold::Handle});
+  return points;
+}
+
+std::vector<PagePoint> claimed_points(const Claims& claims, const MapFile& map) {
+  std::vector<PagePoint> points;
+  for (const ClaimedPin& pin : claims.pins.value_or(std::vector<ClaimedPin>()))
+    if ((map.input_vertex.array() == pin.vertex).any())
+      points.push_back({pin.vertex, pin.target, PagePoint::Hold::Pin});
   return points;
 }
 

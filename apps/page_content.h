@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/claims.h"
 #include "apps/film.h"
 #include "apps/report.h"
 #include "apps/result_files.h"
@@ -22,5 +23,8 @@ bool has_page(const std::vector<std::string>& paths);
 MapPage page_of(const FinishedRun& run, Json report);
 // Handles with a target, by vertex of the input, model units.
 std::vector<PagePoint> pulled_points(const std::vector<Pin>& handles, const SurfaceMesh& mesh);
+
+// The pins that a file claims, of vertices that it has.
+std::vector<PagePoint> claimed_points(const Claims& claims, const MapFile& map);
 
 }  // namespace majorant::app

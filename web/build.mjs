@@ -3,7 +3,10 @@
 import {build} from 'esbuild';
 
 await build({
-  entryPoints: {map_page: 'src/map_page/main.js'},
+  entryPoints: {
+    comparison_page: 'src/comparison_page/main.js',
+    map_page: 'src/map_page/main.js',
+  },
   outdir: process.argv[2] ?? 'dist',
   bundle: true,
   minify: true,

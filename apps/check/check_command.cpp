@@ -152,8 +152,7 @@ MapPage page_of(const Check& check) {
   page.facts = page_facts(check.report);
   for (const Index cell : check.proof->not_positive)
     page.faults.push_back({cell, describe_fault(*check.proof, cell)});
-  for (const ClaimedPin& pin : check.claims.pins.value_or(std::vector<ClaimedPin>()))
-    page.points.push_back({pin.vertex, pin.target, PagePoint::Hold::Pin});
+  page.points = claimed_points(check.claims, check.file);
   return page;
 }
 
@@ -218,7 +217,7 @@ int check(const Request& request) {
 void add_check(CLI::App& app, Action* run) {
   auto request = std::make_shared<Request>();
   CLI::App& verb = *app.add_subcommand("check", "measure a finished map and test its claims");
-  verb.add_option("result", request->result, "result: .vtu, or .obj with vt")->required();
+  verb.add_option("result", request->result, "result: .vtu, .msh, or .obj or .ply with texture coordinates")->required();
   verb.add_option("--surface", request->surface, "the mesh it should be a map of")
       ->type_name("FILE");
   verb.add_option("-o,--output", request->outputs,

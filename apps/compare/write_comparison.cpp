@@ -11,7 +11,6 @@
 #include <set>
 
 #include "apps/compare/comparison_table.h"
-#include "embedded/comparison_chart_js.h"
 #include "embedded/comparison_page_css.h"
 #include "embedded/comparison_page_html.h"
 #include "embedded/comparison_page_js.h"
@@ -190,7 +189,6 @@ void write_comparison_csv(const std::string& path, const Comparison& comparison)
 }
 
 void write_comparison_html(const std::string& path, const Comparison& comparison) {
-  const std::string script = std::string(comparison_chart_js()) + std::string(comparison_page_js());
   write_file_atomically(
       path, fill_in(comparison_page_html(), {{"title", html_text(comparison.title)},
                                              {"machine", html_text(comparison.machine)},
@@ -199,7 +197,7 @@ void write_comparison_html(const std::string& path, const Comparison& comparison
                                              {"body", table_body(comparison)},
                                              {"notes", notes(comparison)},
                                              {"data", json_data(comparison)},
-                                             {"script", script}}));
+                                             {"script", std::string(comparison_page_js())}}));
 }
 
 }  // namespace majorant

@@ -1,7 +1,5 @@
 #include "apps/compare/write_comparison.h"
 
-#include <sys/wait.h>
-
 #include <algorithm>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
@@ -116,7 +114,8 @@ TEST(WriteComparisonHtml, IsOneSelfContainedPage) {
     const std::string page = page_of(comparison);
     EXPECT_EQ(page, page_of(comparison));
     EXPECT_EQ(page.rfind("<!DOCTYPE html>", 0), 0u);
-    for (const char* piece : {"http:", "https:", "src=", "@import", "url(", "NaN,", "Infinity]"}) {
+    EXPECT_EQ(count(page, "http:"), count(page, "http://www.w3.org/2000/svg"));  // a name, not a place
+    for (const char* piece : {"https:", "src=", "@import", "url(", "NaN,", "Infinity]"}) {
       EXPECT_EQ(count(page, piece), 0u) << piece;
     }
     EXPECT_EQ(count(page, "href="), 1u);  // the empty icon
@@ -221,25 +220,6 @@ TEST(WriteComparison, WholeOrAbsent) {
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
-#ifdef MAJORANT_CHROMIUM
-// Headless Chromium opens every page, uses its controls and looks for errors.
-TEST(WriteComparisonHtml, WorksInABrowser) {
-  const TemporaryFolder folder;
-  const std::string script = MAJORANT_SOURCE_DIR "/tests/apps/compare/comparison_page.py";
-  ASSERT_TRUE(std::filesystem::exists(script)) << script;
-  std::string command = "/usr/bin/python3 '" + script + "'";
-  auto all = odd_comparisons();
-  all.emplace_back("usual", usual_comparison());
-  for (const auto& [name, comparison] : all) {
-    const std::string path = folder.file(name + ".html");
-    write_comparison_html(path, comparison);
-    command += " '" + path + "'";
-  }
-  const int status = std::system(command.c_str());
-  ASSERT_TRUE(WIFEXITED(status));
-  EXPECT_EQ(WEXITSTATUS(status), 0);
-}
-#endif
 
 }  // namespace
 }  // namespace majorant

@@ -19,11 +19,10 @@ export const svgElement = (name, attributes = {}, ...children) =>
 
 export const byId = (id) => document.getElementById(id);
 
-// A button for each of [[value, label, title]]; the one pressed is state[key].
-export function choice(group, entries, state, key) {
+// A button for each of [[value, label, title]], which calls choose(value); state[key] is pressed.
+export function choice(group, entries, state, key, choose) {
   const buttons = entries.map(([value, label, title]) => element('button', {
-    'type': 'button', 'title': title, 'data-value': value,
-    'onclick': () => state.set({[key]: value}),
+    'type': 'button', 'title': title, 'data-value': value, 'onclick': () => choose(value),
   }, label));
   group.replaceChildren(...buttons);
   state.watch([key], () => {

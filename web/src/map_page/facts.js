@@ -40,7 +40,8 @@ function proofsOf(facts) {
                   element('dd', {className: answer}, detail ? `${answer}: ${detail}` : answer));
     parts.push(element('h2', {}, 'Proofs'), list);
   }
-  for (const finding of facts.findings ?? [])
+  const said = asked.map(([question, {detail}]) => `${question}: ${detail}`);
+  for (const finding of (facts.findings ?? []).filter((line) => !said.includes(line)))
     parts.push(element('p', {className: 'finding'}, String(finding)));
   return parts;
 }

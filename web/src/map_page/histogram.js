@@ -1,6 +1,7 @@
 // The scale of the quantity that is shown: a histogram by area over its colours, with ticks, and a
 // brush that selects a part of it.
 
+import {spacedTicks} from '../charts/axes.js';
 import {byId, element, svgElement} from './elements.js';
 import {percent, readable} from './numbers.js';
 import {evenPlaces, sampleSingularValues} from './sampling.js';
@@ -102,13 +103,16 @@ export class Histogram {
   }
 
   addTicks(parts, x) {
-    for (const {label, position, value} of this.scale.ticks) {
-      const neutral = value === this.scale.neutral;
-      parts.push(svgElement('line', {x1: x(position), x2: x(position), y1: kHeight + 2,
-                                     y2: kHeight + kBar + (neutral ? 8 : 6), className: 'tick'}));
-      parts.push(svgElement('text', {x: x(position), y: kHeight + kBar + 20,
-                                     className: neutral ? 'neutral' : ''}, label));
-    }
+    const ticks = this.scale.ticks.map((tick) => ({...tick, at: x(tick.position)}));
+    const isNeutral = ({value}) => value === this.scale.neutral;
+    for (const tick of ticks)
+      parts.push(svgElement('line', {
+        x1: tick.at, x2: tick.at, y1: kHeight + 2,
+        y2: kHeight + kBar + (isNeutral(tick) ? 8 : 6), className: 'tick',
+      }));
+    for (const tick of spacedTicks(ticks))
+      parts.push(svgElement('text', {x: tick.at, y: kHeight + kBar + 20,
+                                     className: isNeutral(tick) ? 'neutral' : ''}, tick.label));
     // Values beyond an end have its colour: a triangle says so.
     const y = kHeight + 2 + kBar / 2;
     for (const [area, at, way] of [[this.below, x(0), -1], [this.above, x(1), 1]])

@@ -60,18 +60,19 @@ function makeApp() {
   };
 }
 
-function makeToolbar(app) {
-  const {state, titles} = app;
+function makeToolbar({state, titles}) {
   choice(byId('show'), Object.keys(titles).map((name) => [name, labels[name], titles[name]]),
-         state, 'show');
-  state.watch(['show'], () => state.set({brush: null}));
+         state, 'show', (name) => state.set({show: name, brush: null}));
 }
 
 // What only makes sense where there are pictures.
 function makeViewTools(app) {
   const {state, marks} = app;
   choice(byId('texture'), [['checker', 'checker'], ['grid', 'grid'], ['image', 'image\u2026']],
-         state, 'texture');
+         state, 'texture', (texture) => {
+           if (texture === 'image') byId('image-file').click();
+           else state.set({texture});
+         });
   state.watch(['show'], () => { byId('texture').hidden = state.show !== 'texture'; });
   byId('wipe').addEventListener('input', () => state.set({wipe: byId('wipe').value / 100}));
   const toggles = [['edges', 'edges'], ['seams', 'seams'], ['cones', 'cones'],
@@ -108,9 +109,6 @@ function takeImages(app) {
       byId('said').textContent = `${file.name} is no image that this browser reads.`;
     }
   };
-  byId('texture').addEventListener('click', (event) => {
-    if (event.target.dataset.value === 'image') input.click();
-  });
   input.addEventListener('change', () => take(input.files[0]));
   document.addEventListener('dragover', (event) => event.preventDefault());
   document.addEventListener('drop', (event) => {
@@ -128,8 +126,8 @@ function drawState(app) {
   });
   redraw(['show', 'texture'], () => {
     const scale = app.scales[state.show];
-    const texture = state.texture === 'image' && !uniforms.uImage.value ? 'checker' : state.texture;
-    uniforms.uMode.value = scale ? modes.heat : modes[state.show === 'chart' ? 'chart' : texture];
+    const picture = state.show === 'chart' ? 'chart' : state.texture;
+    uniforms.uMode.value = modes[scale ? 'heat' : picture];
     if (!scale) return;
     uniforms.uQuantity.value = quantityNumbers[state.show];
     uniforms.uScale.value = scale.uniform;
@@ -206,15 +204,16 @@ function start() {
   const app = makeApp();
   matchMedia('(prefers-color-scheme: dark)').addEventListener(
       'change', () => app.state.set({theme: app.state.theme + 1}));
-  makeToolbar(app);
   writeFacts(app);
   const hasWebGl = document.createElement('canvas').getContext('webgl2') !== null;
-  if (hasWebGl) addViews(app);
-  else {
+  if (!hasWebGl) {
+    delete app.titles.texture;
+    app.state.show = Object.keys(app.titles)[0];
     app.focusOn = (place) => app.state.set({pinned: place});
-    app.state.set({show: Object.keys(app.titles)[1]});
-    showWithoutWebGl(app, 'this browser offers no WebGL2 here');
   }
+  makeToolbar(app);
+  if (hasWebGl) addViews(app);
+  else showWithoutWebGl(app);
   new Histogram(app);
   new Readout(app);
   listFaults(app);

@@ -1,11 +1,14 @@
 // Numbers as people read them.
 
+// 1.5e-7, not 1.5000e-7, nor 1e+9.
+const short = (text) => text.replace(/\.?0+e/, 'e').replace('e+', 'e');
+
 export function readable(value, digits = 5) {
   if (value === null || value === undefined) return '\u2013';
   if (!Number.isFinite(value)) return value > 0 ? '\u221e' : Number.isNaN(value) ? '?' : '-\u221e';
   if (Number.isInteger(value) && Math.abs(value) < 1e9) return value.toLocaleString('en');
   const size = Math.abs(value);
-  if (size !== 0 && (size < 1e-4 || size >= 1e7)) return value.toExponential(digits - 1);
+  if (size !== 0 && (size < 1e-4 || size >= 1e7)) return short(value.toExponential(digits - 1));
   return String(Number(value.toPrecision(digits)));
 }
 

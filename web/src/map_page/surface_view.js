@@ -3,27 +3,13 @@
 import {OrthographicCamera, Vector3} from 'three';
 
 import {cornersOf, positionOf} from './map_data.js';
+import {meet} from './ray.js';
 import {View} from './view.js';
 
-// Where a ray meets the triangle p, q, r: [distance, b, c] of Moeller and Trumbore, or null.
-export function meet(origin, way, p, q, r) {
-  const ax = q[0] - p[0], ay = q[1] - p[1], az = q[2] - p[2];
-  const bx = r[0] - p[0], by = r[1] - p[1], bz = r[2] - p[2];
-  const hx = way[1] * bz - way[2] * by, hy = way[2] * bx - way[0] * bz,
-        hz = way[0] * by - way[1] * bx;
-  const det = ax * hx + ay * hy + az * hz;
-  if (det === 0) return null;
-  const sx = origin[0] - p[0], sy = origin[1] - p[1], sz = origin[2] - p[2];
-  const b = (sx * hx + sy * hy + sz * hz) / det;
-  if (!(b >= 0 && b <= 1)) return null;
-  const kx = sy * az - sz * ay, ky = sz * ax - sx * az, kz = sx * ay - sy * ax;
-  const c = (way[0] * kx + way[1] * ky + way[2] * kz) / det;
-  if (!(c >= 0 && b + c <= 1)) return null;
-  return [(bx * kx + by * ky + bz * kz) / det, b, c];
-}
-
+const kExtent = 2.15;  // of the view at zoom 1, in radii; as of write_png.h
 const kMargin = 1.05;  // around what is seen first
 const kDistance = 4;   // of the camera, in radii
+const kSteep = 0.9986;  // cosine of 3 degrees
 const kOneSided = 0.2;  // sum of normals over area, from which a surface is seen from its front
 
 // Open surfaces from where most of them is seen, closed ones from the front, a little aside.
@@ -38,7 +24,7 @@ function firstView(map) {
   }
   const length = Math.hypot(...sum);
   const eye = length > kOneSided * area ? sum.map((x) => x / length) : [0.35, 0.25, 1];
-  return {eye, up: Math.abs(eye[1]) > 0.9 ? [0, 0, eye[1] > 0 ? -1 : 1] : [0, 1, 0]};
+  return {eye, up: Math.abs(eye[1]) > kSteep * Math.hypot(...eye) ? [0, 0, 1] : [0, 1, 0]};
 }
 
 export class SurfaceView extends View {
@@ -48,7 +34,8 @@ export class SurfaceView extends View {
     camera.up.set(...up);  // before OrbitControls look
     camera.position.set(...eye).setLength(kDistance);
     super('surface', stage, element, camera, shared);
-    this.extent = kMargin * this.shownSize(eye, up);
+    this.extent = kExtent;
+    camera.zoom = kExtent / (kMargin * this.shownSize(eye, up));
     Object.assign(this.controls, {minZoom: 0.2, maxZoom: 500, zoomToCursor: true});
     this.controls.update();
     this.homePose = this.pose();

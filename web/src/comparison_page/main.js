@@ -1,10 +1,14 @@
 // The page: data, switches, legend, tooltips, keys.
 
+import {draw} from '../charts/axes.js';
+import {readable} from '../map_page/numbers.js';
+import {drawChart, styleOf} from './chart.js';
+
 const data = JSON.parse(document.getElementById('data').textContent);
 const columns = ['iteration', 'seconds', 'energy', 'gradient_norm', 'step', 'min_det'];
 
 function excessOf(energy) {
-  if (!isNumber(energy) || data.best === null) return null;
+  if (!Number.isFinite(energy) || data.best === null) return null;
   return data.best === 0 ? energy : (energy - data.best) / Math.abs(data.best);
 }
 
@@ -16,7 +20,7 @@ const runs = data.runs.map((run, index) => ({
   points: run.iteration.map((_, i) => {
     const point = Object.fromEntries(columns.map((name) => [name, run[name][i]]));
     point.excess = excessOf(point.energy);
-    point.drawable = isNumber(point.excess) && isNumber(point.seconds);
+    point.drawable = Number.isFinite(point.excess) && Number.isFinite(point.seconds);
     return point;
   }),
 }));
@@ -224,3 +228,4 @@ new ResizeObserver(() => {
 }).observe(charts[0].figure);
 render();
 document.documentElement.dataset.ready = 'yes';
+window.comparisonPage = {charts};  // for tests

@@ -1,0 +1,37 @@
+#include <sys/wait.h>
+
+#include <cstdlib>
+
+#include "apps/compare/comparison_samples.h"
+#include "apps/compare/write_comparison.h"
+#include "io/io_test_helpers.h"
+
+namespace majorant {
+namespace {
+
+constexpr int kSkipped = 77;  // of ctest, where there is no browser
+
+int status_in_a_browser() {
+  const TemporaryFolder folder;
+  const std::string script = MAJORANT_SOURCE_DIR "/tests/apps/compare/comparison_page.py";
+  std::string command = "/usr/bin/python3 '" + script + "'";
+  auto all = odd_comparisons();
+  all.emplace_back("usual", usual_comparison());
+  for (const auto& [name, comparison] : all) {
+    const std::string path = folder.file(name + ".html");
+    write_comparison_html(path, comparison);
+    command += " '" + path + "'";
+  }
+  return std::system(command.c_str());
+}
+
+// Headless Chromium opens every page, uses its controls and looks for errors.
+TEST(ComparisonPage, WorksInABrowser) {
+  const int status = status_in_a_browser();
+  ASSERT_TRUE(WIFEXITED(status));
+  if (WEXITSTATUS(status) == kSkipped) std::exit(kSkipped);
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+}
+
+}  // namespace
+}  // namespace majorant

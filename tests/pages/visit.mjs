@@ -1,0 +1,58 @@
+// Opens a page in Debian's Chromium and notes all that should not happen: errors and warnings on the
+// console, exceptions, any request but for the file itself.
+//
+//   const found = await visit(file, {width: 1200, height: 800}, async (page) => {
+//     return page.evaluate(() => document.title);
+//   });
+//   // {result, surprises: [...], requests: [...]}
+import {chromium} from 'playwright-core';
+import {pathToFileURL} from 'node:url';
+
+// Software rendering, everywhere the same; nothing of a browser that speaks to anybody.
+const flags = [
+  '--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking',
+  '--disable-component-update', '--disable-sync', '--use-gl=angle', '--use-angle=swiftshader',
+  '--enable-unsafe-swiftshader',
+];
+
+// options: width, height, hash of the address, dark, flags: more of them.
+export async function visit(file, options, act) {
+  const browser = await chromium.launch({
+    executablePath: process.env.MAJORANT_CHROMIUM,
+    args: [...flags, ...(options.flags ?? [])],
+  });
+  try {
+    const context = await browser.newContext({
+      viewport: {width: options.width ?? 1200, height: options.height ?? 800},
+      colorScheme: options.dark ? 'dark' : 'light',
+      reducedMotion: options.reducedMotion ?? 'reduce',
+      acceptDownloads: true,
+    });
+    const page = await context.newPage();
+    const url = pathToFileURL(file).href;
+    const surprises = [];
+    const requests = [];
+    page.on('console', (message) => {
+      if (['error', 'warning'].includes(message.type())) surprises.push(message.text());
+    });
+    page.on('pageerror', (error) => surprises.push(String(error.stack)));
+    page.on('dialog', (dialog) => {
+      surprises.push(`dialog: ${dialog.message()}`);
+      dialog.dismiss();
+    });
+    page.on('request', (request) => {
+      const isLocal = /^(data|blob):/.test(request.url());
+      if (!isLocal && request.url().split('#')[0] !== url) requests.push(request.url());
+    });
+    await page.goto(url + (options.hash ? `#${options.hash}` : ''));
+    if (!options.plain)
+      await page.waitForFunction(() => window.majorantPage !== undefined, null, {timeout: 60000});
+    const result = await act(page);
+    return {result, surprises, requests};
+  } finally {
+    await browser.close();
+  }
+}
+
+// What a script run by browser.py hands back.
+export const answer = (value) => process.stdout.write(JSON.stringify(value));

@@ -1,0 +1,34 @@
+#!/usr/bin/python3
+"""The parts of the page that need no browser: `node --test web/test`.
+
+Without node the exit code is 77, which ctest reports as skipped.
+"""
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import unittest
+
+WEB = pathlib.Path(os.environ['MAJORANT_SOURCE_DIR']) / 'web'
+
+
+class PageScripts(unittest.TestCase):
+    def test_units(self):
+        run = subprocess.run(['node', '--test', 'test/'], cwd=WEB, capture_output=True, text=True,
+                             timeout=120)
+        self.assertEqual(run.returncode, 0, run.stdout)
+        self.assertGreaterEqual(int(re.search(r'pass (\d+)', run.stdout)[1]), 10)
+
+    def test_the_bundle_cannot_end_its_script_element(self):
+        bundle = (WEB / 'dist' / 'map_page.js').read_bytes()
+        self.assertLess(len(bundle), 1 << 20)
+        self.assertNotRegex(bundle, b'(?i)</script|<!--')
+
+
+if __name__ == '__main__':
+    if not shutil.which('node'):
+        print('node is not installed')
+        sys.exit(77)
+    unittest.main()
