@@ -85,7 +85,7 @@ class RunRecord {
   const StopCheck& stop() const { return stop_; }
   const StopCheck& start_stop() const { return start_stop_; }
   Directive directive() const { return stop_(); }
-  // On the mesh asked for, steps in vain included; each coarser one of a start may take as many.
+  // On coarser meshes iterations do not count, in vain they do.
   int iterations_left() const {
     return max_iterations_ -
            static_cast<int>(std::count_if(trace_.begin(), trace_.end(),

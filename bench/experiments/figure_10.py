@@ -8,7 +8,7 @@ Here: the 13 public disks with 500 and 2,500 faces, both energies, boundary fixe
 has it, quadrature and stopping rule of the paper. E_ASAP has no barrier: where the conformal map is
 not injective, a run ends at the limit of injectivity, at a value that depends on the way there.
 
-Time: about a minute of one core.
+Time: about a minute and a quarter of one core.
 
 Sample run:
   bench/experiments/figure_10.py --out build/experiments

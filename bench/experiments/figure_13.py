@@ -10,7 +10,7 @@ square over inner edges by their length; "elsewhere": without the edges between 
 handle pulls at. Drawn: a square grid on the shape, where the linear map has its largest kink away
 from them.
 
-Time: ten seconds of one core.
+Time: about three seconds of one core.
 
 Sample run:
   bench/experiments/figure_13.py --out build/experiments
@@ -93,7 +93,7 @@ def judge(rows):
                                  max(parts['kink_rms_degrees']) <= 0.5,
                                  'Kinks shrink but do not vanish; the largest stay where points are '
                                  'pulled.'),
-            experiment.Criterion('away from the handles at most a quarter',
+            experiment.Criterion('away from the handles kinks are at most a quarter',
                                  experiment.percents(parts['elsewhere_degrees']),
                                  max(parts['elsewhere_degrees']) <= 0.25),
             experiment.Criterion('its energy is lower', experiment.count(energies), all(energies))]

@@ -8,7 +8,7 @@ Here: the seamless texture coordinates of three closed public surfaces as the st
 --seamless` at degrees 1 and 4; spot is drawn, with lines of constant u and v. Kinks as in figure
 13, over all edges and over those at cones, seams included.
 
-Time: half a minute of one core.
+Time: about a quarter of a minute of one core.
 
 Sample run:
   bench/experiments/figure_14.py --out build/experiments

@@ -10,7 +10,7 @@ boundary, degrees 2 and 3, 3 to 120 uniform points; instead of the schemes of th
 library does not have, 196 Gauss points of a square collapsed to the triangle, exact to degree 26.
 Energies are integrated adaptively at the end.
 
-Time: a minute of one core.
+Time: about twenty seconds of one core.
 
 Sample run:
   bench/experiments/figure_15.py --out build/experiments

@@ -6,10 +6,10 @@ points and more than linear in the degree; higher degrees reach lower energies, 
 
 Here: `majorant_paper_method --direct --exclude` on three public disks with 2,500 faces at degrees
 1, 2, 3, with 55 points at every degree (left) and with 1, 36, 78 (right; spot); degree 3 with 55 to
-406 points for the first statement. Time: processor time in fe of the degree-1 matrix, the least of
-three runs; it moves a little all the same.
+406 points for the first statement. Times are processor time in fe of the degree-1 matrix, the least
+of three runs; they move a little all the same.
 
-Time: half a minute of one core.
+Time: about half a minute of one core.
 
 Sample run:
   bench/experiments/figure_18.py --out build/experiments

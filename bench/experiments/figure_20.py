@@ -7,9 +7,9 @@ sometimes 16 but often at least 64 linear pieces are necessary.
 Here: three public disks with 500 faces, free boundary and five random points held. Every face cut
 into 4, 16, 64 flat pieces; all runs of a model start from the same map, Tutte's of the coarse mesh.
 `majorant_paper_method` at degree 1 on these, with elevation to degrees 2 and 3 on the coarse one.
-Time: processor time in fe of the coarse degree-1 matrix.
+Times are processor time in fe of the coarse degree-1 matrix.
 
-Time: half a minute of one core.
+Time: about half a minute of one core.
 
 Sample run:
   bench/experiments/figure_20.py --out build/experiments

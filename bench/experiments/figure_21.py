@@ -9,7 +9,7 @@ Here: helix and scorpion with free boundary, gingerbread with its handles, degre
 `--bijective`, also with `--no-flips`, and without. Global injectivity is proven or disproven by
 `check --certify`.
 
-Time: half a minute of one core.
+Time: about four seconds of one core.
 
 Sample run:
   bench/experiments/figure_21.py --out build/experiments

@@ -7,7 +7,7 @@ globally injective; with the scaffold it is globally injective.
 Here: gingerbread with its handles, `deform --degree 2` with and without `--bijective`; places where
 the boundary meets itself as `check --certify` finds them, red.
 
-Time: ten seconds of one core.
+Time: about one second of one core.
 
 Sample run:
   bench/experiments/figure_22.py --out build/experiments

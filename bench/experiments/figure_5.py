@@ -11,7 +11,7 @@ lattices, line search and stopping rule, without what this program adds), the 13
 run ends at the limit of injectivity, far from a minimum. Drawn: the model that gains most by
 elevation.
 
-Time: a minute of one core.
+Time: about ten seconds of one core.
 
 Sample run:
   bench/experiments/figure_5.py --out build/experiments

@@ -10,7 +10,7 @@ Here: the 13 public disks with 500, 2,500 and 10,000 faces, from Tutte's map, th
 numbers of quadrature points (1, 36, 78) and stopping rule; held points stay where the start has
 them. Energies are integrated adaptively, by the command (the paper: 5,050 points).
 
-Time: about four minutes of one core.
+Time: about five minutes of one core.
 
 Sample run:
   bench/experiments/figure_9.py --out build/experiments

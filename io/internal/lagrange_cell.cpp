@@ -137,8 +137,7 @@ class CellTransform {
           error += std::abs(static_cast<double>(weight)) * rounding(map, input(k))[axis];
       }
       // Of `order` weights, terms and sums, each rounded once.
-      const double own =
-          3 * static_cast<double>(order.size()) * static_cast<double>(kUnitRoundoff<Quad>) * size;
+      const double own = 3 * static_cast<double>(order.size()) * kUnitRoundoff<Quad> * size;
       result.value[axis] = static_cast<double>(sum);
       const double cut_off = std::abs(static_cast<double>(sum - Quad(result.value[axis])));
       result.error[axis] =

@@ -262,7 +262,7 @@ class Multiresolution {
     if (record.squeezed == 0) return;
     const Level level(mesh_, positions_, squeezed);
     NewtonOptions options = newton_options();
-    options.stopping = brief_rules(most(rules_.squeezed_steps), rules_.squeezed_decrease);
+    options.stopping = brief_rules(rules_.squeezed_steps, rules_.squeezed_decrease);
     const auto [problem, start] = problem_on(level, squeezed);
     const SolveResult solved = NewtonMinimizer(options).minimize(problem, start, {});
     stop_.poll();
@@ -293,8 +293,7 @@ class Multiresolution {
   }
 
   // All vertices of the mesh that is left together; false where nothing comes of it.
-  bool improve_all(const Level& level, NewtonOptions options, LevelRecord& record) {
-    options.stopping.max_iterations = most(options.stopping.max_iterations);
+  bool improve_all(const Level& level, const NewtonOptions& options, LevelRecord& record) {
     const auto [problem, start] = problem_on(level, all_);
     // Energies only fall from here: what misleads now is not worth its steps.
     if (misled_by(Evaluator(problem).value(start))) return false;
@@ -322,8 +321,6 @@ class Multiresolution {
     return !record_.levels.empty() && !is_coarse() &&
            level_energy_ - energy > rules_.largest_drop * std::abs(energy);
   }
-
-  int most(int steps) const { return std::min(steps, run_.iterations_left()); }
 
   // The problem of a level, at rest but for the vertices of the surface that move, and its start.
   std::pair<Problem, Vec> problem_on(const Level& level, const std::vector<char>& moves) const {

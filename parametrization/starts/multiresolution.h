@@ -101,8 +101,7 @@ struct MultiresolutionRecord {
 // asked.boundary is fixed). Deterministic, whatever the number of threads. None where the surface
 // is too small or unsuited, or doubles have no room. Needs a disk, possibly with holes; throws
 // Error as tutte_map(); Stopped, by run.start_stop(). Notes the steps of all vertices together in
-// `run`, those of the coarsest mesh as the highest level, and takes at most as many on a level as
-// are left to the run.
+// `run`, those of the coarsest mesh as the highest level; its limit of iterations is not for them.
 std::optional<Vec> multiresolution_map(const SurfaceMesh& mesh, const MapObjective& asked,
                                        RunRecord& run, const MultiresolutionRules& rules = {},
                                        MultiresolutionRecord* record = nullptr);

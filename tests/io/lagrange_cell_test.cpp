@@ -98,6 +98,18 @@ TEST(LagrangeCell, EdgesStayContinuous) {
   }
 }
 
+// Along an edge where the first terms of (-5 a + 18 b - 9 c + 2 d) / 6 cancel, so that their order
+// shows in the digits of the sum: both cells of it still agree.
+TEST(LagrangeCell, EdgesAreSummedInOneOrder) {
+  const std::vector<int> edge = bezier_edge_points(3, 1);
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    MapFile map = random_strip(3, 2, seed);
+    map.uv(map.cells(0, edge[0]), 0) = 0x1p85 * 18;
+    map.uv(map.cells(0, edge[1]), 0) = 0x1p85 * 5;
+    EXPECT_NO_THROW(take_as_lagrange_nodes(map, "a.vtu")) << seed;
+  }
+}
+
 TEST(LagrangeCell, RefusesPointsOnTwoCurves) {
   MapFile map = random_strip(3, 2, 1);
   map.cells(1, 7) = map.cells(0, 3);  // the inner point of another edge

@@ -110,7 +110,9 @@ TEST(WritePly, WedgesAreRead) {
   EXPECT_EQ(mesh.texcoords[at(mesh.polygon_texcoords[1][1])], Vector2(1, 1.5));
   const MapFile map = read_map(path);
   EXPECT_EQ(map.points.rows(), 5);
-  EXPECT_EQ(MapProof(map, path, {.cuts = CutRule::Free}).verdict(), Answer::Proven);
+  ProofRequest wanted;
+  wanted.cuts = CutRule::Free;
+  EXPECT_EQ(MapProof(map, path, wanted).verdict(), Answer::Proven);
 }
 
 TEST(WritePly, WedgesThatAreNone) {

@@ -116,7 +116,9 @@ TEST(WritePage, RefusesWhatDoesNotBelongToTheMap) {
     return text.find(words) != std::string::npos;
   };
   EXPECT_TRUE(mentions(refused([](MapPage& p) { p.faults = {{6, "no"}}; }), "cell 6"));
-  EXPECT_TRUE(mentions(refused([](MapPage& p) { p.points = {{.vertex = 999}}; }), "vertex 999"));
+  EXPECT_TRUE(
+      mentions(refused([](MapPage& p) { p.points = {{.vertex = 999, .target = Vector2(0, 0)}}; }),
+               "vertex 999"));
   EXPECT_TRUE(mentions(refused([](MapPage& p) { p.snapshots.resize(1); }), "snapshot"));
   EXPECT_TRUE(mentions(refused([](MapPage& p) { p.facts = "[1]"; }), "JSON object"));
   EXPECT_TRUE(mentions(refused([](MapPage& p) { p.map = random_strip(9, 2, 3); }), "degree 9"));

@@ -75,7 +75,8 @@ test('rays and triangles', () => {
 test('numbers for people', () => {
   assert.equal(readable(10000), '10,000');
   assert.equal(readable(0.123456789), '0.12346');
-  assert.equal(readable(1e-9), '1.0000e-9');
+  assert.equal(readable(1e-9), '1e-9');
+  assert.equal(readable(1.23456789e12), '1.2346e12');
   assert.equal(readable(null), '\u2013');
   assert.equal(readable(-Infinity), '-\u221e');
 });

@@ -1,6 +1,7 @@
 // Without WebGL2: the layout on a plain canvas, a colour a cell, and the numbers.
 
 import {combine} from './bezier.js';
+import {CellFinder} from './cell_finder.js';
 import {byId} from './elements.js';
 import {evaluate} from './map_data.js';
 import {rgbOf, tints} from './marks.js';
@@ -8,7 +9,7 @@ import {sampleSingularValues} from './sampling.js';
 import {valuesOf} from './scales.js';
 
 const kEdgePieces = 6;
-const kMargin = 12;
+const kMargin = 12;  // CSS pixels
 
 // The boundary of a cell, corners and points between them.
 function outlineOf(map, face) {
@@ -35,25 +36,32 @@ function colorsOf(app) {
                                 : app.css('--wrong'));
 }
 
-function draw(app, outlines) {
-  const {map} = app;
-  const canvas = byId('canvas');
+// From uv to pixels of the canvas.
+function placementOf(map, canvas, pixel) {
+  const {low, high, center} = map.uvBounds;
+  const margin = 2 * kMargin * pixel;
+  const fit = Math.min((canvas.width - margin) / (high[0] - low[0] || 1),
+                       (canvas.height - margin) / (high[1] - low[1] || 1));
+  return {
+    place: ([u, v]) => [0.5 * canvas.width + fit * (u - center[0]),
+                        0.5 * canvas.height - fit * (v - center[1])],
+    unplace: ([x, y]) => [(x - 0.5 * canvas.width) / fit + center[0],
+                          (0.5 * canvas.height - y) / fit + center[1]],
+  };
+}
+
+function draw(app, outlines, canvas, pixel) {
   const box = canvas.parentElement.getBoundingClientRect();
-  const pixel = window.devicePixelRatio || 1;
   canvas.width = box.width * pixel;
   canvas.height = box.height * pixel;
+  const {place} = placementOf(app.map, canvas, pixel);
   const pen = canvas.getContext('2d');
-  const {low, high, center} = map.uvBounds;
-  const fit = Math.min((canvas.width - 2 * kMargin * pixel) / (high[0] - low[0] || 1),
-                       (canvas.height - 2 * kMargin * pixel) / (high[1] - low[1] || 1));
   const color = colorsOf(app);
   pen.lineWidth = 0.5 * pixel;
   pen.strokeStyle = `rgb(${rgbOf('#5c6570').map((x) => 255 * x).join(' ')} / 0.6)`;
   outlines.forEach((points, face) => {
     pen.beginPath();
-    for (const [u, v] of points)
-      pen.lineTo(0.5 * canvas.width + fit * (u - center[0]),
-                 0.5 * canvas.height - fit * (v - center[1]));
+    for (const uv of points) pen.lineTo(...place(uv));
     pen.closePath();
     pen.fillStyle = color(face);
     pen.fill();
@@ -61,13 +69,31 @@ function draw(app, outlines) {
   });
 }
 
-export function showWithoutWebGl(app, reason) {
+function pointAtCells(app, canvas, pixel) {
+  const {map, state} = app;
+  const cells = new CellFinder(map);
+  const element = byId('layout');
+  const find = (event) => {
+    const box = canvas.getBoundingClientRect();
+    const {unplace} = placementOf(map, canvas, pixel);
+    return cells.find(map.uv, unplace([pixel * (event.clientX - box.left),
+                                       pixel * (event.clientY - box.top)]));
+  };
+  element.addEventListener('pointermove', (event) => state.set({hovered: find(event)}));
+  element.addEventListener('pointerleave', () => state.set({hovered: null}));
+  element.addEventListener('click', (event) => state.set({pinned: find(event)}));
+}
+
+export function showWithoutWebGl(app) {
   const note = byId('fallback');
   note.hidden = false;
-  note.textContent = `The surface is not drawn: ${reason}. The layout is, with one colour a face, ` +
-      'that of its middle.';
+  note.textContent = 'The surface is not drawn, as this browser offers no WebGL2 here. The layout ' +
+      'is, in one colour a face, that of its middle.';
   document.body.classList.add('flat');
+  const canvas = byId('canvas');
+  const pixel = window.devicePixelRatio || 1;
   const outlines = Array.from({length: app.map.faceCount}, (_, face) => outlineOf(app.map, face));
-  app.state.watch(['show', 'theme'], () => draw(app, outlines));
-  new ResizeObserver(() => draw(app, outlines)).observe(byId('stage'));
+  app.state.watch(['show', 'theme'], () => draw(app, outlines, canvas, pixel));
+  new ResizeObserver(() => draw(app, outlines, canvas, pixel)).observe(byId('stage'));
+  pointAtCells(app, canvas, pixel);
 }

@@ -2,8 +2,9 @@
 
 import {MOUSE, OrthographicCamera, TOUCH, Vector3} from 'three';
 
-import {combine, locate} from './bezier.js';
-import {controlOf, evaluate} from './map_data.js';
+import {combine} from './bezier.js';
+import {CellFinder} from './cell_finder.js';
+import {evaluate} from './map_data.js';
 import * as shaders from './shaders.js';
 import {Mesh, drawable, latticeGeometry, material} from './stage.js';
 import {View} from './view.js';
@@ -14,6 +15,7 @@ export class LayoutView extends View {
     camera.position.set(0, 0, 1);
     super('layout', stage, element, camera, shared);
     this.extent = 1.08;
+    this.cells = new CellFinder(shared.map);
     Object.assign(this.controls, {
       enableRotate: false, zoomToCursor: true, minZoom: 0.2, maxZoom: 2000,
       mouseButtons: {LEFT: MOUSE.PAN, MIDDLE: MOUSE.DOLLY, RIGHT: MOUSE.PAN},
@@ -52,7 +54,7 @@ export class LayoutView extends View {
   // Into the middle, large enough to be seen.
   focusOn(place) {
     const {map} = this.shared;
-    const box = this.boxes(this.shared.uv).subarray(4 * place.face, 4 * place.face + 4);
+    const box = this.cells.boxes(this.shared.uv).subarray(4 * place.face, 4 * place.face + 4);
     const size = Math.max(box[2] - box[0], box[3] - box[1]) / map.uvBounds.size;
     const {x, y} = this.pointAt(place);
     this.setPose([x, y, Math.min(1500, Math.max(1, 0.1 / Math.max(size, 1e-6)))]);
@@ -66,39 +68,12 @@ export class LayoutView extends View {
         material(shaders.scaffoldVertex(scaffold), shaders.scaffoldFragment, uniforms), 0));
   }
 
-  // Bounding boxes of the cells' control points: low and high u, v.
-  boxes(uv) {
-    if (this.boxesOf === uv) return this.cellBoxes;
-    const {map} = this.shared;
-    this.boxesOf = uv;
-    this.cellBoxes = new Float64Array(4 * map.faceCount);
-    for (let face = 0; face < map.faceCount; ++face) {
-      const control = controlOf(map, face, uv);
-      const box = [Infinity, Infinity, -Infinity, -Infinity];
-      for (let k = 0; k < control.length; ++k) {
-        box[k % 2] = Math.min(box[k % 2], control[k]);
-        box[2 + (k % 2)] = Math.max(box[2 + (k % 2)], control[k]);
-      }
-      this.cellBoxes.set(box, 4 * face);
-    }
-    return this.cellBoxes;
-  }
-
   // {face, xi} under the mouse, or null.
   pick(event) {
     const [x, y] = this.deviceCoordinates(event);
     const p = new Vector3(x, y, 0).unproject(this.camera);
     const {map, uv} = this.shared;
     const {center, size} = map.uvBounds;
-    const at = [p.x * size + center[0], p.y * size + center[1]];
-    const boxes = this.boxes(uv);
-    for (let face = 0; face < map.faceCount; ++face) {
-      if (at[0] < boxes[4 * face] || at[0] > boxes[4 * face + 2] || at[1] < boxes[4 * face + 1] ||
-          at[1] > boxes[4 * face + 3])
-        continue;
-      const xi = locate(map.degree, controlOf(map, face, uv), at);
-      if (xi) return {face, xi};
-    }
-    return null;
+    return this.cells.find(uv, [p.x * size + center[0], p.y * size + center[1]]);
   }
 }

@@ -204,15 +204,16 @@ function start() {
   const app = makeApp();
   matchMedia('(prefers-color-scheme: dark)').addEventListener(
       'change', () => app.state.set({theme: app.state.theme + 1}));
-  makeToolbar(app);
   writeFacts(app);
   const hasWebGl = document.createElement('canvas').getContext('webgl2') !== null;
-  if (hasWebGl) addViews(app);
-  else {
+  if (!hasWebGl) {
+    delete app.titles.texture;
+    app.state.show = Object.keys(app.titles)[0];
     app.focusOn = (place) => app.state.set({pinned: place});
-    app.state.set({show: Object.keys(app.titles)[1]});
-    showWithoutWebGl(app, 'this browser offers no WebGL2 here');
   }
+  makeToolbar(app);
+  if (hasWebGl) addViews(app);
+  else showWithoutWebGl(app);
   new Histogram(app);
   new Readout(app);
   listFaults(app);

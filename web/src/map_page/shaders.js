@@ -1,5 +1,5 @@
 // The programs that draw a map, for its degree and energy. Geometry is no attribute: cells are
-// instances, and everything about them is fetched from data textures (textures.js), so that a
+// numbers, and everything about them is fetched from data textures (textures.js), so that a
 // fragment can evaluate the Bezier triangle it lies in.
 
 import {localIndex, multiIndices, multinomial} from './bezier.js';
@@ -85,18 +85,34 @@ vec4 placeAt(int face, vec3 xi) {
 
 export const facesVertex = (map, view) => `${common(map)}${place(view)}
 uniform sampler2D uNormal;
-in vec3 position;  // barycentric
+in vec3 position;  // cell, first two barycentric coordinates
 flat out int vFace;
-out vec2 vBary;
+out vec2 vBary, vUv;
 out vec3 vNormal;
 void main() {
-  vFace = gl_InstanceID;
-  vBary = position.xy;
-  vNormal = texelFetch(uNormal, at(3 * vFace), 0).xyz * position.x +
-            texelFetch(uNormal, at(3 * vFace + 1), 0).xyz * position.y +
-            texelFetch(uNormal, at(3 * vFace + 2), 0).xyz * position.z;
-  gl_Position = placeAt(vFace, position);
+  vFace = int(position.x);
+  vBary = position.yz;
+  vec3 xi = vec3(vBary, 1.0 - vBary.x - vBary.y);
+  mat3x2 d;
+  ${view === 'layout' ? 'bezier(vFace, xi, uStraight, vUv, d);' : 'vUv = vec2(0.0);'}
+  vNormal = texelFetch(uNormal, at(3 * vFace), 0).xyz * xi.x +
+            texelFetch(uNormal, at(3 * vFace + 1), 0).xyz * xi.y +
+            texelFetch(uNormal, at(3 * vFace + 2), 0).xyz * xi.z;
+  gl_Position = ${view === 'layout' ? 'uCamera * vec4(vUv, 0.0, 1.0)'
+                                    : 'placeAt(vFace, xi)'};
 }`;
+
+// The layout is drawn in flat pieces: the fragment is exactly at vUv, but xi is interpolated over
+// a piece. A step of Newton's method makes it that of vUv.
+const improvePlace = `
+  vec2 e = d[0] - d[2], f = d[1] - d[2], off = vUv - uv;
+  float det = e.x * f.y - e.y * f.x;
+  vec2 step = vec2(off.x * f.y - off.y * f.x, off.y * e.x - off.x * e.y) / det;
+  if (abs(det) > 0.0 && max(abs(step.x), abs(step.y)) < 0.25) {
+    xi += vec3(step, -step.x - step.y);
+    bezier(vFace, xi, straight, uv, d);
+  }
+  uv = vUv;`;
 
 export const facesFragment = (map, energy, view) => `${common(map)}
 uniform sampler2D uRest;     // inverse of the cell's edges, times the size of uv
@@ -117,7 +133,7 @@ uniform float uEdges;        // how dark edges are
 uniform vec3 uEye;           // direction to the eye
 uniform float uPixel;        // device pixels a CSS pixel
 flat in int vFace;
-in vec2 vBary;
+in vec2 vBary, vUv;
 in vec3 vNormal;
 out vec4 fragment;
 
@@ -183,6 +199,7 @@ void main() {
   vec2 uv;
   mat3x2 d;
   bezier(vFace, xi, straight, uv, d);
+  ${view === 'layout' && map.degree > 1 ? improvePlace : ''}
   vec2 sigma = singularValues(d, texelFetch(uRest, at(vFace), 0));
   bool flipped = !(sigma.y > 0.0);
   float value = quantity(sigma.x, sigma.y);
@@ -211,7 +228,7 @@ void main() {
     color = mix(vec3(0.62), vec3(dot(color, vec3(0.3, 0.59, 0.11))), 0.25);
   // Edges, thinner where triangles are small.
   vec3 width = fwidth(xi);
-  vec3 far = xi / max(width, 1e-9);
+  vec3 far = abs(xi) / max(width, 1e-9);
   float small = 1.0 - smoothstep(0.06, 0.35, max(width.x, max(width.y, width.z)) / uPixel);
   float near = min(far.x, min(far.y, far.z));
   color *= 1.0 - uEdges * small * (1.0 - smoothstep(0.1 * uPixel, 0.9 * uPixel, near));
@@ -300,11 +317,11 @@ void main() {
 
 // The space around the image.
 export const scaffoldVertex = (scaffold) => `${common(scaffold)}${place('layout')}
-in vec3 position;
+in vec3 position;  // as of facesVertex
 out vec2 vBary;
 void main() {
-  vBary = position.xy;
-  gl_Position = placeAt(gl_InstanceID, position);
+  vBary = position.yz;
+  gl_Position = placeAt(int(position.x), vec3(vBary, 1.0 - vBary.x - vBary.y));
 }`;
 
 export const scaffoldFragment = `

@@ -1,27 +1,35 @@
 // One WebGL canvas with two views, drawn when something changed: scenes, cameras, render passes.
 
 import {
-  BufferGeometry, Color, DoubleSide, Float32BufferAttribute, GLSL3, InstancedBufferAttribute,
+  BufferAttribute, BufferGeometry, Color, DoubleSide, Float32BufferAttribute, GLSL3, InstancedBufferAttribute,
   InstancedBufferGeometry, Mesh, Points, RawShaderMaterial, Scene, WebGLRenderer,
   WebGLRenderTarget,
 } from 'three';
 
 import {modes} from './shaders.js';
 
-// Barycentric coordinates of a triangle cut into k * k, as the geometry of every cell.
-export function latticeGeometry(k, instances) {
-  const points = [], triangles = [];
+// Every cell as a triangle cut into k * k: vertices are (cell, first two barycentric coordinates).
+// One long list, as renderers in software take instances one by one.
+export function latticeGeometry(k, cells) {
+  const places = [], triangles = [];
   const number = (i, j) => i * (k + 1) - (i * (i - 1)) / 2 + j;
   for (let i = 0; i <= k; ++i)
     for (let j = 0; j <= k - i; ++j) {
-      points.push(i / k, j / k, (k - i - j) / k);
+      places.push([i / k, j / k]);
       if (i + j < k) triangles.push(number(i + 1, j), number(i, j + 1), number(i, j));
       if (i + j < k - 1) triangles.push(number(i, j + 1), number(i + 1, j), number(i + 1, j + 1));
     }
-  const geometry = new InstancedBufferGeometry();
-  geometry.setAttribute('position', new Float32BufferAttribute(points, 3));
-  geometry.setIndex(triangles);
-  geometry.instanceCount = instances;
+  const vertices = new Float32Array(3 * places.length * cells);
+  const indices = new Uint32Array(triangles.length * cells);
+  for (let cell = 0; cell < cells; ++cell) {
+    places.forEach(([a, b], at) => vertices.set([cell, a, b], 3 * (cell * places.length + at)));
+    triangles.forEach((vertex, at) => {
+      indices[cell * triangles.length + at] = cell * places.length + vertex;
+    });
+  }
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(vertices, 3));
+  geometry.setIndex(new BufferAttribute(indices, 1));
   return geometry;
 }
 

@@ -6,8 +6,10 @@ import {cornersOf, positionOf} from './map_data.js';
 import {meet} from './ray.js';
 import {View} from './view.js';
 
+const kExtent = 2.15;  // of the view at zoom 1, in radii; as of write_png.h
 const kMargin = 1.05;  // around what is seen first
 const kDistance = 4;   // of the camera, in radii
+const kSteep = 0.9986;  // cosine of 3 degrees
 const kOneSided = 0.2;  // sum of normals over area, from which a surface is seen from its front
 
 // Open surfaces from where most of them is seen, closed ones from the front, a little aside.
@@ -22,7 +24,7 @@ function firstView(map) {
   }
   const length = Math.hypot(...sum);
   const eye = length > kOneSided * area ? sum.map((x) => x / length) : [0.35, 0.25, 1];
-  return {eye, up: Math.abs(eye[1]) > 0.9 ? [0, 0, eye[1] > 0 ? -1 : 1] : [0, 1, 0]};
+  return {eye, up: Math.abs(eye[1]) > kSteep * Math.hypot(...eye) ? [0, 0, 1] : [0, 1, 0]};
 }
 
 export class SurfaceView extends View {
@@ -32,7 +34,8 @@ export class SurfaceView extends View {
     camera.up.set(...up);  // before OrbitControls look
     camera.position.set(...eye).setLength(kDistance);
     super('surface', stage, element, camera, shared);
-    this.extent = kMargin * this.shownSize(eye, up);
+    this.extent = kExtent;
+    camera.zoom = kExtent / (kMargin * this.shownSize(eye, up));
     Object.assign(this.controls, {minZoom: 0.2, maxZoom: 500, zoomToCursor: true});
     this.controls.update();
     this.homePose = this.pose();

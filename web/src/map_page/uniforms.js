@@ -14,18 +14,15 @@ function checkerFrame({size, center}) {
   return [size / width, ...center.map((c) => (c / width) % 2)];
 }
 
-// An image fills the unit square of layouts that were made for one, and the square around others.
-function imageFrame({claims, scaleIsAssumed, uvBounds: {low, size, center}}) {
-  if (claims.normalized || scaleIsAssumed) return [size, ...center];
-  return [1, (center[0] - low[0]) / size, (center[1] - low[1]) / size];
+// An image fills the unit square of layouts that were made for one, and the square around the middle
+// of others.
+function imageFrame({claims, scaleIsAssumed, uvBounds: {size, center}}) {
+  return claims.normalized || scaleIsAssumed ? [size, ...center] : [1, 0.5, 0.5];
 }
 
 export function makeUniforms({map}) {
-  const {center} = map.bounds;
-  let radius = 0;
-  for (let at = 0; at < map.positions.length; at += 3)
-    radius = Math.max(radius, Math.hypot(...center.map((c, d) => map.positions[at + d] - c)));
-  radius ||= 1;
+  const {low, high, center} = map.bounds;
+  const radius = 0.5 * Math.hypot(...high.map((x, d) => x - low[d])) || 1;
   const inFrame = (corner) =>
       [0, 1, 2].map((d) => (map.positions[3 * corner + d] - center[d]) / radius);
   const tintBytes = Uint8Array.from(tints.flatMap((hex) => rgbOf(hex).map((x) => 255 * x)));

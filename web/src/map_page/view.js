@@ -8,7 +8,8 @@ import {Mesh, Points, Scene, dotsGeometry, drawable, latticeGeometry, linesGeome
         material} from './stage.js';
 
 const kPieces = [1, 2, 3, 4, 6, 8, 12];  // of curved edges
-const kChord = 7;            // CSS pixels
+const kChord = 5;            // CSS pixels
+const kMostTriangles = 1e6;
 const kLinePieces = 8;       // of curved outlines
 const kUsualHeight = 600;    // CSS pixels
 
@@ -40,7 +41,8 @@ export class View {
   piecesOf({degree, faceCount}, height = kUsualHeight) {
     if (this.kind === 'surface' || degree === 1) return 1;
     const cell = height * this.camera.zoom / Math.sqrt(faceCount);
-    return kPieces.find((pieces) => pieces * kChord >= cell) ?? kPieces.at(-1);
+    return kPieces.findLast((pieces) => pieces * kChord < 2 * cell &&
+                                        pieces * pieces * faceCount < kMostTriangles) ?? 1;
   }
 
   // Takes finer or coarser geometry where the camera has come closer or gone away.
