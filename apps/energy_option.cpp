@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "apps/arguments/suggestion.h"
-#include "majorant/energies/internal/energy_text.h"
 #include "majorant/framework/error.h"
+#include "majorant/parametrization/maps/internal/energy_text.h"
 #include "majorant/parametrization/maps/map_problem.h"
 
 namespace majorant::app {

@@ -7,8 +7,8 @@
 #include <limits>
 #include <utility>
 
-#include "majorant/energies/internal/density_probe.h"
 #include "majorant/framework/error.h"
+#include "majorant/pictures/internal/density_probe.h"
 #include "majorant/pictures/internal/oklab.h"
 
 namespace majorant {

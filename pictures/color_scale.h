@@ -9,7 +9,7 @@
 // has the neutral colour, a pale grey, and equal steps of t are equal distances in OKLab [Ottosson
 // 2020], so that what looks twice as different is.
 //
-//   * Sequential, of what is least at isometry (density, angle distortion), with s = 1 + (v - v0)/w:
+//   * Sequential, of what is least at isometry (density, angle), with s = 1 + (v - v0) / w:
 //     t = log(s(v) / s(low)) / log(s(high) / s(low)), from grey over orange to dark red. w = 1 for
 //     the angle, so that s = v; of a density, what a stretch to twice the length in one direction
 //     adds to it.

@@ -15,7 +15,7 @@
 //     picture (the z axis where `view` is closer than 3 degrees to it). The middle of the bounding
 //     box is in the middle of the picture, and 2.15 times half its diagonal are as high as the
 //     picture, or as wide where it is narrower than high.
-//   * Light comes from the eye: colours (sRGB) times 0.72 + 0.28 |cos| of its angle with the normal,
+//   * Light comes from the eye: sRGB values times 0.72 + 0.28 |cos| of its angle with the normal,
 //     which is interpolated between those of corners, means of the faces around them by area.
 //   * Checkerboard: squares of 1, 2 or 5 times a power of ten uv units, at least a 40th of the
 //     layout's larger side, edges on multiples of that.

@@ -1,6 +1,6 @@
 #include "majorant/pictures/internal/claimed_energy.h"
 
-#include "majorant/energies/internal/energy_text.h"
+#include "majorant/parametrization/maps/internal/energy_text.h"
 #include "majorant/pictures/internal/claims_json.h"
 
 namespace majorant {

@@ -11,12 +11,12 @@
 #include <string_view>
 #include <vector>
 
-#include "majorant/energies/internal/energy_text.h"
 #include "majorant/framework/error.h"
 #include "majorant/io/internal/base64.h"
 #include "majorant/io/internal/bezier_cell.h"
 #include "majorant/io/internal/json_depth.h"
 #include "majorant/io/layout_scale.h"
+#include "majorant/parametrization/maps/internal/energy_text.h"
 #include "majorant/pictures/color_scale.h"
 
 namespace majorant {

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "majorant/energies/internal/density_probe.h"
 #include "majorant/pictures/internal/bezier_image.h"
+#include "majorant/pictures/internal/density_probe.h"
 #include "majorant/pictures/internal/legend.h"
 #include "majorant/pictures/internal/png_file.h"
 #include "majorant/pictures/internal/rasterizer.h"

@@ -39,10 +39,9 @@ void add_text(SvgLayout& layout, const char* anchor, double x, double y, const s
 void add_color_legend(SvgLayout& layout, const Legend& legend, double top) {
   const double y = top + 8.0, below = y + kBarHeight;
   layout.add("<g font-family=\"sans-serif\" font-size=\"13\" fill=\"#333\">\n");
-  for (int k = 0; k < kSteps; ++k) {
-    const double overlap = k + 1 < kSteps ? 0.5 : 0.0;  // no hairlines between them
-    add_rect(layout, {kBarLeft + k * kBarWidth / kSteps, y},
-             {kBarWidth / kSteps + overlap, kBarHeight},
+  for (int k = 0; k < kSteps; ++k) {  // each to the end of the bar: no hairlines between them
+    const double from = k * kBarWidth / kSteps;
+    add_rect(layout, {kBarLeft + from, y}, {kBarWidth - from, kBarHeight},
              legend.scale.color_at((k + 0.5) / kSteps).hex());
   }
   if (legend.goes_below) add_end(layout, kBarLeft, y, -1, legend.scale.colors().front());

@@ -1,8 +1,8 @@
 #include "majorant/pictures/color_scale.h"
 
 #include "expected_error.h"
-#include "majorant/energies/internal/density_probe.h"
 #include "majorant/energies/named_energies.h"
+#include "majorant/pictures/internal/density_probe.h"
 #include "majorant/pictures/internal/oklab.h"
 
 namespace majorant {

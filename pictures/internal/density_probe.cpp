@@ -1,4 +1,4 @@
-#include "majorant/energies/internal/density_probe.h"
+#include "majorant/pictures/internal/density_probe.h"
 
 #include <algorithm>
 #include <array>

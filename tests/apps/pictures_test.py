@@ -1,0 +1,112 @@
+#!/usr/bin/python3
+"""-o map.svg and -o map.png: one scale, the flags of pictures, refusals in one line."""
+import re
+import struct
+import unittest
+import zlib
+
+from command_helpers import USAGE, CommandTest, generated, majorant
+
+
+def read_png(data):
+    """(width, height, rows of RGB bytes) of what the program writes: 8-bit RGB."""
+    assert data[:8] == b'\x89PNG\r\n\x1a\n'
+    at, pixels = 8, b''
+    while at < len(data):
+        size, kind = struct.unpack('>I4s', data[at:at + 8])
+        body = data[at + 8:at + 8 + size]
+        if kind == b'IHDR':
+            width, height, depth, color = struct.unpack('>IIBB', body[:10])
+            assert (depth, color) == (8, 2)
+        if kind == b'IDAT':
+            pixels += body
+        at += 12 + size
+    raw, rows, before = zlib.decompress(pixels), [], bytes(3 * width)
+    for y in range(height):
+        start = y * (3 * width + 1)
+        kind, line = raw[start], raw[start + 1:start + 1 + 3 * width]
+        row = bytearray(line)
+        for i in range(3 * width):
+            left = row[i - 3] if i >= 3 else 0
+            up, corner = before[i], before[i - 3] if i >= 3 else 0
+            guess = left + up - corner
+            nearest = min((left, up, corner), key=lambda x: (abs(guess - x)))
+            row[i] = (line[i] + (0, left, up, (left + up) // 2, nearest)[kind]) % 256
+        rows.append(bytes(row))
+        before = row
+    return width, height, rows
+
+
+class Pictures(CommandTest):
+
+    def map(self, name, *more):
+        self.run_ok('parametrize', generated(name), '--quiet', '-o', self.path('a.vtu'), *more)
+        return self.path('a.vtu')
+
+    def picture(self, result, *more, name='a.png'):
+        self.run_ok('convert', result, '-o', self.path(name), '--force', *more)
+        return self.read(name)
+
+    def test_two_maps_have_one_scale(self):
+        legends = []
+        for degree in (1, 2):
+            text = self.picture(self.map('creature', '--degree', degree), name='a.svg').decode()
+            self.assertIn('symmetric-dirichlet density, degree %d<' % degree, text)
+            self.assertIn('<rect width="1000"', text)
+            legends.append(re.findall(r'<rect[^>]*/>', text)[1:])
+        self.assertEqual(*legends)
+        text = self.picture(self.path('a.vtu'), '--color-range', '4,10', name='a.svg').decode()
+        self.assertIn('>10</text>', text)
+
+    def test_png_of_layout_and_surface(self):
+        result = self.map('creature', '--degree', 3)
+        for more in ([], ['--view', '1,0.5,2'], ['--view=-1,0,0', '--color-by', 'area'],
+                     ['--color-by', 'sigma-min', '--color-range', '0.5,2']):
+            data = self.picture(result, '--size', '120,90', '--threads', 1, *more)
+            self.assertEqual(data, self.picture(result, '--size', '120,90', '--threads', 2, *more))
+            width, height, rows = read_png(data)
+            self.assertEqual((width, height), (120, 90))
+            inside = sum(row[3 * x:3 * x + 3] != b'\xff\xff\xff'
+                         for row in rows for x in range(width))
+            self.assertGreater(inside, 1000, more)
+        picture = self.picture(result, '--size', '64,64', name='i.png')
+        self.assertNotEqual(self.picture(result, '--view', '1,0.5,2', '--size', '64,64', '--image',
+                                         self.path('i.png')),
+                            self.picture(result, '--view', '1,0.5,2', '--size', '64,64'))
+        self.assertEqual(picture, self.read('i.png'))
+
+    def test_align(self):
+        result = self.map('creature', '--degree', 1)
+        drawn = {answer: self.picture(result, *answer.split(), name='a.svg')
+                 for answer in ('', '--align yes', '--align no', '--align')}
+        self.assertEqual(drawn[''], drawn['--align yes'])
+        self.assertEqual(drawn['--align'], drawn['--align yes'])
+        self.assertNotEqual(drawn[''], drawn['--align no'])
+        self.assertEqual(self.picture(result, '--grid', 'auto', name='a.svg'),
+                         self.picture(result, '--grid', 'auto', '--align', 'no', name='a.svg'))
+
+    def test_refusals(self):
+        result = self.map('creature', '--degree', 1)
+        out = ('-o', self.path('a.png'))
+        self.write('no.png', 'no picture')
+        for code, flags, says in (
+                (USAGE, ('--size', '10,20'), '16 to 8192'), (USAGE, ('--size', '100'), '--size'),
+                (USAGE, ('--size', '100.5,100'), '--size'),
+                (USAGE, ('--view', '0,0,0'), 'direction'), (USAGE, ('--view', '1,2'), 'direction'),
+                (USAGE, ('--view', '1,2,nan'), 'direction'),
+                (USAGE, ('--color-range', '4'), 'two numbers'),
+                (USAGE, ('--color-range', '10,4'), 'two numbers'),
+                (USAGE, ('--color-range', '3,10'), '4 at isometry'),
+                (USAGE, ('--color-by', 'areas'), 'area'),
+                (USAGE, ('--align', 'maybe'), 'no'),
+                (USAGE, ('--image', self.path('missing.png')), 'missing.png'),
+                (USAGE, ('--image', self.path('no.png')), 'give a PNG image')):
+            outcome = majorant('convert', result, *out, *flags)
+            self.assertEqual(outcome.code, code, (flags, outcome.err))
+            self.assertIn(says, outcome.err, flags)
+            self.assertEqual(outcome.err.count('\n'), 1, outcome.err)
+        self.assertEqual(self.files(), ['a.vtu', 'no.png'])
+
+
+if __name__ == '__main__':
+    unittest.main()
