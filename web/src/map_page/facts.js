@@ -10,7 +10,8 @@ const resultNames = [
   ['seam_length_relative', 'seam length'], ['fill', 'square filled'],
 ];
 
-function summaryOf({map, facts}) {
+export function summaryOf(map) {
+  const {facts} = map;
   const parts = [`${degreeName(map.degree)}, ${count(map.faceCount, 'face')}`];
   const energy = map.claims.energy;
   const value = facts.result?.value ?? map.claims.value;
@@ -49,7 +50,7 @@ function proofsOf(facts) {
 export function writeFacts(app) {
   const {map} = app;
   const {facts} = map;
-  byId('summary').textContent = summaryOf({map, facts});
+  byId('summary').textContent = summaryOf(map);
   const parts = [...numbersOf(facts), ...proofsOf(facts)];
   if (facts.message) parts.push(element('p', {className: 'note'}, facts.message));
   if (Object.keys(facts).length > 0)

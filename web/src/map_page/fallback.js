@@ -85,7 +85,7 @@ function pointAtCells(app, canvas, pixel) {
 }
 
 export function showWithoutWebGl(app) {
-  const note = byId('fallback');
+  const note = byId('notice');
   note.hidden = false;
   note.textContent = 'The surface is not drawn, as this browser offers no WebGL2 here. The layout ' +
       'is, in one colour a face, that of its middle.';
