@@ -210,7 +210,7 @@ void write_maps(const FinishedAtlas& run, WrittenFiles& written) {
   for (const std::string& path : run.outputs.files)
     if (extension(path) != ".json")
       written.write(path, [&] {
-        write_map(path, file, &run.polygons, formats, certification(path, promise));
+        write_map(path, file, &run.polygons, formats, certification(path, promise, &file));
       });
 }
 
@@ -248,7 +248,7 @@ void summarize(const FinishedAtlas& run, const WrittenFiles& written) {
       seam_length(run) / std::sqrt(run.surface.mesh->area()), atlas.stretch().l2, fill,
       run.map.degree, seconds_since(run.start));
   for (const std::string& path : run.outputs.files)
-    if ((extension(path) == ".obj" || extension(path) == ".vtu") && written.has(path))
+    if (is_map_data(path) && written.has(path))
       say("proof: majorant check {} --cuts free{}\n", path, atlas.packing ? " --certify" : "");
 }
 

@@ -114,7 +114,7 @@ int convert(Request request) {
   measure(request, map, written);
   for (const std::string& path : request.outputs)
     written.write(path, [&] {
-      write_map(path, map, nullptr, request.formats, certification(path, promise));
+      write_map(path, map, nullptr, request.formats, certification(path, promise, &map));
     });
   if (!request.common.report.empty()) write_report(request, written);
   return written.conclude(kSuccess);
@@ -125,7 +125,9 @@ int convert(Request request) {
 void add_convert(CLI::App& app, Action* run) {
   auto request = std::make_shared<Request>();
   CLI::App& verb = *app.add_subcommand("convert", "write a finished map in other formats");
-  verb.add_option("result", request->input, "result: .vtu, or .obj with vt")->required();
+  verb.add_option("result", request->input,
+                  "result: .vtu, .msh, or .obj or .ply with texture coordinates")
+      ->required();
   verb.add_option("output", request->positional_output, "output file, same as -o");
   verb.add_option("-o,--output", request->outputs, output_help(map_extensions()))
       ->allow_extra_args(false);

@@ -191,7 +191,8 @@ int info(const Request& request) {
 void add_info(CLI::App& app, Action* run) {
   auto request = std::make_shared<Request>();
   CLI::App& verb = *app.add_subcommand("info", "describe a mesh, its defects, and what maps it");
-  verb.add_option("input", request->input, "mesh: .obj .off .ply .stl .vtu, also .gz")->required();
+  verb.add_option("input", request->input, "mesh: .obj .off .ply .stl .vtu .msh, also .gz")
+      ->required();
   verb.add_flag("--plan", request->plan, "what unwrap would do: charts and cuts");
   request->common.add_to(verb);
   verb.footer("Example: majorant info bunny.obj --plan");

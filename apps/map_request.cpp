@@ -72,12 +72,12 @@ Index used_vertex(const std::string& path, const SurfaceMesh& mesh, Index input_
 }
 
 void MapRequest::add_to(CLI::App& verb) {
-  verb.add_option("input", input, "mesh: .obj .off .ply .stl .vtu, also .gz")->required();
+  verb.add_option("input", input, "mesh: .obj .off .ply .stl .vtu .msh, also .gz")->required();
   verb.add_option(
           "--degree", degree,
           fmt::format(
               "polynomial degree, 1..{} (3, or 1 where all data outputs are without curves: "
-              ".obj)",
+              ".obj .ply)",
               BezierTriangleSpace::kMaxDegree))
       ->check(CLI::Range(1, BezierTriangleSpace::kMaxDegree));
   verb.add_option("--energy", energy, "distortion: a name below, or a weighted sum");
@@ -103,11 +103,9 @@ void MapRequest::add_start_to(CLI::App& verb) {
 
 void MapRequest::choose_degree(const std::vector<std::string>& outputs) {
   if (degree != 0) return;
-  const auto is_any = [&](const char* wanted) {
-    return std::any_of(outputs.begin(), outputs.end(),
-                       [&](const std::string& path) { return extension(path) == wanted; });
-  };
-  degree = is_any(".obj") && !is_any(".vtu") ? 1 : 3;
+  const auto data = std::count_if(outputs.begin(), outputs.end(), is_map_data);
+  const auto straight = std::count_if(outputs.begin(), outputs.end(), is_straight_map_data);
+  degree = straight > 0 && straight == data ? 1 : 3;
 }
 
 Json MapRequest::to_json() const {

@@ -9,15 +9,18 @@
 #include <new>
 #include <optional>
 
+#include "apps/arguments/suggestion.h"
 #include "apps/streams.h"
 #include "majorant/framework/error.h"
-#include "majorant/io/vtu.h"
 #include "majorant/io/write_obj.h"
+#include "majorant/io/write_ply.h"
 
 namespace majorant::app {
 namespace {
 
 constexpr const char* kAutomatic = "auto";
+constexpr const char* kLagrange = "lagrange";
+constexpr const char* kSurface = "surface";
 
 // A positive number, 0 for kAutomatic.
 double parse_spacing(const std::string& text) {
@@ -30,17 +33,63 @@ double parse_spacing(const std::string& text) {
   return spacing;
 }
 
+// As many finite numbers as there are commas and one more; none where a part is no number.
+std::vector<double> parse_numbers(const std::string& text) {
+  std::vector<double> numbers;
+  for (const std::string& part : CLI::detail::split(text, ',')) {
+    double number = 0;
+    if (!CLI::detail::lexical_cast(part, number) || !std::isfinite(number)) return {};
+    numbers.push_back(number);
+  }
+  return numbers;
+}
+
 // "A,B".
 ColorRange parse_range(const std::string& text) {
-  const std::size_t comma = text.find(',');
-  ColorRange range;
-  if (comma == std::string::npos || !CLI::detail::lexical_cast(text.substr(0, comma), range.low) ||
-      !CLI::detail::lexical_cast(text.substr(comma + 1), range.high) || !(range.low < range.high) ||
-      !std::isfinite(range.low) || !std::isfinite(range.high))
+  const std::vector<double> ends = parse_numbers(text);
+  if (ends.size() != 2 || !(ends[0] < ends[1]))
     throw CLI::ValidationError(
         "--color-range",
         fmt::format("'{}' is no range; give two numbers, the smaller one first: 4,10", text));
-  return range;
+  return {ends[0], ends[1]};
+}
+
+// "X,Y,Z".
+Vector3 parse_view(const std::string& text) {
+  const std::vector<double> view = parse_numbers(text);
+  if (view.size() != 3 || (view[0] == 0 && view[1] == 0 && view[2] == 0))
+    throw CLI::ValidationError(
+        "--view",
+        fmt::format("'{}' is no direction; give that to the eye, not 0,0,0: 1,0.5,2", text));
+  return {view[0], view[1], view[2]};
+}
+
+// "W,H".
+void parse_size(const std::string& text, PngOptions& png) {
+  const std::vector<double> sides = parse_numbers(text);
+  const auto usable = [](double side) {
+    return PngOptions::kSmallest <= side && side <= PngOptions::kLargest &&
+           side == std::floor(side);
+  };
+  if (sides.size() != 2 || !usable(sides[0]) || !usable(sides[1]))
+    throw CLI::ValidationError(
+        "--size",
+        fmt::format("'{}' is no size; give width and height in pixels, {} to {}: 1000,800", text,
+                    PngOptions::kSmallest, PngOptions::kLargest));
+  png.width = static_cast<int>(sides[0]);
+  png.height = static_cast<int>(sides[1]);
+}
+
+Quantity parse_quantity(const std::string& name) {
+  const auto found = std::find_if(kQuantities.begin(), kQuantities.end(),
+                                  [&](Quantity q) { return quantity_name(q) == name; });
+  return *found;  // the option's check has seen to it
+}
+
+std::vector<std::string> quantity_names() {
+  std::vector<std::string> names;
+  for (const Quantity q : kQuantities) names.emplace_back(quantity_name(q));
+  return names;
 }
 
 void require_extension(const std::string& path, const std::vector<std::string>& allowed) {
@@ -85,7 +134,7 @@ std::string extension(const std::string& path) {
 }
 
 std::vector<std::string> map_extensions(std::vector<std::string> also) {
-  also.insert(also.begin(), {".vtu", ".obj", ".svg", ".html"});
+  also.insert(also.begin(), {".vtu", ".obj", ".ply", ".msh", ".svg", ".png", ".html"});
   return also;
 }
 
@@ -159,29 +208,86 @@ int WrittenFiles::conclude(int code) const {
 
 void FormatOptions::add_to(CLI::App& verb) {
   verb.add_option("--refine", tessellation.refine,
-                  "pieces per edge in OBJ output, at least (default 1: cells stay one triangle "
-                  "where that is valid)")
+                  "pieces per edge in OBJ and PLY output, at least (default 1: cells stay one "
+                  "triangle where that is valid)")
       ->check(CLI::Range(1, 20));
+  verb.add_option_function<std::string>(
+          "--vtu",
+          [this](const std::string& cells) {
+            vtu = cells == kLagrange ? VtuCells::Lagrange : VtuCells::Bezier;
+          },
+          "curved cells of VTU output: bezier, lossless, or lagrange, which more programs know")
+      ->check(one_of({"bezier", kLagrange}));
+  verb.add_option_function<std::string>(
+          "--msh",
+          [this](const std::string& content) {
+            msh = content == kSurface ? MshContent::Surface : MshContent::Image;
+          },
+          "gmsh output: image, the mesh in the plane, or surface, with u and v as views of it")
+      ->check(one_of({"image", kSurface}));
   verb.add_option_function<std::string>(
           "--grid", [this](const std::string& spacing) { svg.grid = parse_spacing(spacing); },
           "SVG: draw lines of constant u and v this far apart in uv (alone: a 32nd of the layout)")
       ->type_name("SPACING")
       ->default_str(kAutomatic)  // what it is without a value
       ->expected(0, 1);
+  add_pictures_to(verb);
+}
+
+void FormatOptions::add_pictures_to(CLI::App& verb) {
   verb.add_option_function<std::string>(
           "--color-range",
-          [this](const std::string& range) { svg.color_range = parse_range(range); },
+          [this](const std::string& range) {
+            svg.color_range = png.color_range = parse_range(range);
+          },
           "pictures: the values that colours go from and to (default the same for every map, from "
           "isometry up)")
       ->type_name("A,B");
+  verb.add_option_function<std::string>(
+          "--align",
+          [this](const std::string& answer) {
+            svg.alignment = png.alignment = answer == "yes" ? Alignment::Always : Alignment::Never;
+          },
+          "pictures of the layout: its longer side lies (default where nothing holds the layout as "
+          "it is)")
+      ->type_name("yes|no")
+      ->default_str("yes")  // what it is without a value
+      ->expected(0, 1)
+      ->check(one_of({"yes", "no"}));
+  verb.add_option_function<std::string>(
+          "--size", [this](const std::string& size) { parse_size(size, png); },
+          "PNG: width and height in pixels (1000,800)")
+      ->type_name("W,H");
+  verb.add_option_function<std::string>(
+          "--view", [this](const std::string& view) { png.view = parse_view(view); },
+          "PNG: the surface seen from this direction, with a checkerboard (default: the layout)")
+      ->type_name("X,Y,Z");
+  verb.add_option_function<std::string>(
+          "--color-by", [this](const std::string& name) { png.quantity = parse_quantity(name); },
+          "PNG: colours of density, area, angle, sigma-max or sigma-min at every pixel")
+      ->check(one_of(quantity_names()));
+  verb.add_option("--image", png.image, "PNG: lay this .png on the surface or the layout")
+      ->type_name("FILE")
+      ->check(CLI::ExistingFile);
+}
+
+bool is_straight_map_data(const std::string& path) {
+  return extension(path) == ".obj" || extension(path) == ".ply";
+}
+
+bool is_map_data(const std::string& path) {
+  return is_straight_map_data(path) || extension(path) == ".vtu" || extension(path) == ".msh";
 }
 
 void write_map(const std::string& path, const MapFile& map, const PolygonMesh* input,
                const FormatOptions& options, const FileVerification& verify) {
   const std::string e = extension(path);
-  if (e == ".vtu") write_vtu(path, map, verify);
+  if (e == ".vtu") write_vtu(path, map, options.vtu, verify);
+  if (e == ".msh") write_msh(path, map, options.msh, verify);
   if (e == ".obj") write_obj(path, map, input, options.tessellation, verify);
+  if (e == ".ply") write_ply(path, map, input, options.tessellation, verify);
   if (e == ".svg") write_svg(path, map, options.svg);
+  if (e == ".png") write_png(path, map, options.png);
   if (e == ".html") {
     MapPage page = options.page;
     page.map = map;

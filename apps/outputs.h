@@ -19,8 +19,11 @@
 #include "majorant/io/internal/atomic_file.h"
 #include "majorant/io/internal/tessellate_map.h"
 #include "majorant/io/map_file.h"
+#include "majorant/io/msh.h"
+#include "majorant/io/vtu.h"
 #include "majorant/mesh/polygon_mesh.h"
 #include "majorant/pictures/write_page.h"
+#include "majorant/pictures/write_png.h"
 #include "majorant/pictures/write_svg.h"
 
 namespace majorant::app {
@@ -70,15 +73,25 @@ class WrittenFiles {
 
 // How single formats are written, as said.
 struct FormatOptions {
-  TessellationOptions tessellation;  // of OBJ
+  TessellationOptions tessellation;  // of OBJ and PLY
+  VtuCells vtu = VtuCells::Bezier;
+  MshContent msh = MshContent::Image;
   SvgOptions svg;
+  PngOptions png;
   MapPage page;  // but for its map
 
-  void add_to(CLI::App& verb);  // --refine --grid
+  void add_to(CLI::App& verb);  // --refine --vtu --msh --grid --color-range ...
+
+ private:
+  void add_pictures_to(CLI::App& verb);
 };
 
+// The formats that hold a map as data, and of these those without curves.
+bool is_map_data(const std::string& path);
+bool is_straight_map_data(const std::string& path);
+
 // Writes one of the map formats. input may be null. verify: of formats that hold data; pictures
-// (.svg, .html) have nothing to verify.
+// (.svg, .png, .html) have nothing to verify.
 void write_map(const std::string& path, const MapFile& map, const PolygonMesh* input,
                const FormatOptions& options, const FileVerification& verify = {});
 

@@ -73,7 +73,8 @@ ProofRequest promise(const FinishedRun& run, const std::string& path) {
   if (run.in.cuts) promise.cuts = CutRule::Free;
   if (run.in.options.map.injectivity == MapInjectivity::Global)
     promise.overlap = ProofRequest::Overlap::Forbidden;
-  if (extension(path) == ".vtu") promise.labels = ProofRequest::FaceLabels::Compared;
+  if (extension(path) == ".vtu" || extension(path) == ".msh")
+    promise.labels = ProofRequest::FaceLabels::Compared;
   return promise;
 }
 
@@ -108,7 +109,7 @@ void write_maps(const FinishedRun& run, const Json& report, WrittenFiles& writte
     written.write(path, [&] {
       if (extension(path) == ".csv") return write_trace(path, run.record.trace());
       write_map(path, file, run.result.other_triangles ? nullptr : &run.in.polygons, formats,
-                certification(path, promise(run, path)));
+                certification(path, promise(run, path), &file));
     });
   }
   write_table(run, file, written);

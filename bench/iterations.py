@@ -28,7 +28,8 @@ def first_below(iterations):
 
 
 def linear_algebra_seconds(iterations):
-    return sum(step['seconds']['factorize'] + step['seconds']['solve'] for step in iterations)
+    return sum(step['seconds']['factorize'] + step['seconds']['solve'] for step in iterations
+               if step.get('level', 0) == 0)
 
 
 def measure(options, path, folder):

@@ -91,12 +91,14 @@ void report(const std::string& path, const MultiresolutionRules& rules, bool sta
   for (std::size_t k = 1; k < record.levels.size(); ++k) {
     sum.insert_seconds += record.levels[k].insert_seconds;
     sum.sweep_seconds += record.levels[k].sweep_seconds;
+    sum.squeezed_seconds += record.levels[k].squeezed_seconds;
     sum.solve_seconds += record.levels[k].solve_seconds;
   }
-  fmt::print("| {} | {} | {:.1f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} |", name,
-             mesh->face_count(), 1e3 * unit, record.decimation_seconds / unit,
+  fmt::print("| {} | {} | {:.1f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} |",
+             name, mesh->face_count(), 1e3 * unit, record.decimation_seconds / unit,
              record.levels.front().solve_seconds / unit, sum.insert_seconds / unit,
-             sum.sweep_seconds / unit, sum.solve_seconds / unit, total / unit);
+             sum.sweep_seconds / unit, sum.squeezed_seconds / unit, sum.solve_seconds / unit,
+             total / unit);
   if (!start_only) {
     const Run here = solve(mesh, *start), there = solve(mesh, tutte_map(*mesh));
     fmt::print(" {:.1e} | {} / {} of {} | {:.8f} | {} / {} of {} | {:.8f} |", here.start_error,
@@ -112,21 +114,24 @@ void report(const std::string& path, const MultiresolutionRules& rules, bool sta
 int main(int argc, char** argv) {
   const ThreadCount one(1);
   MultiresolutionRules rules;
-  const std::map<std::string, double*> reals{{"--ratio", &rules.ratio},
-                                             {"--hot", &rules.hot},
-                                             {"--decrease", &rules.decrease},
-                                             {"--coarse-decrease", &rules.coarse_decrease}};
+  const std::map<std::string, double*> reals{
+      {"--ratio", &rules.ratio},       {"--hot", &rules.hot},
+      {"--squeezed", &rules.squeezed}, {"--squeezed-share", &rules.squeezed_share},
+      {"--decrease", &rules.decrease}, {"--coarse-decrease", &rules.coarse_decrease}};
   const std::map<std::string, int*> integers{{"--coarsest", &rules.coarsest},
                                              {"--sweeps", &rules.sweeps},
                                              {"--insertion-steps", &rules.insertion_steps},
                                              {"--hot-rounds", &rules.hot_rounds},
-                                             {"--metric-every", &rules.metric_every},
+                                             {"--squeezed-rings", &rules.squeezed_rings},
+                                             {"--squeezed-steps", &rules.squeezed_steps},
+                                             {"--factor-steps", &rules.factor_steps},
                                              {"--most-steps", &rules.most_steps}};
   bool start_only = false;
   fmt::print(
-      "| mesh | faces | fe, ms | decimation | coarsest | insertion | sweeps | levels | start, "
+      "| mesh | faces | fe, ms | decimation | coarsest | insertion | sweeps | squeezed | levels | "
+      "start, "
       "fe | error | to 1e-2 / 1e-4 | energy | from Tutte | energy |\n");
-  fmt::print("|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+  fmt::print("|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   for (int a = 1; a < argc; ++a) {
     const std::string word = argv[a];
     if (word == "--start-only")

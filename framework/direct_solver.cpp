@@ -5,8 +5,12 @@
 #include <array>
 #include <memory>
 #include <new>
+#include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
+#include "majorant/framework/internal/extended_elimination.h"
 #include "majorant/framework/internal/foreign_code.h"
 #include "majorant/framework/internal/multifrontal.h"
 #include "majorant/framework/linear_solver.h"
@@ -24,6 +28,12 @@ constexpr std::array<std::size_t, 3> kRelaxedBlocks{4, 8, 16};
 // Blocks from which METIS pays for ten factorizations. Origin: ms more to order and less to
 // factorize than with AMD: 10K faces 15 and 0.3, 50K 110 and 3, 160K (80K blocks) 380 and 52.
 constexpr Index kMetisBlocks = 75000;
+
+// Patterns that differ from the last one by at most so many edges of a block keep its ordering, as
+// long as the factor needs at most so many times the operations. Origin: bijective runs, where some
+// flips of edges come between any two factorizations; helix at 10K faces analyses afresh 1 time in
+// 9, and its factors take as long as with an ordering each.
+constexpr double kFewEdges = 0.1, kMoreOperations = 1.25;
 
 // The graph whose nodes are the pattern's blocks: lower triangle, by columns.
 struct BlockGraph {
@@ -56,6 +66,23 @@ struct BlockGraph {
     }
   }
   Index size() const { return static_cast<Index>(starts.size()) - 1; }
+
+  // That another graph of as many nodes does not have.
+  BlockEdges edges_beyond(const BlockGraph& other) const {
+    BlockEdges edges;
+    std::vector<Index> seen(at(size()), -1);
+    for (Index b = 0; b < size(); ++b) {
+      for (const Index row : other.column(b)) seen[at(row)] = b;
+      for (const Index row : column(b))
+        if (seen[at(row)] != b) edges.push_back({b, row});
+    }
+    return edges;
+  }
+
+ private:
+  std::span<const Index> column(Index b) const {
+    return {rows.data() + starts[at(b)], rows.data() + starts[at(b) + 1]};
+  }
 };
 
 class Cholmod {
@@ -131,11 +158,8 @@ class DirectSolver final : public LinearSolver {
     factor_.reset();
     tree_.reset();
     if (pattern.size == 0) return;
-    const Ordering chosen = make_tree(pattern);
-    factor_ = std::make_unique<MultifrontalFactor>(*tree_);
-    description_ = fmt::format("multifrontal, {}, {}, {:.3g} factor nonzeros, {:.3g} operations",
-                               front_kernels().name, chosen == Ordering::Metis ? "METIS" : "AMD",
-                               tree_->nonzeros(), tree_->operations());
+    make_tree(pattern);
+    make_factor();
   }
   FactorStatus factorize(const Vec& values, double shift) override {
     return !factor_ || factor_->factorize(values, shift) ? FactorStatus::Ok
@@ -150,19 +174,50 @@ class DirectSolver final : public LinearSolver {
   std::string description() const override { return description_; }
 
  private:
-  Ordering make_tree(const SparsePattern& pattern) {
+  void make_tree(const SparsePattern& pattern) {
     const ThreadCount alone(1);
-    const BlockGraph graph(pattern);
-    const Ordering chosen = ordering_ != Ordering::Automatic ? ordering_
-                            : graph.size() < kMetisBlocks    ? Ordering::Amd
-                                                             : Ordering::Metis;
-    Cholmod cholmod;
-    tree_ = std::make_unique<const FrontTree>(
-        pattern, cholmod.eliminate(graph, cholmod.order(graph, chosen)));
-    return chosen;
+    BlockGraph graph(pattern);
+    extended_ = extend_last(pattern, graph);
+    if (!extended_) {
+      last_graph_.reset();
+      order(pattern, graph);
+    }
+    last_graph_ = std::move(graph);
   }
 
-  Ordering ordering_;
+  void order(const SparsePattern& pattern, const BlockGraph& graph) {
+    chosen_ = ordering_ != Ordering::Automatic ? ordering_
+              : graph.size() < kMetisBlocks    ? Ordering::Amd
+                                               : Ordering::Metis;
+    Cholmod cholmod;
+    elimination_ = cholmod.eliminate(graph, cholmod.order(graph, chosen_));
+    tree_ = std::make_unique<const FrontTree>(pattern, elimination_);
+    fresh_operations_ = tree_->operations();
+  }
+
+  // With the last ordering, if that is worth it.
+  bool extend_last(const SparsePattern& pattern, const BlockGraph& graph) {
+    if (!last_graph_ || last_graph_->size() != graph.size()) return false;
+    const BlockEdges edges = graph.edges_beyond(*last_graph_);
+    if (static_cast<double>(edges.size()) > kFewEdges * graph.size()) return false;
+    elimination_ = extended_elimination(elimination_, edges);
+    tree_ = std::make_unique<const FrontTree>(pattern, elimination_);
+    return tree_->operations() <= kMoreOperations * fresh_operations_;
+  }
+
+  void make_factor() {
+    factor_ = std::make_unique<MultifrontalFactor>(*tree_);
+    description_ = fmt::format("multifrontal, {}, {}{}, {:.3g} factor nonzeros, {:.3g} operations",
+                               front_kernels().name, chosen_ == Ordering::Metis ? "METIS" : "AMD",
+                               extended_ ? " of an earlier pattern" : "", tree_->nonzeros(),
+                               tree_->operations());
+  }
+
+  Ordering ordering_, chosen_ = Ordering::Amd;
+  std::optional<BlockGraph> last_graph_;
+  BlockElimination elimination_;  // of it
+  bool extended_ = false;         // made for another one
+  double fresh_operations_ = 0;   // with its own ordering
   std::unique_ptr<const FrontTree> tree_;
   std::unique_ptr<MultifrontalFactor> factor_;
   std::string description_;

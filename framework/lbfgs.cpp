@@ -16,7 +16,6 @@ class LbfgsStepper final : public Stepper {
       : Stepper(problem, options.line_search, options.stopping.decrement, options.stop),
         metric_(metric_problem(problem, options.metric), options.curvature,
                 options.linear_solver()),
-        metric_every_(options.metric_every),
         history_(options.history, options.cautious) {}
 
  private:
@@ -33,11 +32,9 @@ class LbfgsStepper final : public Stepper {
 
   // Metric, gradient and history at y; false: no metric.
   bool prepare(const Vec& y, IterationRecord& r) {
-    const bool due = metric_every_ > 0 && age_ == metric_every_;
-    if (!factorized_ || due) {
+    const bool first = !factorized_;
+    if (first) {
       factorized_ = metric_.factorize(y, stop_);
-      history_.clear();
-      age_ = 0;
       r.seconds.assemble = metric_.seconds().assemble;
       r.seconds.factorize = metric_.seconds().factorize;
       r.factorizations = metric_.factorizations();
@@ -48,10 +45,10 @@ class LbfgsStepper final : public Stepper {
     if (!factorized_) return false;
     Stopwatch watch;
     evaluator_.gradient(y, gradient_, stop_);
-    if (age_ > 0) history_.add(y - last_y_, gradient_ - last_gradient_);
-    last_y_ = y;
-    last_gradient_ = gradient_;
-    ++age_;
+    if (first)
+      history_.start(y, gradient_);
+    else
+      history_.visit(y, gradient_);
     r.seconds.assemble += watch.restart();
     return true;
   }
@@ -65,11 +62,8 @@ class LbfgsStepper final : public Stepper {
   }
 
   Metric metric_;
-  int metric_every_;
   bool factorized_ = false;
-  int age_ = 0;  // steps since the last factorization
   History history_;
-  Vec last_y_, last_gradient_;
 };
 
 }  // namespace

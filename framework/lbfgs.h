@@ -3,10 +3,10 @@
 //   LbfgsMinimizer lbfgs(LbfgsOptions{.history = 10});
 //   SolveResult result = lbfgs.minimize(problem, y0, observer);
 //
-// One factorization (or one per metric_every iterations) and a gradient per iteration instead of a
-// Hessian and a factorization: for problems where factorizing dominates and accuracy beyond the
-// projected Hessian is not needed. Steps beyond the reach of the metric take many iterations;
-// Newton's method (newton.h) is the default.
+// One factorization at the start and a gradient per iteration instead of a Hessian and a
+// factorization: for problems where factorizing dominates and accuracy beyond the projected Hessian
+// is not needed. Steps beyond the reach of the metric take many iterations; Newton's method
+// (newton.h) is the default, and can keep each of its factors for a few such steps.
 #pragma once
 
 #include <functional>
@@ -25,9 +25,6 @@ struct LbfgsOptions {
   // Pairs (change of y, change of g) that B satisfies; 0: descent in the metric. Origin: [NW06]
   // Sec. 7.2 has 3 to 20.
   int history = 10;
-  // Iterations between factorizations of the metric, each at the current point and with an empty
-  // history; 0: at the start only. Origin: chosen, not tuned.
-  int metric_every = 0;
   // The metric is its Hessian, shifted if need be; empty: the problem itself.
   std::optional<Problem> metric;
   Curvature curvature = Curvature::Projected;  // of the metric

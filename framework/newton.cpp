@@ -11,6 +11,7 @@
 #include "majorant/framework/internal/curvature_name.h"
 #include "majorant/framework/internal/lbfgs_history.h"
 #include "majorant/framework/internal/stopwatch.h"
+#include "majorant/framework/lbfgs.h"
 
 namespace majorant {
 namespace {
@@ -28,8 +29,6 @@ constexpr double kRotationShift = 1.5;
 // What t of a blend rises to when it was too small. Origin: about a factor of 5, so that two
 // failures lead from the exact Hessian to one that is mostly projected.
 constexpr double kRaised[] = {0.1, 0.5, 1};
-// Pairs of L-BFGS with s.q <= kCautious |s| |q| are skipped. Origin: as LbfgsOptions::cautious.
-constexpr double kCautious = 1e-10;
 
 }  // namespace
 
@@ -37,21 +36,19 @@ constexpr double kCautious = 1e-10;
 class NewtonStepper::KeptFactor {
  public:
   explicit KeptFactor(const KeptFactorRules& rules)
-      : rules_(rules), history_(rules.history, kCautious) {}
+      : rules_(rules), history_(rules.history, LbfgsOptions().cautious) {}
 
   bool serves() const { return steps_ > 0; }
   void drop() { steps_ = 0; }
 
   // After a Newton step from y, where the gradient was g.
   void renew(const Vec& y, const Vec& g, const IterationRecord& r, double relative_decrement) {
-    history_.clear();
     steps_ = relative_decrement <= rules_.below && !is_short(r) ? rules_.steps : 0;
-    if (steps_ > 0) remember(y, g);
+    if (steps_ > 0) history_.start(y, g);
   }
   // p = -B g at y, the next point.
   void direction(LinearSolver& solver, const Vec& y, const Vec& g, Vec& p) {
-    history_.add(y - last_y_, g - last_gradient_);
-    remember(y, g);
+    history_.visit(y, g);
     history_.apply([&solver](const Vec& r, Vec& out) { solver.solve(r, out); }, -g, p);
     --steps_;
   }
@@ -63,14 +60,9 @@ class NewtonStepper::KeptFactor {
   bool is_short(const IterationRecord& r) const {
     return r.step < rules_.short_step || r.step_bound < rules_.short_bound;
   }
-  void remember(const Vec& y, const Vec& g) {
-    last_y_ = y;
-    last_gradient_ = g;
-  }
 
   KeptFactorRules rules_;
   History history_;
-  Vec last_y_, last_gradient_;
   int steps_ = 0;  // that the factor may still serve
 };
 

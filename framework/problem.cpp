@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -12,6 +13,49 @@ namespace {
 
 std::size_t number(TermId id) { return static_cast<std::size_t>(id); }
 
+using Terms = std::vector<std::shared_ptr<const EnergyTerm>>;
+
+std::vector<const Stencils*> stencils(const Terms& terms, std::size_t first, std::size_t last) {
+  std::vector<const Stencils*> out;
+  for (std::size_t k = first; k < last; ++k) out.push_back(&terms[k]->stencils());
+  return out;
+}
+
+// Full unknowns up to the last one of a term.
+Index extent(const EnergyTerm& term) {
+  const Stencils& s = term.stencils();
+  return s.nodes.size() ? s.block * (s.nodes.maxCoeff() + 1) : 0;
+}
+
+// Whether elements have the same rules; none given: rule 0.
+bool same_rules(const std::vector<RuleId>& a, const std::vector<RuleId>& b) {
+  const auto is_default = [](RuleId rule) { return rule == 0; };
+  if (a.empty()) return std::all_of(b.begin(), b.end(), is_default);
+  if (b.empty()) return std::all_of(a.begin(), a.end(), is_default);
+  return a == b;
+}
+
+// What the first terms of a problem fill, whatever comes after them.
+struct LeadingTerms {
+  std::size_t count;
+  SparsePattern pattern;  // columns up to their last unknown
+  std::vector<SlotTable> slots;
+
+  LeadingTerms(const Terms& terms, std::size_t first_terms, const Elimination& elimination)
+      : count(first_terms), pattern(reduced_pattern(stencils(terms, 0, count), elimination)) {
+    Index unknowns = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+      slots.emplace_back(terms[k]->stencils(), elimination, pattern);
+      const auto* const last = elimination.begin(extent(*terms[k]));
+      for (auto e = elimination.begin(0); e != last; ++e)
+        unknowns = std::max(unknowns, e->reduced + 1);
+    }
+    pattern.size = unknowns;
+    pattern.column_starts.resize(at(unknowns) + 1);
+    pattern.rows.resize(at(pattern.column_starts.back()));
+  }
+};
+
 }  // namespace
 
 struct Problem::Structure {
@@ -21,6 +65,7 @@ struct Problem::Structure {
   Elimination elimination;
   SparsePattern pattern;
   std::vector<SlotTable> slots;
+  std::shared_ptr<const LeadingTerms> leading;  // those that a problem before had, too
 };
 
 Index Problem::full_size() const { return structure_->elimination.full_size(); }
@@ -62,7 +107,7 @@ Problem Problem::with(TermChanges changes) const {
   for (auto& [id, state] : changes) {
     if (number(id) >= states_.size())
       throw std::invalid_argument("Problem::with: no term of this problem has that id");
-    if (state.element_rule != other.states_[number(id)].element_rule)
+    if (!same_rules(state.element_rule, other.states_[number(id)].element_rule))
       other.plans_[number(id)] = std::make_shared<const ChunkPlan>(
           term(id).stencils(), state.element_rule, structure_->elimination);
     other.states_[number(id)] = std::move(state);
@@ -108,25 +153,48 @@ ProblemBuilder& ProblemBuilder::add(std::shared_ptr<const FeasibilityChecker> ch
   return *this;
 }
 
-Problem ProblemBuilder::build() const {
-  Elimination elimination(full_size_, rows_);
-  std::vector<const Stencils*> stencils;
-  for (const auto& term : terms_) stencils.push_back(&term->stencils());
-  SparsePattern pattern = reduced_pattern(stencils, elimination);
-  std::vector<SlotTable> slots;
-  for (const Stencils* s : stencils) slots.emplace_back(*s, elimination, pattern);
+Problem ProblemBuilder::build() const { return build_after(nullptr); }
 
+Problem ProblemBuilder::build(const Problem& before) const { return build_after(&before); }
+
+// The first terms that are those of `before`, on the same unknowns.
+std::size_t ProblemBuilder::shared_terms(const Problem& before,
+                                         const Elimination& elimination) const {
+  const Problem::Structure& other = *before.structure_;
+  std::size_t count = 0;
+  while (count < terms_.size() && count < other.terms.size() &&
+         terms_[count] == other.terms[count] &&
+         elimination.begins_like(other.elimination, extent(*terms_[count])))
+    ++count;
+  return count;
+}
+
+Problem ProblemBuilder::build_after(const Problem* before) const {
   Problem problem;
-  std::vector<TermId> ids;
-  for (std::size_t k = 0; k < terms_.size(); ++k) {
-    ids.push_back(TermId(k));
-    problem.plans_.push_back(
-        std::make_shared<const ChunkPlan>(*stencils[k], states_[k].element_rule, elimination));
-  }
   problem.states_ = states_;
-  problem.structure_ = std::make_shared<const Problem::Structure>(
-      Problem::Structure{terms_, std::move(ids), checkers_, std::move(elimination),
-                         std::move(pattern), std::move(slots)});
+  Problem::Structure s{terms_, {}, checkers_, Elimination(full_size_, rows_), {}, {}, {}};
+  const std::size_t shared = before ? shared_terms(*before, s.elimination) : 0;
+  s.pattern = reduced_pattern(stencils(terms_, shared, terms_.size()), s.elimination);
+  if (shared > 0) {
+    s.leading = before->structure_->leading;
+    if (!s.leading || s.leading->count != shared)
+      s.leading = std::make_shared<const LeadingTerms>(terms_, shared, s.elimination);
+    s.pattern.block_of = node_blocks(stencils(terms_, 0, terms_.size()), s.elimination);
+    std::vector<Index> places;
+    s.pattern = s.leading->pattern.joined(s.pattern, places);
+    for (const SlotTable& slots : s.leading->slots) s.slots.push_back(slots.moved(places));
+  }
+  for (std::size_t k = 0; k < terms_.size(); ++k) {
+    s.ids.push_back(TermId(k));
+    const Stencils& stencils = terms_[k]->stencils();
+    if (k >= shared) s.slots.emplace_back(stencils, s.elimination, s.pattern);
+    const bool same =
+        k < shared && same_rules(before->states_[k].element_rule, states_[k].element_rule);
+    problem.plans_.push_back(
+        same ? before->plans_[k]
+             : std::make_shared<const ChunkPlan>(stencils, states_[k].element_rule, s.elimination));
+  }
+  problem.structure_ = std::make_shared<const Problem::Structure>(std::move(s));
   return problem;
 }
 

@@ -25,6 +25,7 @@
 namespace majorant {
 
 class ChunkPlan;
+class Elimination;
 
 // One term of a problem, as ProblemBuilder::add names it; the same in all problems of one
 // structure.
@@ -95,8 +96,15 @@ class ProblemBuilder {
   // constraints contradict each other, std::invalid_argument when one leaves the unknowns (add()
   // does so for a stencil).
   Problem build() const;
+  // The same problem, sooner where `before` begins with the same terms and these have the same
+  // unknowns: their chunks, slots and part of the pattern are taken over. For terms that change
+  // while others stay.
+  Problem build(const Problem& before) const;
 
  private:
+  Problem build_after(const Problem* before) const;
+  std::size_t shared_terms(const Problem& before, const Elimination& elimination) const;
+
   Index full_size_;
   std::vector<std::shared_ptr<const EnergyTerm>> terms_;
   std::vector<TermState> states_;

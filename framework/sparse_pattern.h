@@ -29,6 +29,10 @@ struct SparsePattern {
   // Unknowns 0 .. block - 1 belong together, the next so many, and so on.
   void order_in_blocks(Index block);
 
+  // The entries of this pattern and of `more`, which has as many columns or more, and the latter's
+  // blocks. places: where this pattern's entries are in the result.
+  SparsePattern joined(const SparsePattern& more, std::vector<Index>& places) const;
+
   // Where the value of an entry is: parallel to `rows`. The entry must be there; either triangle.
   Index slot(Index row, Index column) const;
   Index diagonal_slot(Index column) const { return column_starts[at(column)]; }

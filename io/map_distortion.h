@@ -21,7 +21,8 @@ MapDistortion measure_distortion(const MapFile& file);
 FaceDistortion finite_or_none(const FaceDistortion& faces);
 
 // A line a cell, in the order of the file:
-//     input_face,face,chart,sigma_1,sigma_2,area_distortion,angle_distortion,stretch_l2,stretch_linf
+//     input_face,face,chart,sigma_1,sigma_2,area_distortion,angle_distortion,
+//         stretch_l2,stretch_linf
 // Numbers of faces and charts from 0; input_face is the polygon of the mesh (the cell itself where
 // the file does not say), face the cell; chart is 0 where there are none. 17 digits, inf and nan
 // where there is no number. faces: #F by 6. Throws Error(Usage) where it cannot be written.

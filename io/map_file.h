@@ -48,8 +48,8 @@ MapFile read_map(const std::string& path, const StopCheck& stop = {});
 // not be written.
 using FileVerification = std::function<void(const std::string& temporary_path)>;
 
-// What is measured (distortion, min_det, face_distortion) and claims are left empty, cone and seam_edges too unless the map has seams
-// or cones.
+// What is measured (distortion, min_det, face_distortion) and claims are left empty, cone and
+// seam_edges too unless the map has seams or cones.
 MapFile to_map_file(const BezierMap& map);
 // A mesh with texture coordinates as a map of degree 1: one point per (v, vt) pair; input_vertex
 // and input_face are the file's own. Polygons are triangulated, so that the triangles are positive

@@ -113,8 +113,11 @@ class MapProof {
 //   write_vtu("bunny.vtu", file, certification("bunny.vtu", {.surface = &polygons}));
 //
 // path: of the file to be, for messages; its extension says how to read. wanted: what must be
-// proven (what it refers to must outlive the verification). Throws Error(Invalid) naming the file,
-// the question and the place when it is not.
-FileVerification certification(std::string path, ProofRequest wanted);
+// proven. written: the map that is written; a .msh does not say whose faces its cells are, and is
+// proven to have the map's cells, with its points on the surface. What these refer to must outlive
+// the verification. Throws Error(Invalid) naming the file, the question and the place when it is
+// not.
+FileVerification certification(std::string path, ProofRequest wanted,
+                               const MapFile* written = nullptr);
 
 }  // namespace majorant

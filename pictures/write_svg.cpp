@@ -63,8 +63,10 @@ double grid_spacing(const SvgLayout& layout, const SvgOptions& options) {
 // None where the cells have no values, or nothing says of which energy.
 std::optional<Legend> legend_of(const MapFile& map, const SvgOptions& options) {
   if (map.distortion.size() == 0 || claimed_energy(map).name.empty()) return {};
-  return make_legend(map, picture_scale(map, Quantity::Density, options.color_range),
-                     map.distortion, "triangles");
+  const ColorScale scale = picture_scale(map, Quantity::Density, options.color_range);
+  ValueSummary values;
+  for (const double value : map.distortion) values.add(scale, value);
+  return make_legend(map, scale, values, "triangles");
 }
 
 // A paper of its own: what is drawn is readable on pages of any colour.

@@ -11,6 +11,7 @@
 #include "apps/check/check_seams.h"
 #include "apps/energy_option.h"
 #include "majorant/framework/error.h"
+#include "majorant/io/internal/lagrange_cell.h"
 #include "majorant/parametrization/starts/texture_seams.h"
 #include "majorant/parametrization/starts/tutte.h"
 
@@ -84,15 +85,29 @@ void check_fixed_boundary(const CheckedMap& checked, Findings& findings) {
                    fmt::format("the boundary is off the initial map's by {:g}", worst));
 }
 
-// What rounding uv after normalizing may have changed of det J in a cell, in the units of the run:
-// steps between control points are off by at most `unit`, twice n of them make a derivative.
-double rounding_of_det(const CheckedMap& checked, Index cell) {
-  if (!checked.claims.normalized) return 0;
-  const ClaimedNormalization& n = *checked.claims.normalized;
-  const double unit =
-      4 * std::numeric_limits<double>::epsilon() * (n.origin.cwiseAbs().maxCoeff() + n.size);
+// How far control points of a cell may be from those that were measured, in the units of the run:
+// uv was rounded after normalizing, and again as values of Lagrange cells, whose errors grow by
+// `amplification`.
+double rounding_of_uv(const CheckedMap& checked, Index cell, double amplification) {
+  constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
   const MapFile& file = checked.file;
-  const double reach = n.size * extent(file.uv(file.cells.row(cell), Eigen::all));
+  double size = 1, unit = 0;
+  if (checked.claims.normalized) {
+    const ClaimedNormalization& n = *checked.claims.normalized;
+    size = n.size;
+    unit = 4 * kEpsilon * (n.origin.cwiseAbs().maxCoeff() + n.size);
+  }
+  const double largest = file.uv(file.cells.row(cell), Eigen::all).cwiseAbs().maxCoeff();
+  return unit + size * amplification * kEpsilon * largest;
+}
+
+// What that may have changed of det J: steps between control points are off by at most `unit`,
+// twice n of them make a derivative.
+double rounding_of_det(const CheckedMap& checked, Index cell, double amplification) {
+  const double unit = rounding_of_uv(checked, cell, amplification);
+  const MapFile& file = checked.file;
+  const double size = checked.claims.normalized ? checked.claims.normalized->size : 1;
+  const double reach = size * extent(file.uv(file.cells.row(cell), Eigen::all));
   const auto corner = [&](Index k) { return Vector3(file.points.row(file.cells(cell, k))); };
   const double rest = (corner(0) - corner(2)).cross(corner(1) - corner(2)).norm();
   return 4.0 * file.degree * file.degree * unit * (reach + unit) / rest;
@@ -108,8 +123,11 @@ void check_arrays(const CheckedMap& checked, Findings& findings) {
                                           f, file.distortion[f], measures.face_value[f]));
       break;
     }
+  const double amplification =
+      file.uv_rounding.rows() == 0 ? 0 : lagrange_amplification(file.degree);
   for (Index f = 0; f < file.min_det.size(); ++f)
-    if (!(file.min_det[f] <= measures.min_det[f] * (1 + kClose) + rounding_of_det(checked, f))) {
+    if (!(file.min_det[f] <=
+          measures.min_det[f] * (1 + kClose) + rounding_of_det(checked, f, amplification))) {
       findings.require(false,
                        fmt::format("cell {}: det J >= {:.6g} is claimed, only {:.6g} is proven", f,
                                    file.min_det[f], measures.min_det[f]));

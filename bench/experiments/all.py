@@ -61,8 +61,9 @@ def summary(sections):
     for name, text in sections.items():
         title = re.match(r'## (.*)', text).group(1)
         seen = re.search(r'^\*\*Seen: (\w+)\.\*\*$', text, re.M).group(1)
-        rows.append(['[%s](#%s)' % (title, anchor(title)), seen])
-    return '\n'.join(common.markdown_table(['experiment', 'seen'], rows)) + '\n'
+        open_ones = re.findall(r'^\| (.*?) \| .* \| (?:\*\*no\*\*|not tried) \|$', text, re.M)
+        rows.append(['[%s](#%s)' % (title, anchor(title)), seen, '; '.join(open_ones)])
+    return '\n'.join(common.markdown_table(['experiment', 'seen', 'what is not'], rows)) + '\n'
 
 
 def anchor(title):

@@ -76,7 +76,8 @@ def read(path):
 
 def lattice(m):
     """Centroids of the upright triangles of the m-fold subdivision."""
-    return np.array([(a + 1 / 3, b + 1 / 3, m - 1 - a - b + 1 / 3) for a in range(m) for b in range(m - a)]) / m
+    corners = [(a, b, m - 1 - a - b) for a in range(m) for b in range(m - a)]
+    return (np.array(corners) + 1 / 3) / m
 
 
 def symmetric_dirichlet(image, m):
@@ -187,7 +188,7 @@ def touches(line, box):
     return box is None or (line.min(0) <= [box[1], box[3]]).all() and (line.max(0) >= [box[0], box[2]]).all()
 
 
-def draw_layout(axis, image, colour, width=0.4, box=None, pieces=4):
+def draw_layout(axis, image, colour, width=0.4, box=None, pieces=3):
     axis.plot(*outlines(image, pieces, box), color=colour, linewidth=width, solid_joinstyle='round')
     axis.set_aspect('equal')
     axis.set_axis_off()

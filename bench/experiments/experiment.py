@@ -21,6 +21,7 @@ import re
 import statistics
 import sys
 import tempfile
+import textwrap
 from collections import namedtuple
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -38,6 +39,7 @@ PINNED = 5                                         # points, Fig. 9
 COLOURS = {1: '#4477aa', 2: '#ee7733', 3: '#228833', 4: '#aa3377'}
 NAMES = {1: 'linear', 2: 'quadratic', 3: 'cubic', 4: 'quartic'}
 GREY = '#777777'
+WIDTH = 108                                        # of lines on the page
 
 # holds: True, False, or None where it was not tried; why: said where it does not hold.
 Criterion = namedtuple('Criterion', 'statement measured holds why', defaults=('',))
@@ -149,7 +151,7 @@ def panels(rows, columns, width, height, **more):
 
 def write_svg(figure, path):
     figure.savefig(path, format='svg', facecolor='white', metadata={'Date': None})
-    text = re.sub(r'(\d\.\d\d)\d+', r'\1', path.read_text())   # hundredths of a point are enough
+    text = re.sub(r'(\d\.\d)\d{2,}', r'\1', path.read_text())  # tenths of a point are enough
     path.write_text(re.sub(r' +\n', '\n', text))
 
 
@@ -170,11 +172,16 @@ def paragraph(module, word):
     return ' '.join(found[0].split()) if found else sys.exit('%s: no paragraph %s' % (module.__file__, word))
 
 
+def wrapped(text):
+    return textwrap.fill(text, WIDTH, break_long_words=False, break_on_hyphens=False)
+
+
 def section(module, rows):
     """Markdown: the experiment's part of docs/experiments.md."""
     name, criteria = Path(module.__file__).stem, module.judge(rows)
     lines = ['## ' + module.__doc__.splitlines()[0].rstrip('.'), '',
-             paragraph(module, 'Claim'), '', paragraph(module, 'Here') + ' ' + paragraph(module, 'Time'), '',
+             wrapped(paragraph(module, 'Claim')), '',
+             wrapped(paragraph(module, 'Here') + ' ' + paragraph(module, 'Time')), '',
              '    bench/experiments/%s.py' % name, '',
              '![%s](experiments/%s.svg)' % (name.replace('_', ' '), name), '']
     lines += common.markdown_table(*module.table(rows)) + ['', '**Seen: %s.**' % answer(criteria), '']
@@ -182,7 +189,7 @@ def section(module, rows):
     lines += common.markdown_table(['criterion', 'measured', 'holds'],
                                    [[c.statement, c.measured, word[c.holds]] for c in criteria])
     reasons = [c.why for c in criteria if not c.holds and c.why]
-    return '\n'.join(lines + (['', ' '.join(reasons)] if reasons else [])) + '\n'
+    return '\n'.join(lines + (['', wrapped(' '.join(reasons))] if reasons else [])) + '\n'
 
 
 def main(module):

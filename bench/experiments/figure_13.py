@@ -1,15 +1,16 @@
 #!/usr/bin/python3
 """Figure 13: deformation by soft points, linear and quadratic.
 
-Claim ([MC20] Fig. 13, Sec. 8.2): in a planar deformation by soft point constraints, visible artifacts of
-the piecewise linear map vanish in the quadratic one.
+Claim ([MC20] Fig. 13, Sec. 8.2): in a planar deformation by soft point constraints, visible
+artifacts of the piecewise linear map vanish in the quadratic one.
 
-Here: bar, star and gingerbread with their handles, `deform` at degrees 1 and 2. The artifacts are kinks:
-the angle by which a straight line turns in the image where it crosses an edge, root mean square
-over inner edges by their length; "elsewhere": without the edges between triangles that a handle pulls
-at. Drawn: a square grid on the shape, where the linear map has its largest kink away from them.
+Here: bar, star and gingerbread with their handles, `deform` at degrees 1 and 2. The artifacts are
+kinks: the angle by which a straight line turns in the image where it crosses an edge, root mean
+square over inner edges by their length; "elsewhere": without the edges between triangles that a
+handle pulls at. Drawn: a square grid on the shape, where the linear map has its largest kink away
+from them.
 
-Time: ten seconds of one core.
+Time: about three seconds of one core.
 
 Sample run:
   bench/experiments/figure_13.py --out build/experiments
@@ -92,7 +93,7 @@ def judge(rows):
                                  max(parts['kink_rms_degrees']) <= 0.5,
                                  'Kinks shrink but do not vanish; the largest stay where points are '
                                  'pulled.'),
-            experiment.Criterion('away from the handles at most a quarter',
+            experiment.Criterion('away from the handles kinks are at most a quarter',
                                  experiment.percents(parts['elsewhere_degrees']),
                                  max(parts['elsewhere_degrees']) <= 0.25),
             experiment.Criterion('its energy is lower', experiment.count(energies), all(energies))]

@@ -1,14 +1,14 @@
 #!/usr/bin/python3
 """Figure 14: seamless maps with cones.
 
-Claim ([MC20] Fig. 14, Sec. 7, 8.2): a linear seamless map can be optimized at degree 1 and at degree 4
-with its seams kept by hard constraints; the differences are obvious near cones.
+Claim ([MC20] Fig. 14, Sec. 7, 8.2): a linear seamless map can be optimized at degree 1 and at
+degree 4 with its seams kept by hard constraints; the differences are obvious near cones.
 
 Here: the seamless texture coordinates of three closed public surfaces as the start, `parametrize
---seamless` at degrees 1 and 4; spot is drawn, with lines of constant u and v. Kinks as in
-figure 13, over all edges and over those at cones, seams included.
+--seamless` at degrees 1 and 4; spot is drawn, with lines of constant u and v. Kinks as in figure
+13, over all edges and over those at cones, seams included.
 
-Time: half a minute of one core.
+Time: about a quarter of a minute of one core.
 
 Sample run:
   bench/experiments/figure_14.py --out build/experiments

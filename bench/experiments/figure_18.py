@@ -1,15 +1,15 @@
 #!/usr/bin/python3
 """Figure 18: energy over time, without degree elevation.
 
-Claim ([MC20] Fig. 18, Sec. 8.4): the time of an iteration is linear in the number of quadrature points and
-more than linear in the degree; higher degrees reach lower energies, later.
+Claim ([MC20] Fig. 18, Sec. 8.4): the time of an iteration is linear in the number of quadrature
+points and more than linear in the degree; higher degrees reach lower energies, later.
 
-Here: `majorant_paper_method --direct --exclude` on three public disks with 2,500 faces at degrees 1, 2, 3,
-with 55 points at every degree (left) and with 1, 36, 78 (right; spot); degree 3 with 55 to 406 points
-for the first statement. Time: processor time in fe of the degree-1 matrix, the least of three runs;
-it moves a little all the same.
+Here: `majorant_paper_method --direct --exclude` on three public disks with 2,500 faces at degrees
+1, 2, 3, with 55 points at every degree (left) and with 1, 36, 78 (right; spot); degree 3 with 55 to
+406 points for the first statement. Times are processor time in fe of the degree-1 matrix, the least
+of three runs; they move a little all the same.
 
-Time: half a minute of one core.
+Time: about half a minute of one core.
 
 Sample run:
   bench/experiments/figure_18.py --out build/experiments

@@ -1,14 +1,15 @@
 #!/usr/bin/python3
 """Figure 21: maps without overlaps, and the flips of the scaffold.
 
-Claim ([MC20] Fig. 21, Sec. 6, 8.6): quadratic maps are kept globally injective by a curved scaffold whose edges are
-flipped: of 1396, 1141 and 469 intended flips 1389, 1127 and 460 could be done (98.1 % and more). Flips
-matter for the scaffold's quality; without the scaffold, the same maps overlap.
+Claim ([MC20] Fig. 21, Sec. 6, 8.6): quadratic maps are kept globally injective by a curved scaffold
+whose edges are flipped: of 1396, 1141 and 469 intended flips 1389, 1127 and 460 could be done (98.1
+% and more). Flips matter for the scaffold's quality; without the scaffold, the same maps overlap.
 
-Here: helix and scorpion with free boundary, gingerbread with its handles, degree 2, with `--bijective`, also
-with `--no-flips`, and without. Global injectivity is proven or disproven by `check --certify`.
+Here: helix and scorpion with free boundary, gingerbread with its handles, degree 2, with
+`--bijective`, also with `--no-flips`, and without. Global injectivity is proven or disproven by
+`check --certify`.
 
-Time: half a minute of one core.
+Time: about four seconds of one core.
 
 Sample run:
   bench/experiments/figure_21.py --out build/experiments

@@ -1,13 +1,13 @@
 #!/usr/bin/python3
 """Figure 22: a deformation without overlaps.
 
-Claim ([MC20] Fig. 22, Sec. 8.6): the quadratic deformation of figure 13 is locally, but not globally injective;
-with the scaffold it is globally injective.
+Claim ([MC20] Fig. 22, Sec. 8.6): the quadratic deformation of figure 13 is locally, but not
+globally injective; with the scaffold it is globally injective.
 
-Here: gingerbread with its handles, `deform --degree 2` with and without `--bijective`; places where the
-boundary meets itself as `check --certify` finds them, red.
+Here: gingerbread with its handles, `deform --degree 2` with and without `--bijective`; places where
+the boundary meets itself as `check --certify` finds them, red.
 
-Time: ten seconds of one core.
+Time: about one second of one core.
 
 Sample run:
   bench/experiments/figure_22.py --out build/experiments

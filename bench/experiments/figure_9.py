@@ -1,16 +1,16 @@
 #!/usr/bin/python3
 """Figure 9: what higher degrees gain, over models, resolutions and constraints.
 
-Claim ([MC20] Fig. 9, Sec. 8.1): of 26 models at three resolutions, with free boundary, fixed boundary and
-five random points held, quadratic and cubic maps consistently have a lower symmetric Dirichlet energy than
-linear ones; the gain shrinks with the resolution, is often larger under constraints, and cubic maps
-are hardly better than quadratic ones.
+Claim ([MC20] Fig. 9, Sec. 8.1): of 26 models at three resolutions, with free boundary, fixed
+boundary and five random points held, quadratic and cubic maps consistently have a lower symmetric
+Dirichlet energy than linear ones; the gain shrinks with the resolution, is often larger under
+constraints, and cubic maps are hardly better than quadratic ones.
 
-Here: the 13 public disks with 500, 2,500 and 10,000 faces, from Tutte's map, the paper's majorizer, numbers of
-quadrature points (1, 36, 78) and stopping rule; held points stay where the start has them. Energies
-are integrated adaptively, by the command (the paper: 5,050 points).
+Here: the 13 public disks with 500, 2,500 and 10,000 faces, from Tutte's map, the paper's majorizer,
+numbers of quadrature points (1, 36, 78) and stopping rule; held points stay where the start has
+them. Energies are integrated adaptively, by the command (the paper: 5,050 points).
 
-Time: about four minutes of one core.
+Time: about five minutes of one core.
 
 Sample run:
   bench/experiments/figure_9.py --out build/experiments

@@ -40,7 +40,8 @@ def relative(rows, degree, **wanted):
 def draw(rows, settings, objective):
     """A panel for each resolution and setting, energies in percent of the linear one."""
     sizes = experiment.values(rows, 'faces')
-    figure, axes = experiment.panels(len(settings), len(sizes), 2.5, 1.2 + 0.8 / len(settings), sharex=True, sharey='row')
+    figure, axes = experiment.panels(len(settings), len(sizes), 2.5, 1.2 + 1.2 / len(settings),
+                                     sharex=True, sharey='row')
     for i, setting in enumerate(settings):
         for j, faces in enumerate(sizes):
             axis = axes[i][j]
@@ -52,14 +53,15 @@ def draw(rows, settings, objective):
             axis.tick_params(axis='x', rotation=90)
     for line in axes:
         line[0].set_ylabel('E, % of linear')
-    axes[0][0].legend(loc='lower left', bbox_to_anchor=(0, 1.15), ncols=3)
+    axes[0][len(sizes) // 2].legend(loc='lower center', bbox_to_anchor=(0.5, 1.12), ncols=3,
+                                    columnspacing=0.8, handletextpad=0)
     return figure
 
 
 def table(rows, settings, objective):
     """Medians over the models."""
-    header = ['setting', 'faces', 'models', 'E quadratic, % of linear: median', 'lowest', 'cubic: median',
-              'lowest', 'not converged']
+    header = ['setting', 'faces', 'models', 'E quadratic, % of linear: median', 'lowest',
+              'cubic: median', 'lowest', 'not converged']
     lines = []
     for setting in settings:
         for faces in experiment.values(rows, 'faces'):

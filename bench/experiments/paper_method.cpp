@@ -183,16 +183,15 @@ nlohmann::json run(const Asked& asked) {
         {{"degree", 1}, {"iteration", 0}, {"energy", first.measured()}, {"seconds", 0.0}});
   }
   while (asked.direct && map.degree() < asked.degree) map = map.elevated();
-  for (bool stuck = false;; map = map.elevated()) {
+  for (;; map = map.elevated()) {
+    const bool last = map.degree() == asked.degree;
     const double began = cpu_seconds();
     Level level(spec, map, asked);
     seconds += cpu_seconds() - began;
-    level.descend(map.degree() < asked.degree ? kElevate : kFinished, out["rows"], seconds);
+    level.descend(last ? kFinished : kElevate, out["rows"], seconds);
     map = level.map();
-    stuck = level.stuck();
-    if (map.degree() < asked.degree) continue;
-    out["stuck"] = stuck;
-    break;
+    out["stuck"] = level.stuck();
+    if (last) break;
   }
   Vec face_value;
   out["energy"] = mean_density(map, spec.rest, spec.energy, face_value);

@@ -37,7 +37,8 @@ def best(rows):
 def excess(rows, **wanted):
     """Energies over the best of the same model, setting and degree."""
     least = best(rows)
-    return [r['energy'] / least[r['model'], r['setting'], r['degree']] for r in experiment.where(rows, **wanted)]
+    return [r['energy'] / least[r['model'], r['setting'], r['degree']]
+            for r in experiment.where(rows, **wanted)]
 
 
 def draw(rows):
@@ -85,7 +86,7 @@ def enough(rows):
 
 def gauss_is_worse(rows):
     """Against the suggested lattice, run by run."""
-    lattice = {(r['model'], r['setting'], r['degree']): r['energy'] for r in experiment.where(rows, rule='lattice')
-               if r['points'] == ENOUGH[r['degree']]}
+    lattice = {(r['model'], r['setting'], r['degree']): r['energy']
+               for r in experiment.where(rows, rule='lattice') if r['points'] == ENOUGH[r['degree']]}
     return [r['energy'] > lattice[r['model'], r['setting'], r['degree']]
             for r in experiment.where(rows, rule='gauss') if lattice]

@@ -50,17 +50,24 @@ SparsePattern reduced_pattern(const std::vector<const Stencils*>& terms,
         }
     p.append_column(below);
   }
+  p.block_of = node_blocks(terms, elimination);
+  return p;
+}
+
+std::vector<Index> node_blocks(const std::vector<const Stencils*>& terms,
+                               const Elimination& elimination) {
   // A node is as many unknowns as in the term that has most of them.
   int block = 1;
   for (const Stencils* s : terms) block = std::max(block, s->block);
+  std::vector<Index> block_of;
   Index previous = -1, blocks = 0;
-  for (Index j = 0; j < n; ++j) {
+  for (Index j = 0; j < elimination.reduced_size(); ++j) {
     const Index node = elimination.full_index(j) / block;
     if (j > 0 && node != previous) ++blocks;
-    p.block_of.push_back(blocks);
+    block_of.push_back(blocks);
     previous = node;
   }
-  return p;
+  return block_of;
 }
 
 SlotTable::SlotTable(const Stencils& stencils, const Elimination& elimination,
@@ -107,6 +114,15 @@ void SlotTable::find_slots(const Index* reduced, const SparsePattern& pattern,
       direct[high * (high + 1) / 2 + low] = slot;
     }
   }
+}
+
+SlotTable SlotTable::moved(const std::vector<Index>& places) const {
+  SlotTable out = *this;
+  for (Index& slot : out.direct_)
+    if (slot >= 0) slot = places[at(slot)];
+  for (auto& contributions : out.general_)
+    for (Contribution& c : contributions) c.slot = places[at(c.slot)];
+  return out;
 }
 
 void SlotTable::build_general(Index e, const Stencils& s, const Elimination& z,

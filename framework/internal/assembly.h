@@ -17,6 +17,9 @@ class SlotTable {
  public:
   SlotTable(const Stencils& stencils, const Elimination& elimination, const SparsePattern& pattern);
 
+  // The same in a pattern that has more entries: slot k of the old one is places[k] there.
+  SlotTable moved(const std::vector<Index>& places) const;
+
   // Adds factor * H of the element at position p of a chunk.
   void add_hessian(Index element, const LocalSystem& local, int p, double factor,
                    double* values) const;
@@ -52,5 +55,8 @@ class SlotTable {
 // The lower-triangular pattern that the given terms fill after elimination.
 SparsePattern reduced_pattern(const std::vector<const Stencils*>& terms,
                               const Elimination& elimination);
+// Of reduced unknowns, which node each belongs to: SparsePattern::block_of.
+std::vector<Index> node_blocks(const std::vector<const Stencils*>& terms,
+                               const Elimination& elimination);
 
 }  // namespace majorant

@@ -220,6 +220,13 @@ void Elimination::define_auxiliaries(const ConstraintRows& rows) {
   }
 }
 
+bool Elimination::begins_like(const Elimination& other, Index full_unknowns) const {
+  if (full_unknowns > full_size() || full_unknowns > other.full_size()) return false;
+  const auto rows = full_unknowns + 1;
+  return std::equal(starts_.begin(), starts_.begin() + rows, other.starts_.begin()) &&
+         std::equal(begin(0), begin(full_unknowns), other.begin(0));
+}
+
 void Elimination::expand(VecIn y, Vec& x) const {
   x = offset_;
   for (Index i = 0; i < full_size(); ++i)

@@ -21,6 +21,7 @@ class Elimination {
   struct Entry {
     Index reduced;
     double coefficient;
+    bool operator==(const Entry&) const = default;
   };
 
   // Throws Error(Unsupported) naming the row when the rows contradict each other: the residual of
@@ -40,6 +41,9 @@ class Elimination {
   double offset(Index i) const { return offset_[i]; }
   // The full unknown that reduced unknown j is; full_size() + a for auxiliary unknown a.
   Index full_index(Index j) const { return free_[static_cast<size_t>(j)]; }
+
+  // Whether rows 0 to full_unknowns - 1 of Z are those of `other`.
+  bool begins_like(const Elimination& other, Index full_unknowns) const;
 
   void expand(VecIn y, Vec& x) const;               // x = Z y + c
   void expand_direction(VecIn dy, Vec& dx) const;   // dx = Z dy

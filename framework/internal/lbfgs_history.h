@@ -1,10 +1,12 @@
 // What L-BFGS [LN89] remembers: the last pairs s = change of y, q = change of g, and the inverse
-// Hessian B that they and a metric define.
+// Hessian B that they and a metric define. One for L-BFGS itself (lbfgs.h) and for the steps of
+// Newton's method on a kept factor (newton.h).
 //
 //   History history(8, 1e-10);
 //   Vec y, last_y, g, last_g, p;
 //   const std::unique_ptr<LinearSolver> solver = make_direct_solver();
-//   history.add(y - last_y, g - last_g);
+//   history.start(last_y, last_g);
+//   history.visit(y, g);
 //   history.apply([&](const Vec& r, Vec& p) { solver->solve(r, p); }, -g, p);   // p = -B g
 #pragma once
 
@@ -23,13 +25,19 @@ class History {
   History(int capacity, double cautious) : capacity_(capacity), cautious_(cautious) {}
 
   bool empty() const { return pairs_.empty(); }
+  // No pairs; what visit() adds next still begins where it was last.
   void clear() { pairs_.clear(); }
-
-  void add(Vec s, Vec q) {
-    const double sq = s.dot(q);
-    if (capacity_ <= 0 || !(sq > cautious_ * s.norm() * q.norm())) return;
-    if (pairs_.size() == at(capacity_)) pairs_.pop_front();
-    pairs_.push_back({std::move(s), std::move(q), sq});
+  // No pairs, at y with the gradient g.
+  void start(const Vec& y, const Vec& g) {
+    clear();
+    y_ = y;
+    g_ = g;
+  }
+  // The next point, with its gradient.
+  void visit(const Vec& y, const Vec& g) {
+    add(y - y_, g - g_);
+    y_ = y;
+    g_ = g;
   }
 
   // p = B r by the two loops of [LN89]; solve(r, p): p = M^-1 r, M the metric.
@@ -50,9 +58,18 @@ class History {
     Vec s, q;
     double sq;
   };
+
+  void add(Vec s, Vec q) {
+    const double sq = s.dot(q);
+    if (capacity_ <= 0 || !(sq > cautious_ * s.norm() * q.norm())) return;
+    if (pairs_.size() == at(capacity_)) pairs_.pop_front();
+    pairs_.push_back({std::move(s), std::move(q), sq});
+  }
+
   int capacity_;
   double cautious_;
   std::deque<Pair> pairs_;
+  Vec y_, g_;  // of the last point
 };
 
 }  // namespace majorant

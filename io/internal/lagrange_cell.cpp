@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -125,25 +126,28 @@ class CellTransform {
       std::reverse(order.begin(), order.end());
     Rounded result;
     for (int axis = 0; axis < 2; ++axis) {
-      Quad sum = 0, size = 0, error = 0;
+      Quad sum = 0;
+      double size = 0, error = 0;
       for (const int k : order) {
         const Quad weight = matrix_.weight(at(row), at(k));
-        sum += weight * map.uv(input(k), axis);
-        size += magnitude(weight * map.uv(input(k), axis));
-        error += magnitude(weight) * rounding(map, input(k))[axis];
+        const Quad term = weight * map.uv(input(k), axis);
+        sum += term;
+        size += std::abs(static_cast<double>(term));
+        if (map.uv_rounding.rows() > 0)
+          error += std::abs(static_cast<double>(weight)) * rounding(map, input(k))[axis];
       }
-      // Of `order` weights, products and sums, each rounded once.
-      const Quad own = 3 * static_cast<double>(order.size()) * kUnitRoundoff<Quad> * size;
+      // Of `order` weights, terms and sums, each rounded once.
+      const double own = 3 * static_cast<double>(order.size()) * kUnitRoundoff<Quad> * size;
       result.value[axis] = static_cast<double>(sum);
-      const Quad cut_off = magnitude(sum - Quad(result.value[axis]));
-      result.error[axis] = kRoundUp * static_cast<double>(cut_off + own + error) +
-                           std::numeric_limits<double>::denorm_min();
+      const double cut_off = std::abs(static_cast<double>(sum - Quad(result.value[axis])));
+      result.error[axis] =
+          kRoundUp * (cut_off + own + error) + std::numeric_limits<double>::denorm_min();
     }
     return result;
   }
 
  private:
-  // More than what rounding a bound to double takes away.
+  // More than what rounding a bound to double takes away. Origin: 2^-53 of it.
   static constexpr double kRoundUp = 1.0000001;
 
   static Vector2 rounding(const MapFile& map, Index point) {
@@ -185,6 +189,18 @@ Points2 lagrange_nodes(const MapFile& map, const StopCheck& stop) {
       nodes.row(map.cells(cell, k)) = transform.apply(map, cell, k).value;
   }
   return nodes;
+}
+
+double lagrange_amplification(int degree) {
+  const CellMatrix matrix = interpolation(degree);
+  double largest = 0;
+  for (std::size_t row = 0; row < matrix.size(); ++row) {
+    double sum = 0;
+    for (std::size_t column = 0; column < matrix.size(); ++column)
+      sum += static_cast<double>(magnitude(matrix.weight(row, column)));
+    largest = std::max(largest, sum);
+  }
+  return largest;
 }
 
 void take_as_lagrange_nodes(MapFile& map, const std::string& file, const StopCheck& stop) {

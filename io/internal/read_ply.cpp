@@ -123,7 +123,8 @@ class PlyReader {
     source_.finish();
     require_indices();
     require_complete(mesh_);
-    if (has_wedges_) {
+    if (std::any_of(wedge_uv_.begin(), wedge_uv_.end(),
+                    [](const auto& list) { return !list.empty(); })) {
       take_wedges();
     } else if (!mesh_.texcoords.empty()) {
       mesh_.polygon_texcoords = mesh_.polygons;
@@ -279,7 +280,8 @@ class PlyReader {
           fmt::format("face {} has {} corners and {} texture coordinates; 2 a corner are "
                       "needed",
                       record_ + 1, corners, count));
-    auto& list = wedge_uv_.emplace_back();
+    wedge_uv_.resize(mesh_.polygons.size());
+    auto& list = wedge_uv_.back();
     for (std::size_t k = first; k < first + count; k += 2) {
       list.emplace_back(record.values[k], record.values[k + 1]);
       if (!list.back().allFinite())
@@ -331,7 +333,6 @@ class PlyReader {
         if (is_new) mesh_.texcoords.push_back(uv);
         mesh_.polygon_texcoords[p].push_back(entry->second);
       }
-    if (mesh_.texcoords.empty()) mesh_.polygon_texcoords.clear();
   }
 
   // Vertices are what they are copies of; texture coordinates stay one a copy.

@@ -1,9 +1,8 @@
 // What the digits of a file, which are not exactly its doubles (MapFile::uv_rounding: decimals, or
 // values where control points are needed), leave of what is known of det J on a cell.
 //
-//   const double rounding = rounding_of_determinant(file, cell);
-//   if (proof.lower_bound > rounding) ...            // positive for the digits, too
-//   const ExactPositivity exact = beyond_rounding(file, cell, exact_positivity(points));
+//   const Points2 points = file.uv(file.cells.row(12), Eigen::all);
+//   const ExactPositivity exact = beyond_rounding(file, 12, exact_positivity(points));
 #pragma once
 
 #include "majorant/io/map_file.h"

@@ -27,7 +27,7 @@ namespace {
 // bench/multiresolution: at 2,500 it saves 2 to 4 fe of 20 on easy disks and costs some on hard
 // ones.
 constexpr Index kLargeSurface = 5000;
-// Of the energy, from a coarse level to a finer one, beyond which Tutte's map is taken after all.
+// Of the energy, from a level to one that is not coarse, beyond which Tutte's map is taken after all.
 // Origin: 0.51 on penguin_10000, where other minima wait (19.10 instead of 19.07), 0.07 on the next
 // of the public disks.
 constexpr double kLargestDrop = 0.25;
@@ -311,6 +311,12 @@ std::string_view start_name(StartMethod method) {
 
 Vec initial_map(const SurfaceMesh& mesh, const MapOptions& asked, const StopCheck& stop,
                 StartMethod* taken) {
+  RunRecord unseen(stop);
+  return initial_map(mesh, asked, unseen, taken);
+}
+
+Vec initial_map(const SurfaceMesh& mesh, const MapOptions& asked, RunRecord& record,
+                StartMethod* taken) {
   mesh.require_planar();
   if (asked.initial && asked.initial->size() != 2 * mesh.vertex_count())
     throw Error(ErrorKind::Usage, mesh.file() + ": the initial map needs 2 numbers per vertex");
@@ -322,10 +328,10 @@ Vec initial_map(const SurfaceMesh& mesh, const MapOptions& asked, const StopChec
   MultiresolutionRules rules;
   if (asked.start == StartMethod::Automatic) rules.largest_drop = kLargestDrop;
   if (tries_multiresolution(mesh, asked))
-    if (std::optional<Vec> start = multiresolution_map(mesh, asked, stop, rules))
+    if (std::optional<Vec> start = multiresolution_map(mesh, asked, record, rules))
       return *std::move(start);
   method = StartMethod::Tutte;
-  return tutte_map(mesh, stop);
+  return tutte_map(mesh, record.start_stop());
 }
 
 ParametrizationResult parametrize_by(const SolverRules& rules, const BezierMap& start,
@@ -358,8 +364,7 @@ ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,
   const ThreadCount threads(options.solve.threads);
   record.begin(Activity::Starting);
   StartMethod taken;
-  const BezierMap start =
-      BezierMap::linear(mesh, initial_map(*mesh, options.map, record.start_stop(), &taken));
+  const BezierMap start = BezierMap::linear(mesh, initial_map(*mesh, options.map, record, &taken));
   const double initialize_seconds = record.seconds() - started;
   ParametrizationResult result = parametrize(start, options, record);
   result.start = taken;

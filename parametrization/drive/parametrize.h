@@ -63,6 +63,10 @@ struct ParametrizationResult {
 // without holes, Error(Usage) when the given one has the wrong size; Stopped.
 Vec initial_map(const SurfaceMesh& mesh, const MapOptions& asked, const StopCheck& stop = {},
                 StartMethod* taken = nullptr);
+// The same within the limits of a run (RunRecord::start_stop()), which the steps on coarser levels
+// are noted in.
+Vec initial_map(const SurfaceMesh& mesh, const MapOptions& asked, RunRecord& record,
+                StartMethod* taken = nullptr);
 
 // Throws Error as initial_map; Error(Infeasible) when the start is not locally injective, does not
 // meet the pins or has an aligned edge off its axis by more than kSeamTolerance (texture_seams.h);

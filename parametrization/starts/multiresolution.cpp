@@ -8,7 +8,6 @@
 #include <memory>
 #include <utility>
 
-#include "majorant/framework/lbfgs.h"
 #include "majorant/framework/newton.h"
 #include "majorant/parametrization/maps/map_problem.h"
 #include "majorant/parametrization/starts/internal/decimation.h"
@@ -36,27 +35,34 @@ class CpuWatch {
 // Origin: far above rounding, far below the distance that another spacing makes.
 constexpr double kSamePlace = 1e-9;
 
-// The surface that a CollapsingMesh has left, its vertices numbered without gaps.
+// The surface that a CollapsingMesh has left, or the faces around some of its vertices; numbered
+// without gaps.
 struct Level {
   Cells faces;
   std::vector<Index> vertex, face;  // of the whole surface
   Points3 positions;
 
-  Level(const CollapsingMesh& mesh, const Points3& all) : faces(mesh.faces_left(), 3) {
+  // around: by vertex of the whole surface.
+  Level(const CollapsingMesh& mesh, const Points3& all, const std::vector<char>& around) {
     std::vector<Index> number(at(mesh.vertex_count()), -1);
-    vertex.reserve(at(mesh.vertices_left()));
-    for (Index v = 0; v < mesh.vertex_count(); ++v) {
-      if (!mesh.is_present(v)) continue;
-      number[at(v)] = static_cast<Index>(vertex.size());
-      vertex.push_back(v);
-    }
     face.reserve(at(mesh.faces_left()));
     for (Index f = 0; f < mesh.face_slots(); ++f) {
       if (!mesh.has_face(f)) continue;
-      for (int k = 0; k < 3; ++k)
-        faces(static_cast<Index>(face.size()), k) = number[at(mesh.from(3 * f + k))];
+      const Index corner[] = {mesh.from(3 * f), mesh.from(3 * f + 1), mesh.from(3 * f + 2)};
+      if (!around[at(corner[0])] && !around[at(corner[1])] && !around[at(corner[2])]) continue;
       face.push_back(f);
+      for (const Index v : corner) number[at(v)] = 0;
     }
+    vertex.reserve(at(mesh.vertices_left()));
+    for (Index v = 0; v < mesh.vertex_count(); ++v) {
+      if (number[at(v)] < 0) continue;
+      number[at(v)] = static_cast<Index>(vertex.size());
+      vertex.push_back(v);
+    }
+    faces.resize(static_cast<Index>(face.size()), 3);
+    for (std::size_t q = 0; q < face.size(); ++q)
+      for (int k = 0; k < 3; ++k)
+        faces(static_cast<Index>(q), k) = number[at(mesh.from(3 * face[q] + k))];
     positions.resize(static_cast<Index>(vertex.size()), 3);
     for (std::size_t k = 0; k < vertex.size(); ++k)
       positions.row(static_cast<Index>(k)) = all.row(vertex[k]);
@@ -84,11 +90,12 @@ double unit_scale(const Points3& positions) {
 
 class Multiresolution {
  public:
-  Multiresolution(const SurfaceMesh& surface, const MapObjective& asked, const StopCheck& stop,
+  Multiresolution(const SurfaceMesh& surface, const MapObjective& asked, RunRecord& run,
                   const MultiresolutionRules& rules, MultiresolutionRecord& record)
       : surface_(surface),
         asked_(asked),
-        stop_(stop),
+        run_(run),
+        stop_(run.start_stop()),
         rules_(rules),
         record_(record),
         scale_(unit_scale(surface.positions())),
@@ -96,6 +103,7 @@ class Multiresolution {
         mesh_(surface.faces(), surface.opposites(), surface.vertex_count()),
         uv_(Vec::Zero(2 * surface.vertex_count())),
         descent_(mesh_, positions_, asked.energy, uv_) {
+    all_.assign(at(surface.vertex_count()), 1);
     held_.assign(at(surface.vertex_count()), 0);
     if (asked.boundary == BoundaryCondition::Fixed) held_ = surface.boundary_flags();
   }
@@ -104,9 +112,14 @@ class Multiresolution {
     CpuWatch watch;
     decimate(mesh_, positions_, {rules_.coarsest, held_}, stop_);
     record_.decimation_seconds = watch.restart();
-    if (mesh_.faces_left() == surface_.face_count() || !solve_coarsest()) return std::nullopt;
-    for (const Index size : sizes())
+    if (mesh_.faces_left() == surface_.face_count()) return std::nullopt;
+    const std::vector<Index> sizes = this->sizes();
+    level_ = static_cast<int>(sizes.size());
+    if (!solve_coarsest()) return std::nullopt;
+    for (const Index size : sizes) {
+      --level_;
       if (!refine_to(size)) return std::nullopt;
+    }
     if (faces_without_room(surface_.faces(), uv_) > 0) return std::nullopt;
     return uv_ / scale_;
   }
@@ -125,18 +138,16 @@ class Multiresolution {
   bool solve_coarsest() {
     CpuWatch watch;
     weigh(mesh_.vertex_count() - mesh_.vertices_left());
-    const Level level(mesh_, positions_);
+    const Level level(mesh_, positions_, all_);
     const SurfaceMesh coarse = surface_of(level, surface_.file());
     const Vec x = tutte_map(coarse, stop_) * (scale_ * std::sqrt(surface_.area() / coarse.area()));
     set(level, x);
     if (asked_.boundary == BoundaryCondition::Fixed && !set_boundary()) return false;
     LevelRecord record;
     record.faces = mesh_.faces_left();
-    NewtonOptions options;
-    options.stop = stop_;
+    NewtonOptions options = newton_options();
     options.stopping.relative_decrease = rules_.coarse_decrease;
-    options.linear_solver = few_factorizations;
-    const bool solved = improve_all(level, NewtonMinimizer(options), record);
+    const bool solved = improve_all(level, options, record);
     record.solve_seconds = watch.restart();
     record_.levels.push_back(record);
     return solved;
@@ -160,11 +171,19 @@ class Multiresolution {
       uv_.segment<2>(2 * level.vertex[k]) = x.segment<2>(2 * static_cast<Index>(k));
   }
 
+  NewtonOptions newton_options() const {
+    NewtonOptions options;
+    options.stop = stop_;
+    options.linear_solver = few_factorizations;
+    return options;
+  }
+
   bool refine_to(Index vertices) {
     CpuWatch watch;
     LevelRecord record;
     weigh(mesh_.vertex_count() - vertices);
     descent_.measure_all();
+    const Index returning = vertices - mesh_.vertices_left();
     while (mesh_.vertices_left() < vertices) {
       stop_.poll_at(at(mesh_.vertices_left()));
       if (!insert(record)) return false;
@@ -173,18 +192,16 @@ class Multiresolution {
     record.insert_seconds = watch.restart();
     for (int sweep = 0; sweep < rules_.sweeps; ++sweep) this->sweep();
     record.sweep_seconds = watch.restart();
-    const bool finest = vertices == surface_.vertex_count();
-    const bool coarse = mesh_.faces_left() <= rules_.coarse_part * surface_.face_count();
+    if (record.hot >= rules_.squeezed_share * returning) relax_squeezed(record);
+    record.squeezed_seconds = watch.restart();
     bool solved = true;
-    if (!finest) {
-      LbfgsOptions options;
-      options.history = rules_.history;
-      options.metric_every = rules_.metric_every;
-      options.stop = stop_;
+    if (level_ > 0) {
+      NewtonOptions options = newton_options();
+      options.kept = {.below = std::numeric_limits<double>::infinity(),
+                      .steps = rules_.factor_steps - 1};
       options.stopping =
-          brief_rules(rules_.most_steps, coarse ? rules_.coarse_decrease : rules_.decrease);
-      options.linear_solver = few_factorizations;
-      solved = improve_all(Level(mesh_, positions_), LbfgsMinimizer(options), record);
+          brief_rules(rules_.most_steps, is_coarse() ? rules_.coarse_decrease : rules_.decrease);
+      solved = improve_all(Level(mesh_, positions_, all_), options, record);
     }
     record.solve_seconds = watch.restart();
     record_.levels.push_back(record);
@@ -238,8 +255,75 @@ class Multiresolution {
     }
   }
 
-  // All vertices of the mesh that is left together.
-  bool improve_all(const Level& level, const Minimizer& minimizer, LevelRecord& record) {
+  // Errors of a start that is hard to make sit in a small part of the surface: there a step
+  // of Newton's method costs a small part of one on the whole.
+  void relax_squeezed(LevelRecord& record) {
+    const std::vector<char> squeezed = squeezed_parts(record);
+    if (record.squeezed == 0) return;
+    const Level level(mesh_, positions_, squeezed);
+    NewtonOptions options = newton_options();
+    options.stopping = brief_rules(rules_.squeezed_steps, rules_.squeezed_decrease);
+    const auto [problem, start] = problem_on(level, squeezed);
+    const SolveResult solved = NewtonMinimizer(options).minimize(problem, start, {});
+    stop_.poll();
+    record.squeezed_steps = static_cast<int>(solved.iterations.size());
+    if (solved.y.allFinite()) set(level, problem.expand(solved.y));
+  }
+
+  // By vertex: those where the energy is high, and their neighbours.
+  std::vector<char> squeezed_parts(LevelRecord& record) {
+    Vec mean = Vec::Zero(mesh_.vertex_count());
+    for (Index v = 0; v < mesh_.vertex_count(); ++v)
+      if (mesh_.is_present(v)) mean[v] = descent_.mean_energy(v);
+    const double limit = rules_.squeezed * mean.sum() / mesh_.vertices_left();
+    std::vector<Index> found;
+    std::vector<char> is_in(at(mesh_.vertex_count()), 0);
+    const auto take = [&](Index v) {
+      if (std::exchange(is_in[at(v)], 1) == 0) found.push_back(v);
+    };
+    for (Index v = 0; v < mesh_.vertex_count(); ++v)
+      if (mean[v] > limit) take(v);
+    for (int ring = 0; ring < rules_.squeezed_rings; ++ring)
+      for (std::size_t k = 0, end = found.size(); k < end; ++k) {
+        mesh_.ring(found[k], ring_);
+        for (const Index w : ring_) take(w);
+      }
+    record.squeezed = static_cast<Index>(found.size());
+    return is_in;
+  }
+
+  // All vertices of the mesh that is left together; false where nothing comes of it.
+  bool improve_all(const Level& level, const NewtonOptions& options, LevelRecord& record) {
+    const auto [problem, start] = problem_on(level, all_);
+    // Energies only fall from here: what misleads now is not worth its steps.
+    if (misled_by(Evaluator(problem).value(start))) return false;
+    const auto watch = [note = run_.observer(1, level_)](const IterationRecord& r, const Vec& y) {
+      note(r, y);
+      return Directive::Continue;  // what ends a start is stop_
+    };
+    const SolveResult solved = NewtonMinimizer(options).minimize(problem, start, watch);
+    stop_.poll();
+    if (!solved.y.allFinite() || !std::isfinite(solved.energy)) return false;
+    record.steps = static_cast<int>(solved.iterations.size());
+    record.energy = solved.energy;
+    const bool misled = misled_by(solved.energy);
+    level_energy_ = solved.energy;
+    if (misled) return false;
+    set(level, problem.expand(solved.y));
+    return true;
+  }
+
+  bool is_coarse() const {
+    return mesh_.faces_left() <= rules_.coarse_part * surface_.face_count();
+  }
+
+  bool misled_by(double energy) const {
+    return !record_.levels.empty() && !is_coarse() &&
+           level_energy_ - energy > rules_.largest_drop * std::abs(energy);
+  }
+
+  // The problem of a level, at rest but for the vertices of the surface that move, and its start.
+  std::pair<Problem, Vec> problem_on(const Level& level, const std::vector<char>& moves) const {
     const auto space = std::make_shared<const BezierTriangleSpace>(
         level.faces, static_cast<Index>(level.vertex.size()), 1);
     MapSpecification spec;
@@ -251,27 +335,22 @@ class Multiresolution {
         spec.face_weight[static_cast<Index>(k)] = descent_.weight_of(level.face[k]);
     }
     Vec x(2 * static_cast<Index>(level.vertex.size()));
-    for (std::size_t k = 0; k < level.vertex.size(); ++k)
-      x.segment<2>(2 * static_cast<Index>(k)) = uv_.segment<2>(2 * level.vertex[k]);
-    const MapProblem built = map_problem(
-        spec, space, x, energy_terms(spec, space, {lattice_rule(1)}),
-        std::make_shared<const LocalInjectivity>(space, 2 * spec.rest.measure, 0, stop_));
-    const SolveResult solved = minimizer.minimize(built.problem, built.problem.reduce(x), {});
-    stop_.poll();
-    if (!solved.y.allFinite() || !std::isfinite(solved.energy)) return false;
-    record.steps = static_cast<int>(solved.iterations.size());
-    record.energy = solved.energy;
-    const double drop = level_energy_ - solved.energy;
-    const bool misled =
-        !record_.levels.empty() && drop > rules_.largest_drop * std::abs(solved.energy);
-    level_energy_ = solved.energy;
-    if (misled) return false;
-    set(level, built.problem.expand(solved.y));
-    return true;
+    for (std::size_t k = 0; k < level.vertex.size(); ++k) {
+      const Vector2 place = descent_.place(level.vertex[k]);
+      x.segment<2>(2 * static_cast<Index>(k)) = place;
+      if (!moves[at(level.vertex[k])]) spec.pins.push_back({static_cast<Index>(k), place});
+    }
+    Problem problem = map_problem(spec, space, x, energy_terms(spec, space, {lattice_rule(1)}),
+                                  std::make_shared<const LocalInjectivity>(
+                                      space, 2 * spec.rest.measure, 0, stop_))
+                          .problem;
+    Vec start = problem.reduce(x);
+    return {std::move(problem), std::move(start)};
   }
 
   const SurfaceMesh& surface_;
   const MapObjective& asked_;
+  RunRecord& run_;
   const StopCheck& stop_;
   const MultiresolutionRules& rules_;
   MultiresolutionRecord& record_;
@@ -280,8 +359,9 @@ class Multiresolution {
   CollapsingMesh mesh_;
   Vec uv_;
   VertexDescent descent_;
-  std::vector<char> held_;  // by vertex
+  std::vector<char> all_, held_;  // by vertex
   std::vector<Index> ring_;
+  int level_ = 0;            // that is being made, 0 the finest
   double level_energy_ = 0;  // mean, where the last level ended
 };
 
@@ -294,11 +374,18 @@ bool suits_multiresolution(const SurfaceMesh& mesh, const MapObjective& asked) {
 }
 
 std::optional<Vec> multiresolution_map(const SurfaceMesh& mesh, const MapObjective& asked,
-                                       const StopCheck& stop, const MultiresolutionRules& rules,
+                                       RunRecord& run, const MultiresolutionRules& rules,
                                        MultiresolutionRecord* record) {
   MultiresolutionRecord unused;
   if (!suits_multiresolution(mesh, asked)) return std::nullopt;
-  return Multiresolution(mesh, asked, stop, rules, record ? *record : unused).solve();
+  return Multiresolution(mesh, asked, run, rules, record ? *record : unused).solve();
+}
+
+std::optional<Vec> multiresolution_map(const SurfaceMesh& mesh, const MapObjective& asked,
+                                       const StopCheck& stop, const MultiresolutionRules& rules,
+                                       MultiresolutionRecord* record) {
+  RunRecord run(stop);
+  return multiresolution_map(mesh, asked, run, rules, record);
 }
 
 }  // namespace majorant

@@ -6,16 +6,18 @@
 // Vertices are moved onto neighbours until a few hundred triangles are left; Tutte's map of those
 // is optimized; then the vertices come back in reverse order, each at the place that is best for
 // the triangles around it. At sizes that grow by a constant ratio the whole map is improved, vertex
-// by vertex and by steps of Newton's method on the mesh of that size. The last size, the surface
-// itself, is left to the caller: what it gets is usually within 1e-3 of the minimum, often within
-// 1e-4, whatever the number of triangles, and costs about what three to six factorizations on the
-// surface do. Not for small meshes, where a few steps from Tutte's map cost less.
+// by vertex and by steps of Newton's method, first where the map is squeezed, then on the whole
+// mesh of that size. The last size, the surface itself, is left to the caller: what it gets is
+// usually within 1e-3 of the minimum, often within 1e-4, whatever the number of triangles, and
+// costs about what three to six factorizations on the surface do. Not for small meshes, where a few
+// steps from Tutte's map cost less.
 #pragma once
 
 #include <limits>
 #include <optional>
 #include <vector>
 
+#include "majorant/framework/run_record.h"
 #include "majorant/framework/stop_check.h"
 #include "majorant/mesh/surface_mesh.h"
 #include "majorant/parametrization/maps/map_objective.h"
@@ -45,12 +47,27 @@ struct MultiresolutionRules {
   // Newton steps of all vertices, one after the other, when a level is complete. Origin:
   // bench/multiresolution: 6 cost 0.35 fe more at 10,000 faces and take a quarter off the error.
   int sweeps = 4;
-  // Pairs that L-BFGS keeps on a level. Origin: [NW06] Sec. 7.2 has 3 to 20.
-  int history = 8;
-  // Its steps for a factorization. Origin: bench/multiresolution: 6 cost 0.3 fe more at 10,000
-  // faces.
-  int metric_every = 10;
-  // Its steps. Origin: bench/multiresolution: hand, scorpion and penguin reach it on coarse levels.
+  // Of the vertices that came back, how many neighbours have to have given way for the squeezed
+  // parts of a level to be relaxed before the whole. Origin: bench/multiresolution: 3 % do on disks
+  // where that gains nothing, 9 to 12 % on scorpion_10000 and penguin_10000.
+  double squeezed_share = 0.05;
+  // Of the mean over all vertices of the mean energy around them: above, a vertex is squeezed.
+  // Origin: bench/multiresolution: scorpion_10000 takes 16.3 fe with 1.5, 16.9 with 1.3, 18.4 with
+  // 2, 26.9 without.
+  double squeezed = 1.5;
+  // Rings of neighbours that move with the squeezed vertices. Origin: bench/multiresolution: 2 take
+  // 0.7 fe more on scorpion_10000.
+  int squeezed_rings = 1;
+  // Newton steps of the squeezed parts. Origin: bench/multiresolution: 15 leave twice the error on
+  // scorpion_10000.
+  int squeezed_steps = 30;
+  // Relative decrease that ends them, of the energy of these parts. Origin: as `decrease`.
+  double squeezed_decrease = 1e-4;
+  // Steps of all vertices together for a factorization. Origin: bench/multiresolution: 6 cost
+  // 0.3 fe more at 10,000 faces.
+  int factor_steps = 10;
+  // Of these, on a level. Origin: bench/multiresolution: hand, scorpion and penguin reach it on
+  // coarse levels.
   int most_steps = 30;
   // Of all triangles, what a coarse level has at most. Origin: chosen, not tuned.
   double coarse_part = 1.0 / 8;
@@ -59,18 +76,21 @@ struct MultiresolutionRules {
   double coarse_decrease = 1e-5;
   // The same for the others. Origin: what is left there is less than what the next level adds.
   double decrease = 1e-4;
-  // Of the energy, from one level to the next: a larger drop gives the start up, since what is
-  // coarse says nothing of what is fine. Infinite: never.
+  // Of the energy, from one level to the next that is not coarse: a larger drop gives the start up,
+  // since what is coarse says nothing of what is fine. Infinite: never.
   double largest_drop = std::numeric_limits<double>::infinity();
 };
 
 // What a level cost: for measurements.
 struct LevelRecord {
   Index faces = 0;
-  Index hot = 0;      // vertices whose neighbours gave way
-  int steps = 0;      // of all vertices together
-  double energy = 0;  // mean, after these
-  double insert_seconds = 0, sweep_seconds = 0, solve_seconds = 0;  // CPU time of the process
+  Index hot = 0;           // vertices whose neighbours gave way
+  Index squeezed = 0;      // vertices that were relaxed together before the others
+  int squeezed_steps = 0;  // of these
+  int steps = 0;           // of all vertices together
+  double energy = 0;       // mean, after these
+  // CPU time of the process.
+  double insert_seconds = 0, sweep_seconds = 0, squeezed_seconds = 0, solve_seconds = 0;
 };
 struct MultiresolutionRecord {
   double decimation_seconds = 0;
@@ -80,7 +100,12 @@ struct MultiresolutionRecord {
 // u, v per vertex, model units; every face positive with room (Tutte's boundary where
 // asked.boundary is fixed). Deterministic, whatever the number of threads. None where the surface
 // is too small or unsuited, or doubles have no room. Needs a disk, possibly with holes; throws
-// Error as tutte_map(); Stopped.
+// Error as tutte_map(); Stopped, by run.start_stop(). Notes the steps of all vertices together in
+// `run`, those of the coarsest mesh as the highest level; its limit of iterations is not for them.
+std::optional<Vec> multiresolution_map(const SurfaceMesh& mesh, const MapObjective& asked,
+                                       RunRecord& run, const MultiresolutionRules& rules = {},
+                                       MultiresolutionRecord* record = nullptr);
+// The same, unseen.
 std::optional<Vec> multiresolution_map(const SurfaceMesh& mesh, const MapObjective& asked,
                                        const StopCheck& stop = {},
                                        const MultiresolutionRules& rules = {},

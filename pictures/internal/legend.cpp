@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <tuple>
+
 #include "majorant/framework/error.h"
 #include "majorant/pictures/internal/claimed_energy.h"
 
@@ -23,24 +26,38 @@ ColorScale picture_scale(const MapFile& map, Quantity quantity,
   }
 }
 
-Legend make_legend(const MapFile& map, const ColorScale& scale, VecIn values,
-                   const std::string& parts) {
+void ValueSummary::add(const ColorScale& scale, double value) {
   const double slack = kSlack * (scale.high() - scale.low());  // densities are rounded
-  const Index below = (values.array() < scale.low() - slack).count();
-  const Index above = values.size() - (values.array() <= scale.high() + slack).count();
-  const std::string energy = claimed_energy(map).name;
-  Legend legend{scale, "", "", below > 0, above > 0};
-  legend.title =
-      fmt::format("{}, degree {}", scale.label() == "density" ? energy + " density" : scale.label(),
-                  map.degree);
-  legend.note = fmt::format("isometry {:.4g}; smallest {:.4g}, largest {:.4g}", scale.neutral(),
-                            values.minCoeff(), values.maxCoeff());
-  if (below > 0)
+  smallest = std::min(smallest, value);
+  largest = std::max(largest, value);
+  ++count;
+  below += value < scale.low() - slack ? 1 : 0;
+  above += value <= scale.high() + slack ? 0 : 1;
+}
+
+void ValueSummary::add(const ValueSummary& other) {
+  smallest = std::min(smallest, other.smallest);
+  largest = std::max(largest, other.largest);
+  count += other.count;
+  below += other.below;
+  above += other.above;
+}
+
+Legend make_legend(const MapFile& map, const ColorScale& scale, const ValueSummary& values,
+                   const std::string& parts) {
+  Legend legend{scale, scale.label(), "", values.below > 0, values.above > 0};
+  if (const std::string energy = claimed_energy(map).name;
+      scale.label() == quantity_name(Quantity::Density))
+    legend.title = fmt::format("{} density", energy);
+  legend.title += fmt::format(", degree {}", map.degree);
+  legend.note = fmt::format("isometry {:.4g}", scale.neutral());
+  if (values.count > 0)
     legend.note +=
-        fmt::format("; {} of {} {} below {:.4g}", below, values.size(), parts, scale.low());
-  if (above > 0)
-    legend.note +=
-        fmt::format("; {} of {} {} above {:.4g}", above, values.size(), parts, scale.high());
+        fmt::format("; smallest {:.4g}, largest {:.4g}", values.smallest, values.largest);
+  for (const auto& [count, where, end] :
+       {std::tuple{values.below, "below", scale.low()}, {values.above, "above", scale.high()}})
+    if (count > 0)
+      legend.note += fmt::format("; {} of {} {} {} {:.4g}", count, values.count, parts, where, end);
   return legend;
 }
 

@@ -1,6 +1,8 @@
 // What the legend of a coloured map says, however it is drawn.
 #pragma once
 
+#include <cstdint>
+#include <limits>
 #include <string>
 
 #include "majorant/io/map_file.h"
@@ -19,8 +21,17 @@ struct Legend {
 ColorScale picture_scale(const MapFile& map, Quantity quantity,
                          const std::optional<ColorRange>& range);
 
-// values: of every cell, or of other parts, called `parts` ("triangles").
-Legend make_legend(const MapFile& map, const ColorScale& scale, VecIn values,
+// What there is to say of many values.
+struct ValueSummary {
+  double smallest = std::numeric_limits<double>::infinity(), largest = -smallest;
+  std::int64_t count = 0, below = 0, above = 0;  // of the scale
+
+  void add(const ColorScale& scale, double value);
+  void add(const ValueSummary& other);
+};
+
+// parts: what the values are of, "triangles".
+Legend make_legend(const MapFile& map, const ColorScale& scale, const ValueSummary& values,
                    const std::string& parts);
 
 }  // namespace majorant

@@ -105,7 +105,7 @@ class Distortion(CommandTest):
     def agrees(self, numbers, expected, linf=0.1):
         ratio = numbers / expected
         self.assertLess(np.abs(ratio[:, :5] - 1).max(), 2e-3)
-        self.assertTrue((ratio[:, 5] > 0.999).all())  # the tool looks at corners, too
+        self.assertGreater(ratio[:, 5].min(), 0.99)  # sampled, at corners, too
         self.assertLess(ratio[:, 5].max(), 1 + linf)
 
     def summary_agrees(self, section, found, tolerance):

@@ -158,6 +158,19 @@ class Pages(CommandTest):
                     '--max-iterations', 3, '--degree', 1, code=LIMIT)
         self.assertGreater(len(self.data('a.html')['snapshots']), 2)
 
+    def test_memory_is_bounded(self):
+        """At most 16 MB of control points, here of 37,249: beyond, every second frame goes."""
+        points = [(0, [2, 2.5]), (300, [0.1, 0.9]), (624, [1, 1])]
+        self.run_ok('deform', self.write('flat.obj', obj_text(*grid(24, lambda x, y: 0))),
+                    '--handles', self.write('h.json', json.dumps({'handles': [
+                        {'vertex': v, 'target': t} for v, t in points]})),
+                    '--degree', 8, '--max-iterations', 70, '--snapshots', 1,
+                    '-o', self.path('a.html'), '--report', self.path('a.json'), code=LIMIT)
+        self.assertEqual(json.loads(self.read('a.json'))['snapshots'], {'every': 2, 'frames': 36})
+        frames = self.data('a.html')['snapshots']
+        self.assertEqual([f['iteration'] for f in frames], list(range(0, 71, 2)))
+        self.assertLessEqual(sum(len(base64.b64decode(f['uv'])) for f in frames), 1 << 24)
+
     def test_snapshots_are_refused(self):
         mesh = self.bumpy()
         self.refused(USAGE, 'parametrize', mesh, '-o', self.path('a.vtu'), '--snapshots', 2,

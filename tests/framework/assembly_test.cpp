@@ -122,6 +122,61 @@ TEST_P(Assembly, GeneralConstraints) {
   expect_exact_pattern(problem, {term});
 }
 
+// What build(before) takes over of a problem before makes the same problem as building it anew.
+void expect_same_problem(const Problem& found, const Problem& expected, Random& random) {
+  EXPECT_EQ(found.pattern().column_starts, expected.pattern().column_starts);
+  EXPECT_EQ(found.pattern().rows, expected.pattern().rows);
+  EXPECT_EQ(found.pattern().block_of, expected.pattern().block_of);
+  const Vec y = random.vector(expected.size());
+  Vec gradient[2], values[2];
+  Evaluator(found).linearize(y, Curvature::Exact, gradient[0], values[0]);
+  Evaluator(expected).linearize(y, Curvature::Exact, gradient[1], values[1]);
+  EXPECT_EQ(gradient[0], gradient[1]);
+  EXPECT_EQ(values[0], values[1]);
+}
+
+TEST_P(Assembly, TakesOverTheTermsThatStay) {
+  Random random(7);
+  const int block = GetParam();
+  const auto stays = std::make_shared<const QuadraticTerm>(
+      test::random_stencils(random, 200, 3, 20, block), random);
+  Rows rows;
+  rows.row({{0, 1}, {7, -1}}, 0).row({{3, 1}}, 1);
+  Problem before;
+  // More nodes behind its own, then less; the same edges and others among its own nodes.
+  for (const Index nodes : {24, 30, 30, 22}) {
+    const auto changes = std::make_shared<const QuadraticTerm>(
+        test::random_stencils(random, 40, 2, nodes, block), random);
+    TermState state;
+    state.element_rule.assign(200, 0);  // the default, spelled out
+    Rows last;
+    last.row({{block * nodes - 1, 1}}, 2);
+    ProblemBuilder builder(nodes * block);
+    builder.add(stays, state).add(changes, 2.0).add(rows).add(last);
+    const Problem expected = builder.build();
+    const Problem found = nodes == 24 ? expected : builder.build(before);
+    expect_same_problem(found, expected, random);
+    if (nodes != 24) {
+      EXPECT_EQ(&ProblemParts::plan(found, found.terms().front()),
+                &ProblemParts::plan(before, before.terms().front()));
+    }
+    before = found;
+  }
+}
+
+TEST_P(Assembly, TakesNothingOverWhereUnknownsAreOthers) {
+  Random random(8);
+  const int block = GetParam();
+  const auto term = std::make_shared<const QuadraticTerm>(
+      test::random_stencils(random, 50, 3, 20, block), random);
+  Rows rows;
+  rows.row({{3, 1}}, 1);
+  const Problem free = ProblemBuilder(20 * block).add(term, 1.0).build();
+  ProblemBuilder builder(20 * block);
+  builder.add(term, 1.0).add(rows);
+  expect_same_problem(builder.build(free), builder.build(), random);
+}
+
 TEST_P(Assembly, SeveralTermsWeightsAndRules) {
   Random random(4);
   const int block = GetParam();

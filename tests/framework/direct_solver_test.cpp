@@ -46,6 +46,25 @@ TEST_P(DirectSolver, RefactorizesOtherValues) {
   }
 }
 
+// Patterns that change a little at a time.
+TEST_P(DirectSolver, KeepsAnOrderingWhileItServes) {
+  Random random(4);
+  const auto solver = make();
+  Stencils s = test::random_stencils(random, 300, 3, 400, 2);
+  const Elimination all(800, ConstraintRows{});
+  int kept = 0, ordered = 0;
+  for (int round = 0; round < 40; ++round) {
+    for (int k = 0; k < 3; ++k) s.nodes(random.integer(0, 299), 0) = random.integer(0, 399);
+    const Matrix m = test::random_matrix(random, s, all, 60);
+    solver->analyze(m.pattern);
+    ASSERT_EQ(solver->factorize(m.values, 0), FactorStatus::Ok) << round;
+    expect_solves(*solver, m.dense, random);
+    (solver->description().find("earlier") == std::string::npos ? ordered : kept) += 1;
+  }
+  EXPECT_GE(kept, 20);
+  EXPECT_GE(ordered, 2);  // the first time, and where operations have become too many
+}
+
 TEST_P(DirectSolver, DetectsIndefinitenessAndRecoversByShift) {
   Random random(3);
   const auto solver = make();

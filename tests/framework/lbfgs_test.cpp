@@ -16,19 +16,9 @@ struct LbfgsTraits {
     return std::make_unique<LbfgsMinimizer>(o);
   }
 };
-struct RefactoredLbfgsTraits {
-  static constexpr Status kAmongGaps = Status::Converged;
-  static std::unique_ptr<Minimizer> make(int max_iterations) {
-    LbfgsOptions o;
-    o.metric_every = 5;
-    o.linear_solver = make_eigen_ldlt_solver;
-    o.stopping.max_iterations = max_iterations;
-    return std::make_unique<LbfgsMinimizer>(o);
-  }
-};
 
 namespace test {
-using LbfgsKinds = testing::Types<LbfgsTraits, RefactoredLbfgsTraits>;
+using LbfgsKinds = testing::Types<LbfgsTraits>;
 INSTANTIATE_TYPED_TEST_SUITE_P(Lbfgs, MinimizerCases, LbfgsKinds);
 }  // namespace test
 
@@ -64,7 +54,6 @@ TEST(Lbfgs, RecordsCountFactorizations) {
   const auto counts = std::make_shared<test::SolverCounts>();
   LbfgsOptions o;
   o.curvature = Curvature::Exact;  // indefinite at the start: shifted
-  o.metric_every = 5;
   o.stopping.max_iterations = 17;
   o.linear_solver = test::counting(counts);
   const SolveResult r = LbfgsMinimizer(o).minimize(chain.problem, chain.start, {});
@@ -72,8 +61,7 @@ TEST(Lbfgs, RecordsCountFactorizations) {
   EXPECT_GT(counts->failed, 0);
   EXPECT_EQ(test::recorded(r.iterations).factorizations, counts->factorizations);
   EXPECT_EQ(test::recorded(r.iterations).failed, counts->failed);
-  for (std::size_t k = 0; k < 17; ++k)
-    EXPECT_EQ(r.iterations[k].factorizations > 0, k % 5 == 0) << k;
+  for (std::size_t k = 0; k < 17; ++k) EXPECT_EQ(r.iterations[k].factorizations > 0, k == 0) << k;
 }
 
 // With an arbitrary metric and enough history, a quadratic of n unknowns takes about n steps; no
@@ -95,33 +83,6 @@ TEST(Lbfgs, HistoryMakesUpForAPoorMetric) {
   o.history = 0;
   const SolveResult slow = LbfgsMinimizer(o).minimize(problem, y0, {});
   EXPECT_GE(slow.iterations.size(), 2 * r.iterations.size());
-}
-
-// Refactored in each step, it is Newton's method with the projected Hessian, to the last bit.
-TEST(Lbfgs, AMetricForEachStepIsNewtonsMethod) {
-  const ChainProblem chain(30);
-  LbfgsOptions o;
-  o.metric_every = 1;
-  NewtonOptions n;
-  n.blend.below = 0;
-  n.stopping = o.stopping;
-  const SolveResult r = LbfgsMinimizer(o).minimize(chain.problem, chain.start, {});
-  const SolveResult newton = NewtonMinimizer(n).minimize(chain.problem, chain.start, {});
-  EXPECT_EQ(r.status, Status::Converged);
-  EXPECT_EQ(r.y, newton.y);
-  EXPECT_EQ(r.iterations.size(), newton.iterations.size());
-}
-
-TEST(Lbfgs, RefactorsAsOftenAsTold) {
-  const ChainProblem chain(30);
-  LbfgsOptions o;
-  for (const int every : {0, 4}) {
-    o.metric_every = every;
-    const SolveResult r = LbfgsMinimizer(o).minimize(chain.problem, chain.start, {});
-    ASSERT_GT(r.iterations.size(), 5u);
-    for (std::size_t k = 0; k < r.iterations.size(); ++k)
-      EXPECT_EQ(r.iterations[k].seconds.factorize > 0, every > 0 ? k % 4 == 0 : k == 0) << k;
-  }
 }
 
 // cautious = 1 asks for s and q to be parallel: no pair passes, which is descent in the metric.
@@ -154,33 +115,6 @@ TEST(Lbfgs, RestartsWithTheMetricWhereTheDirectionIsNoDescent) {
   EXPECT_EQ(r.status, Status::Converged) << r.message;
   EXPECT_NEAR(r.y[0], 11, 1e-6);
   EXPECT_NEAR(r.iterations.at(1).newton_decrement, 1.5 * 1.5 / 2, 1e-12) << "g.M^-1 g";
-}
-
-// Right after a factorization the direction is the metric's alone.
-TEST(Lbfgs, ANewMetricStartsANewHistory) {
-  const ChainProblem chain(10);
-  LbfgsOptions o;
-  o.metric_every = 4;
-  Metric metric(chain.problem, Curvature::Projected, make_direct_solver());
-  Evaluator evaluator(chain.problem);
-  Vec before = chain.start, g, p;
-  int others = 0;
-  const auto observer = [&](const IterationRecord& r, const Vec& y) {
-    evaluator.gradient(before, g);
-    EXPECT_TRUE(metric.factorize(before));
-    metric.solve(g, p);
-    const bool newton = std::abs(r.newton_decrement - g.dot(p)) <= 1e-9 * g.dot(p);
-    if ((r.iteration - 1) % 4 == 0) {
-      EXPECT_TRUE(newton) << r.iteration;
-    } else {
-      others += !newton;
-    }
-    before = y;
-    return Directive::Continue;
-  };
-  const SolveResult r = LbfgsMinimizer(o).minimize(chain.problem, chain.start, observer);
-  EXPECT_GE(r.iterations.size(), 9u);
-  EXPECT_GT(others, 4);
 }
 
 // A non-convex valley full of negative curvature along the way: pairs are skipped, never used.

@@ -192,53 +192,6 @@ TEST(Newton, NoBlendFarFromAMinimumNorAfterShortSteps) {
     EXPECT_EQ(r.clamp, 1);
 }
 
-// Steps between factorizations cost none, are as many as allowed, and end in the same minimum.
-TEST(Newton, KeptFactorsServeSeveralSteps) {
-  const test::ChainProblem chain(60);
-  NewtonOptions o = options(Curvature::Projected);
-  const SolveResult plain = NewtonMinimizer(o).minimize(chain.problem, chain.start, {});
-  const auto counts = std::make_shared<test::SolverCounts>();
-  o.linear_solver = test::counting(counts);
-  o.kept.below = kInfinity;
-  o.kept.steps = 3;
-  const SolveResult r = NewtonMinimizer(o).minimize(chain.problem, chain.start, {});
-  ASSERT_EQ(r.status, Status::Converged) << r.message;
-  EXPECT_NEAR(r.energy, plain.energy, 1e-6 * std::abs(plain.energy));
-  int kept = 0, longest = 0, run = 0;
-  for (std::size_t k = 0; k < r.iterations.size(); ++k) {
-    run = r.iterations[k].factorizations > 0 ? 0 : run + 1;
-    kept += run > 0;
-    longest = std::max(longest, run);
-    if (run > 1) EXPECT_GE(r.iterations[k - 1].step, o.kept.short_step);
-  }
-  EXPECT_GT(kept, 3);
-  EXPECT_EQ(longest, 3);
-  EXPECT_LT(counts->factorizations, test::recorded(plain.iterations).factorizations);
-  o.kept.short_step = kInfinity;
-  for (const IterationRecord& each :
-       NewtonMinimizer(o).minimize(chain.problem, chain.start, {}).iterations)
-    EXPECT_GT(each.factorizations, 0);
-}
-
-// A factor belongs to its problem, and a polished step is Newton's.
-TEST(Newton, OtherProblemsAndPolishedStepsKeepNoFactor) {
-  const test::ChainProblem chain(60);
-  NewtonOptions o = options(Curvature::Projected);
-  o.kept.below = kInfinity;
-  o.kept.short_step = o.kept.short_bound = 0;
-  NewtonStepper stepper(chain.problem, o);
-  Vec y = chain.start;
-  double energy = stepper.evaluator().value(y);
-  const auto factorizations = [&] { return stepper.step(y, energy).record.factorizations; };
-  EXPECT_EQ(factorizations(), 1);
-  EXPECT_EQ(factorizations(), 0);
-  stepper.reset(chain.problem);
-  EXPECT_EQ(factorizations(), 1);
-  EXPECT_EQ(factorizations(), 0);
-  stepper.polish();
-  EXPECT_GE(factorizations(), 1);
-}
-
 // The whole Hessian is negative: a shift of one mean diagonal is not enough.
 TEST(Newton, ShiftsNegativeDefiniteHessians) {
   const Problem problem =

@@ -15,12 +15,12 @@ struct Matrix {
   Eigen::MatrixXd dense;
 };
 
-// Random symmetric matrix on the pattern of random stencils; positive definite when `diagonal` is
-// large enough.
-inline Matrix random_matrix(Random& random, Index nodes, int block, double diagonal) {
-  const Stencils s = random_stencils(random, 2 * nodes, 3, nodes, block);
-  const Elimination all(nodes * block, ConstraintRows{});
-  Matrix m{reduced_pattern({&s}, all), {}, Eigen::MatrixXd::Zero(nodes * block, nodes * block)};
+// Random symmetric matrix on the pattern of stencils; positive definite when `diagonal` is large
+// enough.
+inline Matrix random_matrix(Random& random, const Stencils& s, const Elimination& all,
+                            double diagonal) {
+  const Index size = all.full_size();
+  Matrix m{reduced_pattern({&s}, all), {}, Eigen::MatrixXd::Zero(size, size)};
   m.values = random.vector(m.pattern.nonzeros());
   for (Index c = 0; c < m.pattern.size; ++c)
     for (Index k = m.pattern.column_starts[static_cast<std::size_t>(c)];
@@ -30,6 +30,12 @@ inline Matrix random_matrix(Random& random, Index nodes, int block, double diago
       m.dense(r, c) = m.dense(c, r) = m.values[k];
     }
   return m;
+}
+
+// On the pattern of random stencils.
+inline Matrix random_matrix(Random& random, Index nodes, int block, double diagonal) {
+  const Stencils s = random_stencils(random, 2 * nodes, 3, nodes, block);
+  return random_matrix(random, s, Elimination(nodes * block, ConstraintRows{}), diagonal);
 }
 
 inline void expect_solves(LinearSolver& solver, const Eigen::MatrixXd& dense, Random& random) {

@@ -6,8 +6,10 @@
 #include "compressed_helpers.h"
 #include "io_test_helpers.h"
 #include "majorant/io/internal/read_vertex_lists.h"
+#include "majorant/io/msh.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/vtu.h"
+#include "majorant/io/write_ply.h"
 
 namespace majorant {
 namespace {
@@ -78,6 +80,24 @@ std::string example(const std::string& extension) {
     return R"({"index_base": 1, "handles": [{"vertex": 1, "target": [0.5, -1e2]},
               {"vertex": 2, "target": "initial"}], "other": [true, null, "\u00e9"]})";
   }
+  if (extension == "wedges.ply") {
+    std::string text = ply("ascii", "0 0 0\n1 0 0\n0 1 0\n3 0 1 2 6 0 0 1 0 0 1\n");
+    return text.insert(text.find("end_header"), "property list uchar float texcoord\n");
+  }
+  if (extension == "copies.ply") {
+    write_ply(folder.file("map.ply"), random_strip(1, 2, 1), nullptr);
+    return content_of(folder.file("map.ply"));
+  }
+  if (extension == "msh" || extension == "views.msh") {
+    const bool is_image = extension == "msh";
+    write_msh(folder.file("map.msh"), random_strip(2, 2, 1),
+              is_image ? MshContent::Image : MshContent::Surface);
+    return content_of(folder.file("map.msh"));
+  }
+  if (extension == "lagrange.vtu") {
+    write_vtu(folder.file("map.vtu"), random_strip(2, 2, 1), VtuCells::Lagrange);
+    return content_of(folder.file("map.vtu"));
+  }
   if (extension == "obj.gz") return gzip_of(example("obj"));
   write_vtu(folder.file("map.vtu"), random_strip(2, 2, 1));
   const std::string vtu = content_of(folder.file("map.vtu"));
@@ -94,6 +114,7 @@ class ReaderFuzz : public ::testing::TestWithParam<std::string> {
         read_handles(path, 10);
       } else {
         require_valid(read_mesh(path));
+        if (GetParam().ends_with("msh")) read_map(path);
       }
       return true;
     } catch (const Error& error) {
@@ -149,7 +170,8 @@ TEST_P(ReaderFuzz, RandomDamage) {
 INSTANTIATE_TEST_SUITE_P(Formats, ReaderFuzz,
                          ::testing::Values("obj", "off", "ascii.ply", "little.ply", "big.ply",
                                            "ascii.stl", "binary.stl", "vtu", "json", "stream.off",
-                                           "strips.ply", "obj.gz", "zlib.vtu"),
+                                           "strips.ply", "obj.gz", "zlib.vtu", "wedges.ply",
+                                           "copies.ply", "msh", "views.msh", "lagrange.vtu"),
                          [](const auto& parameter) {
                            std::string name = parameter.param;
                            std::replace(name.begin(), name.end(), '.', '_');

@@ -42,6 +42,15 @@ TEST(Vtu, RoundTripIsExactForEveryDegree) {
   }
 }
 
+// Written before claims were bytes: an array of strings.
+TEST(Vtu, ClaimsOfOlderFiles) {
+  const std::string path = MAJORANT_SOURCE_DIR "/tests/data/maps/good/wrong_claims_1.vtu";
+  EXPECT_NE(content_of(path).find("type=\"String\" Name=\"majorant_claims\""), std::string::npos);
+  EXPECT_EQ(read_vtu(path).claims,
+            R"({"degree": 3, "energy": "none", "seams": true, )"
+            R"("normalized": {"origin": [10000000000.0, 0], "size": 1e-09}})");
+}
+
 TEST(Vtu, ChartsOfAnAtlas) {
   const TemporaryFolder folder;
   MapFile map = random_strip(2, 5, 1);

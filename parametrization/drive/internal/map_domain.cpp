@@ -8,6 +8,25 @@
 #include "majorant/framework/internal/stopwatch.h"
 
 namespace majorant {
+namespace {
+
+// A solver that is kept for the next one who needs one: patterns differ little, and it knows the
+// last one's ordering.
+class KeptSolver final : public LinearSolver {
+ public:
+  explicit KeptSolver(std::shared_ptr<LinearSolver> solver) : solver_(std::move(solver)) {}
+  void analyze(const SparsePattern& pattern) override { solver_->analyze(pattern); }
+  FactorStatus factorize(const Vec& values, double shift) override {
+    return solver_->factorize(values, shift);
+  }
+  void solve(const Vec& r, Vec& p) override { solver_->solve(r, p); }
+  std::string description() const override { return solver_->description(); }
+
+ private:
+  std::shared_ptr<LinearSolver> solver_;
+};
+
+}  // namespace
 
 MapProblem PlainDomain::build(const DomainInput& in, VecIn) {
   return map_problem(in.map, in.space, in.start, in.terms, in.injectivity);
@@ -22,7 +41,10 @@ ScaffoldedDomain::ScaffoldedDomain(const BezierMap& start, ScaffoldFlips flips,
       mode_(flips),
       rules_(rules.scaffold),
       relaxing_(newton_options(Curvature::Projected, rules, {}, ScaffoldedDomain::ordering())),
-      share_(rules_.share) {}
+      share_(rules_.share) {
+  const std::shared_ptr<LinearSolver> solver = make_direct_solver(ScaffoldedDomain::ordering());
+  relaxing_.linear_solver = [solver] { return std::make_unique<KeptSolver>(solver); };
+}
 
 MapProblem ScaffoldedDomain::build(const DomainInput& in, VecIn x) {
   const AddedSeconds time(seconds_);
@@ -37,7 +59,8 @@ MapProblem ScaffoldedDomain::build(const DomainInput& in, VecIn x) {
                                                in.depth, in.stop)));
   builder.add(FixedPoints::at(scaffold_.frame_nodes(), x));
   lambda_.reset();
-  return {builder.build(), std::move(energies)};
+  built_ = built_ ? builder.build(*built_) : builder.build();
+  return {*built_, std::move(energies)};
 }
 
 TermChanges ScaffoldedDomain::before_step(const MapProblem& built, VecIn x) {

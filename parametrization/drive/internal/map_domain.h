@@ -119,7 +119,8 @@ class ScaffoldedDomain final : public MapDomain {
   NewtonOptions relaxing_;
   FlipCounts flips_;
   double share_;                  // lambda E_conf / E
-  std::optional<TermId> around_;  // E_conf, in the last problem built
+  std::optional<Problem> built_;  // the last one
+  std::optional<TermId> around_;  // E_conf in it
   std::optional<double> lambda_;  // none: not set since the problem was built
 };
 

@@ -72,7 +72,8 @@ struct SolverRules {
   StoppingRules stopping;  // all but relative_decrease and max_iterations, which are asked for
   LineSearchOptions line_search;
   BlendRules blend;
-  KeptFactorRules kept;
+  // Origin: docs/performance.md, What was tried: most of what any of them gains, at every degree.
+  KeptFactorRules kept{.below = 1e-4, .steps = 5};
   QuadratureRules quadrature;
   // Times the quadrature of a finished run is refined. Origin: bench/tune.py accuracy_rounds.
   int accuracy_rounds = 3;

@@ -112,17 +112,16 @@ Scaffold::Scaffold(std::shared_ptr<const BezierTriangleSpace> image, VecIn x)
 
 // Nodes on the image's boundary have its numbers, the others follow.
 void Scaffold::number() {
-  std::vector<Index> compact(at(mesh_.faces.maxCoeff()) + 1, -1);  // vertex -> number in own_
-  for (const Index v : mesh_.faces.reshaped()) compact[at(v)] = 0;
+  own_vertex_.assign(at(mesh_.faces.maxCoeff()) + 1, -1);
+  for (const Index v : mesh_.faces.reshaped()) own_vertex_[at(v)] = 0;
   Index count = 0;
-  for (Index& v : compact)
+  for (Index& v : own_vertex_)
     if (v == 0) v = count++;
-  Cells faces = mesh_.faces;
-  for (Index& v : faces.reshaped()) v = compact[at(v)];
-  own_ = std::make_shared<const BezierTriangleSpace>(faces, count, mesh_.degree);
+  own_ = std::make_shared<const BezierTriangleSpace>(own_faces(), count, mesh_.degree);
 
-  std::vector<Index> joint(at(own_->node_count()), -1);
-  std::vector<Index> side_from(compact.size(), -1);  // of the scaffold's boundary, by its start
+  std::vector<Index>& joint = joint_node_;
+  joint.assign(at(own_->node_count()), -1);
+  std::vector<Index> side_from(own_vertex_.size(), -1);  // of the scaffold's boundary, by its start
   for (Index h = 0; h < 3 * face_count(); ++h)
     if (mesh_.opposite[at(h)] < 0) side_from[at(mesh_.from_vertex(h))] = h;
   for (const Index h : image_sides_) {
@@ -134,9 +133,7 @@ void Scaffold::number() {
   joint_node_count_ = image_->node_count();
   for (Index& node : joint)
     if (node < 0) node = joint_node_count_++;
-  NodeNumbering numbering{own_->cells(), joint_node_count_, {}};
-  for (Index& node : numbering.cells.reshaped()) node = joint[at(node)];
-  space_ = std::make_shared<const BezierTriangleSpace>(std::move(numbering), mesh_.degree);
+  number_jointly();
   levels_.resize(at(face_count()), 0);
   frame_nodes_.clear();
   for (std::size_t k = 0; k < frame_.size(); ++k)
@@ -144,6 +141,26 @@ void Scaffold::number() {
       frame_nodes_.push_back(node);
   std::sort(frame_nodes_.begin(), frame_nodes_.end());
   frame_nodes_.erase(std::unique(frame_nodes_.begin(), frame_nodes_.end()), frame_nodes_.end());
+}
+
+Cells Scaffold::own_faces() const {
+  Cells faces = mesh_.faces;
+  for (Index& v : faces.reshaped()) v = own_vertex_[at(v)];
+  return faces;
+}
+
+void Scaffold::number_jointly() {
+  NodeNumbering numbering{own_->cells(), joint_node_count_, {}};
+  for (Index& node : numbering.cells.reshaped()) node = joint_node_[at(node)];
+  space_ = std::make_shared<const BezierTriangleSpace>(std::move(numbering), mesh_.degree);
+}
+
+// Where nodes are vertices, flips leave their numbers and the boundary as they were.
+void Scaffold::number_flipped() {
+  if (mesh_.degree > 1) return number();
+  NodeNumbering numbering{own_faces(), own_->node_count(), own_->boundary_nodes()};
+  own_ = std::make_shared<const BezierTriangleSpace>(std::move(numbering), mesh_.degree);
+  number_jointly();
 }
 
 RestShapes Scaffold::rest() const {
@@ -182,7 +199,7 @@ void Scaffold::take(VecIn joint) { scatter(joint, space_->cells(), mesh_); }
 FlipCounts Scaffold::flip() {
   std::vector<char> none;
   const FlipCounts counts = make_delaunay(mesh_, none);
-  if (counts.performed > 0) number();
+  if (counts.performed > 0) number_flipped();
   return counts;
 }
 

@@ -62,11 +62,15 @@ class Scaffold {
  private:
   Scaffold() = default;
   void number();
+  void number_flipped();
+  void number_jointly();
+  Cells own_faces() const;
   Points2 frame_points() const;
   std::shared_ptr<const DensityTerm> term_on(std::shared_ptr<const BezierTriangleSpace>) const;
 
   std::shared_ptr<const BezierTriangleSpace> image_, space_;
   std::shared_ptr<const BezierTriangleSpace> own_;  // the scaffold alone, numbered by itself
+  std::vector<Index> own_vertex_, joint_node_;      // by vertex; by node of own_
   BezierMesh mesh_;                 // vertices: those of the image, then the scaffold's own
   std::vector<Index> image_sides_;  // half-edges of the image's boundary
   std::vector<Index> frame_;        // vertices of the frame, counterclockwise

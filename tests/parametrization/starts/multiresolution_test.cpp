@@ -142,6 +142,67 @@ TEST(Multiresolution, IsTheSameWithAnyNumberOfThreadsAndAtAnyScale) {
   EXPECT_EQ(*multiresolution_map(*surface(large), {}, {}, small()), 1024 * *first);
 }
 
+// The creature's limbs are squeezed: relaxed before the rest, they leave less to the levels, the
+// last one included. Thresholds beyond reach switch it off.
+TEST(Multiresolution, RelaxesWhatIsSqueezedFirst) {
+  const auto mesh = generated("creature");
+  MultiresolutionRules rules = small();
+  rules.squeezed_share = 0;
+  MultiresolutionRecord relaxed, left;
+  const Vec with = *multiresolution_map(*mesh, {}, {}, rules, &relaxed);
+  rules.squeezed_share = 2;
+  const Vec without = *multiresolution_map(*mesh, {}, {}, rules, &left);
+  expect_injective(mesh, with);
+  EXPECT_LT(energy_of(mesh, {}, with), energy_of(mesh, {}, without));
+  ASSERT_EQ(relaxed.levels.size(), left.levels.size());
+  for (std::size_t k = 1; k < left.levels.size(); ++k) {
+    EXPECT_GT(relaxed.levels[k].squeezed_steps, 0) << k;
+    EXPECT_GT(relaxed.levels[k].squeezed, 0) << k;
+    EXPECT_LT(relaxed.levels[k].squeezed, relaxed.levels[k].faces / 2) << k;
+    EXPECT_EQ(left.levels[k].squeezed, 0) << k;
+  }
+}
+
+// What is relaxed first may touch neither the rest of the map nor a boundary that is held.
+TEST(Multiresolution, HoldsTheBoundaryOfWhatIsSqueezed) {
+  const auto mesh = surface(grid(24, bumpy));
+  MapObjective asked;
+  asked.boundary = BoundaryCondition::Fixed;
+  MultiresolutionRules rules = small();
+  rules.squeezed_share = rules.squeezed = 0;  // all vertices
+  MultiresolutionRecord record;
+  const Vec uv = *multiresolution_map(*mesh, asked, {}, rules, &record);
+  EXPECT_EQ(record.levels.back().squeezed, mesh->vertex_count());
+  expect_injective(mesh, uv);
+  const Vec tutte = tutte_map(*mesh);
+  for (const Index v : mesh->boundary_loops().front())
+    EXPECT_EQ(Vector2(uv.segment<2>(2 * v)), Vector2(tutte.segment<2>(2 * v)));
+}
+
+// Rows of coarse levels, the coarsest first, with their energies; a run's limit is not for them.
+TEST(Multiresolution, NotesItsSteps) {
+  const auto mesh = generated("creature");
+  RunRecord run;
+  MultiresolutionRecord record;
+  ASSERT_TRUE(multiresolution_map(*mesh, {}, run, small(), &record));
+  std::size_t row = 0;
+  for (std::size_t k = 0; k + 1 < record.levels.size(); ++k) {
+    const LevelRecord& level = record.levels[k];
+    for (int step = 0; step < level.steps; ++step, ++row) {
+      ASSERT_LT(row, run.trace().size());
+      EXPECT_EQ(run.trace()[row].level, static_cast<int>(record.levels.size() - 1 - k));
+    }
+    EXPECT_EQ(run.trace()[row - 1].energy, level.energy) << k;
+  }
+  EXPECT_EQ(row, run.trace().size());
+  EXPECT_EQ(steps_taken(run.trace()), 0);
+
+  RunRecord short_run(1e9, 0);
+  ASSERT_TRUE(multiresolution_map(*mesh, {}, short_run, small()));
+  EXPECT_EQ(short_run.trace().size(), run.trace().size());
+  EXPECT_EQ(short_run.iterations_left(), 0);
+}
+
 TEST(Multiresolution, SaysWhatItDoesNotKnow) {
   EXPECT_FALSE(multiresolution_map(*surface(grid(3)), {}));  // too small
   const auto mesh = surface(grid(20));

@@ -1,0 +1,29 @@
+// Pictures of pixels, and the .png files they are kept in.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "majorant/pictures/color_scale.h"
+
+namespace majorant {
+
+struct PixelImage {
+  int width = 0, height = 0;
+  std::vector<Color> pixels;  // row by row from the top
+
+  Color& at(int x, int y) {
+    return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                  static_cast<std::size_t>(x)];
+  }
+  const Color& at(int x, int y) const { return const_cast<PixelImage*>(this)->at(x, y); }
+};
+
+// The bytes of a file, the same for the same pixels. Throws Error(Usage) where libpng fails.
+std::string encode_png(const PixelImage& image);
+
+// Of any colours and depths, made 8-bit RGB, what is transparent on white. Throws
+// Error(Unreadable), naming the file, for what is no .png or too large.
+PixelImage read_png(const std::string& path);
+
+}  // namespace majorant

@@ -1,0 +1,41 @@
+// What the samples of a picture of pixels look like.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "majorant/energies/internal/density_probe.h"
+#include "majorant/pictures/internal/bezier_image.h"
+#include "majorant/pictures/internal/legend.h"
+#include "majorant/pictures/internal/png_file.h"
+#include "majorant/pictures/internal/rasterizer.h"
+
+namespace majorant {
+
+using FloatColor = Eigen::Vector3d;  // sRGB, 0 to 255
+
+// Gives colours to fragments; by several threads at a time.
+class Painter {
+ public:
+  virtual ~Painter() = default;
+  // One colour a sample, where there is a cell; adds what legends say.
+  virtual void paint(std::span<const Fragment> samples, std::span<FloatColor> colors,
+                     ValueSummary& values) const = 0;
+};
+
+std::unique_ptr<Painter> plain_painter();
+// The square around the layout that has its larger side.
+struct LayoutSquare {
+  explicit LayoutSquare(const MapFile& map);
+  Vector2 middle;
+  double side;
+};
+std::unique_ptr<Painter> checker_painter(const MapFile& map);
+std::unique_ptr<Painter> image_painter(const MapFile& map, PixelImage image);
+// energy: of the density. Of cells whose surface triangle has no area: kFlippedColor.
+std::unique_ptr<Painter> heat_painter(const MapFile& map, Quantity quantity,
+                                      const EnergySum& energy, const ColorScale& scale);
+
+}  // namespace majorant

@@ -1,0 +1,153 @@
+#include "majorant/pictures/internal/raster_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "majorant/io/internal/bezier_cell.h"
+#include "majorant/pictures/internal/bezier_image.h"
+
+namespace majorant {
+namespace {
+
+constexpr double kViewHeight = 2.15;  // of half the diagonal
+constexpr double kUpright = 0.9986;   // cosine of 3 degrees
+constexpr double kMargin = 0.02;      // around the layout
+constexpr double kChord = 0.1;        // pixels from the curve
+constexpr int kMostPieces = 64;       // along an edge
+constexpr double kMostTriangles = 4e6;
+
+// Rows: right, up, towards the eye.
+Eigen::Matrix3d view_axes(const Vector3& view) {
+  const Vector3 eye = view.stableNormalized();
+  const Vector3 up = std::abs(eye.y()) > kUpright ? Vector3::UnitZ() : Vector3::UnitY();
+  Eigen::Matrix3d axes;
+  axes.row(0) = up.cross(eye).normalized();
+  axes.row(1) = eye.cross(axes.row(0).transpose());
+  axes.row(2) = eye;
+  return axes;
+}
+
+// How far the control points of cells are from the lattice of the straight triangle, pixels.
+double curvature_of(const MapFile& map, double scale) {
+  double most = 0;
+  const auto indices = bezier_multi_indices(map.degree);
+  for (Index c = 0; c < map.cells.rows(); ++c)
+    for (std::size_t l = 3; l < indices.size(); ++l) {
+      const auto [i, j, k] = indices[l];
+      const auto point = [&](Index local) { return Vector2(map.uv.row(map.cells(c, local))); };
+      const Vector2 straight = (i * point(0) + j * point(1) + k * point(2)) / map.degree;
+      most = std::max(most, scale * (point(static_cast<Index>(l)) - straight).norm());
+    }
+  return most;
+}
+
+// Along an edge of every cell, the same for all: neighbours meet.
+int pieces(const MapFile& map, double scale) {
+  if (map.degree == 1) return 1;
+  const double wanted = std::ceil(std::sqrt(curvature_of(map, scale) / kChord));
+  const double most = std::sqrt(kMostTriangles / static_cast<double>(map.cells.rows()));
+  return static_cast<int>(std::clamp(std::min(wanted, most), 1.0, double{kMostPieces}));
+}
+
+// Of a corner on the surface: what tells corners of several cells that they are one point.
+using Place = std::array<double, 3>;
+Place place_of(const MapFile& map, Index c, Index k) {
+  const Vector3 p = map.points.row(map.cells(c, k));
+  return {p.x() + 0.0, p.y() + 0.0, p.z() + 0.0};  // -0 is 0
+}
+
+}  // namespace
+
+std::vector<RasterTriangle> surface_triangles(const MapFile& map, const Vector3& view,
+                                              PixelSize size) {
+  const Vector3 low = map.points.colwise().minCoeff(), high = map.points.colwise().maxCoeff();
+  const Vector3 middle = 0.5 * low + 0.5 * high;
+  const double radius = std::max((0.5 * high - 0.5 * low).norm(), 1e-300);
+  const double scale = std::min(size.width, size.height) / kViewHeight;  // pixels a radius
+  const Eigen::Matrix3d axes = view_axes(view);
+  std::vector<RasterTriangle> triangles(static_cast<std::size_t>(map.cells.rows()));
+  for (Index c = 0; c < map.cells.rows(); ++c) {
+    RasterTriangle& t = triangles[at(c)];
+    t.cell = c;
+    for (Index k = 0; k < 3; ++k) {
+      const Vector3 p =
+          axes * ((Vector3(map.points.row(map.cells(c, k))) - middle) / radius) * scale;
+      t.corners[at(k)] = {0.5 * size.width + p.x(), 0.5 * size.height - p.y()};
+      t.depth[at(k)] = p.z();
+      t.xi[at(k)] = Barycentric::Unit(k);
+    }
+  }
+  return triangles;
+}
+
+std::vector<RasterTriangle> layout_triangles(const MapFile& map, PixelSize size) {
+  const Vector2 low = map.uv.colwise().minCoeff(), high = map.uv.colwise().maxCoeff();
+  const Vector2 extent = (high - low).cwiseMax(1e-300), middle = 0.5 * low + 0.5 * high;
+  const double margin = kMargin * std::min(size.width, size.height);
+  const double scale =
+      std::min((size.width - 2 * margin) / extent[0], (size.height - 2 * margin) / extent[1]);
+  const int n = pieces(map, scale);
+  const BezierImage image(map, 1);
+  std::vector<RasterTriangle> triangles;
+  for (Index c = 0; c < map.cells.rows(); ++c) {
+    const auto corner = [&](RasterTriangle& t, std::size_t k, int i, int j) {
+      t.xi[k] = Barycentric(i, j, n - i - j) / n;
+      const Vector2 p = scale * (image.uv(c, t.xi[k]) - middle);
+      t.corners[k] = {0.5 * size.width + p.x(), 0.5 * size.height - p.y()};
+      t.cell = c;
+    };
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; i + j < n; ++j) {
+        RasterTriangle up, down;
+        corner(up, 0, i, j);
+        corner(up, 1, i + 1, j);
+        corner(up, 2, i, j + 1);
+        triangles.push_back(up);
+        if (i + j + 1 == n) continue;
+        corner(down, 0, i + 1, j + 1);
+        corner(down, 1, i, j + 1);
+        corner(down, 2, i + 1, j);
+        triangles.push_back(down);
+      }
+  }
+  return triangles;
+}
+
+// Corners at one place count as one, so that cuts are not seen.
+SmoothNormals::SmoothNormals(const MapFile& map) : normals_(3 * map.cells.rows(), 3) {
+  std::map<Place, Vector3> at_place;
+  const auto corner = [&](Index c, Index k) { return Vector3(map.points.row(map.cells(c, k))); };
+  for (Index c = 0; c < map.cells.rows(); ++c) {
+    const Vector3 normal = (corner(c, 1) - corner(c, 0)).cross(corner(c, 2) - corner(c, 0));
+    for (Index k = 0; k < 3; ++k)
+      at_place.try_emplace(place_of(map, c, k), Vector3::Zero()).first->second += normal;
+  }
+  for (Index c = 0; c < map.cells.rows(); ++c)
+    for (Index k = 0; k < 3; ++k)
+      normals_.row(3 * c + k) = at_place.at(place_of(map, c, k)).stableNormalized();
+}
+
+std::vector<std::array<bool, 3>> cut_edges(const MapFile& map) {
+  std::map<std::pair<Place, Place>, std::vector<std::pair<Index, Index>>> sides;  // from, to
+  const auto end = [&](Index c, Index k, Index step) { return map.cells(c, (k + step) % 3); };
+  for (Index c = 0; c < map.cells.rows(); ++c)
+    for (Index k = 0; k < 3; ++k)
+      sides[std::minmax(place_of(map, c, (k + 1) % 3), place_of(map, c, (k + 2) % 3))].emplace_back(
+          std::minmax(end(c, k, 1), end(c, k, 2)));
+  std::vector<std::array<bool, 3>> cut(majorant::at(static_cast<Index>(map.cells.rows())));
+  for (Index c = 0; c < map.cells.rows(); ++c)
+    for (Index k = 0; k < 3; ++k) {
+      const auto& same =
+          sides.at(std::minmax(place_of(map, c, (k + 1) % 3), place_of(map, c, (k + 2) % 3)));
+      cut[majorant::at(c)][majorant::at(k)] =
+          std::any_of(same.begin(), same.end(), [&](const auto& side) { return side != same[0]; });
+    }
+  return cut;
+}
+
+Vector3 SmoothNormals::at(Index cell, const Barycentric& xi) const {
+  return (normals_.middleRows(3 * cell, 3).transpose() * xi).stableNormalized();
+}
+
+}  // namespace majorant

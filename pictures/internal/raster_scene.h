@@ -1,0 +1,32 @@
+// The triangles of a picture: those of the surface from a direction, or of the layout.
+#pragma once
+
+#include <vector>
+
+#include "majorant/io/map_file.h"
+#include "majorant/pictures/internal/rasterizer.h"
+
+namespace majorant {
+
+// Of the surface seen from `view` (write_png.h has the camera), one a cell.
+std::vector<RasterTriangle> surface_triangles(const MapFile& map, const Vector3& view,
+                                              PixelSize size);
+
+// Of the layout: cells cut until their chords are a fraction of a pixel from the curves.
+std::vector<RasterTriangle> layout_triangles(const MapFile& map, PixelSize size);
+
+// Interpolated between those of corners, which are means of the faces around them by area.
+class SmoothNormals {
+ public:
+  explicit SmoothNormals(const MapFile& map);
+  Vector3 at(Index cell, const Barycentric& xi) const;  // of length 1, or 0
+
+ private:
+  Points3 normals_;  // 3 #F, cell by cell
+};
+
+// Edges that the map cuts: faces on both sides on the surface, not in the plane. Flag k of a cell:
+// its edge across from corner k.
+std::vector<std::array<bool, 3>> cut_edges(const MapFile& map);
+
+}  // namespace majorant

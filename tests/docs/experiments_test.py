@@ -1,0 +1,96 @@
+#!/usr/bin/python3
+"""bench/experiments: every script still works, on tiny meshes; docs/experiments.md has a section, a
+picture and an answer for each."""
+import csv
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+SOURCE = Path(os.environ['MAJORANT_SOURCE_DIR'])
+BUILD = Path(os.environ['MAJORANT_BUILD_DIR'])
+MESHES = Path(os.environ.get('MAJORANT_SHARED_DIR', '')) / 'data/public'
+FOLDER = SOURCE / 'bench/experiments'
+sys.path.insert(0, str(FOLDER))
+sys.dont_write_bytecode = True
+import all as every  # noqa: E402
+import experiment  # noqa: E402
+
+
+def runnable():
+    """Scripts need the public meshes and the programs of bench/."""
+    programs = [BUILD / 'bench' / name for name in ('majorant_paper_method', 'solver_cost')]
+    return all(path.exists() for path in [MESHES / 'disks', *programs])
+
+
+class ThePage(unittest.TestCase):
+    text = (SOURCE / 'docs/experiments.md').read_text()
+
+    def test_has_a_section_for_each_script(self):
+        self.assertEqual(re.findall(r'^<!-- (\w+)\.py -->$', self.text, re.M), ['all', *every.scripts()])
+        for name in every.scripts():
+            section = every.between(self.text, name + '.py')
+            self.assertIn('    bench/experiments/%s.py\n' % name, section)
+            self.assertRegex(section, r'\*\*Seen: (yes|partly|no)\.\*\*')
+
+    def test_says_on_top_what_the_sections_say(self):
+        sections = {name: every.between(self.text, name + '.py') for name in every.scripts()}
+        self.assertEqual(every.between(self.text, 'all.py'), every.summary(sections))
+
+    def test_pictures_are_there_and_no_others(self):
+        shown = re.findall(r'\]\(experiments/(\w+\.svg)\)', self.text)
+        self.assertEqual(sorted(shown), sorted(p.name for p in (SOURCE / 'docs/experiments').iterdir()))
+
+    def test_claims_are_those_of_the_docstrings(self):
+        for name in every.scripts():
+            claim = re.search(r'^Claim.*?(?=\n\n)', (FOLDER / (name + '.py')).read_text(), re.M | re.S)
+            self.assertIn(' '.join(claim.group().split()),
+                          ' '.join(every.between(self.text, name + '.py').split()))
+
+
+class TheAnswer(unittest.TestCase):
+    def test_needs_all_criteria_to_be_yes(self):
+        def answer(*held):
+            return experiment.answer([experiment.Criterion('', '', holds) for holds in held])
+        self.assertEqual(answer(True, True), 'yes')
+        self.assertEqual(answer(True, False), 'partly')
+        self.assertEqual(answer(True, None), 'partly')
+        self.assertEqual(answer(False, None), 'no')
+
+
+class TheScripts(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        place = tempfile.TemporaryDirectory(prefix='majorant_experiments_')
+        cls.addClassCleanup(place.cleanup)
+        cls.out = Path(place.name)
+        cls.done = subprocess.run(['/usr/bin/python3', FOLDER / 'all.py', '--quick', '--out', cls.out,
+                                   '--meshes', MESHES, '--build', BUILD], capture_output=True, text=True,
+                                  timeout=500)
+
+    def test_all_end_well(self):
+        self.assertEqual(self.done.returncode, 0, self.done.stderr)
+        names = sorted(path.name for path in self.out.iterdir())
+        self.assertEqual(names, sorted(name + suffix for name in every.scripts()
+                                       for suffix in ('.csv', '.md', '.svg')))
+
+    def test_files_are_what_they_should_be(self):
+        for name in every.scripts():
+            with open(self.out / (name + '.csv'), newline='') as file:
+                rows = list(csv.DictReader(file))
+            self.assertGreaterEqual(len(rows), 1, name)
+            self.assertNotIn('nan', {value for row in rows for value in row.values()}, name)
+            picture = ElementTree.parse(self.out / (name + '.svg')).getroot()
+            self.assertTrue(picture.tag.endswith('svg'), name)
+            self.assertIn('**Seen: ', (self.out / (name + '.md')).read_text())
+
+
+if not runnable():
+    del TheScripts
+
+if __name__ == '__main__':
+    unittest.main()

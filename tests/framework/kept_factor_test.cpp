@@ -1,0 +1,104 @@
+// Steps of Newton's method on a factor that is kept: the cases of all minimizers, how long it
+// serves.
+#include <cmath>
+
+#include "framework/counting_solver.h"
+#include "framework/minimizer_cases.h"
+#include "majorant/framework/internal/metric.h"
+#include "majorant/framework/newton.h"
+
+namespace majorant {
+
+struct KeptFactorTraits {
+  static constexpr Status kAmongGaps = Status::Converged;
+  static std::unique_ptr<Minimizer> make(int max_iterations) {
+    NewtonOptions o;
+    o.kept = {.below = test::kInfinity, .steps = 4};
+    o.stopping.max_iterations = max_iterations;
+    return std::make_unique<NewtonMinimizer>(o);
+  }
+};
+
+namespace test {
+INSTANTIATE_TYPED_TEST_SUITE_P(KeptFactor, MinimizerCases, testing::Types<KeptFactorTraits>);
+}  // namespace test
+
+namespace {
+
+// Steps between factorizations cost none, are as many as allowed, and end in the same minimum.
+TEST(KeptFactors, ServeSeveralSteps) {
+  const test::ChainProblem chain(60);
+  NewtonOptions o = NewtonOptions();
+  const SolveResult plain = NewtonMinimizer(o).minimize(chain.problem, chain.start, {});
+  const auto counts = std::make_shared<test::SolverCounts>();
+  o.linear_solver = test::counting(counts);
+  o.kept.below = test::kInfinity;
+  o.kept.steps = 3;
+  const SolveResult r = NewtonMinimizer(o).minimize(chain.problem, chain.start, {});
+  ASSERT_EQ(r.status, Status::Converged) << r.message;
+  EXPECT_NEAR(r.energy, plain.energy, 1e-6 * std::abs(plain.energy));
+  int kept = 0, longest = 0, run = 0;
+  for (std::size_t k = 0; k < r.iterations.size(); ++k) {
+    run = r.iterations[k].factorizations > 0 ? 0 : run + 1;
+    kept += run > 0;
+    longest = std::max(longest, run);
+    if (run > 1) EXPECT_GE(r.iterations[k - 1].step, o.kept.short_step);
+  }
+  EXPECT_GT(kept, 3);
+  EXPECT_EQ(longest, 3);
+  EXPECT_LT(counts->factorizations, test::recorded(plain.iterations).factorizations);
+  o.kept.short_step = test::kInfinity;
+  for (const IterationRecord& each :
+       NewtonMinimizer(o).minimize(chain.problem, chain.start, {}).iterations)
+    EXPECT_GT(each.factorizations, 0);
+}
+
+// Right after a factorization the direction is the factor's alone.
+TEST(KeptFactors, BeginWithAnEmptyHistory) {
+  const test::ChainProblem chain(10);
+  NewtonOptions o = NewtonOptions();
+  o.blend.below = 0;
+  o.kept = {.below = test::kInfinity, .steps = 3, .short_step = 0, .short_bound = 0};
+  Metric metric(chain.problem, Curvature::Projected, make_direct_solver());
+  Evaluator evaluator(chain.problem);
+  Vec before = chain.start, g, p;
+  int others = 0;
+  const auto observer = [&](const IterationRecord& r, const Vec& y) {
+    evaluator.gradient(before, g);
+    EXPECT_TRUE(metric.factorize(before));
+    metric.solve(g, p);
+    const bool newton = std::abs(r.newton_decrement - g.dot(p)) <= 1e-9 * g.dot(p);
+    if ((r.iteration - 1) % 4 == 0) {
+      EXPECT_TRUE(newton) << r.iteration;
+    } else {
+      others += !newton;
+    }
+    before = y;
+    return Directive::Continue;
+  };
+  const SolveResult r = NewtonMinimizer(o).minimize(chain.problem, chain.start, observer);
+  EXPECT_GE(r.iterations.size(), 9u);
+  EXPECT_GT(others, 4);
+}
+
+// A factor belongs to its problem, and a polished step is Newton's.
+TEST(KeptFactors, AreNotForOtherProblemsAndPolishedSteps) {
+  const test::ChainProblem chain(60);
+  NewtonOptions o = NewtonOptions();
+  o.kept.below = test::kInfinity;
+  o.kept.short_step = o.kept.short_bound = 0;
+  NewtonStepper stepper(chain.problem, o);
+  Vec y = chain.start;
+  double energy = stepper.evaluator().value(y);
+  const auto factorizations = [&] { return stepper.step(y, energy).record.factorizations; };
+  EXPECT_EQ(factorizations(), 1);
+  EXPECT_EQ(factorizations(), 0);
+  stepper.reset(chain.problem);
+  EXPECT_EQ(factorizations(), 1);
+  EXPECT_EQ(factorizations(), 0);
+  stepper.polish();
+  EXPECT_GE(factorizations(), 1);
+}
+
+}  // namespace
+}  // namespace majorant

@@ -1,0 +1,144 @@
+#include "majorant/io/msh.h"
+
+#include <algorithm>
+
+#include "io_test_helpers.h"
+#include "majorant/io/map_proof.h"
+#include "majorant/io/read_mesh.h"
+
+namespace majorant {
+namespace {
+
+// The flat triangle of every degree, bent a little in the plane: valid as it stands.
+MapFile bent(int degree) {
+  MapFile map = random_strip(degree, 1, 4);
+  const auto indices = bezier_multi_indices(degree);
+  for (std::size_t k = 0; k < indices.size(); ++k) {
+    const double x = double(indices[k][1]) / degree, y = double(indices[k][2]) / degree;
+    map.points.row(static_cast<Index>(k)) << x, y, 1 + x;
+    map.uv.row(static_cast<Index>(k)) << x + 0.1 * y * y, y + 0.1 * x * y / 3;
+  }
+  return map;
+}
+
+TEST(Msh, ImageReadsBack) {
+  const TemporaryFolder folder;
+  for (int degree = 1; degree <= 10; ++degree) {
+    const MapFile map = random_strip(degree, 4, static_cast<unsigned>(degree));
+    write_msh(folder.file("a.msh"), map, MshContent::Image);
+    const MapFile read = read_map(folder.file("a.msh"));
+    EXPECT_EQ(read.degree, degree);
+    EXPECT_EQ(read.cells, map.cells);
+    EXPECT_LE((read.uv - map.uv).cwiseAbs().maxCoeff(), 1e-11) << degree;
+    for (const Index corner : map.cells.leftCols<3>().reshaped()) {
+      EXPECT_EQ(read.uv.row(corner), map.uv.row(corner));
+      EXPECT_EQ(read.points.row(corner).head<2>(), map.uv.row(corner));
+    }
+  }
+}
+
+TEST(Msh, SurfaceHasTheMapAsViews) {
+  const TemporaryFolder folder;
+  for (int degree = 1; degree <= 10; ++degree) {
+    const MapFile map = random_strip(degree, 4, static_cast<unsigned>(degree));
+    write_msh(folder.file("a.msh"), map, MshContent::Surface);
+    const MapFile read = read_msh(folder.file("a.msh"));
+    EXPECT_EQ(read.points, map.points);
+    EXPECT_EQ(read.cells, map.cells);
+    EXPECT_LE((read.uv - map.uv).cwiseAbs().maxCoeff(), 1e-11) << degree;
+    const PolygonMesh mesh = read_mesh(folder.file("a.msh"));
+    EXPECT_EQ(mesh.polygons.size(), 4u);
+    EXPECT_EQ(mesh.texcoords.size(), mesh.positions.size());
+  }
+}
+
+TEST(Msh, WhatIsWrittenIsProven) {
+  const TemporaryFolder folder;
+  for (int degree = 1; degree <= 8; ++degree) {
+    const MapFile map = bent(degree);
+    for (const MshContent content : {MshContent::Image, MshContent::Surface}) {
+      const std::string path = folder.file("a.msh");
+      write_msh(path, map, content, certification(path, {}, &map));
+      EXPECT_EQ(MapProof(read_msh(path), path, {}).verdict(), Answer::Proven) << degree;
+    }
+  }
+  // Another map than the one that is written: its cells are not those of the file.
+  const MapFile map = random_strip(2, 2, 1), other = bent(2);
+  const std::string path = folder.file("b.msh");
+  expect_contains(
+      error_message(
+          ErrorKind::Invalid,
+          [&] { write_msh(path, other, MshContent::Image, certification(path, {}, &map)); }),
+      {"b.msh is not written", "cells"});
+  EXPECT_FALSE(std::filesystem::exists(path));
+}
+
+TEST(Msh, ChartsAreEntities) {
+  const TemporaryFolder folder;
+  MapFile map = random_strip(2, 6, 1);
+  map.chart.resize(6);
+  map.chart << 4, 0, 4, 0, 0, 2;  // points are shared across charts
+  write_msh(folder.file("a.msh"), map, MshContent::Image);
+  const std::string text = content_of(folder.file("a.msh"));
+  expect_contains(text,
+                  {"$Entities\n0 0 3 0\n1 ", "$Elements\n3 6 1 6\n2 1 9 3\n2 ", "\n2 5 9 2\n1 "});
+  const MapFile read = read_msh(folder.file("a.msh"));
+  EXPECT_EQ(read.cells, map.cells);
+}
+
+// As gmsh writes: points and lines, tags with gaps, nodes of no triangle, coordinates on curves.
+std::string of_gmsh() {
+  return "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n1 2 \"# x\"\n$EndPhysicalNames\n"
+         "$Nodes\n2 5 2 90\n0 1 0 1\n90\n5 5 0\n2 1 1 4\n7\n2\n5\n4\n1 0 0 0.5 0\n0 0 0 0 0\n0 1 0 "
+         "1 1\n"
+         "1 1 0 1 1\n$EndNodes\n$Elements\n3 4 1 9\n0 1 15 1\n1 90\n1 1 1 1\n2 2 7\n"
+         "2 1 2 2\n9 7 4 5\n3 2 7 5\n$EndElements\n";
+}
+
+TEST(Msh, FilesOfGmsh) {
+  const TemporaryFolder folder;
+  const MapFile map = read_msh(folder.write("a.msh", of_gmsh()));
+  ASSERT_EQ(map.cells.rows(), 2);  // by tag: 3, 9; nodes by tag: 2 4 5 7 90
+  EXPECT_EQ(map.cells.row(0), Eigen::RowVector3i(0, 3, 2));
+  EXPECT_EQ(map.cells.row(1), Eigen::RowVector3i(3, 1, 2));
+  EXPECT_EQ(map.uv.row(3), Eigen::RowVector2d(1, 0));
+  EXPECT_EQ(MapProof(map, "a.msh", {}).verdict(), Answer::Proven);
+  const PolygonMesh mesh = read_mesh(folder.file("a.msh"));
+  EXPECT_EQ(mesh.positions.size(), 4u);
+  EXPECT_TRUE(mesh.texcoords.empty());
+}
+
+TEST(Msh, Refusals) {
+  const auto refuses = [](const std::string& from, const std::string& to,
+                          const std::vector<std::string>& says) {
+    const TemporaryFolder folder;
+    std::string text = of_gmsh();
+    ASSERT_NE(text.find(from), std::string::npos) << from;
+    text.replace(text.find(from), from.size(), to);
+    const std::string path = folder.write("a.msh", text);
+    const std::string message = error_message(ErrorKind::Unreadable, [&] { read_msh(path); });
+    expect_contains(message, says);
+    expect_contains(message, {"a.msh"});
+  };
+  refuses("4.1 0", "2.2 0", {":2:", "version 4.1"});
+  refuses("4.1 0", "4.1 1", {":2:", "binary"});
+  refuses("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n", "", {"$MeshFormat"});
+  refuses("2 1 2 2\n9", "2 1 3 2\n9", {"type 3"});
+  refuses("2 1 2 2\n9", "3 1 4 2\n9", {"volume"});
+  refuses("2 1 2 2\n9", "2 1 2 3\n9", {"$EndElements"});
+  refuses("2 1 2 2\n9", "2 1 2 1\n9", {"$EndElements", "counts"});
+  refuses("9 7 4 5\n", "9 7 4 6\n", {"element 9", "node 6"});
+  refuses("9 7 4 5\n", "3 7 4 5\n", {"two elements", "tag 3"});
+  refuses("\n2\n5\n4\n", "\n2\n5\n5\n", {"two nodes", "tag 5"});
+  refuses("1 1 0 1 1\n", "1 1 0.5 1 1\n", {"no map"});
+  refuses("1 1 0 1 1\n", "1 nan 0 1 1\n", {"y coordinate", "not finite"});
+  refuses("$EndElements\n", "", {"truncated"});
+  const std::string view =
+      "$EndElements\n$NodeData\n1\n\"u\"\n1\n0\n3\n0\n1\n1\n2 0.5\n$EndNodeData\n";
+  std::string both = view + view.substr(view.find("$NodeData"));
+  refuses("$EndElements\n", both, {"\"u\"", "once"});
+  refuses("$EndElements\n", view, {"view u has no value for node 4"});
+}
+
+}  // namespace
+}  // namespace majorant

@@ -1,0 +1,238 @@
+#include "majorant/pictures/write_png.h"
+
+#include <Eigen/SVD>
+#include <random>
+
+#include "io/io_test_helpers.h"
+#include "majorant/energies/named_energies.h"
+#include "majorant/framework/thread_count.h"
+#include "majorant/io/internal/atomic_file.h"
+#include "majorant/pictures/internal/bezier_image.h"
+#include "majorant/pictures/internal/pixel_font.h"
+#include "majorant/pictures/internal/png_file.h"
+
+namespace majorant {
+namespace {
+
+PixelImage picture_of(const MapFile& map, const PngOptions& options) {
+  const TemporaryFolder folder;
+  write_png(folder.file("a.png"), map, options);
+  return read_png(folder.file("a.png"));
+}
+
+// The unit square in the plane z = 0, mapped by uv = (2 x, y / 2): an area kept, lengths not.
+MapFile square_map() {
+  MapFile map;
+  map.points = Points3{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  map.uv = Points2{{0, 0}, {2, 0}, {2, 0.5}, {0, 0.5}};
+  map.cells = Cells{{0, 1, 2}, {0, 2, 3}};
+  map.input_vertex = Eigen::Vector4i(0, 1, 2, 3);
+  map.input_face = Eigen::Vector2i(0, 1);
+  map.claims = R"({"energy": "symmetric-dirichlet"})";
+  return map;
+}
+
+TEST(WritePng, HeatIsTheScaleAtThatValue) {
+  PngOptions options;
+  options.width = options.height = 200;
+  for (const auto& [quantity, value] : {std::pair{Quantity::Density, 8.5},
+                                        {Quantity::Area, 1.0},
+                                        {Quantity::Angle, 4.0},
+                                        {Quantity::SigmaMax, 2.0},
+                                        {Quantity::SigmaMin, 0.5}}) {
+    options.quantity = quantity;
+    const ColorScale scale = color_scale(quantity, {{symmetric_dirichlet(), 1.0}});
+    EXPECT_EQ(picture_of(square_map(), options).at(100, 70), scale.color(value))
+        << quantity_name(quantity);
+  }
+  options.view = Vector3(0, 0, 1);  // light straight on: as bright as it is
+  EXPECT_EQ(picture_of(square_map(), options).at(100, 70),
+            color_scale(Quantity::SigmaMin, {}).color(0.5));
+  options.quantity = Quantity::Density;
+  options.view.reset();
+  MapFile scaled = square_map();  // normalized files are measured in the units of the run
+  scaled.uv /= 4;
+  scaled.claims =
+      R"({"energy": "symmetric-dirichlet", "normalized": {"origin": [0, 0], "size": 4}})";
+  EXPECT_EQ(picture_of(scaled, options).at(100, 70),
+            color_scale(Quantity::Density, {{symmetric_dirichlet(), 1.0}}).color(8.5));
+  scaled.uv.col(0) *= -1;
+  EXPECT_EQ(picture_of(scaled, options).at(100, 70), kFlippedColor);
+}
+
+TEST(WritePng, TheCameraIsAsItSays) {
+  PngOptions options;
+  options.width = 400;
+  options.height = 215;
+  options.view = Vector3(0, 0, 3);
+  const Color paper{255, 255, 255};
+  // Half the diagonal is 1 / sqrt(2), and 215 pixels are 2.15 of it: a side has 100 sqrt(2).
+  const double side = 100 * std::sqrt(2.0);
+  const auto is_paper = [&](const PixelImage& image, double x, double y) {
+    return image.at(static_cast<int>(200 + x), static_cast<int>(107.5 - y)) == paper;
+  };
+  PixelImage image = picture_of(square_map(), options);
+  for (const double way : {-0.5, 0.5}) {
+    EXPECT_FALSE(is_paper(image, way * (side - 4), 0));
+    EXPECT_TRUE(is_paper(image, way * (side + 4), 0));
+    EXPECT_FALSE(is_paper(image, 0, way * (side - 4)));
+    EXPECT_TRUE(is_paper(image, 0, way * (side + 4)));
+  }
+  options.view = Vector3(std::sqrt(3.0), 0, 1);  // from the right: half as wide
+  image = picture_of(square_map(), options);
+  EXPECT_FALSE(is_paper(image, 0.25 * side - 3, 0));
+  EXPECT_TRUE(is_paper(image, 0.25 * side + 3, 0));
+}
+
+TEST(WritePng, NearHidesFar) {
+  MapFile map = square_map();  // two triangles at the same place, the second one below
+  map.points = Points3{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}, {1, 0, -1}, {0, 1, -1}};
+  map.uv = Points2{{0, 0}, {1, 0}, {0, 1}, {0, 0}, {3, 0}, {0, 3}};
+  map.cells = Cells{{0, 1, 2}, {3, 4, 5}};
+  map.input_vertex = Eigen::VectorXi::LinSpaced(6, 0, 5);
+  PngOptions options;
+  options.width = options.height = 300;
+  options.quantity = Quantity::SigmaMax;
+  const ColorScale scale = color_scale(Quantity::SigmaMax, {});
+  for (const auto& [eye, value] : {std::pair{1.0, 1.0}, {-1.0, 3.0}}) {
+    options.view = Vector3(0, 0, eye);
+    EXPECT_EQ(picture_of(map, options).at(150, 190), scale.color(value)) << eye;
+  }
+}
+
+TEST(WritePng, ImagesLieOnTheSquareOfTheLayout) {
+  const TemporaryFolder folder;
+  PixelImage quarters{2, 2, {{250, 0, 0}, {0, 250, 0}, {0, 0, 250}, {250, 250, 0}}};
+  write_file_atomically(folder.file("i.png"), encode_png(quarters));
+  MapFile map = square_map();
+  map.uv = map.points.leftCols(2);
+  PngOptions options;
+  options.width = options.height = 200;
+  options.image = folder.file("i.png");
+  const PixelImage image = picture_of(map, options);
+  for (const auto& [x, y, k] : {std::tuple{20, 20, 0}, {180, 20, 1}, {20, 180, 2}, {180, 180, 3}})
+    EXPECT_EQ(image.at(x, y), quarters.pixels[static_cast<std::size_t>(k)]) << k;
+  std::ofstream(folder.file("no.png")) << "no image";
+  options.image = folder.file("no.png");
+  expect_contains(error_message(ErrorKind::Unreadable, [&] { picture_of(map, options); }),
+                  {"no.png: ", "give a PNG image"});
+  options.image = folder.file("missing.png");
+  error_message(ErrorKind::Unreadable, [&] { picture_of(map, options); });
+}
+
+TEST(WritePng, SquaresAreOnMultiplesOfTheirSide) {
+  MapFile map = square_map();
+  map.uv = 40 * map.points.leftCols(2);  // a 40th of the side: 1
+  PngOptions options;
+  options.width = options.height = 430;  // 200 sqrt(2) pixels for 40 squares
+  options.view = Vector3(0, 0, 1);
+  const PixelImage image = picture_of(map, options);
+  const double square = 200 * std::sqrt(2.0) / 40;
+  int agree = 0;
+  for (int i = 0; i < 40; ++i)
+    for (int j = 0; j < 40; ++j) {
+      const Color c = image.at(static_cast<int>(215 + (i - 19.5) * square),
+                               static_cast<int>(215 - (j - 19.5) * square));
+      agree += ((i + j) % 2 == 0) == (c.red > 160) ? 1 : 0;
+    }
+  EXPECT_EQ(agree, 1600);
+}
+
+TEST(WritePng, CurvedCellsAreEvaluatedExactly) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (int degree = 1; degree <= 8; ++degree) {
+    const MapFile map = random_strip(degree, 3, 7);
+    const BezierImage image(map, 2);
+    for (int k = 0; k < 20; ++k) {
+      Barycentric xi(unit(random), unit(random), 0);
+      if (xi.sum() > 1) xi = Barycentric(1 - xi[0], 1 - xi[1], 0);
+      xi[2] = 1 - xi[0] - xi[1];
+      const Index cell = k % 3;
+      Points3 at(1, 3);
+      at << xi.transpose();
+      const Eigen::MatrixXd b = bernstein_values(degree, at);
+      Vector2 uv = Vector2::Zero();
+      for (Index l = 0; l < b.cols(); ++l) uv += b(0, l) * Vector2(map.uv.row(map.cells(cell, l)));
+      EXPECT_LT((image.uv(cell, xi) - uv).norm(), 1e-12);
+      // Singular values from differences in an orthonormal frame of the cell.
+      const auto corner = [&](Index c) { return Vector3(map.points.row(map.cells(cell, c))); };
+      const Vector3 e = corner(0) - corner(2), f = corner(1) - corner(2);
+      Eigen::Matrix<double, 3, 2> edges;
+      edges << e, f;
+      const double h = 1e-6;
+      Eigen::Matrix2d d;
+      d << (image.uv(cell, xi + Vector3(h, 0, -h)) - image.uv(cell, xi - Vector3(h, 0, -h))) /
+               (2 * h),
+          (image.uv(cell, xi + Vector3(0, h, -h)) - image.uv(cell, xi - Vector3(0, h, -h))) /
+              (2 * h);
+      const Eigen::Matrix<double, 2, 3> J =
+          2 * d * (edges.transpose() * edges).inverse() * edges.transpose();
+      const auto sigma = J.jacobiSvd().singularValues();
+      const PointDistortion found = image.at(cell, xi).distortion;
+      EXPECT_NEAR(found.sigma_1, sigma[0], 1e-5 * sigma[0]) << degree;
+      EXPECT_NEAR(std::abs(found.sigma_2), sigma[1], 1e-5 * sigma[0]) << degree;
+    }
+  }
+}
+
+TEST(WritePng, BytesDoNotDependOnThreads) {
+  const TemporaryFolder folder;
+  const MapFile map = random_strip(3, 40, 7);
+  PngOptions options;
+  options.width = 300;
+  options.height = 200;
+  for (const bool surface : {false, true}) {
+    if (surface) options.view = Vector3(1, 2, 3);
+    options.quantity = Quantity::Angle;
+    std::vector<std::string> files;
+    for (const int threads : {1, 2, 5}) {
+      const ThreadCount count(threads);
+      write_png(folder.file("a.png"), map, options);
+      files.push_back(content_of(folder.file("a.png")));
+    }
+    EXPECT_EQ(files[0], files[1]);
+    EXPECT_EQ(files[0], files[2]);
+  }
+}
+
+TEST(WritePng, RefusesWhatCannotBeDrawn) {
+  const auto refused = [](const PngOptions& options) {
+    return error_message(ErrorKind::Usage, [&] { picture_of(square_map(), options); });
+  };
+  PngOptions options;
+  options.width = 8193;
+  EXPECT_EQ(refused(options), "a picture of 8193 x 800 pixels: sides are 16 to 8192");
+  options = {};
+  for (const Vector3& view : {Vector3(0, 0, 0), Vector3(1, std::nan(""), 0)}) {
+    options.view = view;
+    expect_contains(refused(options), {"give the direction to the eye"});
+  }
+  options = {};
+  options.quantity = Quantity::Area;
+  options.image = "a.png";
+  expect_contains(refused(options), {"choose one"});
+  options = {};
+  MapFile map = square_map();
+  map.claims.clear();
+  options.quantity = Quantity::Density;
+  error_message(ErrorKind::Usage, [&] { picture_of(map, options); });
+  map.uv(0, 0) = std::nan("");
+  error_message(ErrorKind::Invalid, [&] { picture_of(map, {}); });
+}
+
+TEST(PixelFont, HasTheLettersOfLegendsAndBoxesForOthers) {
+  const auto dots = [](std::string_view text) {
+    PixelImage image{30, 12, std::vector<Color>(360)};
+    draw_text(image, 0, 0, 1, {255, 255, 255}, text);
+    return image.pixels;
+  };
+  const std::string known = "abcdefghijklmnopqrstuvwxyz0123456789.,;:/-+*_()";
+  for (const char c : known) EXPECT_NE(dots({&c, 1}), dots("?")) << c;
+  for (const char c : known)
+    for (const char d : known) EXPECT_EQ(dots({&c, 1}) == dots({&d, 1}), c == d) << c << d;
+  dots("much too long to fit");  // cut off, not beyond the memory
+}
+
+}  // namespace
+}  // namespace majorant
