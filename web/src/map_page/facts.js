@@ -10,6 +10,8 @@ const resultNames = [
   ['seam_length_relative', 'seam length'], ['fill', 'square filled'],
 ];
 
+const wordsOf = (status) => String(status ?? 'status').replaceAll('_', ' ');
+
 export function summaryOf(map) {
   const {facts} = map;
   const parts = [`${degreeName(map.degree)}, ${count(map.faceCount, 'face')}`];
@@ -17,7 +19,7 @@ export function summaryOf(map) {
   const value = facts.result?.value ?? map.claims.value;
   if (energy && Number.isFinite(value)) parts.push(`${energy} ${readable(value)}`);
   else if (energy) parts.push(energy);
-  if (facts.status) parts.push(facts.status.replaceAll('_', ' '));
+  if (facts.status) parts.push(wordsOf(facts.status));
   if (map.faults.length > 0) parts.push(count(map.faults.length, 'face fails', 'faces fail'));
   return parts.join(' \u00b7 ');
 }
@@ -52,7 +54,8 @@ export function writeFacts(app) {
   const {facts} = map;
   byId('summary').textContent = summaryOf(map);
   const parts = [...numbersOf(facts), ...proofsOf(facts)];
-  if (facts.message) parts.push(element('p', {className: 'note'}, facts.message));
+  if (facts.message)
+    parts.push(element('p', {className: 'note'}, `${wordsOf(facts.status)}: ${facts.message}`));
   if (Object.keys(facts).length > 0)
     parts.push(element('details', {}, element('summary', {}, 'all of the report'),
                        element('pre', {tabindex: 0}, JSON.stringify(facts, null, 1))));

@@ -1,9 +1,9 @@
 // One WebGL canvas with two views, drawn when something changed: scenes, cameras, render passes.
 
 import {
-  BufferAttribute, BufferGeometry, Color, DoubleSide, Float32BufferAttribute, GLSL3, InstancedBufferAttribute,
-  InstancedBufferGeometry, Mesh, Points, RawShaderMaterial, Scene, WebGLRenderer,
-  WebGLRenderTarget,
+  BufferAttribute, BufferGeometry, Color, DoubleSide, Float32BufferAttribute, GLSL3,
+  InstancedBufferAttribute, InstancedBufferGeometry, Mesh, Points, RawShaderMaterial, Scene,
+  WebGLRenderer, WebGLRenderTarget,
 } from 'three';
 
 import {modes} from './shaders.js';
