@@ -11,10 +11,12 @@ OUT = out
 demo: command
 	@mkdir -p $(OUT)
 	@$(BINARY) parametrize meshes/creature.obj --degree 3 -o $(OUT)/creature.vtu \
-	  -o $(OUT)/creature.obj -o $(OUT)/creature.svg --report $(OUT)/creature.json
+	  -o $(OUT)/creature.obj -o $(OUT)/creature.svg -o $(OUT)/creature.html \
+	  --report $(OUT)/creature.json
 	@echo "the map, for ParaView:        $(OUT)/creature.vtu"
 	@echo "textured mesh, for Blender:   $(OUT)/creature.obj"
 	@echo "the layout, for any browser:  $(OUT)/creature.svg"
+	@echo "both views, for any browser:  $(OUT)/creature.html"
 	@echo "report:                       $(OUT)/creature.json"
 
 test: build

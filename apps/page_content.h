@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "apps/claims.h"
-#include "apps/film.h"
 #include "apps/report.h"
 #include "apps/result_files.h"
+#include "majorant/pictures/film.h"
 
 namespace majorant::app {
 

@@ -198,8 +198,8 @@ void write_reports(const FinishedRun& run, Json report, double write_seconds,
   if (!run.common.report.empty()) paths.push_back(run.common.report);
   for (const std::string& path : run.outputs.files)
     if (extension(path) == ".json") paths.push_back(path);
+  report["outputs"] = written.to_json();
   for (const std::string& path : paths) {
-    report["outputs"] = written.to_json();
     report["seconds"]["write"] = write_seconds;
     report["seconds"]["total"] = seconds_since(run.start);
     written.write(path, [&] { write_json(path, report); });

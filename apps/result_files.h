@@ -16,13 +16,13 @@
 #include <vector>
 
 #include "apps/command.h"
-#include "apps/film.h"
 #include "apps/map_request.h"
 #include "apps/outputs.h"
 #include "apps/progress.h"
 #include "apps/report.h"
 #include "majorant/parametrization/drive/internal/unit_square.h"
 #include "majorant/parametrization/drive/parametrize.h"
+#include "majorant/pictures/film.h"
 
 namespace majorant::app {
 

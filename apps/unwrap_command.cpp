@@ -28,8 +28,8 @@ Json options_of(const Request& request) {
   Json options = request.map.to_json();
   options.update(request.solve.to_json());
   options.update(request.unwrap.to_json());
-  for (const char* other :
-       {"boundary", "init", "seamless", "bijective", "no_flips", "write_scaffold", "improve_mesh"})
+  for (const char* other : {"boundary", "init", "seamless", "bijective", "no_flips",
+                            "write_scaffold", "improve_mesh", "snapshots"})
     options.erase(other);
   return options;
 }

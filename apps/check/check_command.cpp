@@ -217,7 +217,9 @@ int check(const Request& request) {
 void add_check(CLI::App& app, Action* run) {
   auto request = std::make_shared<Request>();
   CLI::App& verb = *app.add_subcommand("check", "measure a finished map and test its claims");
-  verb.add_option("result", request->result, "result: .vtu, .msh, or .obj or .ply with texture coordinates")->required();
+  verb.add_option("result", request->result,
+                  "result: .vtu, .msh, or .obj or .ply with texture coordinates")
+      ->required();
   verb.add_option("--surface", request->surface, "the mesh it should be a map of")
       ->type_name("FILE");
   verb.add_option("-o,--output", request->outputs,

@@ -18,6 +18,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import experiment
 from experiment import common
 
 HERE = Path(__file__).resolve().parent
@@ -33,14 +34,13 @@ def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument('names', nargs='*', metavar='NAME', help='default: all')
-    parser.add_argument('--out', type=Path, default=common.ROOT / 'build/experiments', metavar='FOLDER')
+    experiment.add_options(parser)
     parser.add_argument('--write', type=Path, metavar='PAGE.md')
-    parser.add_argument('--quick', action='store_true')
-    options, more = parser.parse_known_args()
+    options = parser.parse_args()
     unknown = sorted(set(options.names) - set(scripts()))
     if unknown:
         parser.error('%s: no such experiment' % unknown[0])
-    return options, more + ['--quick'] * options.quick
+    return options
 
 
 def processor_seconds():
@@ -48,10 +48,12 @@ def processor_seconds():
     return usage.ru_utime + usage.ru_stime
 
 
-def run(name, options, more):
+def run(name, options):
     """Whether it ended well; prints how long it took."""
     before = processor_seconds()
-    done = subprocess.run([common.PYTHON, HERE / (name + '.py'), '--out', options.out, *more])
+    command = [common.PYTHON, HERE / (name + '.py'), '--out', options.out, '--meshes', options.meshes,
+               '--build', options.build, '--jobs', options.jobs, '--timeout', options.timeout]
+    done = subprocess.run([str(word) for word in command] + ['--quick'] * options.quick)
     print('%s: %.0f processor seconds' % (name, processor_seconds() - before), flush=True)
     return done.returncode == 0
 
@@ -101,8 +103,8 @@ def replaced(text, name, inside):
 
 
 def main():
-    options, more = parse_arguments()
-    good = [run(name, options, more) for name in options.names or scripts()]
+    options = parse_arguments()
+    good = [run(name, options) for name in options.names or scripts()]
     if options.write:
         write_page(options.write, options.out)
     return 0 if all(good) else 1

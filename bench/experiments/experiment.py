@@ -50,9 +50,8 @@ class Failed(Exception):
 
 
 # ------------------------------------------------------------------ options
-def parse_arguments(module):
-    parser = argparse.ArgumentParser(description=module.__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+def add_options(parser):
+    """The options every experiment has, and all.py."""
     parser.add_argument('--out', type=Path, default=ROOT / 'build/experiments', metavar='FOLDER')
     parser.add_argument('--meshes', type=Path, default=common.DEFAULT_SHARED / 'data/public',
                         metavar='FOLDER', help='with disks/, deform2d/ and seamless/')
@@ -60,6 +59,12 @@ def parse_arguments(module):
     parser.add_argument('--quick', action='store_true', help='tiny meshes: does the script still work?')
     parser.add_argument('--jobs', type=int, default=2, help='runs at a time, one thread each')
     parser.add_argument('--timeout', type=float, default=600, help='seconds a single run may take')
+
+
+def parse_arguments(module):
+    parser = argparse.ArgumentParser(description=module.__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    add_options(parser)
     return parser.parse_args()
 
 

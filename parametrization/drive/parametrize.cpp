@@ -27,9 +27,9 @@ namespace {
 // bench/multiresolution: at 2,500 it saves 2 to 4 fe of 20 on easy disks and costs some on hard
 // ones.
 constexpr Index kLargeSurface = 5000;
-// Of the energy, from a level to one that is not coarse, beyond which Tutte's map is taken after all.
-// Origin: 0.51 on penguin_10000, where other minima wait (19.10 instead of 19.07), 0.07 on the next
-// of the public disks.
+// Of the energy, from a level to one that is not coarse, beyond which Tutte's map is taken after
+// all. Origin: 0.51 on penguin_10000, where other minima wait (19.10 instead of 19.07), 0.07 on the
+// next of the public disks.
 constexpr double kLargestDrop = 0.25;
 
 void require_valid(const MapOptions& asked) {

@@ -10,16 +10,16 @@ CELL = [(0.1, 0.1), (1.1, 0.1), (0.1, 1.1), (0.6, 0.1), (0.6, 0.6), (0.6, 0.1)]
 FLAT = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0.5, 0, 0), (0.5, 0.5, 0), (0, 0.5, 0)]
 
 
-def nearly_inverted(h):
+def nearly_inverted(h, min_det=-1.0):
     uv = [list(p) for p in CELL]
     uv[5][1] += h
     def array(name, width, values, kind='Float64'):
         return ('<DataArray type="%s" Name="%s" NumberOfComponents="%d" format="ascii">%s'
                 '</DataArray>' % (kind, name, width, ' '.join(repr(x) for x in values)))
     return ('<VTKFile type="UnstructuredGrid" version="1.0"><UnstructuredGrid>'
-            '<Piece NumberOfPoints="6" NumberOfCells="1"><PointData>%s</PointData><Points>%s</Points>'
-            '<Cells>%s%s%s</Cells></Piece></UnstructuredGrid></VTKFile>'
-            % (array('uv', 2, sum(uv, [])), array('Points', 3, sum(map(list, FLAT), [])),
+            '<Piece NumberOfPoints="6" NumberOfCells="1"><PointData>%s</PointData>'
+            '<CellData>%s</CellData><Points>%s</Points><Cells>%s%s%s</Cells></Piece></UnstructuredGrid></VTKFile>'
+            % (array('uv', 2, sum(uv, [])), array('min_det', 1, [min_det]), array('Points', 3, sum(map(list, FLAT), [])),
                array('connectivity', 1, range(6), 'Int64'), array('offsets', 1, [6], 'Int64'),
                array('types', 1, [76], 'UInt8')))
 
@@ -61,6 +61,21 @@ class CurvedFiles(CommandTest):
             self.assertEqual(set(Vtu(b).arrays['types']), {76})
             for result in (a, b):
                 self.run_ok('check', result, '--surface', self.mesh)
+
+    def test_bounds_of_lagrange_cells(self):
+        """min_det is that of the map before its values were rounded."""
+        for k in range(8):
+            h = (1 + k / 7) * 1e-10
+            near = self.write('near.vtu', nearly_inverted(h))
+            self.run_ok('check', near, '--report', self.path('r.json'))
+            bound = json.loads(self.read('r.json'))['result']['min_det_bound']
+            self.assertAlmostEqual(bound / (2 * h), 1, 4)
+            self.write('near.vtu', nearly_inverted(h, bound))
+            self.run_ok('check', near)
+            self.run_ok('convert', near, '-o', self.path('a.vtu'), '--vtu', 'lagrange')
+            self.run_ok('check', self.path('a.vtu'))
+        self.write('near.vtu', nearly_inverted(h, 1.01 * bound))
+        self.refused(INVALID, 'check', near, says='is claimed')
 
     def test_images_of_cut_surfaces(self):
         """Charts, and a closed surface whose sides of cuts lie elsewhere."""

@@ -105,7 +105,7 @@ class Pages(CommandTest):
 
     def test_refusals_name_all_formats(self):
         for verb in ('parametrize', 'unwrap', 'convert'):
-            self.refused(USAGE, verb, self.bumpy(), '-o', self.path('a.doc'), says='.svg .html')
+            self.refused(USAGE, verb, self.bumpy(), '-o', self.path('a.doc'), says=['.vtu', '.svg', '.html'])
 
     # ---------------------------------------------------------------- snapshots
     def test_runs_are_the_same_with_snapshots(self):

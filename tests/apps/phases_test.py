@@ -1,6 +1,7 @@
 """What a run says it is doing: a line each in logs, one live line on a terminal."""
 import os
 import pty
+import select
 import subprocess
 
 from command_helpers import *
@@ -66,6 +67,7 @@ class Terminal(CommandTest):
 
     def more(self, outer):
         """What has arrived; empty when the other end is closed."""
+        self.assertTrue(select.select([outer], [], [], 120)[0], 'nothing is said any more')
         try:
             return os.read(outer, 1 << 16).decode()
         except OSError:

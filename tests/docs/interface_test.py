@@ -127,6 +127,7 @@ class Reports(CommandTest):
         result, cut = self.path('result.vtu'), self.path('cut.vtu')
         self.report('parametrize', disk, result, '--degree', 2, '--pins', pins)
         self.report('parametrize', disk, self.path('b.vtu'), '--time-limit', 0, code=LIMIT)
+        self.report('parametrize', disk, self.path('b.html'), '--snapshots', 2)
         self.report('unwrap', helpers.generated('buckle'), self.path('b.obj'), '--normalize')
         self.report('unwrap', self.write('flipped.obj', helpers.obj_text(
             points, [faces[0][::-1], *faces[1:]])), self.path('b.obj'), '--no-pack')

@@ -28,7 +28,7 @@ namespace {
 // Steps between factorizations cost none, are as many as allowed, and end in the same minimum.
 TEST(KeptFactors, ServeSeveralSteps) {
   const test::ChainProblem chain(60);
-  NewtonOptions o = NewtonOptions();
+  NewtonOptions o;
   const SolveResult plain = NewtonMinimizer(o).minimize(chain.problem, chain.start, {});
   const auto counts = std::make_shared<test::SolverCounts>();
   o.linear_solver = test::counting(counts);
@@ -56,8 +56,9 @@ TEST(KeptFactors, ServeSeveralSteps) {
 // Right after a factorization the direction is the factor's alone.
 TEST(KeptFactors, BeginWithAnEmptyHistory) {
   const test::ChainProblem chain(10);
-  NewtonOptions o = NewtonOptions();
+  NewtonOptions o;
   o.blend.below = 0;
+  o.stopping = first_order_rules();
   o.kept = {.below = test::kInfinity, .steps = 3, .short_step = 0, .short_bound = 0};
   Metric metric(chain.problem, Curvature::Projected, make_direct_solver());
   Evaluator evaluator(chain.problem);
@@ -68,23 +69,22 @@ TEST(KeptFactors, BeginWithAnEmptyHistory) {
     EXPECT_TRUE(metric.factorize(before));
     metric.solve(g, p);
     const bool newton = std::abs(r.newton_decrement - g.dot(p)) <= 1e-9 * g.dot(p);
-    if ((r.iteration - 1) % 4 == 0) {
+    if (r.factorizations > 0)
       EXPECT_TRUE(newton) << r.iteration;
-    } else {
+    else
       others += !newton;
-    }
     before = y;
     return Directive::Continue;
   };
   const SolveResult r = NewtonMinimizer(o).minimize(chain.problem, chain.start, observer);
-  EXPECT_GE(r.iterations.size(), 9u);
-  EXPECT_GT(others, 4);
+  EXPECT_GT(r.iterations.size(), 4u);
+  EXPECT_GT(others, 2);
 }
 
 // A factor belongs to its problem, and a polished step is Newton's.
 TEST(KeptFactors, AreNotForOtherProblemsAndPolishedSteps) {
   const test::ChainProblem chain(60);
-  NewtonOptions o = NewtonOptions();
+  NewtonOptions o;
   o.kept.below = test::kInfinity;
   o.kept.short_step = o.kept.short_bound = 0;
   NewtonStepper stepper(chain.problem, o);

@@ -114,7 +114,8 @@ TEST(WriteComparisonHtml, IsOneSelfContainedPage) {
     const std::string page = page_of(comparison);
     EXPECT_EQ(page, page_of(comparison));
     EXPECT_EQ(page.rfind("<!DOCTYPE html>", 0), 0u);
-    EXPECT_EQ(count(page, "http:"), count(page, "http://www.w3.org/2000/svg"));  // a name, not a place
+    EXPECT_EQ(count(page, "http:"),
+              count(page, "http://www.w3.org/2000/svg"));  // a name, not a place
     for (const char* piece : {"https:", "src=", "@import", "url(", "NaN,", "Infinity]"}) {
       EXPECT_EQ(count(page, piece), 0u) << piece;
     }
@@ -219,7 +220,6 @@ TEST(WriteComparison, WholeOrAbsent) {
   }
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
-
 
 }  // namespace
 }  // namespace majorant

@@ -10,13 +10,16 @@ const resultNames = [
   ['seam_length_relative', 'seam length'], ['fill', 'square filled'],
 ];
 
-function summaryOf({map, facts}) {
+const wordsOf = (status) => String(status ?? 'status').replaceAll('_', ' ');
+
+export function summaryOf(map) {
+  const {facts} = map;
   const parts = [`${degreeName(map.degree)}, ${count(map.faceCount, 'face')}`];
   const energy = map.claims.energy;
   const value = facts.result?.value ?? map.claims.value;
   if (energy && Number.isFinite(value)) parts.push(`${energy} ${readable(value)}`);
   else if (energy) parts.push(energy);
-  if (facts.status) parts.push(facts.status.replaceAll('_', ' '));
+  if (facts.status) parts.push(wordsOf(facts.status));
   if (map.faults.length > 0) parts.push(count(map.faults.length, 'face fails', 'faces fail'));
   return parts.join(' \u00b7 ');
 }
@@ -49,9 +52,10 @@ function proofsOf(facts) {
 export function writeFacts(app) {
   const {map} = app;
   const {facts} = map;
-  byId('summary').textContent = summaryOf({map, facts});
+  byId('summary').textContent = summaryOf(map);
   const parts = [...numbersOf(facts), ...proofsOf(facts)];
-  if (facts.message) parts.push(element('p', {className: 'note'}, facts.message));
+  if (facts.message)
+    parts.push(element('p', {className: 'note'}, `${wordsOf(facts.status)}: ${facts.message}`));
   if (Object.keys(facts).length > 0)
     parts.push(element('details', {}, element('summary', {}, 'all of the report'),
                        element('pre', {tabindex: 0}, JSON.stringify(facts, null, 1))));

@@ -85,10 +85,10 @@ function pointAtCells(app, canvas, pixel) {
 }
 
 export function showWithoutWebGl(app) {
-  const note = byId('fallback');
+  const note = byId('notice');
   note.hidden = false;
-  note.textContent = 'The surface is not drawn, as this browser offers no WebGL2 here. The layout ' +
-      'is, in one colour a face, that of its middle.';
+  note.textContent = 'The surface is not drawn, as this browser offers no WebGL2 here. The ' +
+      'layout is, in one colour a face, that of its middle.';
   document.body.classList.add('flat');
   const canvas = byId('canvas');
   const pixel = window.devicePixelRatio || 1;

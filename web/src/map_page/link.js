@@ -2,7 +2,8 @@
 
 const kPause = 250;  // ms after the last change
 
-const rounded = (values) => values.map((x) => Number(x.toPrecision(5))).join(',');
+const rounded = (values) => values.map((x) => Number(x.toPrecision(5)))
+    .map((x) => (Math.abs(x) < 1e-7 ? 0 : x)).join(',');
 
 function numbersOf(text, length) {
   const numbers = (text ?? '').split(',').map(Number);

@@ -105,8 +105,10 @@ function takeImages(app) {
       uniforms.uImage.value = image;
       state.set({show: 'texture', texture: 'image'});
       stage.request();
+      byId('notice').hidden = true;
     } catch {
-      byId('said').textContent = `${file.name} is no image that this browser reads.`;
+      byId('notice').textContent = `${file.name} is no image that this browser reads.`;
+      byId('notice').hidden = false;
     }
   };
   input.addEventListener('change', () => take(input.files[0]));

@@ -1,4 +1,4 @@
-// Lines and dots that are drawn over cells: outlines, seams, cones, points and what the mouse is on.
+// Lines and dots that are drawn over cells: outlines, seams, cones, points, what is pointed at.
 
 import {cornerLocals} from './map_data.js';
 import {facesOfEdges, surfaceNames} from './neighbours.js';

@@ -1,6 +1,8 @@
 // "Save picture": both views with title and legend, as a PNG.
 
-const kBarHeight = 14;
+import {summaryOf} from './facts.js';
+
+const kBarHeight = 14;  // CSS pixels
 
 function drawLegend(pen, app, x, y, width, pixel) {
   const scale = app.scales[app.state.show];
@@ -37,6 +39,9 @@ export function pictureOf(app) {
   pen.fillStyle = app.css('--ink');
   pen.font = `600 ${17 * pixel}px system-ui, sans-serif`;
   pen.fillText(app.map.title, 14 * pixel, 28 * pixel);
+  const after = pen.measureText(`${app.map.title}   `).width;
+  pen.font = `${14 * pixel}px system-ui, sans-serif`;
+  pen.fillText(summaryOf(app.map), 14 * pixel + after, 28 * pixel);
   pen.drawImage(source, 0, head);
   drawLegend(pen, app, 24 * pixel, source.height + head + 28 * pixel,
              Math.min(420 * pixel, canvas.width - 48 * pixel), pixel);

@@ -221,7 +221,8 @@ void main() {
   if (uMode == ${modes.checker}) color = checker(uv);
   if (uMode == ${modes.grid}) color = grid(uv);
   if (uMode == ${modes.image}) color = texture(uImage, uv * uImageFrame.x + uImageFrame.yz).rgb;
-  if (uMode == ${modes.chart}) color = mix(vec3(1.0), texelFetch(uTints, ivec2(int(face.x), 0), 0).rgb, 0.55);
+  if (uMode == ${modes.chart})
+    color = mix(vec3(1.0), texelFetch(uTints, ivec2(int(face.x), 0), 0).rgb, 0.55);
   if (uMode == ${modes.heat})
     color = flipped ? uFlipped : texture(uColors, vec2((position * 255.0 + 0.5) / 256.0, 0.5)).rgb;
   if (flipped ? uBrush.x > 0.0 : position < uBrush.x || position > uBrush.y)
@@ -232,8 +233,8 @@ void main() {
   float small = 1.0 - smoothstep(0.06, 0.35, max(width.x, max(width.y, width.z)) / uPixel);
   float near = min(far.x, min(far.y, far.z));
   color *= 1.0 - uEdges * small * (1.0 - smoothstep(0.1 * uPixel, 0.9 * uPixel, near));
-  if (uFaultsShown && face.y > 0.5 && mod(gl_FragCoord.x + gl_FragCoord.y, 9.0 * uPixel) < 4.0 * uPixel)
-    color = uFlipped;
+  float diagonal = mod(gl_FragCoord.x + gl_FragCoord.y, 9.0 * uPixel);
+  if (uFaultsShown && face.y > 0.5 && diagonal < 4.0 * uPixel) color = uFlipped;
   if (vFace == uHovered) color = mix(color, uAccent, 0.28);
   if (vFace == uPinned)
     color = mix(color, uAccent, max(0.4, 1.0 - smoothstep(1.5 * uPixel, 2.5 * uPixel, near)));

@@ -1,9 +1,9 @@
 // One WebGL canvas with two views, drawn when something changed: scenes, cameras, render passes.
 
 import {
-  BufferAttribute, BufferGeometry, Color, DoubleSide, Float32BufferAttribute, GLSL3, InstancedBufferAttribute,
-  InstancedBufferGeometry, Mesh, Points, RawShaderMaterial, Scene, WebGLRenderer,
-  WebGLRenderTarget,
+  BufferAttribute, BufferGeometry, Color, DoubleSide, Float32BufferAttribute, GLSL3,
+  InstancedBufferAttribute, InstancedBufferGeometry, Mesh, Points, RawShaderMaterial, Scene,
+  WebGLRenderer, WebGLRenderTarget,
 } from 'three';
 
 import {modes} from './shaders.js';
@@ -88,7 +88,7 @@ export class Stage {
     this.views = [];
     this.waiting = false;
     this.drawCalls = 0;
-    this.frames = 0;
+    canvas.addEventListener('webglcontextrestored', () => this.request());
   }
 
   // Draws before the next frame is shown: one view, or all.
@@ -133,7 +133,6 @@ export class Stage {
       renderer.render(view.scene, view.camera);
     }
     this.drawCalls = renderer.info.render.calls;
-    this.frames += 1;
   }
 
   // The view drawn in another mode, one texel a CSS pixel, read back: bytes r, g, b, a by rows from

@@ -14,8 +14,8 @@ function checkerFrame({size, center}) {
   return [size / width, ...center.map((c) => (c / width) % 2)];
 }
 
-// An image fills the unit square of layouts that were made for one, and the square around the middle
-// of others.
+// An image fills the unit square of layouts that were made for one, and the square around the
+// middle of others.
 function imageFrame({claims, scaleIsAssumed, uvBounds: {size, center}}) {
   return claims.normalized || scaleIsAssumed ? [size, ...center] : [1, 0.5, 0.5];
 }

@@ -1,12 +1,12 @@
-#include "apps/film.h"
+#include "majorant/pictures/film.h"
 
 #include <algorithm>
 
 #include "majorant/io/map_file.h"
 
-namespace majorant::app {
+namespace majorant {
 
-MapWatcher Film::watcher() {
+std::function<void(const TraceEntry&, const std::function<BezierMap()>&)> Film::watcher() {
   return [this](const TraceEntry& row, const std::function<BezierMap()>& map) { take(row, map); };
 }
 
@@ -54,4 +54,4 @@ int last_iteration(const std::vector<TraceEntry>& trace) {
   return trace.empty() ? 0 : trace.back().record.iteration;
 }
 
-}  // namespace majorant::app
+}  // namespace majorant

@@ -2,8 +2,12 @@
 //
 //   Film film(5, options.map.degree);
 //   options.solve.watch = film.watcher();
+//   RunRecord record;
 //   const ParametrizationResult result = parametrize(mesh, options, record);
-//   page.snapshots = film.frames({*result.map, last_iteration, energy});
+//   MapPage page;
+//   page.map = to_map_file(*result.map);
+//   page.snapshots = film.frames(
+//       {*result.map, last_iteration(record.trace()), result.value_quadrature});
 //
 // Memory is bounded: frames are counted as the page holds them, 8 bytes a control point at the
 // degree of the result. When one more would not fit, every second one goes, and from then on only
@@ -14,10 +18,11 @@
 #include <functional>
 #include <vector>
 
-#include "majorant/parametrization/drive/solve_options.h"
+#include "majorant/framework/trace.h"
+#include "majorant/parametrization/maps/bezier_map.h"
 #include "majorant/pictures/write_page.h"
 
-namespace majorant::app {
+namespace majorant {
 
 class Film {
  public:
@@ -34,7 +39,8 @@ class Film {
   Film(int every, int degree, std::size_t most_bytes = kMostBytes)
       : every_(every), degree_(degree), most_bytes_(most_bytes) {}
 
-  MapWatcher watcher();                 // the film outlives it
+  // For SolveOptions::watch; the film outlives it.
+  std::function<void(const TraceEntry&, const std::function<BezierMap()>&)> watcher();
   int every() const { return every_; }  // now
   // How many frames() gives for a result of that iteration.
   std::size_t count(int last_iteration) const;
@@ -53,4 +59,4 @@ class Film {
 // Of the last row, 0 where there is none.
 int last_iteration(const std::vector<TraceEntry>& trace);
 
-}  // namespace majorant::app
+}  // namespace majorant
