@@ -171,10 +171,11 @@ TEST_P(Assembly, TakesNothingOverWhereUnknownsAreOthers) {
       test::random_stencils(random, 50, 3, 20, block), random);
   Rows rows;
   rows.row({{3, 1}}, 1);
-  const Problem free = ProblemBuilder(20 * block).add(term, 1.0).build();
-  ProblemBuilder builder(20 * block);
-  builder.add(term, 1.0).add(rows);
-  expect_same_problem(builder.build(free), builder.build(), random);
+  ProblemBuilder free(20 * block), held(20 * block);
+  free.add(term, 1.0);
+  held.add(term, 1.0).add(rows);
+  const Problem before = free.build(free.build());
+  expect_same_problem(held.build(before), held.build(), random);
 }
 
 TEST_P(Assembly, SeveralTermsWeightsAndRules) {

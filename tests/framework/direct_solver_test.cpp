@@ -50,11 +50,11 @@ TEST_P(DirectSolver, RefactorizesOtherValues) {
 TEST_P(DirectSolver, KeepsAnOrderingWhileItServes) {
   Random random(4);
   const auto solver = make();
-  Stencils s = test::random_stencils(random, 300, 3, 400, 2);
-  const Elimination all(800, ConstraintRows{});
+  Stencils s = test::random_stencils(random, 150, 3, 200, 2);
+  const Elimination all(400, ConstraintRows{});
   int kept = 0, ordered = 0;
   for (int round = 0; round < 40; ++round) {
-    for (int k = 0; k < 3; ++k) s.nodes(random.integer(0, 299), 0) = random.integer(0, 399);
+    for (int k = 0; k < 3; ++k) s.nodes(random.integer(0, 149), 0) = random.integer(0, 199);
     const Matrix m = test::random_matrix(random, s, all, 60);
     solver->analyze(m.pattern);
     ASSERT_EQ(solver->factorize(m.values, 0), FactorStatus::Ok) << round;
