@@ -199,11 +199,9 @@ void write_reports(const FinishedRun& run, Json report, double write_seconds,
   for (const std::string& path : run.outputs.files)
     if (extension(path) == ".json") paths.push_back(path);
   report["outputs"] = written.to_json();
-  for (const std::string& path : paths) {
-    report["seconds"]["write"] = write_seconds;
-    report["seconds"]["total"] = seconds_since(run.start);
-    written.write(path, [&] { write_json(path, report); });
-  }
+  report["seconds"]["write"] = write_seconds;
+  report["seconds"]["total"] = seconds_since(run.start);
+  for (const std::string& path : paths) written.write(path, [&] { write_json(path, report); });
 }
 
 void summarize(const FinishedRun& run) {

@@ -12,6 +12,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/io/internal/byte_cursor.h"
 #include "majorant/io/internal/input_file.h"
+#include "majorant/io/internal/join_copies.h"
 #include "majorant/io/internal/line_cursor.h"
 #include "majorant/io/internal/mesh_readers.h"
 #include "majorant/io/internal/ply_header.h"
@@ -128,7 +129,7 @@ class PlyReader {
       take_wedges();
     } else if (!mesh_.texcoords.empty()) {
       mesh_.polygon_texcoords = mesh_.polygons;
-      if (!copy_of_.empty()) join_copies();
+      if (!copy_of_.empty()) join_copies(mesh_, copy_of_);
     }
     return std::move(mesh_);
   }
@@ -333,33 +334,6 @@ class PlyReader {
         if (is_new) mesh_.texcoords.push_back(uv);
         mesh_.polygon_texcoords[p].push_back(entry->second);
       }
-  }
-
-  // Vertices are what they are copies of; texture coordinates stay one a copy.
-  void join_copies() {
-    const auto damaged = [&](std::string_view problem) {
-      throw Error(ErrorKind::Unreadable,
-                  fmt::format("{}: input_vertex {}; damaged file", mesh_.file, problem));
-    };
-    const Index largest = *std::max_element(copy_of_.begin(), copy_of_.end());
-    if (at(largest) >= copy_of_.size()) damaged(fmt::format("{} is out of range", largest));
-    std::vector<Index> first(at(largest) + 1, -1);
-    for (std::size_t k = 0; k < copy_of_.size(); ++k) {
-      Index& original = first[at(copy_of_[k])];
-      if (original < 0) original = static_cast<Index>(k);
-      if (mesh_.positions[at(original)] != mesh_.positions[k])
-        damaged(fmt::format("{} is at two places", copy_of_[k]));
-    }
-    std::vector<Vector3> positions, colors;
-    for (std::size_t v = 0; v < first.size(); ++v) {
-      if (first[v] < 0) damaged(fmt::format("{} is missing", v));
-      positions.push_back(mesh_.positions[at(first[v])]);
-      if (!mesh_.colors.empty()) colors.push_back(mesh_.colors[at(first[v])]);
-    }
-    mesh_.positions = std::move(positions);
-    mesh_.colors = std::move(colors);
-    for (auto& polygon : mesh_.polygons)
-      for (Index& v : polygon) v = copy_of_[at(v)];
   }
 
   // At the end, since faces may come before the vertices.

@@ -1,7 +1,8 @@
 // Texts of anybody inside a page for a browser: file names, messages and data never become markup.
 //
-//   page = fill_in("<h1>{{title}}</h1>{{data}}", {{"title", html_text(name)},
-//                                                  {"data", script_json(data)}});
+//   const std::string page = fill_in("<h1>{{title}}</h1>{{data}}",
+//                                    {{"title", html_text(text)},
+//                                     {"data", script_json({{"faces", 12}})}});
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 // Triangles to pixels: which of them is in front at every sample of a picture.
 //
 //   std::vector<RasterTriangle> triangles;                    // in pixels, y down
-//   rasterize(triangles, {800, 600}, [&](int y, std::span<const Fragment> samples) { ... });
+//   rasterize(triangles, {800, 600}, [&](int, std::span<const Fragment>) {});
 //
 // Rows of pixels are done side by side by the threads of the caller; what a pixel gets depends on
 // the triangles alone, so that pictures are the same for any number of threads.

@@ -30,9 +30,7 @@ class SmallMaps(CommandTest):
                 outcome = majorant(*self.arguments(path, case), '--report', report)
                 good = path.startswith('good') and path not in FALSE_CLAIMS
                 self.assertIn(outcome.code, (OK,) if good else (UNREADABLE, INVALID), outcome.err)
-                lines = [line for line in outcome.err.splitlines()
-                         if not re.fullmatch(r'\w+ +\d+\.\d\d s', line)]  # of what it was doing
-                self.assertEqual(len(lines), 1, outcome.err)
+                self.assertEqual(len(outcome.said()), 1, outcome.err)
                 if outcome.code == UNREADABLE:
                     self.assertEqual(case['reason'], 'unreadable')
                     continue

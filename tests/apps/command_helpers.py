@@ -41,6 +41,10 @@ class Outcome:
     def __init__(self, process):
         self.code, self.out, self.err = process.returncode, process.stdout, process.stderr
 
+    def said(self):
+        """Lines of stderr, but for those of what it was doing, and how long."""
+        return [line for line in self.err.splitlines() if not re.fullmatch(r'\w+ +\d+\.\d\d s', line)]
+
 
 def majorant(*args, cwd=None):
     return Outcome(subprocess.run([BINARY] + [str(a) for a in args], cwd=cwd, text=True,

@@ -92,7 +92,7 @@ class Names(EnergyTest):
             with self.subTest(claim=claim):
                 outcome = majorant('check', vtu.write(self.path('bad.vtu')))
                 self.assertEqual(outcome.code, code, outcome.err)
-                self.assertEqual(outcome.err.count('\n'), 1)
+                self.assertEqual(len(outcome.said()), 1, outcome.err)
 
     def test_help_lists_every_name(self):
         text = majorant('parametrize', '--help').out

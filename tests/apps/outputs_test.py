@@ -191,7 +191,7 @@ class Report(CommandTest):
                 self.assertGreaterEqual(min(step['seconds'].values()), 0)
                 spent += sum(step['seconds'].values())
                 self.assertAlmostEqual(step['elapsed'], spent, delta=1e-9)
-                self.assertGreater(step['factorizations'], step['failed_factorizations'])
+                self.assertGreaterEqual(step['factorizations'], step['failed_factorizations'])  # or kept
             seconds = report['seconds']
             self.assertLess(seconds['read'] + seconds['initialize'],
                             report['iterations'][0]['seconds']['other'])

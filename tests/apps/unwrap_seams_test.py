@@ -190,7 +190,7 @@ class Packed(UnwrapTest):
         self.judged()
 
     def test_padding_that_leaves_no_room(self):
-        self.refused(UNSUPPORTED, 'unwrap', self.many(), self.path('o.obj'), '--padding', 2000,
+        self.refused(UNSUPPORTED, 'unwrap', '--quiet', self.many(), self.path('o.obj'), '--padding', 2000,
                      says='padding')
         for flags in (['--padding', '-1'], ['--resolution', '0'], ['--padding', 'nan']):
             self.refused(USAGE, 'unwrap', self.many(), self.path('o.obj'), *flags, says=flags[0])
