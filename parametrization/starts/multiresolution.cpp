@@ -282,7 +282,7 @@ class Multiresolution {
       if (std::exchange(is_in[at(v)], 1) == 0) found.push_back(v);
     };
     for (Index v = 0; v < mesh_.vertex_count(); ++v)
-      if (mean[v] < limit) take(v);
+      if (mean[v] > limit) take(v);
     for (int ring = 0; ring < rules_.squeezed_rings; ++ring)
       for (std::size_t k = 0, end = found.size(); k < end; ++k) {
         mesh_.ring(found[k], ring_);
