@@ -9,12 +9,12 @@
 // has the neutral colour, a pale grey, and equal steps of t are equal distances in OKLab [Ottosson
 // 2020], so that what looks twice as different is.
 //
-// * Sequential, of what is least at isometry (density, angle), with s = 1 + (v - v0) / w:
-//   t = log(s(v) / s(low)) / log(s(high) / s(low)), from grey over orange to dark red. w = 1 for
-//   the angle, so that s = v; of a density, what a stretch to twice the length in one direction
-//   adds to it.
-// * Diverging, of area distortion and singular values: t = 1/2 (1 - log v / log low) below v0 = 1
-//   and 1/2 (1 + log v / log high) above, from dark blue over grey to the same dark red.
+//     * Sequential, of what is least at isometry (density, angle), with s = 1 + (v - v0) / w: t =
+//       log(s(v) / s(low)) / log(s(high) / s(low)), from grey over orange to dark red. w = 1 for
+//       the angle, so that s = v; of a density, what a stretch to twice the length in one direction
+//       adds to it.
+//     * Diverging, of area distortion and singular values: t = 1/2 (1 - log v / log low) below v0 =
+//       1 and 1/2 (1 + log v / log high) above, from dark blue over grey to the same dark red.
 //
 // The fixed ranges: singular values 1/4 to 4, area 1/8 to 8, angle 1 to 8, density v0 to v0 + 16 w
 // (symmetric Dirichlet: 4 to 40). What is beyond has the colour of that end; legends mark ends that
