@@ -21,6 +21,7 @@ sys.path.insert(0, os.path.join(ROOT, 'tests', 'pages'))
 import browser
 
 COLORS = 256  # of a picture: a third of the bytes
+WIDTH = 900   # of a picture, pixels
 
 
 def majorant(*args, code=0):
@@ -88,7 +89,9 @@ def main():
         if found['surprises'] or found['requests']:
             sys.exit('%s: %s' % (name, found))
         from PIL import Image
-        Image.open(out).convert('RGB').quantize(COLORS).save(out, optimize=True)
+        image = Image.open(out).convert('RGB')
+        image = image.resize((WIDTH, round(WIDTH * image.height / image.width)), Image.LANCZOS)
+        image.quantize(COLORS).save(out, optimize=True)
 
 
 if __name__ == '__main__':
