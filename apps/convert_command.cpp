@@ -101,7 +101,7 @@ int convert(Request request) {
   if (request.distortion.empty()) require_some_output(request.outputs, map_extensions());
   require_writable(request.common,
                    {{request.outputs, map_extensions()}, {{request.distortion}, {".csv"}}},
-                   {request.input});
+                   {request.input, request.formats.readable_image()});
   const ThreadCount threads(start_threads(request.common.threads));
   MapFile map = read_map(request.input);
   say_warnings(map.warnings);

@@ -24,6 +24,7 @@ MapRun::MapRun(std::string verb, MapVerb& request, const std::vector<std::string
   request.solve.require_usable(request.outputs, request.map);
   std::vector<std::string> inputs = request.map.inputs();
   inputs.insert(inputs.end(), other_inputs.begin(), other_inputs.end());
+  inputs.push_back(request.outputs.formats.readable_image());
   require_writable(request.common,
                    {{request.outputs.files, request.outputs.extensions},
                     {{request.solve.scaffold_file}, {".vtu", ".svg"}},

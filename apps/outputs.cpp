@@ -14,6 +14,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/io/write_obj.h"
 #include "majorant/io/write_ply.h"
+#include "majorant/pictures/internal/png_file.h"
 
 namespace majorant::app {
 namespace {
@@ -204,6 +205,12 @@ int WrittenFiles::conclude(int code) const {
       written.empty() ? "nothing was written"
                       : fmt::format("written: {}", fmt::join(written, ", ")));
   return code == kSuccess || code == kLimit ? worst : code;
+}
+
+std::string FormatOptions::readable_image() const {
+  if (!png.image) return {};
+  read_png(*png.image);
+  return *png.image;
 }
 
 void FormatOptions::add_to(CLI::App& verb) {

@@ -80,6 +80,9 @@ struct FormatOptions {
   PngOptions png;
   MapPage page;  // but for its map
 
+  // The file that --image names, or empty. Throws Error(Unreadable) where it is no picture.
+  std::string readable_image() const;
+
   void add_to(CLI::App& verb);  // --refine --vtu --msh --grid --color-range ...
 
  private:

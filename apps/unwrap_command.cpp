@@ -42,7 +42,7 @@ void require_usable(Request& request) {
                    {{request.outputs.files, request.outputs.extensions},
                     {{request.outputs.distortion}, {".csv"}}},
                    {request.map.input, request.map.pins, request.map.handles, request.map.weights,
-                    request.unwrap.seams.file()});
+                    request.unwrap.seams.file(), request.outputs.formats.readable_image()});
 }
 
 int unwrap_file(Request request) {

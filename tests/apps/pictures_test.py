@@ -5,7 +5,7 @@ import struct
 import unittest
 import zlib
 
-from command_helpers import USAGE, CommandTest, generated, majorant
+from command_helpers import UNREADABLE, USAGE, CommandTest, generated, majorant
 
 
 def read_png(data):
@@ -102,12 +102,25 @@ class Pictures(CommandTest):
                 (USAGE, ('--color-by', 'areas'), 'area'),
                 (USAGE, ('--align', 'maybe'), 'no'),
                 (USAGE, ('--image', self.path('missing.png')), 'missing.png'),
-                (USAGE, ('--image', self.path('no.png')), 'give a PNG image')):
+                (UNREADABLE, ('--image', self.path('no.png')), 'give a PNG image')):
             outcome = majorant('convert', result, *out, *flags)
             self.assertEqual(outcome.code, code, (flags, outcome.err))
             self.assertIn(says, outcome.err, flags)
             self.assertEqual(outcome.err.count('\n'), 1, outcome.err)
         self.assertEqual(self.files(), ['a.vtu', 'no.png'])
+
+    def test_images_are_looked_at_before_the_work_and_not_replaced(self):
+        self.write('no.png', 'no picture')
+        result = self.map('creature', '--degree', 1)
+        image = self.path('a.png')
+        self.run_ok('convert', result, '-o', image)
+        drawn = self.read('a.png')
+        for verb in ('parametrize', 'unwrap'):
+            self.refused(UNREADABLE, verb, generated('cap'), '-o', self.path('b.png'), '--image',
+                         self.path('no.png'), says='give a PNG image')
+            self.refused(USAGE, verb, generated('cap'), '-o', image, '--image', image, says='--force')
+        self.refused(USAGE, 'convert', result, '-o', image, '--image', image, says='--force')
+        self.assertEqual(self.read('a.png'), drawn)
 
 
 if __name__ == '__main__':
