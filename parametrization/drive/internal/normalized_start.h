@@ -13,6 +13,10 @@
 
 namespace majorant {
 
+// Where the origin is: where coordinates have most digits, or where the start has it, because
+// somebody else knows the coordinates.
+enum class Origin { Free, Kept };
+
 class NormalizedStart {
  public:
   // asked.aligned: edges are projected onto their axis, seams kept, before anything else.
@@ -21,7 +25,7 @@ class NormalizedStart {
   // Error(Unsupported) when a vertex is held twice or a handle's target too far away to compute
   // with (kLargestFactor), Error(Usage) for vertices that do not exist, face weights that do not
   // fit, and an energy that would shrink the map to a point (free_scale.h).
-  NormalizedStart(const BezierMap& start, const MapOptions& asked);
+  NormalizedStart(const BezierMap& start, const MapOptions& asked, Origin origin = Origin::Free);
 
   double scale() const { return scale_; }
   const BezierMap& map() const { return map_; }  // (uv - origin) * scale
