@@ -77,19 +77,19 @@ export class LayoutView extends View {
     const cut = this.chords.of(uv, scale);
     if (this.cut !== cut) {
       this.cut = cut;
-      this.setCells(this.faces, cut);
+      this.setCells(this.faces, cut, this.shared.faulty);
       this.setLines(this.lineList);
     }
     if (!scaffold) return;
     const around = this.scaffoldChords.of(scaffold.uv, scale);
     if (this.scaffoldCut === around) return;
     this.scaffoldCut = around;
-    this.setCells(this.scaffold, around);
+    this.setCells(this.scaffold, around, new Set());
   }
 
-  setCells(object, cut) {
+  setCells(object, cut, top) {
     if (object.geometry !== this.shared.flatCells) object.geometry.dispose();
-    object.geometry = cellsGeometry(cut);
+    object.geometry = cellsGeometry(cut, top);
   }
 
   // {face, xi} under the mouse, or null.

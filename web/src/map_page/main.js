@@ -166,7 +166,8 @@ function drawState(app) {
 
 function addViews(app) {
   const {state} = app;
-  Object.assign(app, makeUniforms(app), {flatCells: flatGeometry(app.map.faceCount)});
+  app.faulty = new Set(app.map.faults.map(({face}) => face));
+  Object.assign(app, makeUniforms(app), {flatCells: flatGeometry(app.map.faceCount, app.faulty)});
   app.stage = new Stage(byId('canvas'));
   app.surface = new SurfaceView(app.stage, byId('surface'), app);
   app.layout = new LayoutView(app.stage, byId('layout'), app);

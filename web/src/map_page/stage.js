@@ -34,8 +34,8 @@ function lattice(k, ends) {
 }
 
 // Cells as triangles cut into pieces (chords.js): vertices are (cell, first two barycentric
-// coordinates).
-export function cellsGeometry({pieces, edges}) {
+// coordinates). Where they overlap, those of `top` are seen.
+export function cellsGeometry({pieces, edges}, top) {
   const lattices = new Map();
   const ofCells = Array.from(pieces, (k, cell) => {
     const ends = edges.subarray(3 * cell, 3 * cell + 3);
@@ -47,17 +47,20 @@ export function cellsGeometry({pieces, edges}) {
   const vertices = new Float32Array(sum(({places}) => 1.5 * places.length));
   const indices = new Uint32Array(sum(({triangles}) => triangles.length));
   let vertex = 0, index = 0;
-  ofCells.forEach(({places, triangles}, cell) => {
+  const add = (cell) => {
+    const {places, triangles} = ofCells[cell];
     for (const corner of triangles) indices[index++] = vertex + corner;
     for (let at = 0; at < places.length; at += 2)
       vertices.set([cell, places[at], places[at + 1]], 3 * vertex++);
-  });
+  };
+  for (let cell = 0; cell < pieces.length; ++cell) if (!top.has(cell)) add(cell);
+  top.forEach(add);
   return indexedGeometry({position: [vertices, 3]}, indices);
 }
 
 // Every cell as one triangle.
-export const flatGeometry = (count) => cellsGeometry(
-    {pieces: new Uint8Array(count).fill(1), edges: new Uint8Array(3 * count).fill(1)});
+export const flatGeometry = (count, top = new Set()) => cellsGeometry(
+    {pieces: new Uint8Array(count).fill(1), edges: new Uint8Array(3 * count).fill(1)}, top);
 
 // lines: [{face, edge, width, corner, tint, target}], bands of piecesOf(face) pieces each.
 export function linesGeometry(lines, piecesOf) {
