@@ -11,41 +11,20 @@
 // invariant() are several times faster and know more curvature models.
 #pragma once
 
-#include <Eigen/Eigenvalues>
 #include <limits>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "majorant/energies/detail/contraction.h"
-#include "majorant/energies/detail/dual2.h"
 #include "majorant/energies/detail/isotropic.h"
 #include "majorant/energies/detail/small_matrix.h"
+#include "majorant/framework/dual2.h"
+#include "majorant/framework/packed_symmetric.h"
 
 namespace majorant {
 
 namespace detail {
-
-// `clamp` of the negative eigenvalues of a packed symmetric matrix taken away, 1: set to 0; where
-// one is not finite, the zero matrix.
-template <int N>
-void clamp_eigenvalues(double clamp, double* k) {
-  using Matrix = Eigen::Matrix<double, N, N>;
-  Matrix m;
-  for (int i = 0, p = 0; i < N; ++i)
-    for (int j = 0; j <= i; ++j, ++p) m(i, j) = m(j, i) = k[p];
-  if (!m.allFinite()) {
-    m.setZero();
-  } else {
-    const Eigen::SelfAdjointEigenSolver<Matrix> eigen(m);
-    if (eigen.eigenvalues()[0] >= 0) return;
-    m = eigen.eigenvectors() *
-        eigen.eigenvalues().cwiseMax((1 - clamp) * eigen.eigenvalues()).asDiagonal() *
-        eigen.eigenvectors().transpose();
-  }
-  for (int i = 0, p = 0; i < N; ++i)
-    for (int j = 0; j <= i; ++j, ++p) k[p] = m(i, j);
-}
 
 template <int N>
 void project(double clamp, PointModel<double, N>& m) {
