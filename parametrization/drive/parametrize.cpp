@@ -63,8 +63,9 @@ void require_valid(const ParametrizationOptions& o) {
         fmt::format("the scaffold's energy has no curvature model '{}'; use projected, majorizer "
                     "or exact",
                     curvature_name(o.solve.curvature)));
-  if (o.solve.triangles == Triangles::Flipped && o.map.face_weight.size() > 0)
-    refuse("flipping edges changes the faces that weights are for; leave one of the two out");
+  if (o.solve.triangles == Triangles::Flipped &&
+      (o.map.face_weight.size() > 0 || knows_elements(o.map.energy)))
+    refuse("flipping edges changes the faces that weights and data are for; leave one out");
 }
 
 // Whether an automatic start is made in many resolutions. Points that are to stay where the initial
@@ -318,6 +319,7 @@ Vec initial_map(const SurfaceMesh& mesh, const MapOptions& asked, const StopChec
 Vec initial_map(const SurfaceMesh& mesh, const MapOptions& asked, RunRecord& record,
                 StartMethod* taken) {
   mesh.require_planar();
+  require_face_data(mesh, asked);
   if (asked.initial && asked.initial->size() != 2 * mesh.vertex_count())
     throw Error(ErrorKind::Usage, mesh.file() + ": the initial map needs 2 numbers per vertex");
   StartMethod unused;
