@@ -198,7 +198,7 @@ void require_face_data(const SurfaceMesh& mesh, const MapObjective& asked) {
   }
 }
 
-NormalizedStart::NormalizedStart(const BezierMap& given, const MapOptions& asked)
+NormalizedStart::NormalizedStart(const BezierMap& given, const MapOptions& asked, Origin origin)
     : scale_(normalizing_scale(given.mesh())), map_(given) {
   require_face_data(given.mesh(), asked);
   MapSpecification& spec = specification_;
@@ -214,7 +214,7 @@ NormalizedStart::NormalizedStart(const BezierMap& given, const MapOptions& asked
   require_scale(asked, start);
   // Where nothing holds the map, its first held vertex moves to the origin.
   if (const auto gauge = gauge_vertices(spec, start.space());
-      !gauge.empty() && spec.pins.empty() && spec.handles.empty())
+      origin == Origin::Free && !gauge.empty() && spec.pins.empty() && spec.handles.empty())
     origin_ = start.control_points().segment<2>(2 * gauge.front());
   if (origin_.norm() * scale_ <= kFarAway || spec.boundary == BoundaryCondition::Fixed)
     destination_ = origin_;

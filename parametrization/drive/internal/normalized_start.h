@@ -16,6 +16,10 @@ namespace majorant {
 // Throws Error(Usage) unless face weights and data of energies are for the faces of the mesh.
 void require_face_data(const SurfaceMesh& mesh, const MapObjective& asked);
 
+// Where the origin is: where coordinates have most digits, or where the start has it, because
+// somebody else knows the coordinates.
+enum class Origin { Free, Kept };
+
 class NormalizedStart {
  public:
   // asked.aligned: edges are projected onto their axis, seams kept, before anything else.
@@ -24,7 +28,7 @@ class NormalizedStart {
   // Error(Unsupported) when a vertex is held twice or a handle's target too far away to compute
   // with (kLargestFactor), Error(Usage) for vertices that do not exist, weights or data of
   // faces that do not fit, and an energy that would shrink the map to a point (free_scale.h).
-  NormalizedStart(const BezierMap& start, const MapOptions& asked);
+  NormalizedStart(const BezierMap& start, const MapOptions& asked, Origin origin = Origin::Free);
 
   double scale() const { return scale_; }
   const BezierMap& map() const { return map_; }  // (uv - origin) * scale

@@ -1,0 +1,30 @@
+// A checker that also knows how to keep away from its limit, so that a bound is a constraint of the
+// optimization and no wall at which runs stall.
+//
+//   builder.add(bound);                                            // holds at every step
+//   const TermId barrier = builder.add(bound->barrier(), 0.1);     // its weight falls to 0
+//
+// The barrier grows to infinity towards the limit; while its weight falls, minima of the sum run
+// along a path inside the feasible set to the constrained minimum (interior points, [NW06]
+// Sec. 19.6). A start outside is led inside by relaxed bounds. parametrize() does all that for what
+// MapExtension::add() is given (map_extension.h). Not for what has no derivatives: a
+// FeasibilityChecker alone, where runs end "held at the limit of the feasible set".
+#pragma once
+
+#include <memory>
+
+#include "majorant/framework/energy_term.h"
+#include "majorant/framework/feasibility.h"
+
+namespace majorant {
+
+class BarrierChecker : public FeasibilityChecker {
+ public:
+  // Finite where check() says feasible, and ever larger towards the limit: sums of -log(room).
+  virtual std::shared_ptr<const EnergyTerm> barrier() const = 0;
+  // The same bound, its limit moved so far that x keeps clear of it (by a tenth of it, say), and no
+  // farther; never stricter than this one.
+  virtual std::shared_ptr<const BarrierChecker> relaxed(VecIn x) const = 0;
+};
+
+}  // namespace majorant
