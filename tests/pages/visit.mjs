@@ -15,7 +15,7 @@ const flags = [
   '--enable-unsafe-swiftshader',
 ];
 
-// options: width, height, hash of the address, dark, flags: more of them.
+// options: width, height, hash of the address, dark, touch, reducedMotion, flags: more of them.
 export async function visit(file, options, act) {
   const browser = await chromium.launch({
     executablePath: process.env.MAJORANT_CHROMIUM,
@@ -26,6 +26,7 @@ export async function visit(file, options, act) {
       viewport: {width: options.width ?? 1200, height: options.height ?? 800},
       colorScheme: options.dark ? 'dark' : 'light',
       reducedMotion: options.reducedMotion ?? 'reduce',
+      hasTouch: options.touch ?? false,
       acceptDownloads: true,
     });
     const page = await context.newPage();
