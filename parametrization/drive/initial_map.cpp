@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "majorant/framework/error.h"
+#include "majorant/parametrization/drive/internal/normalized_start.h"
 #include "majorant/parametrization/drive/parametrize.h"
 #include "majorant/parametrization/starts/multiresolution.h"
 #include "majorant/parametrization/starts/tutte.h"
@@ -48,6 +49,7 @@ Vec initial_map(const SurfaceMesh& mesh, const MapOptions& asked, const StopChec
 Vec initial_map(const SurfaceMesh& mesh, const MapOptions& asked, RunRecord& record,
                 StartMethod* taken) {
   mesh.require_planar();
+  require_face_data(mesh, asked);
   if (asked.initial && asked.initial->size() != 2 * mesh.vertex_count())
     throw Error(ErrorKind::Usage, mesh.file() + ": the initial map needs 2 numbers per vertex");
   StartMethod unused;

@@ -53,8 +53,9 @@ void require_valid(const ParametrizationOptions& o) {
         fmt::format("the scaffold's energy has no curvature model '{}'; use projected, majorizer "
                     "or exact",
                     curvature_name(o.solve.curvature)));
-  if (o.solve.triangles == Triangles::Flipped && o.map.face_weight.size() > 0)
-    refuse("flipping edges changes the faces that weights are for; leave one of the two out");
+  if (o.solve.triangles == Triangles::Flipped &&
+      (o.map.face_weight.size() > 0 || knows_elements(o.map.energy)))
+    refuse("flipping edges changes the faces that weights and data are for; leave one out");
   if (o.solve.triangles == Triangles::Flipped && o.extend)
     refuse(
         "flipping edges changes the faces and nodes that were added to; leave one of the two out");
