@@ -6,7 +6,7 @@ import {cornersOf, positionOf} from './map_data.js';
 import {meet} from './ray.js';
 import {View} from './view.js';
 
-const kExtent = 2.15;  // of the view at zoom 1, in radii; as of write_png.h
+const kExtent = 2.15;  // of the view at zoom 1, in radii
 const kMargin = 1.05;  // around what is seen first
 const kDistance = 4;   // of the camera, in radii
 const kSteep = 0.9986;  // cosine of 3 degrees
