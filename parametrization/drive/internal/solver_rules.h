@@ -57,15 +57,14 @@ struct BoundRules {
   double least_barrier = 1e-6;
   // Relative decrease that ends a round on the way inside. Origin: they only lead there.
   double entry_tolerance = 1e-3;
-  // Of the margin, by which a round comes nearer; else the weight grows. Origin: a bound that is
-  // relaxed by a tenth moves by more while it is led by its barrier.
+  // Of the margin, by which a round comes nearer; else the weight grows. Origin: a small part of
+  // the tenth by which bounds are relaxed; chosen, not tuned.
   double least_progress = 0.02;
   // By so much. Origin: chosen, not tuned: a round costs a few steps.
   double harder = 10;
-  // The weight from round to round. Origin: [NW06] Sec. 19.3 has 0.2; Newton's method follows
-  // a tenth in three to six steps.
+  // The weight from round to round. Origin: as BarrierOptions::fall.
   double fall = 0.1;
-  // Origin: bounds the cost of what leads nowhere; ways inside took up to ten rounds.
+  // Origin: bounds the cost of what leads nowhere; chosen, not tuned.
   int most_rounds = 40;
 };
 
