@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "random.h"
@@ -26,7 +27,10 @@ void clamp_random_matrices() {
       double k[N * (N + 1) / 2];
       for (double& entry : k) entry = random.uniform();
       const auto before = unpacked<N>(k);
+      double rotated[N * (N + 1) / 2];
+      std::copy(std::begin(k), std::end(k), rotated);
       clamp_eigenvalues<N>(clamp, k);
+      make_semidefinite<N>(clamp, rotated);
       const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, N, N>> eigen(before);
       Eigen::Matrix<double, N, N> expected = before;
       for (int i = 0; i < N; ++i)
@@ -34,6 +38,7 @@ void clamp_random_matrices() {
           expected -=
               clamp * l * eigen.eigenvectors().col(i) * eigen.eigenvectors().col(i).transpose();
       EXPECT_LE((unpacked<N>(k) - expected).norm(), 1e-13 * (1 + before.norm())) << N;
+      EXPECT_LE((unpacked<N>(rotated) - expected).norm(), 1e-13 * (1 + before.norm())) << N;
     }
 }
 
@@ -90,11 +95,24 @@ TEST(PackedSymmetric, Semidefinite) {
   EXPECT_FALSE(is_semidefinite<2>(nan));
 }
 
+TEST(PackedSymmetric, RotationsOfAnySize) {
+  for (const double size : {1e-300, 1e-20, 1e100, 1e150}) {
+    double k[] = {size, 3 * size, -size, 0.1 * size, -2 * size, 5 * size};
+    const auto before = unpacked<3>(k);
+    make_semidefinite<3>(1, k);
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(before);
+    const Eigen::Matrix3d expected = eigen.eigenvectors() *
+                                     eigen.eigenvalues().cwiseMax(0.0).asDiagonal() *
+                                     eigen.eigenvectors().transpose();
+    EXPECT_LE((unpacked<3>(k) - expected).cwiseAbs().maxCoeff(), 1e-13 * size);
+  }
+}
+
 TEST(PackedSymmetric, NotFinite) {
   for (const double bad :
        {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
     double k[] = {2, bad, 3};
-    clamp_eigenvalues<2>(1, k);
+    make_semidefinite<2>(1, k);
     for (const double entry : k) EXPECT_EQ(entry, 0);
   }
 }
