@@ -93,7 +93,7 @@ void clamp_by_rotations(double clamp, double* k) {
   for (bool done = false; !done;) {
     done = true;
     for (int step = 0; step + 1 < N; ++step) {
-      const int apart = 1 + (N / 2 - 1 + step) % (N - 1);
+      const int apart = 1 + (N / 2 - 1 + step) % std::max(N - 1, 1);
       for (int i = 0; i + apart < N; ++i) {
         const int j = i + apart;
         if (!(std::abs(a[i][j]) > zero)) continue;
