@@ -1,7 +1,11 @@
 #include "majorant/elements/rest_shapes.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Dense>
-#include <stdexcept>
+
+#include "majorant/framework/error.h"
+#include "majorant/framework/internal/argument_check.h"
 
 namespace majorant {
 namespace {
@@ -34,8 +38,17 @@ double invert(const Eigen::MatrixXd& tangents, Eigen::Ref<RowMatrix> inverse) {
 RestShapes flat_simplices(const RowMatrix& positions, const Cells& cells) {
   RestShapes rest;
   rest.dim = static_cast<int>(cells.cols()) - 1;
-  if (positions.cols() < rest.dim)
-    throw std::invalid_argument("flat_simplices: positions have too few coordinates");
+  if (rest.dim < 1 || positions.cols() < rest.dim)
+    throw InvalidArgument(
+        fmt::format("flat_simplices: positions of {} coordinates for cells of {} "
+                    "corners, too few",
+                    positions.cols(), cells.cols()));
+  require_finite_rows("flat_simplices: positions", positions);
+  for (Index e = 0; e < cells.rows(); ++e)
+    for (const Index v : cells.row(e))
+      if (v < 0 || v >= positions.rows())
+        throw InvalidArgument(fmt::format("flat_simplices: cell {} has vertex {}, there are {}", e,
+                                          v, positions.rows()));
   double factorial = 1;
   for (int k = 2; k <= rest.dim; ++k) factorial *= k;
   rest.inverse.resize(cells.rows(), rest.dim * rest.dim);
@@ -60,6 +73,10 @@ RestShapes flat_triangles(const Points3& positions, const Cells& faces) {
 
 RowMatrix tabulate_rest(const RestShapes& rest, const ElementSpace& space,
                         const ContractionTable& table, Index e) {
+  require_index("tabulate_rest: element", e, space.element_count());
+  if (rest.nodes.rows() != space.node_count() || rest.dim != space.reference_dim())
+    throw InvalidArgument(fmt::format("tabulate_rest: rest positions of {} nodes, the space has {}",
+                                      rest.nodes.rows(), space.node_count()));
   const Eigen::Index points = table.weights.size(), square = rest.dim * rest.dim;
   RowMatrix out(points, square + 1), inverse(rest.dim, rest.dim);
   for (Eigen::Index l = 0; l < points; ++l) {
@@ -77,7 +94,11 @@ RowMatrix tabulate_rest(const RestShapes& rest, const ElementSpace& space,
 RestShapes curved_shapes(const ElementSpace& space, const RowMatrix& positions,
                          const Quadrature& rule) {
   if (positions.rows() != space.node_count() || positions.cols() < space.reference_dim())
-    throw std::invalid_argument("curved_shapes: one position of at least D numbers per node");
+    throw InvalidArgument(
+        fmt::format("curved_shapes: {} positions of {} coordinates, one of at least {} is needed "
+                    "for each of {} nodes",
+                    positions.rows(), positions.cols(), space.reference_dim(), space.node_count()));
+  require_finite_rows("curved_shapes: positions", positions);
   RestShapes rest;
   rest.dim = space.reference_dim();
   rest.nodes = positions;

@@ -28,7 +28,9 @@ struct RestShapes {
 // Flat simplices, one per row of D+1 vertex numbers: triangles in the plane or in space (D = 2),
 // tetrahedra in space (D = 3), reference coordinates as in their spaces: tangents p0 - p2 and p1 -
 // p2 of a triangle, p1 - p0, p2 - p0, p3 - p0 of a tetrahedron. positions: #V by d. Where d = D the
-// frame is that of the positions, else p0 - p2 along the first axis ([MC20] Eq. 5 and 6).
+// frame is that of the positions, else p0 - p2 along the first axis ([MC20] Eq. 5 and 6). A cell
+// without a measure has measure 0 and an inverse that is not finite; terms refuse it. Throws
+// InvalidArgument for vertices that do not exist and positions that are not finite.
 RestShapes flat_simplices(const RowMatrix& positions, const Cells& cells);
 
 // flat_simplices of triangles in space: positions #V by 3, faces #F by 3.
@@ -36,7 +38,8 @@ RestShapes flat_triangles(const Points3& positions, const Cells& faces);
 
 // Rest shapes that are themselves images of the reference element: positions #N by d of the space's
 // nodes, d >= D. `rule` integrates the measures. Where d > D, frames are made from the tangents by
-// Gram-Schmidt, the first tangent along the first axis.
+// Gram-Schmidt, the first tangent along the first axis. Throws InvalidArgument unless there is a
+// finite position for every node, and for the rule of another cell.
 RestShapes curved_shapes(const ElementSpace& space, const RowMatrix& positions,
                          const Quadrature& rule);
 

@@ -1,8 +1,16 @@
 #include "majorant/energies/energy_factory.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "majorant/framework/internal/argument_check.h"
 
 namespace majorant {
+
+EnergyFactory::EnergyFactory(DensityTraits traits, Make make)
+    : traits_(std::move(traits)), make_(std::move(make)) {
+  require_given("EnergyFactory: make", make_);
+}
 
 Barrier barrier_of(const EnergySum& energy) {
   Barrier strongest = Barrier::None;

@@ -19,12 +19,11 @@ class EnergyFactory {
   using Make = std::function<std::shared_ptr<const DensityTerm>(
       std::shared_ptr<const ElementSpace> space, const RestShapes& rest,
       const std::vector<Quadrature>& rules)>;
-  // make: gives terms of these traits.
-  EnergyFactory(DensityTraits traits, Make make)
-      : traits_(std::move(traits)), make_(std::move(make)) {}
+  // make: gives terms of these traits. Throws InvalidArgument where it is empty.
+  EnergyFactory(DensityTraits traits, Make make);
 
   const DensityTraits& traits() const { return traits_; }
-  // Value of the term = sum over elements of measure * mean density. Throws std::invalid_argument
+  // Value of the term = sum over elements of measure * mean density. Throws InvalidArgument
   // as DensityTerm does.
   std::shared_ptr<const DensityTerm> operator()(std::shared_ptr<const ElementSpace> space,
                                                 const RestShapes& rest,

@@ -39,7 +39,7 @@ DensityTraits density_traits(const Density& density) {
   return traits;
 }
 
-// With kernels compiled elsewhere. Throws std::invalid_argument as DensityTerm does.
+// With kernels compiled elsewhere. Throws InvalidArgument as DensityTerm does.
 template <class Density>
 std::shared_ptr<const DensityTerm> make_energy(std::shared_ptr<const ElementSpace> space,
                                                const RestShapes& rest, Density density,

@@ -8,7 +8,6 @@
 #include <limits>
 #include <map>
 #include <numeric>
-#include <stdexcept>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
@@ -169,11 +168,14 @@ class Eliminator {
 
 Elimination::Elimination(Index full_size, const ConstraintRows& rows)
     : auxiliary_size_(rows.auxiliary_count()) {
+  rows.require_ended();
   for (std::size_t r = 0; r < rows.size(); ++r)
     for (auto e = rows.begin(r); e != rows.end(r); ++e)
       if (e->unknown < -auxiliary_size_ || e->unknown >= full_size)
-        throw std::invalid_argument(fmt::format("constraint row '{}': unknown {} of {}",
-                                                rows.label(r), e->unknown, full_size));
+        throw InvalidArgument(
+            fmt::format("constraint row '{}': unknown {} does not exist, there "
+                        "are {} and {} auxiliary ones",
+                        rows.label(r), e->unknown, full_size, auxiliary_size_));
   const Eliminator eliminator(full_size, rows);
   const auto& solved = eliminator.solved();
   const Index all = full_size + auxiliary_size_;

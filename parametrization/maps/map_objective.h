@@ -21,7 +21,7 @@ enum class BoundaryAngles { Free, AtMostFullTurn };  // sector sums at boundary 
 
 struct MapObjective {
   EnergySum energy{{symmetric_dirichlet(), 1.0}};  // minimized: its mean over the surface
-  Vec face_weight;  // #F positive factors of the energy's density, empty = all 1
+  Vec face_weight = {};  // #F positive factors of the energy's density, empty = all 1
   BoundaryCondition boundary = BoundaryCondition::Free;
   BoundaryAngles boundary_angles = BoundaryAngles::Free;
   double handle_weight = 1e3;  // w of the soft handles: + w * sum |x - target|^2 / area
