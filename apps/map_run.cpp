@@ -1,5 +1,7 @@
 #include "apps/map_run.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "apps/energy_option.h"
@@ -58,29 +60,33 @@ MapInput& MapRun::read(const StartMaker& make_start) {
 
 int MapRun::finish(ParametrizationResult result, const Json& extra) {
   result.initialize_seconds += start_seconds_;
-  std::optional<InUnitSquare> normalized;
-  if (request_.outputs.normalize && has_result(result)) normalized = normalize(result);
+  std::optional<LayoutPlacement> placement;
+  if (has_result(result) && (request_.outputs.normalize || request_.outputs.turns_map()))
+    placement = place(result);
   Json options = request_.solve.to_json();
   options.update(extra);
   return write_result({verb_, request_.common, request_.outputs, request_.map, in_, result, record_,
-                       options, start_, read_seconds_, request_.solve.scaffold_file, normalized,
+                       options, start_, read_seconds_, request_.solve.scaffold_file, placement,
                        progress_, film_ ? &*film_ : nullptr});
 }
 
 // What is moved must be proven anew; where that fails there is no result.
-std::optional<InUnitSquare> MapRun::normalize(ParametrizationResult& result) {
+std::optional<LayoutPlacement> MapRun::place(ParametrizationResult& result) {
   record_.begin(Activity::Measuring);
-  auto normalized = into_unit_square(*result.map, in_.options.map.energy, record_.stop());
-  if (normalized) {
-    result.map = normalized->map;
-    result.measures = normalized->measures;
-  } else {
+  const bool is_turned = request_.outputs.turns_map(), is_scaled = request_.outputs.normalize;
+  const Vector2 direction = is_turned ? principal_direction(*result.map) : Vector2(1, 0);
+  auto placed = (is_scaled ? into_unit_square : turned_along)(
+      *result.map, direction, in_.options.map.energy, record_.stop());
+  if (!placed) {
     result.status = Status::Failed;
-    result.message =
-        "in the unit square its smallest triangles are too small for doubles; leave out "
-        "--normalize";
+    result.message = fmt::format(
+        "{} its smallest triangles are too small for doubles; leave out {}",
+        is_scaled ? "in the unit square" : "turned", is_scaled ? "--normalize" : "--align");
+    return {};
   }
-  return normalized;
+  result.map = std::move(placed->map);
+  result.measures = std::move(placed->measures);
+  return placed->placement;
 }
 
 double MapRun::seconds() const {

@@ -22,10 +22,9 @@ std::vector<PageSnapshot> frames_of(const FinishedRun& run) {
   const int last = last_iteration(run.record.trace());
   std::vector<PageSnapshot> frames =
       run.film->frames({*run.result.map, last, run.result.value_quadrature});
-  if (!run.normalized) return frames;
+  if (!run.placement) return frames;
   for (std::size_t k = 0; k + 1 < frames.size(); ++k)  // the result has been moved
-    frames[k].uv =
-        (frames[k].uv.rowwise() - run.normalized->origin.transpose()).eval() / run.normalized->size;
+    frames[k].uv = (*run.placement)(frames[k].uv);
   return frames;
 }
 

@@ -27,10 +27,16 @@ Json options_section(const FinishedRun& run) {
   return options;
 }
 
-// uv in the file = (uv - origin) / size.
-Json normalized_section(const std::optional<InUnitSquare>& normalized) {
-  if (!normalized) return nullptr;
-  return {{"origin", {normalized->origin.x(), normalized->origin.y()}}, {"size", normalized->size}};
+Json aligned_section(const FinishedRun& run) {
+  if (!run.placement || !run.outputs.turns_map()) return nullptr;
+  const Vector2& direction = run.placement->direction;
+  return {{"direction", {direction.x(), direction.y()}}};
+}
+
+Json normalized_section(const FinishedRun& run) {
+  if (!run.placement || !run.outputs.normalize) return nullptr;
+  const LayoutPlacement& p = *run.placement;
+  return {{"origin", {p.origin.x(), p.origin.y()}}, {"size", p.size}};
 }
 
 // What the start was made from: where nobody brought one, what parametrize() chose.
@@ -56,7 +62,8 @@ std::string claims(const FinishedRun& run) {
               {"init", start_taken(run)},
               {"seams", !map.seams().trivial()},
               {"bijective", run.in.options.map.injectivity == MapInjectivity::Global},
-              {"normalized", normalized_section(run.normalized)},
+              {"aligned", aligned_section(run)},
+              {"normalized", normalized_section(run)},
               {"pins", pins},
               {"other_triangles", run.result.other_triangles},
               {"options", options_section(run)}};
@@ -78,7 +85,7 @@ ProofRequest promise(const FinishedRun& run, const std::string& path) {
   return promise;
 }
 
-double scale_of(const FinishedRun& run) { return run.normalized ? run.normalized->size : 1; }
+double scale_of(const FinishedRun& run) { return run.placement ? run.placement->size : 1; }
 
 void write_table(const FinishedRun& run, const MapFile& file, WrittenFiles& written) {
   const std::string& path = run.outputs.distortion;
@@ -100,10 +107,12 @@ void write_maps(const FinishedRun& run, const Json& report, WrittenFiles& writte
   FormatOptions formats = run.outputs.formats;
   if (run.in.options.map.injectivity == MapInjectivity::Global)
     formats.tessellation.overlap = Overlap::Excluded;
-  if (run.result.scaffold && !run.normalized)
-    formats.svg.scaffold = to_map_file(*run.result.scaffold);
+  std::optional<MapFile> scaffold;
+  if (run.result.scaffold)
+    scaffold = to_map_file(run.placement.value_or(LayoutPlacement())(*run.result.scaffold));
+  formats.svg.scaffold = scaffold;
   if (has_page(run.outputs.files)) formats.page = page_of(run, report);
-  formats.page.scaffold = formats.svg.scaffold;
+  formats.page.scaffold = scaffold;
   for (const std::string& path : run.outputs.files) {
     if (extension(path) == ".json") continue;
     written.write(path, [&] {
@@ -115,7 +124,7 @@ void write_maps(const FinishedRun& run, const Json& report, WrittenFiles& writte
   write_table(run, file, written);
   if (!run.scaffold_file.empty())
     written.write(run.scaffold_file, [&] {
-      write_map(run.scaffold_file, to_map_file(run.result.scaffold.value()), nullptr, {},
+      write_map(run.scaffold_file, scaffold.value(), nullptr, {},
                 certification(run.scaffold_file, {}));
     });
 }
@@ -237,6 +246,14 @@ void OutputRequest::require_usable(const MapRequest& map) {
   require_some_output(files, extensions);
   if (normalize && !(map.pins.empty() && map.handles.empty()))
     throw Error(ErrorKind::Usage, "--normalize moves pins and handles; leave one of the two out");
+  if (!turns_map()) return;
+  if (!(map.pins.empty() && map.handles.empty()))
+    throw Error(ErrorKind::Usage,
+                "--align turns pins and handles in data files and pages; leave one of the two out");
+  if (map.boundary == "fixed")
+    throw Error(ErrorKind::Usage,
+                "--align turns the boundary that --boundary fixed holds, in data files and pages; "
+                "leave one of the two out");
 }
 
 bool OutputRequest::has_report(const CommonOptions& common) const {

@@ -20,7 +20,7 @@
 #include "apps/outputs.h"
 #include "apps/progress.h"
 #include "apps/report.h"
-#include "majorant/parametrization/drive/internal/unit_square.h"
+#include "majorant/parametrization/drive/internal/placement.h"
 #include "majorant/parametrization/drive/parametrize.h"
 #include "majorant/pictures/film.h"
 
@@ -37,9 +37,11 @@ struct OutputRequest {
 
   // Adds a positional `output` too: call it after the verb's input.
   void add_to(CLI::App& verb);
-  // Joins the positional file to `files`. Throws Error(Usage) when there is no output or
-  // normalizing would move pins.
+  // Joins the positional file to `files`. Throws Error(Usage) when there is no output, or what was
+  // asked for would move what is held.
   void require_usable(const MapRequest& map);
+  // Whether --align turns the map itself.
+  bool turns_map() const { return formats.turns_map(files); }
   // Whether a report is asked for, by a flag or as an output.
   bool has_report(const CommonOptions& common) const;
 };
@@ -56,8 +58,8 @@ struct FinishedRun {
   Json options;                                 // what the verb adds to map.to_json()
   std::chrono::steady_clock::time_point start;  // of the run
   double read_seconds = 0;
-  std::string scaffold_file;                      // or empty
-  const std::optional<InUnitSquare>& normalized;  // how result.map was moved
+  std::string scaffold_file;                        // or empty
+  const std::optional<LayoutPlacement>& placement;  // how result.map was moved
   Progress& progress;
   const Film* film = nullptr;  // of the run, if asked for
 };

@@ -41,6 +41,9 @@ DensityTerm::DensityTerm(DensityTraits traits, std::shared_ptr<const ElementSpac
         (!rest.curved() && !rest.inverse.row(e).allFinite()))
       refuse(fmt::format("the rest shape of element {} is degenerate (measure {:g})", e,
                          rest.measure[e]));
+  if (traits_.elements.value_or(space_->element_count()) != space_->element_count())
+    refuse(fmt::format("data for {} elements, the space has {}", *traits_.elements,
+                       space_->element_count()));
   stencils_.nodes = space_->cells();
   stencils_.block = kernels.rows;
   for (const Quadrature& q : rules) {
@@ -119,7 +122,7 @@ DensityTerm::Gathered DensityTerm::gather(VecIn x, const Chunk& chunk, const Rul
       rest[(per_point - 1) * stride + p] = rest_.measure[e];
     }
   }
-  const ChunkView view{count, memory, rest, rest_.curved() ? per_point : 0};
+  const ChunkView view{count, chunk.elements.data(), memory, rest, rest_.curved() ? per_point : 0};
   return {view, values + stride, values};
 }
 
@@ -149,7 +152,9 @@ void DensityTerm::local(VecIn x, const Chunk& chunk, BlendedCurvature curvature,
 }
 
 StarModel DensityTerm::star(const StarView& view, const Vector2& v) const {
-  if (!kernels_.star) throw InvalidArgument("DensityTerm: the density is not of planar maps");
+  if (!kernels_.star)
+    throw InvalidArgument("DensityTerm: '" + traits_.name +
+                          "' is not of planar maps, or not the same on all elements");
   StarModel model;
   kernels_.star(density_.get(), view, v.x(), v.y(), model);
   return model;

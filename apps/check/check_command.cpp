@@ -69,6 +69,13 @@ Json measured_distortion(const MapFile& file) {
   return section;
 }
 
+// Whether the file is what a map makes of the plane, as `.msh` has it: the identity of itself.
+bool is_image(const MapFile& file) {
+  const auto corners = file.cells.leftCols(3).reshaped();
+  return file.points(corners, 2).isZero(0) &&
+         file.points(corners, Eigen::seqN(0, 2)) == file.uv(corners, Eigen::all);
+}
+
 void prove(Check& check, const StopCheck& stop) {
   const bool is_seamless = check.request.seamless || check.claims.seams.value_or(false);
   ProofRequest wanted;
@@ -81,6 +88,13 @@ void prove(Check& check, const StopCheck& stop) {
   if (extension(check.request.result) == ".vtu") wanted.labels = ProofRequest::FaceLabels::Compared;
   wanted.stop = stop;
   check.proof.emplace(check.file, check.request.result, wanted);
+  if (check.proof->surface.answer == Answer::Violated &&
+      extension(check.request.result) == ".msh" && is_image(check.file))
+    throw Error(
+        ErrorKind::Unsupported,
+        fmt::format("{}: this is the image of a map, in the plane: there is no surface in it "
+                    "to compare with {}; write it with --msh surface, or leave --surface out",
+                    check.request.result, check.request.surface));
   for (const auto& [question, finding] : check.proof->findings()) {
     if (finding->answer == Answer::Violated)
       check.findings.add_violation(fmt::format("{}: {}", question, finding->detail));

@@ -52,6 +52,44 @@ TEST(PackedSymmetric, LeavesDefiniteMatricesToTheBit) {
   for (std::size_t p = 0; p < before.size(); ++p) EXPECT_EQ(k[p], before[p]);
 }
 
+// Random matrices of full and of lower rank, moved across 0 by a little more than rounding.
+template <int N>
+void judge_random_matrices() {
+  using Matrix = Eigen::Matrix<double, N, N>;
+  test::Random random(N);
+  for (int trial = 0; trial < 50; ++trial) {
+    Matrix half = Matrix::NullaryExpr([&] { return random.uniform(); });
+    half.rightCols(random.integer(0, N)).setZero();
+    const Vec direction = random.vector(N).normalized();
+    const auto judged = [&](double part) {
+      const Matrix m =
+          half * half.transpose() + part * half.squaredNorm() * direction * direction.transpose();
+      double k[N * (N + 1) / 2];
+      for (int i = 0, p = 0; i < N; ++i)
+        for (int j = 0; j <= i; ++j, ++p) k[p] = m(i, j);
+      const double lowest = Eigen::SelfAdjointEigenSolver<Matrix>(m).eigenvalues()[0];
+      return std::pair(is_semidefinite<N>(k), lowest >= -1e-12 * half.squaredNorm());
+    };
+    EXPECT_TRUE(judged(0.01).first) << N;
+    for (const double part : {-0.001, -0.1, -1.0}) {
+      const auto [said, is] = judged(part);
+      EXPECT_TRUE(is || !said) << N << " " << part;
+    }
+  }
+}
+
+TEST(PackedSymmetric, Semidefinite) {
+  judge_random_matrices<2>();
+  judge_random_matrices<4>();
+  judge_random_matrices<9>();
+  const double spring[] = {2, -1, 3, -2, 1, 2, 1, -3, -1, 3};  // translations are free
+  EXPECT_TRUE(is_semidefinite<4>(spring));
+  const double hollow[] = {0, 1, 5}, zero[] = {0, 0, 0}, nan[] = {1, std::nan(""), 1};
+  EXPECT_FALSE(is_semidefinite<2>(hollow));
+  EXPECT_TRUE(is_semidefinite<2>(zero));
+  EXPECT_FALSE(is_semidefinite<2>(nan));
+}
+
 TEST(PackedSymmetric, NotFinite) {
   for (const double bad :
        {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
