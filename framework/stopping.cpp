@@ -5,12 +5,18 @@
 #include <limits>
 #include <numeric>
 
+#include "majorant/framework/internal/diagnosis.h"
+#include "majorant/framework/internal/option_check.h"
+
 namespace majorant {
 namespace {
 
 // Of the start's energy: about what is left of it after cancellation of terms of its size. Origin:
 // 100 unit roundoffs.
 constexpr double kSmallestScale = 1e-14;
+// Times the start's energy, or 1: an energy so far below 0 has no minimum. Origin: no sum of terms
+// that has one begins to cancel there; the squares of what is below leave the range of doubles.
+constexpr double kUnbounded = 1e100;
 
 }  // namespace
 
@@ -41,7 +47,9 @@ StoppingRules brief_rules(int steps, double relative_decrease) {
 }
 
 StoppingTest::StoppingTest(const StoppingRules& rules, double energy)
-    : rules_(rules), smallest_scale_(kSmallestScale * std::abs(energy)) {}
+    : rules_(rules), smallest_scale_(kSmallestScale * std::abs(energy)) {
+  require_valid(rules_);
+}
 
 std::optional<Stop> StoppingTest::before_step() const {
   if (steps_ < rules_.max_iterations) return {};
@@ -59,6 +67,10 @@ Advice StoppingTest::after(const StepResult& step, Since since) {
                       step.outcome == StepResult::Outcome::NoDecrease;
     if (!held || since == Since::Same || ++idle_ > rules_.stall_iterations)
       advice.stop = no_step(step, near_minimum);
+    return advice;
+  }
+  if (r.energy < -kUnbounded * std::max(1.0, smallest_scale_ / kSmallestScale)) {
+    advice.stop = Stop{Status::Failed, unbounded_below(r.energy)};
     return advice;
   }
   remember(step, since);
@@ -113,7 +125,8 @@ double StoppingTest::remaining(std::ptrdiff_t window) const {
 Stop StoppingTest::no_step(const StepResult& step, bool near_minimum) const {
   using Outcome = StepResult::Outcome;
   if (step.outcome == Outcome::Stopped) return {stopped_status(step.why), Stopped(step.why).what()};
-  if (step.outcome == Outcome::Breakdown) return {Status::Failed, "no finite direction"};
+  if (step.outcome == Outcome::Breakdown)
+    return {Status::Failed, step.why_none.empty() ? "no finite direction" : step.why_none};
   if (step.outcome == Outcome::AtMinimum) return {Status::Converged, "decrement"};
   return {near_minimum ? Status::Converged : Status::Stalled, "no further decrease"};
 }

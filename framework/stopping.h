@@ -46,6 +46,7 @@ namespace majorant {
 //       failed in the last stall_iterations steps, a Hessian was indefinite: times saddle_part
 //     no step decreases the energy: Converged or Stalled by the same bound on -g.p; where the
 //       problem has changed since, another try is left, after stall_iterations idle ones the last
+//     unbounded: an energy below -1e100 max(1, |E_0|): Failed, a minimum does not exist
 // The decrement rule itself is applied inside a step, which it spares (Stepper::move_along).
 struct StoppingRules {
   // Origin: bench/tune.py stopping.relative_decrease.
@@ -102,7 +103,8 @@ struct Advice {
 
 class StoppingTest {
  public:
-  // energy: of the start, which is the first anchor.
+  // energy: of the start, which is the first anchor. Throws InvalidArgument for rules that are NaN
+  // or numbers of steps below 1 (max_iterations: 0).
   StoppingTest(const StoppingRules& rules, double energy);
 
   // Whether the iterations are used up.

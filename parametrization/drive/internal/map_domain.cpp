@@ -19,7 +19,9 @@ class KeptSolver final : public LinearSolver {
   FactorStatus factorize(const Vec& values, double shift) override {
     return solver_->factorize(values, shift);
   }
-  void solve(const Vec& r, Vec& p) override { solver_->solve(r, p); }
+  Solution solve(const Vec& r, Vec& p, double tolerance) override {
+    return solver_->solve(r, p, tolerance);
+  }
   std::string description() const override { return solver_->description(); }
 
  private:
