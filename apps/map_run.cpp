@@ -60,11 +60,18 @@ int MapRun::finish(ParametrizationResult result, const Json& extra) {
   result.initialize_seconds += start_seconds_;
   std::optional<InUnitSquare> normalized;
   if (request_.outputs.normalize && has_result(result)) normalized = normalize(result);
-  Json options = request_.solve.to_json();
+  Json options = request_.map.to_json();
+  options.update(request_.solve.to_json());
   options.update(extra);
-  return write_result({verb_, request_.common, request_.outputs, request_.map, in_, result, record_,
-                       options, start_, read_seconds_, request_.solve.scaffold_file, normalized,
-                       progress_, film_ ? &*film_ : nullptr});
+  FinishedMap finished{verb_,   in_.polygons,        *in_.mesh,         in_.options.map,   result,
+                       record_, request_.map.energy, request_.map.init, std::move(options)};
+  finished.read_seconds = read_seconds_;
+  if (in_.cuts) finished.cuts = &*in_.cuts;
+  if (in_.start) finished.start = &*in_.start;
+  if (normalized) finished.normalized = &*normalized;
+  if (film_) finished.film = &*film_;
+  return write_result({request_.common, request_.outputs, request_.map, in_, finished, start_,
+                       request_.solve.scaffold_file, progress_});
 }
 
 // What is moved must be proven anew; where that fails there is no result.
