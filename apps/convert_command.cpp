@@ -1,4 +1,6 @@
 // majorant convert RESULT -o OUT...: other formats of a finished map, without solving again.
+#include <fmt/format.h>
+
 #include <CLI/App.hpp>
 #include <memory>
 
@@ -13,6 +15,7 @@
 #include "majorant/io/map_distortion.h"
 #include "majorant/io/map_file.h"
 #include "majorant/io/read_mesh.h"
+#include "majorant/parametrization/maps/internal/principal_axes.h"
 #include "majorant/results/internal/claims.h"
 #include "majorant/results/internal/report.h"
 
@@ -42,6 +45,35 @@ void mark_seams(MapFile& map, const std::string& name) {
     map.seam_edges.resize(0, 3);
     map.cone.resize(0);
   }
+}
+
+// What would not be true any more of a map that is turned, or empty.
+std::string what_holds(const MapFile& map, const Claims& claims) {
+  const bool is_pulled = claims.options && !claims.options->handles.value_or("").empty();
+  if (is_pulled || !claims.pins.value_or(std::vector<ClaimedPin>()).empty())
+    return "pins or handles hold it";
+  if (claims.boundary == "fixed") return "its boundary is held fixed";
+  if (map.chart.size() > 0) return "its charts are packed";
+  if (claims.normalized) return "it lies in the unit square";
+  return {};
+}
+
+// Turned to the principal axes, which its claims say then. One that they say lies already stays.
+void align(MapFile& map, const std::string& name) {
+  const Claims claims = parse_claims(map.claims, name);
+  if (const std::string reason = what_holds(map, claims); !reason.empty())
+    throw Error(ErrorKind::Usage,
+                fmt::format("{}: --align would turn the layout in data files and pages, and {}; "
+                            "leave it out, or ask for .svg and .png alone",
+                            name, reason));
+  if (claims.aligned) return;
+  const Vector2 direction = principal_direction(map.uv, map.cells);
+  map.uv = turned_along(map.uv, direction);
+  map.uv_rounding.resize(0, 2);  // what a file would have to be these
+  if (map.claims.empty()) return;
+  Json all = Json::parse(map.claims);
+  all["aligned"] = {{"direction", {direction.x(), direction.y()}}};
+  map.claims = json_text(all);
 }
 
 // What the claims say of the run that made the map.
@@ -85,6 +117,7 @@ int convert(Request request) {
   MapFile map = read_map(request.input);
   say_warnings(map.warnings);
   mark_seams(map, request.input);
+  if (request.formats.turns_map(request.outputs)) align(map, request.input);
   const PolygonMesh surface = mesh_from_map(map, request.input);
   const ProofRequest promise = promise_of(map, surface, request.input);
   request.formats.tessellation.overlap = allowed_overlap(promise);

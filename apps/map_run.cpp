@@ -1,5 +1,7 @@
 #include "apps/map_run.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "apps/energy_option.h"
@@ -58,8 +60,9 @@ MapInput& MapRun::read(const StartMaker& make_start) {
 
 int MapRun::finish(ParametrizationResult result, const Json& extra) {
   result.initialize_seconds += start_seconds_;
-  std::optional<InUnitSquare> normalized;
-  if (request_.outputs.normalize && has_result(result)) normalized = normalize(result);
+  std::optional<LayoutPlacement> placement;
+  if (has_result(result) && (request_.outputs.normalize || request_.outputs.turns_map()))
+    placement = place(result);
   Json options = request_.map.to_json();
   options.update(request_.solve.to_json());
   options.update(extra);
@@ -68,26 +71,31 @@ int MapRun::finish(ParametrizationResult result, const Json& extra) {
   finished.read_seconds = read_seconds_;
   if (in_.cuts) finished.cuts = &*in_.cuts;
   if (in_.start) finished.start = &*in_.start;
-  if (normalized) finished.normalized = &*normalized;
+  if (placement) finished.placement = &*placement;
+  finished.is_aligned = request_.outputs.turns_map();
+  finished.is_normalized = request_.outputs.normalize;
   if (film_) finished.film = &*film_;
   return write_result({request_.common, request_.outputs, request_.map, in_, finished, start_,
                        request_.solve.scaffold_file, progress_});
 }
 
 // What is moved must be proven anew; where that fails there is no result.
-std::optional<InUnitSquare> MapRun::normalize(ParametrizationResult& result) {
+std::optional<LayoutPlacement> MapRun::place(ParametrizationResult& result) {
   record_.begin(Activity::Measuring);
-  auto normalized = into_unit_square(*result.map, in_.options.map.energy, record_.stop());
-  if (normalized) {
-    result.map = normalized->map;
-    result.measures = normalized->measures;
-  } else {
+  const bool is_turned = request_.outputs.turns_map(), is_scaled = request_.outputs.normalize;
+  const Vector2 direction = is_turned ? principal_direction(*result.map) : Vector2(1, 0);
+  auto placed = (is_scaled ? into_unit_square : turned_along)(
+      *result.map, direction, in_.options.map.energy, record_.stop());
+  if (!placed) {
     result.status = Status::Failed;
-    result.message =
-        "in the unit square its smallest triangles are too small for doubles; leave out "
-        "--normalize";
+    result.message = fmt::format(
+        "{} its smallest triangles are too small for doubles; leave out {}",
+        is_scaled ? "in the unit square" : "turned", is_scaled ? "--normalize" : "--align");
+    return {};
   }
-  return normalized;
+  result.map = std::move(placed->map);
+  result.measures = std::move(placed->measures);
+  return placed->placement;
 }
 
 double MapRun::seconds() const {

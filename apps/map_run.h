@@ -47,7 +47,7 @@ class MapRun {
 
  private:
   double seconds() const;
-  std::optional<InUnitSquare> normalize(ParametrizationResult& result);
+  std::optional<LayoutPlacement> place(ParametrizationResult& result);
 
   std::string verb_;
   MapVerb& request_;

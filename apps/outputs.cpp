@@ -58,7 +58,9 @@ Vector3 parse_view(const std::string& text) {
   if (view.size() != 3 || (view[0] == 0 && view[1] == 0 && view[2] == 0))
     throw CLI::ValidationError(
         "--view",
-        fmt::format("'{}' is no direction; give that to the eye, not 0,0,0: 1,0.5,2", text));
+        fmt::format("'{}' is no direction; give that to the eye, not 0,0,0: 1,0.5,2, or write "
+                    "--view auto before a file name",
+                    text));
   return {view[0], view[1], view[2]};
 }
 
@@ -204,6 +206,13 @@ std::string FormatOptions::readable_image() const {
   return *png.image;
 }
 
+bool FormatOptions::turns_map(const std::vector<std::string>& files) const {
+  return svg.alignment == Alignment::Always &&
+         std::any_of(files.begin(), files.end(), [](const std::string& path) {
+           return is_map_data(path) || extension(path) == ".html";
+         });
+}
+
 void FormatOptions::add_to(CLI::App& verb) {
   verb.add_option("--refine", tessellation.refine,
                   "pieces per edge in OBJ and PLY output, at least (default 1: cells stay one "
@@ -246,8 +255,8 @@ void FormatOptions::add_pictures_to(CLI::App& verb) {
           [this](const std::string& answer) {
             svg.alignment = png.alignment = answer == "yes" ? Alignment::Always : Alignment::Never;
           },
-          "pictures of the layout: its longer side lies (default where nothing holds the layout as "
-          "it is)")
+          "turn the layout to its principal axes, in data, too (default: in pictures alone, where "
+          "nothing holds it)")
       ->type_name("yes|no")
       ->default_str("yes")  // what it is without a value
       ->expected(0, 1)
@@ -257,12 +266,22 @@ void FormatOptions::add_pictures_to(CLI::App& verb) {
           "PNG: width and height in pixels (1000,800)")
       ->type_name("W,H");
   verb.add_option_function<std::string>(
-          "--view", [this](const std::string& view) { png.view = parse_view(view); },
-          "PNG: the surface seen from this direction, with a checkerboard (default: the layout)")
-      ->type_name("X,Y,Z");
+          "--view",
+          [this](const std::string& view) {
+            view_is_chosen = view == kAutomatic;
+            if (!view_is_chosen) png.view = parse_view(view);
+          },
+          "PNG: the surface seen from this direction, with a checkerboard (alone: from where a "
+          "page "
+          "shows it first; default: the layout)")
+      ->type_name("X,Y,Z")
+      ->default_str(kAutomatic)  // what it is without a value
+      ->expected(0, 1);
   verb.add_option_function<std::string>(
-          "--color-by", [this](const std::string& name) { png.quantity = parse_quantity(name); },
-          "PNG: colours of density, area, angle, sigma-max or sigma-min at every pixel")
+          "--color-by",
+          [this](const std::string& name) { svg.quantity = png.quantity = parse_quantity(name); },
+          "pictures: colours of density, area, angle, sigma-max or sigma-min, at every pixel of a "
+          "PNG")
       ->check(one_of(quantity_names()));
   verb.add_option("--image", png.image, "PNG: lay this .png on the surface or the layout")
       ->type_name("FILE")

@@ -22,10 +22,9 @@ std::vector<PageSnapshot> frames_of(const FinishedRun& run) {
   const int last = last_iteration(run.finished.record.trace());
   std::vector<PageSnapshot> frames = run.finished.film->frames(
       {*run.finished.result.map, last, run.finished.result.value_quadrature});
-  if (!run.finished.normalized) return frames;
+  if (!run.finished.placement) return frames;
   for (std::size_t k = 0; k + 1 < frames.size(); ++k)  // the result has been moved
-    frames[k].uv = (frames[k].uv.rowwise() - run.finished.normalized->origin.transpose()).eval() /
-                   run.finished.normalized->size;
+    frames[k].uv = (*run.finished.placement)(frames[k].uv);
   return frames;
 }
 

@@ -35,10 +35,14 @@ void write_maps(const FinishedRun& run, const Json& report, WrittenFiles& writte
   FormatOptions formats = run.outputs.formats;
   if (run.in.options.map.injectivity == MapInjectivity::Global)
     formats.tessellation.overlap = Overlap::Excluded;
-  if (run.finished.result.scaffold && !run.finished.normalized)
-    formats.svg.scaffold = to_map_file(*run.finished.result.scaffold);
+  std::optional<MapFile> scaffold;
+  if (run.finished.result.scaffold)
+    scaffold = to_map_file(run.finished.placement
+                               ? (*run.finished.placement)(*run.finished.result.scaffold)
+                               : *run.finished.result.scaffold);
+  formats.svg.scaffold = scaffold;
   if (has_page(run.outputs.files)) formats.page = page_of(run, report);
-  formats.page.scaffold = formats.svg.scaffold;
+  formats.page.scaffold = scaffold;
   for (const std::string& path : run.outputs.files) {
     if (extension(path) == ".json") continue;
     written.write(path, [&] {
@@ -50,7 +54,7 @@ void write_maps(const FinishedRun& run, const Json& report, WrittenFiles& writte
   write_table(run, file, written);
   if (!run.scaffold_file.empty())
     written.write(run.scaffold_file, [&] {
-      write_map(run.scaffold_file, to_map_file(run.finished.result.scaffold.value()), nullptr, {},
+      write_map(run.scaffold_file, scaffold.value(), nullptr, {},
                 certification(run.scaffold_file, {}));
     });
 }
@@ -100,6 +104,14 @@ void OutputRequest::require_usable(const MapRequest& map) {
   require_some_output(files, extensions);
   if (normalize && !(map.pins.empty() && map.handles.empty()))
     throw Error(ErrorKind::Usage, "--normalize moves pins and handles; leave one of the two out");
+  if (!turns_map()) return;
+  if (!(map.pins.empty() && map.handles.empty()))
+    throw Error(ErrorKind::Usage,
+                "--align turns pins and handles in data files and pages; leave one of the two out");
+  if (map.boundary == "fixed")
+    throw Error(ErrorKind::Usage,
+                "--align turns the boundary that --boundary fixed holds, in data files and pages; "
+                "leave one of the two out");
 }
 
 bool OutputRequest::has_report(const CommonOptions& common) const {

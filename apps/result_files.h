@@ -33,9 +33,11 @@ struct OutputRequest {
 
   // Adds a positional `output` too: call it after the verb's input.
   void add_to(CLI::App& verb);
-  // Joins the positional file to `files`. Throws Error(Usage) when there is no output or
-  // normalizing would move pins.
+  // Joins the positional file to `files`. Throws Error(Usage) when there is no output, or what was
+  // asked for would move what is held.
   void require_usable(const MapRequest& map);
+  // Whether --align turns the map itself.
+  bool turns_map() const { return formats.turns_map(files); }
   // Whether a report is asked for, by a flag or as an output.
   bool has_report(const CommonOptions& common) const;
 };

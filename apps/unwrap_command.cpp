@@ -36,6 +36,11 @@ Json options_of(const Request& request) {
 
 void require_usable(Request& request) {
   request.outputs.require_usable(request.map);
+  if (request.outputs.turns_map())
+    throw Error(
+        ErrorKind::Usage,
+        "--align: unwrap lays its charts side by side as they fit; leave it out, or ask for "
+        ".svg and .png alone");
   if (request.map.degree == 0) request.map.degree = 1;
   if (request.unwrap.seams.seams.empty()) request.unwrap.seams.seams = "auto";
   require_writable(request.common,

@@ -4,16 +4,21 @@
 Configures an empty folder, builds with the compiler cache off and lets each call be started by this
 same script, which writes down what the call used. CPU seconds, not wall: they depend little on what
 else runs on the machine and on --jobs. Then --touch FILE... says what a change of FILE builds anew.
+--formulas builds nothing: it compiles files of a user with one energy of their own, as the examples are
+compiled, beside one that only includes majorant.h; the least of --runs.
 
 Sample runs:
   bench/compile_times.py
   bench/compile_times.py --cxx clang++
   bench/compile_times.py --touch energies/densities/arap.h
+  bench/compile_times.py --formulas
 """
 import argparse
+import json
 import os
 import re
 import resource
+import shlex
 import shutil
 import subprocess
 import sys
@@ -22,6 +27,23 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 LOG = 'MAJORANT_CALL_TIMES'  # the file calls are written to; set: this run starts one call
+ANISOTROPIC = 'J.squaredNorm() + J.inverse().squaredNorm()'
+FORMULAS = [  # what the file has, beside #include "majorant/majorant.h" and main
+    ('no energy', ''),
+    ('`spectral`', 'spectral("mine", [](auto S, auto s) { return S * S + s * s + 2.0 / (S * s); })'),
+    ('`density<2, 2>`', f'density<2, 2>("mine", [](const auto& J) {{ return {ANISOTROPIC}; }})'),
+    ('`density<2, 2>` with data', 'density<2, 2>("mine", [](const auto& J, double k) '
+                                  f'{{ return k * ({ANISOTROPIC}); }}, Vec(Vec::Ones(9)))'),
+    ('`density<3, 3>`', f'density<3, 3>("mine", [](const auto& J) {{ return {ANISOTROPIC}; }})'),
+    ('`spectral`, `vectorized`', ''),
+]
+VECTORIZED = '''#include "majorant/energies/vectorized.h"
+using namespace majorant;
+EnergyFactory mine() {
+  auto f = spectral("mine", [](auto S, auto s) { return S * S + s * s + 2.0 / (S * s); });
+  return energy_factory(f, vectorized(f));
+}
+'''
 
 
 def timed_call(log, command):
@@ -56,7 +78,7 @@ def part(output):
     if 'cmake_pch' in output:
         return 'precompiled headers'
     for name, key in (('tests', 'tests/'), ('examples', 'examples/'), ('bench', 'bench/'),
-                      ('kernels', 'majorant_kernels_'), ('command', 'apps/')):
+                      ('kernels', '_kernels_'), ('command', 'apps/')):
         if key in output:
             return name
     return 'library'
@@ -77,6 +99,38 @@ def print_calls(calls, count):
         print(f'| {short(output)} | {seconds:.1f} |')
 
 
+def formula_source(name, formula):
+    text = '#include "majorant/majorant.h"\n'
+    if formula:
+        text += ('using namespace majorant;\n'
+                 f'EnergyFactory mine() {{ return energy_factory({formula}); }}\n')
+    return text + (VECTORIZED if 'vectorized' in name else '') + 'int main() { return 0; }\n'
+
+
+def example_command(folder):
+    """How an example is compiled, without the names of its source and output."""
+    entries = json.loads((folder / 'compile_commands.json').read_text())
+    entry = next(e for e in entries if e['file'].endswith('examples/custom_energy.cpp'))
+    words = shlex.split(entry['command'])
+    return words[next(k for k, w in enumerate(words) if w.endswith('++')):words.index('-o')]
+
+
+def print_formulas(folder, runs):
+    command = example_command(folder)
+    least = {}
+    for name, formula in FORMULAS:
+        source = folder / 'formula.cpp'
+        source.write_text(formula_source(name, formula))
+        for _ in range(runs):
+            before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+            subprocess.run([*command, '-o', folder / 'formula.o', '-c', source], check=True, cwd=folder)
+            seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+            least[name] = min(seconds, least.get(name, seconds))
+    print('| the file has | CPU s | ratio |\n|---|---|---|')
+    for name, seconds in least.items():
+        print(f"| {name} | {seconds:.1f} | {seconds / least['no energy']:.2f} |")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawTextHelpFormatter)
@@ -87,14 +141,18 @@ def main():
     parser.add_argument('--slowest', type=int, default=15)
     parser.add_argument('--touch', nargs='*', default=[],
                         help='then touch each file and build again')
+    parser.add_argument('--formulas', action='store_true', help='compile files of a user instead')
+    parser.add_argument('--runs', type=int, default=3, help='of each file of --formulas')
     args = parser.parse_args()
     folder = args.folder.resolve()
     shutil.rmtree(folder, ignore_errors=True)
     launcher = Path(__file__).resolve()
     subprocess.run(['cmake', '--preset', 'release', '-S', args.source.resolve(), '-B', folder,
                     f'-DCMAKE_CXX_COMPILER={args.cxx}', f'-DCMAKE_CXX_COMPILER_LAUNCHER={launcher}',
-                    f'-DCMAKE_CXX_LINKER_LAUNCHER={launcher}'],
+                    f'-DCMAKE_CXX_LINKER_LAUNCHER={launcher}', '-DCMAKE_EXPORT_COMPILE_COMMANDS=ON'],
                    check=True, stdout=subprocess.DEVNULL, cwd=args.source)
+    if args.formulas:
+        return print_formulas(folder, args.runs)
     log = folder / 'calls.txt'
     print_calls(build(folder, log, args.jobs), args.slowest)
     for name in args.touch:

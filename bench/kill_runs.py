@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Ends runs in every way at random moments and looks at what is left.
 
-Each run has two outputs, one of which exists before, and a report. It is ended by a signal, or cannot
+Each run has two outputs of any formats, one of which exists before, and a report. It is ended by a signal, or cannot
 write: a limit on the size of files, a device that is full, a folder that is not there, stderr closed
 or full. Afterwards an old output must hold its old bytes or a complete, valid result; a run that was
 stopped (exit 4) or succeeded (0) must have written every output that could be, valid by `check`; no
@@ -34,7 +34,8 @@ WRITES = ('file size', 'full device', 'unwritable')
 STREAMS = ('stderr closed', 'stderr full')
 WAYS = SIGNALS + WRITES + STREAMS
 OLD = b'old bytes'
-OUTPUTS = ('a.vtu', 'b.vtu')
+OUTPUTS = ('a.vtu', 'b.vtu', 'c.obj', 'd.ply', 'e.msh', 'f.svg', 'g.png', 'h.html')
+DATA = ('.vtu', '.obj', '.ply', '.msh')            # of these
 MOST_BYTES = 1 << 21                              # no file of these runs is larger
 
 
@@ -48,6 +49,7 @@ class Trial:
         self.outputs = [folder / name for name in rng.sample(OUTPUTS, 2)]
         self.blocked = None                       # an output that cannot be written
         self.outputs[0].write_bytes(OLD)
+        self.cells = rng.choice(('bezier', 'lagrange'))  # of VTU
         if way == 'full device':
             self.blocked = rng.choice(self.outputs)
             self.blocked.unlink(missing_ok=True)
@@ -61,7 +63,7 @@ class Trial:
         words = [self.options.binary.resolve(), self.verb, self.source]
         for path in self.outputs:
             words += ['-o', path]
-        words += ['--report', self.folder / 'report.json']
+        words += ['--report', self.folder / 'report.json', '--vtu', self.cells]
         return [str(w) for w in words] + (job_flags() if self.verb == 'parametrize' else [])
 
     def limits(self):
@@ -88,6 +90,8 @@ class Trial:
             return None
 
     def is_valid(self, path):
+        if path.suffix not in DATA:
+            return path.stat().st_size > len(OLD)
         words = [self.options.binary.resolve(), 'check', path, '--quiet']
         return common.run(words, self.options.timeout).code == 0
 

@@ -3,8 +3,9 @@
 
 Public disks (500 and 2,500 faces at degrees 1 to 4, 10,000 at 1 and 3), public closed meshes by the
 verb `seamless`, and long tubes that are made here, whose triangles differ in size by many orders of
-magnitude; as VTU and OBJ; plain, with --normalize, and with --bijective. Each file goes before
-four judges: SHARED/tools/layout.py (OBJ) or verify.py (VTU), tests/checker/check_map.py, and
+magnitude; as VTU, OBJ, PLY and MSH (the image), converted to Lagrange cells and to an MSH of the
+surface; plain, with --normalize, and with --bijective. Each file goes before those of four judges
+that read it: SHARED/tools/layout.py (OBJ) or verify.py (VTU), tests/checker/check_map.py, and
 `majorant check`. Exit codes 0 and 4 promise valid files; other exit codes are refusals: listed
 with their message, and what they wrote nevertheless is judged, too. Where the degree is 1, a run
 without --degree that writes OBJ alone must give the same file. The full set takes the better part
@@ -51,6 +52,7 @@ TUBE_SETTINGS = {                                 # name: (degree, flags)
     'free': (1, [])}
 PROMISED = (0, 4)                                 # exit codes after which every output is there
 REFUSALS = (1, 2, 3, 5)
+CLAIM_NOTHING = ('out.obj', 'out.ply', 'surface.msh', 'out.msh')
 
 Job = namedtuple('Job', 'family mesh degree mode setting')
 
@@ -144,16 +146,23 @@ def by_verify(options, job, mesh, result):
     return ['verify.py: ' + name for name in common.failed_checks(checked)]
 
 
+def surface_flags(mesh, result):
+    """An image in the plane is a map of nothing else."""
+    return [] if result.name == 'out.msh' else ['--surface', mesh]
+
+
 def by_checker(options, job, mesh, result):
-    command = [common.PYTHON, common.ROOT / 'tests/checker/check_map.py', result, '--surface', mesh]
+    command = [common.PYTHON, common.ROOT / 'tests/checker/check_map.py', result]
+    command += surface_flags(mesh, result)
     command += ['--seamless'] if job.family == 'closed' else []
     command += ['--overlap'] if job.mode == 'bijective' else []
     return refusal('check_map.py', common.run(command, options.timeout))
 
 
 def by_command(options, job, mesh, result):
-    command = [options.binary.resolve(), 'check', result, '--surface', mesh, '--threads', 1]
-    command += ['--seamless'] if job.family == 'closed' and result.suffix == '.obj' else []
+    command = [options.binary.resolve(), 'check', result, '--threads', 1]
+    command += surface_flags(mesh, result)
+    command += ['--seamless'] if job.family == 'closed' and result.name in CLAIM_NOTHING else []
     command += ['--certify'] if job.mode == 'bijective' else []
     return refusal('majorant check', common.run(command, options.timeout))
 
@@ -168,8 +177,14 @@ def by_box(options, job, mesh, result):
     return [] if fits else ['unit square: control points from %s to %s' % (low, high)]
 
 
-JUDGES = {'.vtu': (by_verify, by_checker, by_command, by_box),
-          '.obj': (by_layout, by_checker, by_command)}
+OUTPUTS = {                                       # of the run: judges
+    'out.vtu': (by_verify, by_checker, by_command, by_box),
+    'out.obj': (by_layout, by_checker, by_command),
+    'out.ply': (by_checker, by_command, by_box),
+    'out.msh': (by_checker, by_command, by_box)}
+CONVERTED = {                                     # of out.vtu: flags, judges
+    'lagrange.vtu': (['--vtu', 'lagrange'], (by_checker, by_command, by_box)),
+    'surface.msh': (['--msh', 'surface'], (by_checker, by_command, by_box))}
 
 
 def count_faces(path):
@@ -212,21 +227,40 @@ def default_problems(options, job, mesh, obj, code, folder):
 
 def execute(options, job, mesh, folder):
     """Runs and judges one job in an empty folder; its entry of the results."""
-    outputs = [folder / 'out.vtu', folder / 'out.obj']
+    outputs = [folder / name for name in OUTPUTS]
     done = solve(options, job, mesh, outputs, '--degree', job.degree)
     entry = {**job._asdict(), 'exit': done.code, 'seconds': round(done.seconds, 2),
              'message': ' / '.join(done.stderr.strip().splitlines()).replace(str(folder.parent), ''),
              'faces_in': count_faces(mesh), 'faces_out': None, 'problems': {},
-             'written': [path.suffix for path in outputs if path.exists()]}
+             'written': [path.name for path in outputs if path.exists()]}
     entry['problems']['run'] = run_problems(done, outputs, folder)
     for path in (path for path in outputs if path.exists()):
-        found = [judge(options, job, mesh, path) for judge in JUDGES[path.suffix]]
-        entry['problems'][path.suffix] = sum(found, [])
+        entry['problems'][path.name] = judged(options, job, mesh, path, OUTPUTS[path.name])
+    if outputs[0].exists():
+        convert_and_judge(options, job, mesh, outputs[0], entry)
     if outputs[1].exists():
         entry['faces_out'] = count_faces(outputs[1])
         if job.degree == 1 and job.family != 'tubes':
             entry['problems']['run'] += default_problems(options, job, mesh, outputs[1], done.code, folder)
     return entry
+
+
+def judged(options, job, mesh, path, judges):
+    return sum((judge(options, job, mesh, path) for judge in judges), [])
+
+
+def convert_and_judge(options, job, mesh, result, entry):
+    """Values are rounded: a map that this turns over is refused (5), which is no problem."""
+    for name, (flags, judges) in CONVERTED.items():
+        path = result.with_name(name)
+        done = common.run([options.binary.resolve(), 'convert', result, '-o', path, '--quiet', *flags],
+                          options.timeout)
+        problems = [] if (done.code == 0) == path.exists() and done.code in (0, 5) else \
+            ['convert: exit %s: %s' % (done.code, last_line(done))]
+        if path.exists():
+            entry['written'].append(name)
+            problems += judged(options, job, mesh, path, judges)
+        entry['problems'][name] = problems
 
 
 def execute_apart(options, job):

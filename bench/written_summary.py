@@ -23,8 +23,10 @@ PROMISED = (0, 4)
 CUT_DEGREE = 3                                    # the degree whose OBJ faces are limited ...
 DISKS = 39                                        # ... where all the public disks are there
 MEDIAN_RATIO, LARGEST_RATIO, ABOVE_ALLOWED = 1.2, 4, 3
-HEADER = ('meshes', 'degree', 'mode', 'runs', 'exit 0', 'exit 4', 'refused', 'VTU clean', 'OBJ clean',
-          'OBJ faces / input: median', 'largest')
+FILES = {'out.vtu': 'VTU', 'out.obj': 'OBJ', 'out.ply': 'PLY', 'out.msh': 'MSH',
+         'lagrange.vtu': 'Lagrange', 'surface.msh': 'MSH of the surface'}
+HEADER = ('meshes', 'degree', 'mode', 'runs', 'exit 0', 'exit 4', 'refused',
+          *(name + ' clean' for name in FILES.values()), 'OBJ faces / input: median', 'largest')
 
 
 def load(path):
@@ -49,10 +51,10 @@ def group_of(entry):
             size if entry['family'] == 'disks' else 0, entry['degree'], entry['mode'], family)
 
 
-def clean_cell(entries, suffix):
+def clean_cell(entries, name):
     """'clean/written' files of a format."""
-    written = [entry for entry in entries if suffix in entry['written']]
-    return '%d/%d' % (sum(not entry['problems'][suffix] for entry in written), len(written))
+    written = [entry for entry in entries if name in entry['written']]
+    return '%d/%d' % (sum(not entry['problems'][name] for entry in written), len(written))
 
 
 def ratio(entry):
@@ -65,7 +67,7 @@ def row(group, entries):
     ratios = [ratio(entry) for entry in entries if entry['faces_out']]
     return [group[-1], group[2], group[3], len(entries), exits[0], exits[4],
             sum(entry['exit'] not in PROMISED for entry in entries),
-            clean_cell(entries, '.vtu'), clean_cell(entries, '.obj'),
+            *(clean_cell(entries, name) for name in FILES),
             common.cell(statistics.median(ratios) if ratios else None, '%.2f'),
             common.cell(max(ratios) if ratios else None, '%.2f')]
 

@@ -1,11 +1,11 @@
 # Kernels that are compiled for several instruction sets from one source each and chosen at run time:
-# those of the built-in densities (the baseline's are compiled in named_energies.cpp) and those of
-# the sparse factorization.
+# those of the built-in densities (the baseline's are compiled in named_energies.cpp), those of
+# formulas that users compile, and those of the sparse factorization.
 set(sets)
 # With sanitizers g++ 12 optimizes these files for many minutes each: the baseline alone, as it is.
 if(CMAKE_CXX_FLAGS MATCHES "fsanitize")
-  set_source_files_properties(energies/named_energies.cpp PROPERTIES COMPILE_OPTIONS -O0
-                                                                     SKIP_PRECOMPILE_HEADERS ON)
+  set_source_files_properties(energies/named_energies.cpp energies/kernels/point_kernels.cpp
+                              PROPERTIES COMPILE_OPTIONS -O0 SKIP_PRECOMPILE_HEADERS ON)
 elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   list(APPEND sets avx2 avx512)
   set(flags_avx2 -mavx2 -mfma)
@@ -34,17 +34,22 @@ foreach(set baseline ${sets})
                                                                  CXX_EXTENSIONS OFF)
   target_sources(majorant_framework PRIVATE $<TARGET_OBJECTS:majorant_front_kernels_${set}>)
 endforeach()
-foreach(set ${sets})
-  add_library(majorant_kernels_${set} OBJECT
-              ${PROJECT_SOURCE_DIR}/energies/kernels/builtin_kernels.cpp)
-  target_link_libraries(majorant_kernels_${set} PRIVATE majorant_elements XsimdHeaders::XsimdHeaders)
-  target_include_directories(majorant_kernels_${set} PRIVATE ${PROJECT_BINARY_DIR}/include/energies)
+# Of the energies: built-in densities, and formulas that users compile.
+function(majorant_energy_kernels name set)
+  set(target majorant_${name}_${set})
+  add_library(${target} OBJECT ${PROJECT_SOURCE_DIR}/energies/kernels/${name}.cpp)
+  target_link_libraries(${target} PRIVATE majorant_elements XsimdHeaders::XsimdHeaders)
+  target_include_directories(${target} PRIVATE ${PROJECT_BINARY_DIR}/include/energies)
   # g++ 12 warns of its own _mm512_undefined_pd (GCC bug 105593).
-  target_compile_options(majorant_kernels_${set} PRIVATE ${flags_${set}} -Wall -Wextra
+  target_compile_options(${target} PRIVATE ${flags_${set}} -Wall -Wextra
                          $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized -Wno-uninitialized>)
-  target_compile_definitions(majorant_kernels_${set}
-                             PRIVATE MAJORANT_KERNEL_NAME=builtin_kernels_${set})
-  set_target_properties(majorant_kernels_${set} PROPERTIES POSITION_INDEPENDENT_CODE ON
-                                                           CXX_EXTENSIONS OFF)
-  target_sources(majorant_energies PRIVATE $<TARGET_OBJECTS:majorant_kernels_${set}>)
+  target_compile_definitions(${target} PRIVATE MAJORANT_KERNEL_NAME=${name}_${set})
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_EXTENSIONS OFF)
+  target_sources(majorant_energies PRIVATE $<TARGET_OBJECTS:${target}>)
+endfunction()
+foreach(set ${sets})
+  majorant_energy_kernels(builtin_kernels ${set})
+endforeach()
+foreach(set baseline ${sets})
+  majorant_energy_kernels(point_kernels ${set})
 endforeach()

@@ -1,7 +1,12 @@
 #include "majorant/elements/rest_shapes.h"
 
 #include <Eigen/Dense>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
+#include <string>
+
+#include "majorant/elements/internal/tangent_part.h"
 
 namespace majorant {
 namespace {
@@ -29,7 +34,33 @@ double invert(const Eigen::MatrixXd& tangents, Eigen::Ref<RowMatrix> inverse) {
   return det;
 }
 
+// Orthonormal, positively oriented columns, the first of them `axis`.
+RowMatrix frame_along(const Eigen::VectorXd& axis) {
+  const auto dim = axis.size();
+  RowMatrix frame(dim, dim);
+  frame.col(0) = axis;
+  if (dim == 2) frame.col(1) << -axis[1], axis[0];
+  if (dim == 3) {
+    frame.col(1) = Vector3(axis).unitOrthogonal();
+    frame.col(2) = Vector3(axis).cross(Vector3(frame.col(1)));
+  }
+  return frame;
+}
+
 }  // namespace
+
+std::optional<Eigen::RowVector2d> tangent_part(const Points3& positions, const Cells& faces,
+                                               Index face, const Vector3& vector) {
+  const Vector3 origin = positions.row(faces(face, 2));
+  const Vector3 e0 = Vector3(positions.row(faces(face, 0))) - origin;
+  const Vector3 e1 = Vector3(positions.row(faces(face, 1))) - origin;
+  const Vector3 x = e0.stableNormalized(), y = (e1 - x.dot(e1) * x).stableNormalized();
+  const Eigen::RowVector2d part(x.dot(vector), y.dot(vector));
+  // Rounding leaves as much of a vector along the normal.
+  const double least = 16 * std::numeric_limits<double>::epsilon() * vector.stableNorm();
+  if (!part.allFinite() || !(part.stableNorm() > least) || y.isZero()) return std::nullopt;
+  return part;
+}
 
 RestShapes flat_simplices(const RowMatrix& positions, const Cells& cells) {
   RestShapes rest;
@@ -56,6 +87,39 @@ RestShapes flat_simplices(const RowMatrix& positions, const Cells& cells) {
 
 RestShapes flat_triangles(const Points3& positions, const Cells& faces) {
   return flat_simplices(positions, faces);
+}
+
+RowMatrix in_frames(const Points3& positions, const Cells& faces, const Points3& vectors) {
+  if (faces.cols() != 3 || vectors.rows() != faces.rows())
+    throw std::invalid_argument("in_frames: " + std::to_string(vectors.rows()) + " vectors for " +
+                                std::to_string(faces.rows()) + " triangles");
+  RowMatrix out(faces.rows(), 2);
+  for (Index f = 0; f < faces.rows(); ++f) {
+    const auto part = tangent_part(positions, faces, f, vectors.row(f));
+    if (!part)
+      throw std::invalid_argument("in_frames: the vector of triangle " + std::to_string(f) +
+                                  " has no tangent part, or the triangle no plane");
+    out.row(f) = *part;
+  }
+  return out;
+}
+
+RestShapes turned(RestShapes rest, const RowMatrix& first_axes) {
+  if (rest.curved()) throw std::invalid_argument("turned: rest shapes are curved");
+  if (first_axes.rows() != rest.inverse.rows() || first_axes.cols() != rest.dim)
+    throw std::invalid_argument("turned: " + std::to_string(first_axes.rows()) + " axes of " +
+                                std::to_string(first_axes.cols()) + " numbers for " +
+                                std::to_string(rest.inverse.rows()) + " elements of dimension " +
+                                std::to_string(rest.dim));
+  for (Index e = 0; e < first_axes.rows(); ++e) {
+    const double length = first_axes.row(e).stableNorm();
+    if (!(length > 0) || !std::isfinite(length))
+      throw std::invalid_argument("turned: the axis of element " + std::to_string(e) +
+                                  " is zero or not finite");
+    const RowMatrix inverse = rest.inverse_of(e) * frame_along(first_axes.row(e) / length);
+    rest.inverse.row(e) = Eigen::Map<const Eigen::RowVectorXd>(inverse.data(), inverse.size());
+  }
+  return rest;
 }
 
 RowMatrix tabulate_rest(const RestShapes& rest, const ElementSpace& space,

@@ -34,6 +34,20 @@ RestShapes flat_simplices(const RowMatrix& positions, const Cells& cells);
 // flat_simplices of triangles in space: positions #V by 3, faces #F by 3.
 RestShapes flat_triangles(const Points3& positions, const Cells& faces);
 
+// Vectors in space, one a triangle, as the frames of flat_triangles() see them: #F by 2; what they
+// have along the normal is left out. vectors: #F by 3. Throws std::invalid_argument unless there is
+// one a triangle, and for a triangle without a plane or a vector without a tangent part.
+RowMatrix in_frames(const Points3& positions, const Cells& faces, const Points3& vectors);
+
+// The same shapes in other frames: the first axis along first_axes (#E by D, of any length, in the
+// frames of `rest`), the others normal to it; in three dimensions any two. How an energy of J is
+// told of fibres: column 0 of J is their image. Throws std::invalid_argument for curved shapes, for
+// other sizes, and for axes that are zero or not finite.
+//
+//   const RowMatrix fibres = in_frames(mesh->positions(), mesh->faces(), directions);
+//   auto term = make_energy(space, turned(rest, fibres), shear, {rule});
+RestShapes turned(RestShapes rest, const RowMatrix& first_axes);
+
 // Rest shapes that are themselves images of the reference element: positions #N by d of the space's
 // nodes, d >= D. `rule` integrates the measures. Where d > D, frames are made from the tangents by
 // Gram-Schmidt, the first tangent along the first axis.

@@ -5,139 +5,88 @@
 //   });
 //   builder.add(make_energy(space, rest, mips, {rule}), 1.0 / area);
 //
-// J is M by D: M unknowns per node, D the dimension of the element, in the frame of the rest shape
-// (RestShapes). Derivatives come from Dual2, the projected Hessian from an eigendecomposition of
-// the MD by MD block at every quadrature point: for isotropic planar energies spectral() and
-// invariant() are several times faster and know more curvature models.
+// J is M by D, both 1 to 3: M unknowns per node, D the dimension of the element, in the frame of
+// the rest shape (RestShapes; turned() turns it). Derivatives come from Dual2, so the formula may
+// do what Dual2 does; branches too. The projected Hessian comes from an eigendecomposition of the
+// MD by MD block at every quadrature point: for isotropic planar energies spectral() and
+// invariant() are faster and know more curvature models.
 #pragma once
 
-#include <Eigen/Eigenvalues>
+#include <cstddef>
 #include <limits>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "majorant/energies/detail/contraction.h"
-#include "majorant/energies/detail/dual2.h"
-#include "majorant/energies/detail/isotropic.h"
 #include "majorant/energies/detail/small_matrix.h"
+#include "majorant/energies/element_data.h"
+#include "majorant/energies/traits.h"
+#include "majorant/framework/curvature.h"
+#include "majorant/framework/dual2.h"
 
 namespace majorant {
 
-namespace detail {
-
-// `clamp` of the negative eigenvalues of a packed symmetric matrix taken away, 1: set to 0; where
-// one is not finite, the zero matrix.
-template <int N>
-void clamp_eigenvalues(double clamp, double* k) {
-  using Matrix = Eigen::Matrix<double, N, N>;
-  Matrix m;
-  for (int i = 0, p = 0; i < N; ++i)
-    for (int j = 0; j <= i; ++j, ++p) m(i, j) = m(j, i) = k[p];
-  if (!m.allFinite()) {
-    m.setZero();
-  } else {
-    const Eigen::SelfAdjointEigenSolver<Matrix> eigen(m);
-    if (eigen.eigenvalues()[0] >= 0) return;
-    m = eigen.eigenvectors() *
-        eigen.eigenvalues().cwiseMax((1 - clamp) * eigen.eigenvalues()).asDiagonal() *
-        eigen.eigenvectors().transpose();
-  }
-  for (int i = 0, p = 0; i < N; ++i)
-    for (int j = 0; j <= i; ++j, ++p) k[p] = m(i, j);
-}
-
-template <int N>
-void project(double clamp, PointModel<double, N>& m) {
-  clamp_eigenvalues<N>(clamp, m.k);
-}
-
-// Lane by lane.
-template <int N, class Batch>
-void project(double clamp, PointModel<Batch, N>& m) {
-  constexpr int kPacked = N * (N + 1) / 2;
-  constexpr auto kLanes = Batch::size;
-  double lanes[kPacked][kLanes], one[kPacked];
-  for (int p = 0; p < kPacked; ++p) m.k[p].store_unaligned(lanes[p]);
-  for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    for (int p = 0; p < kPacked; ++p) one[p] = lanes[p][lane];
-    clamp_eigenvalues<N>(clamp, one);
-    for (int p = 0; p < kPacked; ++p) lanes[p][lane] = one[p];
-  }
-  for (int p = 0; p < kPacked; ++p) m.k[p] = Batch::load_unaligned(lanes[p]);
-}
-
-}  // namespace detail
-
 template <int M, int D, class F>
 class GeneralDensity {
+  static_assert(M >= 1 && M <= 3 && D >= 1 && D <= 3, "J has 1 to 3 rows and columns");
+
  public:
   static constexpr int rows = M, dims = D, size = M * D;
-  const Traits traits;  // public: kernels must not call shared functions
+  const Traits traits;
 
   GeneralDensity(std::string name, F f, const Traits& t)
       : traits(t), f_(std::move(f)), name_(std::move(name)) {}
   std::string_view name() const { return name_; }
-  static constexpr bool defines(Curvature c) {
-    return c == Curvature::Projected || c == Curvature::Exact;
-  }
-  bool supports(Curvature c) const { return defines(c); }
+  bool supports(Curvature c) const { return c == Curvature::Projected || c == Curvature::Exact; }
 
-  template <class T>
-  T value(const T (&z)[size]) const {
-    SmallMatrix<T, M, D> J;
-    for (int r = 0; r < size; ++r) J(r / D, r % D) = z[r];
-    return inside_domain(T(f_(J)), J);
+  // At J, row by row; data: what the formula takes beside J.
+  template <class... Data>
+  double value(const double (&z)[size], const Data&... data) const {
+    const auto J = matrix<double>([&z](int r) { return z[r]; });
+    return inside_domain(f_(J, data...), z);
   }
-  template <Curvature C, class T>
-  void model(const T (&z)[size], double clamp, PointModel<T, size>& m) const {
-    using Scalar = Dual2<T, size>;
-    SmallMatrix<T, M, D> at;
-    SmallMatrix<Scalar, M, D> J;
-    for (int r = 0; r < size; ++r) {
-      at(r / D, r % D) = z[r];
-      J(r / D, r % D) = Scalar::variable(z[r], r);
-    }
-    const Scalar e = f_(J);
-    m.f = inside_domain(e.v, at);
-    for (int r = 0; r < size; ++r) m.g[r] = e.d[static_cast<std::size_t>(r)];
+  // With the exact Hessian.
+  template <class... Data>
+  void model(const double (&z)[size], PointModel<double, size>& m, const Data&... data) const {
+    using Scalar = Dual2<double, size>;
+    const Scalar e = f_(matrix<Scalar>([&z](int r) { return Scalar::variable(z[r], r); }), data...);
+    m.f = inside_domain(e.v, z);
+    for (std::size_t r = 0; r < e.d.size(); ++r) m.g[r] = e.d[r];
     for (std::size_t p = 0; p < e.h.size(); ++p) m.k[p] = e.h[p];
-    if constexpr (C != Curvature::Exact) detail::project(clamp, m);
-  }
-
-  // J is its own coordinates.
-  template <class T>
-  static void to_coordinates(const T (&J)[size], T (&z)[size]) {
-    for (int r = 0; r < size; ++r) z[r] = J[r];
-  }
-  template <class T>
-  static void gradient_to_jacobian(const T* g, T* out) {
-    for (int r = 0; r < size; ++r) out[r] = g[r];
-  }
-  template <class T>
-  static void curvature_to_jacobian(const T* k, T* out) {
-    for (int r = 0; r < size * (size + 1) / 2; ++r) out[r] = k[r];
   }
 
  private:
-  template <class T>
-  T inside_domain(const T& f, const SmallMatrix<T, M, D>& J) const {
-    using namespace scalar_math;
-    const T infinity(std::numeric_limits<double>::infinity());
+  template <class T, class Entry>
+  static SmallMatrix<T, M, D> matrix(const Entry& entry) {
+    SmallMatrix<T, M, D> J;
+    for (int r = 0; r < size; ++r) J(r / D, r % D) = entry(r);
+    return J;
+  }
+  double inside_domain(double f, const double (&z)[size]) const {
+    bool inside = f == f;
     if constexpr (M == D)
       if (traits.domain == Domain::PositiveDeterminant)
-        return select((J.determinant() > T(0.0)) && (f == f), f, infinity);
-    return select(f == f, f, infinity);
+        inside = inside && matrix<double>([&z](int r) { return z[r]; }).determinant() > 0;
+    return inside ? f : std::numeric_limits<double>::infinity();
   }
   F f_;
   std::string name_;
 };
 
-// f(J): J a SmallMatrix<T, M, D>. Domain::PositiveDeterminant needs M = D <= 3 and is not looked at
-// otherwise; convexity and reweighting never are.
+// f(J): J a SmallMatrix<T, M, D>. Domain::PositiveDeterminant means something for M = D alone;
+// convexity and reweighting never do.
 template <int M, int D, class F>
 GeneralDensity<M, D, F> density(std::string name, F f, const Traits& traits = {}) {
   return {std::move(name), std::move(f), traits};
+}
+
+// f(J, data of the element): see element_data.h. Throws std::invalid_argument for numbers that are
+// not finite; make_energy() and drivers do so unless there are data for each element.
+template <int M, int D, class F, DataOfElements Data>
+auto density(std::string name, F f, const Data& data, const Traits& traits = {}) {
+  auto rows = detail::element_data(name, data);
+  return WithData(GeneralDensity<M, D, F>(std::move(name), std::move(f), traits), std::move(rows));
 }
 
 }  // namespace majorant

@@ -25,6 +25,10 @@ DensityTerm::DensityTerm(DensityTraits traits, std::shared_ptr<const ElementSpac
     throw std::invalid_argument("DensityTerm: rest shapes do not fit the space");
   if (kernels.dims != space_->reference_dim() || rest.dim != space_->reference_dim())
     throw std::invalid_argument("DensityTerm: the density is for elements of another dimension");
+  if (traits_.elements.value_or(space_->element_count()) != space_->element_count())
+    throw std::invalid_argument("DensityTerm: '" + traits_.name + "' has data for " +
+                                std::to_string(*traits_.elements) + " elements, the space has " +
+                                std::to_string(space_->element_count()));
   stencils_.nodes = space_->cells();
   stencils_.block = kernels.rows;
   for (const Quadrature& q : rules) {
@@ -103,7 +107,7 @@ DensityTerm::Gathered DensityTerm::gather(VecIn x, const Chunk& chunk, const Rul
       rest[(per_point - 1) * stride + p] = rest_.measure[e];
     }
   }
-  const ChunkView view{count, memory, rest, rest_.curved() ? per_point : 0};
+  const ChunkView view{count, chunk.elements.data(), memory, rest, rest_.curved() ? per_point : 0};
   return {view, values + stride, values};
 }
 
@@ -133,7 +137,9 @@ void DensityTerm::local(VecIn x, const Chunk& chunk, BlendedCurvature curvature,
 }
 
 StarModel DensityTerm::star(const StarView& view, const Vector2& v) const {
-  if (!kernels_.star) throw std::invalid_argument("DensityTerm: the density is not of planar maps");
+  if (!kernels_.star)
+    throw std::invalid_argument("DensityTerm: '" + traits_.name +
+                                "' is not of planar maps, or not the same on all elements");
   StarModel model;
   kernels_.star(density_.get(), view, v.x(), v.y(), model);
   return model;

@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,13 +25,16 @@ struct DensityTraits {
   FreeScale free_scale = FreeScale::Determined;
   // The density for these TermState::parameters; empty for a density without parameters.
   std::function<std::shared_ptr<const void>(const Vec& parameters)> with_parameters;
+  // Of how many elements the density is told something, or has the frame turned; none: it is the
+  // same on every mesh.
+  std::optional<Index> elements;
 };
 
 class DensityTerm final : public EnergyTerm {
  public:
   // `density` is what `kernels` expect; `rules` are numbered by RuleId. Throws
-  // std::invalid_argument when there is no rule, the rest shapes do not fit the space, or the
-  // density's Jacobian has not the element's dimension.
+  // std::invalid_argument when there is no rule, the rest shapes do not fit the space, the density
+  // has data for another number of elements, or its Jacobian has not the element's dimension.
   DensityTerm(DensityTraits traits, std::shared_ptr<const ElementSpace> space,
               const RestShapes& rest, const std::vector<Quadrature>& rules,
               std::shared_ptr<const void> density, const DensityKernels& kernels);
@@ -46,7 +50,8 @@ class DensityTerm final : public EnergyTerm {
              Workspace& workspace, LocalSystem& out) const override;
 
   // The density alone, at TermState{}: summed over the triangles around a vertex at v, which need
-  // not be those of the space. Throws std::invalid_argument unless the density is of planar maps.
+  // not be those of the space. Throws std::invalid_argument unless the density is of planar maps
+  // and the same on all elements.
   StarModel star(const StarView& view, const Vector2& v) const;
 
  private:

@@ -1,8 +1,94 @@
 #include "majorant/energies/energy_factory.h"
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 
 namespace majorant {
+namespace {
+
+void require_count(const std::string& what, Index given, Index count) {
+  if (given != count)
+    throw std::invalid_argument(what + " for " + std::to_string(given) + " elements, not " +
+                                std::to_string(count));
+}
+
+template <class Rows>
+Rows rows_of(const Rows& all, std::span<const Index> elements) {
+  Rows part(static_cast<Index>(elements.size()), all.cols());
+  for (std::size_t k = 0; k < elements.size(); ++k) {
+    if (elements[k] < 0 || elements[k] >= all.rows())
+      throw std::out_of_range("there is no element " + std::to_string(elements[k]));
+    part.row(static_cast<Index>(k)) = all.row(elements[k]);
+  }
+  return part;
+}
+
+}  // namespace
+
+EnergyFactory EnergyFactory::of_density(DensityTraits traits, std::shared_ptr<const void> density,
+                                        const DensityKernels& kernels, Part part) {
+  const auto make = [traits, density = std::move(density), kernels](
+                        std::shared_ptr<const ElementSpace> space, const RestShapes& rest,
+                        const std::vector<Quadrature>& rules) {
+    return std::make_shared<const DensityTerm>(traits, std::move(space), rest, rules, density,
+                                               kernels);
+  };
+  return {std::move(traits), make, std::move(part)};
+}
+
+EnergyFactory EnergyFactory::for_elements(std::span<const Index> elements) const {
+  if (!traits_.elements) return *this;
+  if (!part_)
+    throw std::logic_error("EnergyFactory: '" + traits_.name + "' is made without part()");
+  for (const Index e : elements)
+    if (e < 0 || e >= *traits_.elements)
+      throw std::out_of_range("EnergyFactory: there is no element " + std::to_string(e));
+  return part_(elements);
+}
+
+EnergyFactory along(RowMatrix first_axes, EnergyFactory make) {
+  DensityTraits traits = make.traits();
+  const auto count = static_cast<Index>(first_axes.rows());
+  if (traits.elements)
+    require_count("along: '" + traits.name + "' has data", *traits.elements, count);
+  traits.elements = count;
+  const auto part = [first_axes, make](std::span<const Index> elements) {
+    return along(rows_of(first_axes, elements), make.for_elements(elements));
+  };
+  return {std::move(traits),
+          [first_axes = std::move(first_axes), make = std::move(make)](
+              std::shared_ptr<const ElementSpace> space, const RestShapes& rest,
+              const std::vector<Quadrature>& rules) {
+            return make(std::move(space), turned(rest, first_axes), rules);
+          },
+          part};
+}
+
+bool knows_elements(const EnergySum& energy) {
+  return std::any_of(energy.begin(), energy.end(), [](const WeightedEnergy& e) {
+    return e.make.traits().elements || e.face_weight.size() > 0;
+  });
+}
+
+EnergySum for_elements(const EnergySum& energy, std::span<const Index> elements) {
+  EnergySum part;
+  for (const WeightedEnergy& e : energy)
+    part.push_back({e.make.for_elements(elements), e.weight,
+                    e.face_weight.size() > 0 ? rows_of(e.face_weight, elements) : Vec()});
+  return part;
+}
+
+void require_elements(const EnergySum& energy, Index count) {
+  for (const WeightedEnergy& e : energy) {
+    const DensityTraits& traits = e.make.traits();
+    if (traits.elements)
+      require_count("energy '" + traits.name + "' has data", *traits.elements, count);
+    if (e.face_weight.size() > 0)
+      require_count("energy '" + traits.name + "' has weights",
+                    static_cast<Index>(e.face_weight.size()), count);
+  }
+}
 
 Barrier barrier_of(const EnergySum& energy) {
   Barrier strongest = Barrier::None;

@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -13,15 +14,21 @@
 
 namespace majorant {
 
-// Made by energy_factory() of make_energy.h, or taken from named_energies.h.
+// Made by energy_factory() of make_energy.h, or taken from named_energies.h. An energy may be that
+// of one mesh only, because its formula is told of the elements or their frames are turned: its
+// traits say of how many elements.
 class EnergyFactory {
  public:
   using Make = std::function<std::shared_ptr<const DensityTerm>(
       std::shared_ptr<const ElementSpace> space, const RestShapes& rest,
       const std::vector<Quadrature>& rules)>;
-  // make: gives terms of these traits.
-  EnergyFactory(DensityTraits traits, Make make)
-      : traits_(std::move(traits)), make_(std::move(make)) {}
+  using Part = std::function<EnergyFactory(std::span<const Index> elements)>;
+  // make: gives terms of these traits. part: for_elements() where traits.elements is set.
+  EnergyFactory(DensityTraits traits, Make make, Part part = {})
+      : traits_(std::move(traits)), make_(std::move(make)), part_(std::move(part)) {}
+  // density: what `kernels` are called with; all terms share it.
+  static EnergyFactory of_density(DensityTraits traits, std::shared_ptr<const void> density,
+                                  const DensityKernels& kernels, Part part = {});
 
   const DensityTraits& traits() const { return traits_; }
   // Value of the term = sum over elements of measure * mean density. Throws std::invalid_argument
@@ -31,18 +38,40 @@ class EnergyFactory {
                                                 const std::vector<Quadrature>& rules) const {
     return make_(std::move(space), rest, rules);
   }
+  // The same energy on a mesh made of these elements, in this order. Throws std::out_of_range for
+  // an element it does not know, std::logic_error if it has no part().
+  EnergyFactory for_elements(std::span<const Index> elements) const;
 
  private:
   DensityTraits traits_;
   Make make_;
+  Part part_;
 };
+
+// The energy in frames that are turned so that their first axes are those given: #E by D, of any
+// length, in the frames of the rest shapes (turned() and in_frames() of elements/rest_shapes.h).
+//
+//   const RowMatrix fibres = in_frames(*mesh, directions);         // #F by 3, in space
+//   options.map.energy = {{symmetric_dirichlet()}, {along(fibres, energy_factory(shear)), 0.1}};
+//
+// Throws std::invalid_argument where `make` is for another number of elements; the terms it makes
+// do for directions without a length, and for curved rest shapes.
+EnergyFactory along(RowMatrix first_axes, EnergyFactory make);
 
 // sum of weight * energy.
 struct WeightedEnergy {
   EnergyFactory make;
   double weight = 1.0;
+  Vec face_weight = {};  // #E positive factors on single elements, empty = all 1
 };
 using EnergySum = std::vector<WeightedEnergy>;
+
+// Whether a summand is made for the elements of one mesh: has face weights, or data, or fibres.
+bool knows_elements(const EnergySum& energy);
+// The sum on a mesh made of these elements: EnergyFactory::for_elements().
+EnergySum for_elements(const EnergySum& energy, std::span<const Index> elements);
+// Throws std::invalid_argument unless the summands are for `count` elements, or for any.
+void require_elements(const EnergySum& energy, Index count);
 
 // The strongest of the summands; None of an empty sum.
 Barrier barrier_of(const EnergySum& energy);

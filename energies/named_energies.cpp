@@ -8,6 +8,7 @@
 #include "majorant/energies/internal/builtin_densities.h"
 #include "majorant/energies/internal/instruction_sets.h"
 #include "majorant/energies/make_energy.h"
+#include "majorant/energies/vectorized.h"
 
 namespace majorant {
 
@@ -35,25 +36,11 @@ EnergyFactory builtin(Density density, [[maybe_unused]] InstructionSet set) {
   if (set == InstructionSet::Avx2)
     return energy_factory(std::move(density), builtin_kernels_avx2(index));
 #endif
-  return energy_factory(std::move(density));
-}
-
-InstructionSet widest() {
-  static const InstructionSet set = instruction_sets().back();
-  return set;
+  const DensityKernels kernels = vectorized(density);
+  return energy_factory(std::move(density), kernels);
 }
 
 }  // namespace
-
-std::vector<InstructionSet> instruction_sets() {
-  std::vector<InstructionSet> sets{InstructionSet::Baseline};
-#ifdef MAJORANT_X86_KERNELS
-  const auto machine = xsimd::available_architectures();
-  if (machine.fma3_avx2) sets.push_back(InstructionSet::Avx2);
-  if (machine.avx512bw) sets.push_back(InstructionSet::Avx512);
-#endif
-  return sets;
-}
 
 std::vector<NamedEnergy> named_energies(InstructionSet set) {
   const auto named = [set](auto energy) {
@@ -65,7 +52,7 @@ std::vector<NamedEnergy> named_energies(InstructionSet set) {
 }
 
 std::span<const NamedEnergy> named_energies() {
-  static const std::vector<NamedEnergy> all = named_energies(widest());
+  static const std::vector<NamedEnergy> all = named_energies(widest_instruction_set());
   return all;
 }
 
@@ -75,7 +62,9 @@ const NamedEnergy* find_energy(std::string_view name) {
   return nullptr;
 }
 
-EnergyFactory symmetric_dirichlet() { return builtin(symmetric_dirichlet_density(), widest()); }
-EnergyFactory mips() { return builtin(mips_density(), widest()); }
+EnergyFactory symmetric_dirichlet() {
+  return builtin(symmetric_dirichlet_density(), widest_instruction_set());
+}
+EnergyFactory mips() { return builtin(mips_density(), widest_instruction_set()); }
 
 }  // namespace majorant

@@ -17,7 +17,7 @@ std::vector<LinearExpression> expressions(const Constraint& constraint) {
   for (std::size_t r = 0; r < rows.size(); ++r) {
     out.push_back({{}, rows.rhs(r)});
     for (const auto* e = rows.begin(r); e != rows.end(r); ++e)
-      out.back().terms.emplace_back(e->unknown, static_cast<double>(e->coefficient));
+      out.back().terms.emplace_back(e->unknown, e->coefficient);
   }
   return out;
 }

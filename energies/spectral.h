@@ -8,7 +8,7 @@
 // y = |beta|^2 and is cheaper and exact at similarities (no square roots): prefer it where the
 // density is smooth in x and y. Both are differentiated by Dual2. h must be even under B -> -B,
 // that is symmetric in its arguments. For densities that are not isotropic, or not planar, see
-// density.h.
+// density.h; for formulas that are told of the element, element_data.h.
 #pragma once
 
 #include <string>
@@ -53,38 +53,10 @@ void write_model(const Traits& traits, const Majorant& majorant, const Isotropic
 
 }  // namespace detail
 
-// What both forms share: J in the coordinates z = (alpha, beta), traits, curvature models.
-// `Derived` supplies value(x, y) and jet(x, y).
-template <class Derived, class Majorant>
-class IsotropicDensity {
- public:
+// J = (a, b, c, d) row by row -> z = (alpha, beta), and back for gradients and packed curvatures.
+struct SimilarityCoordinates {
   static constexpr int rows = 2, dims = 2;  // of J
-  const Traits traits;                      // public: kernels must not call shared functions
 
-  std::string_view name() const { return name_; }
-  static constexpr bool defines(Curvature) { return true; }
-  bool supports(Curvature curvature) const {
-    const bool convex = traits.convexity == Convexity::Convex;
-    if (curvature == Curvature::Majorizer) return convex || !std::is_same_v<Majorant, NoMajorant>;
-    if (curvature == Curvature::PaperMajorizer) return convex;
-    if (curvature == Curvature::Reweighted) return traits.reweighting == Reweighting::Separable;
-    return true;
-  }
-
-  template <class T>
-  T value(const T (&z)[4]) const {
-    const T x = z[0] * z[0] + z[1] * z[1], y = z[2] * z[2] + z[3] * z[3];
-    return inside_domain(derived().value_of(x, y), x, y);
-  }
-  template <Curvature C, class T>
-  void model(const T (&z)[4], double clamp, PointModel<T, 4>& m) const {
-    const T x = z[0] * z[0] + z[1] * z[1], y = z[2] * z[2] + z[3] * z[3];
-    IsotropicJet<T> j = derived().jet(x, y);
-    j.f = inside_domain(j.f, x, y);
-    detail::write_model<C>(traits, majorant_, j, x, y, z, clamp, m);
-  }
-
-  // J = (a, b, c, d) row by row -> z, and back for gradients and packed curvatures.
   template <class T>
   static void to_coordinates(const T (&J)[4], T (&z)[4]) {
     const T half(0.5);
@@ -116,6 +88,48 @@ class IsotropicDensity {
     out[8] = q * (k[A01] - k[C10] + k[C01] - k[B01]);  // dc
     out[9] = q * (k[A00] - k[C00] - k[C00] + k[B00]);  // dd
   }
+};
+
+// What both forms share: J in the coordinates z = (alpha, beta), traits, curvature models.
+// `Derived` supplies value_of(x, y, data...) and jet(x, y, data...), data being what a formula
+// takes of its element.
+template <class Derived, class Majorant>
+class IsotropicDensity : public SimilarityCoordinates {
+ public:
+  const Traits traits;  // public: kernels must not call shared functions
+
+  std::string_view name() const { return name_; }
+  const Majorant& majorant() const { return majorant_; }
+  static constexpr bool defines(Curvature) { return true; }
+  bool supports(Curvature curvature) const {
+    const bool convex = traits.convexity == Convexity::Convex;
+    if (curvature == Curvature::Majorizer) return convex || !std::is_same_v<Majorant, NoMajorant>;
+    if (curvature == Curvature::PaperMajorizer) return convex;
+    if (curvature == Curvature::Reweighted) return traits.reweighting == Reweighting::Separable;
+    return true;
+  }
+
+  template <class T, class... Data>
+  T value_at(const T& x, const T& y, const Data&... data) const {
+    return inside_domain(derived().value_of(x, y, data...), x, y);
+  }
+  template <class T, class... Data>
+  IsotropicJet<T> jet_at(const T& x, const T& y, const Data&... data) const {
+    IsotropicJet<T> j = derived().jet(x, y, data...);
+    j.f = inside_domain(j.f, x, y);
+    return j;
+  }
+
+  template <class T>
+  T value(const T (&z)[4]) const {
+    const T x = z[0] * z[0] + z[1] * z[1], y = z[2] * z[2] + z[3] * z[3];
+    return value_at(x, y);
+  }
+  template <Curvature C, class T>
+  void model(const T (&z)[4], double clamp, PointModel<T, 4>& m) const {
+    const T x = z[0] * z[0] + z[1] * z[1], y = z[2] * z[2] + z[3] * z[3];
+    detail::write_model<C>(traits, majorant_, jet_at(x, y), x, y, z, clamp, m);
+  }
 
  protected:
   IsotropicDensity(std::string name, const Traits& t, Majorant majorant)
@@ -136,22 +150,22 @@ class IsotropicDensity {
 };
 
 template <class K, class Majorant = NoMajorant>
-class InvariantDensity final : public IsotropicDensity<InvariantDensity<K, Majorant>, Majorant> {
+class InvariantDensity : public IsotropicDensity<InvariantDensity<K, Majorant>, Majorant> {
  public:
   InvariantDensity(std::string name, K k, const Traits& t, Majorant majorant = {})
       : IsotropicDensity<InvariantDensity, Majorant>(std::move(name), t, std::move(majorant)),
         k_(std::move(k)) {}
 
-  template <class T>
-  T value_of(const T& x, const T& y) const {
-    return k_(x, y);
+  template <class T, class... Data>
+  T value_of(const T& x, const T& y, const Data&... data) const {
+    return k_(x, y, data...);
   }
   // Square roots and logarithms of x have no derivatives at 0: x is kept off it.
-  template <class T>
-  IsotropicJet<T> jet(const T& x, const T& y) const {
+  template <class T, class... Data>
+  IsotropicJet<T> jet(const T& x, const T& y, const Data&... data) const {
     using namespace scalar_math;
     const auto [vx, vy] = dual2_variables<T>(max(x, T(kSmallestA * kSmallestA)), y);
-    const Dual2<T, 2> k = k_(vx, vy);
+    const Dual2<T, 2> k = k_(vx, vy, data...);
     const T two(2.0), four(4.0);
     return {k.v,
             two * k.d[0],
@@ -166,26 +180,26 @@ class InvariantDensity final : public IsotropicDensity<InvariantDensity<K, Major
 };
 
 template <class H, class Majorant = NoMajorant>
-class SpectralDensity final : public IsotropicDensity<SpectralDensity<H, Majorant>, Majorant> {
+class SpectralDensity : public IsotropicDensity<SpectralDensity<H, Majorant>, Majorant> {
  public:
   SpectralDensity(std::string name, H h, const Traits& t, Majorant majorant = {})
       : IsotropicDensity<SpectralDensity, Majorant>(std::move(name), t, std::move(majorant)),
         h_(std::move(h)) {}
 
-  template <class T>
-  T value_of(const T& x, const T& y) const {
+  template <class T, class... Data>
+  T value_of(const T& x, const T& y, const Data&... data) const {
     using namespace scalar_math;
     const T a = sqrt(x), b = sqrt(y);
-    return h_(a + b, a - b);
+    return h_(a + b, a - b, data...);
   }
   // k_A = h_S + h_s, k_B = h_S - h_s. Below B = 5e-6 A the even expansion in B takes over: there
   // k_B / B = k_BB to a few 1e-11, while the quotient has lost as much to cancellation.
-  template <class T>
-  IsotropicJet<T> jet(const T& x, const T& y) const {
+  template <class T, class... Data>
+  IsotropicJet<T> jet(const T& x, const T& y, const Data&... data) const {
     using namespace scalar_math;
     const T a = sqrt(x), b = sqrt(y);
     const auto [S, s] = dual2_variables<T>(a + b, a - b);
-    const Dual2<T, 2> h = h_(S, s);
+    const Dual2<T, 2> h = h_(S, s, data...);
     const T kA = h.d[0] + h.d[1], kB = h.d[0] - h.d[1];
     const T sum = h.hess(0, 0) + h.hess(1, 1), twice = T(2.0) * h.hess(1, 0);
     const T kAA = sum + twice, kBB = sum - twice, kAB = h.hess(0, 0) - h.hess(1, 1);

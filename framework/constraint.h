@@ -1,9 +1,11 @@
 // Linear constraints A x = b that hold exactly: they are eliminated, never penalized.
 //
-// Coefficients are integers, so that rank and consistency are decided exactly; right-hand sides are
-// doubles. A constraint appends its rows; ProblemBuilder eliminates all rows together. A constraint
-// may need unknowns of its own that no energy sees (the translation between two sides of a seam):
-// add_auxiliary() makes them; they become unknowns of the solver unless rows determine them.
+// A constraint appends its rows; ProblemBuilder eliminates all rows together. Of rows whose
+// coefficients are all integers rank and consistency are decided exactly; other coefficients may be
+// any doubles, and then by a documented tolerance (docs/add_a_constraint.md). Right-hand sides are
+// doubles. A constraint may need unknowns of its own that no energy sees (the translation between
+// two sides of a seam): add_auxiliary() makes them; they become unknowns of the solver unless rows
+// determine them.
 //
 //   class PinnedPoint final : public Constraint {
 //     void append_rows(ConstraintRows& rows) const override {
@@ -24,15 +26,17 @@ class ConstraintRows {
  public:
   struct Entry {
     Index unknown;  // negative: -1 - j is auxiliary unknown j
-    long coefficient;
+    double coefficient;
   };
+  // In absolute value, that counts as one. Origin: doubles have all integers up to there.
+  static constexpr double kLargestInteger = 9007199254740992.0;
 
   // Starts a row; `label` names it in messages about contradictions.
   void begin_row(std::string label) {
     labels_.push_back(std::move(label));
     starts_.push_back(entries_.size());
   }
-  void add(Index unknown, long coefficient) { entries_.push_back({unknown, coefficient}); }
+  void add(Index unknown, double coefficient) { entries_.push_back({unknown, coefficient}); }
   void end_row(double right_hand_side) { rhs_.push_back(right_hand_side); }
 
   // A new auxiliary unknown. A point x says nothing of it: its value there follows from the first

@@ -7,12 +7,21 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "majorant/framework/internal/chunk_plan.h"
 #include "majorant/framework/internal/curvature_name.h"
 
 namespace majorant {
 namespace {
+
+// Of the size of an element's unknowns. Origin: rounding of the energy, divided by it, and the
+// fourth power of it both stay far below the tolerance.
+constexpr double kStep = 1e-5;
+// Of the Hessian times the size: what a gradient may be off by without being called wrong, relative
+// to the tolerance. Origin: an element at rest has no gradient but that of rounding; with the usual
+// tolerance this is a displacement of 1e-10 of the size.
+constexpr double kRest = 1e-5;
 
 struct LocalValues {
   double value;
@@ -85,7 +94,10 @@ class ElementProbe {
 struct Worst {
   double error = 0;
   DerivativeMismatch mismatch{};
-  void update(double relative, Index element, std::string block, double computed, double expected) {
+  // Elements without energy have no scale: there 0 is right, and anything else is not.
+  void update(double scale, Index element, std::string block, double computed, double expected) {
+    if (computed == expected) return;
+    const double relative = std::abs(computed - expected) / scale;
     if (!(relative <= error)) {  // NaN counts
       error = std::isnan(relative) ? std::numeric_limits<double>::infinity() : relative;
       mismatch = {element, std::move(block), computed, expected};
@@ -108,23 +120,20 @@ class ElementCheck {
       : term_(term), element_(element), x_(x), probe_(term, state, element) {
     exact_ = term.supports(Curvature::Exact);
     at_ = probe_.local(x_, best_model(term));
-    for (const Index i : probe_.unknowns())
-      for (const Index j : probe_.unknowns()) size_ = std::max(size_, std::abs(x_[i] - x_[j]));
-    if (size_ == 0) size_ = 1;
-    gradient_scale_ = at_.gradient.cwiseAbs().maxCoeff() + std::abs(at_.value) / size_;
-    hessian_scale_ = at_.hessian.cwiseAbs().maxCoeff() + gradient_scale_ / size_;
+    size_ = size_of_unknowns(term.stencils().block);
+    const double first_order = at_.gradient.cwiseAbs().maxCoeff() + std::abs(at_.value) / size_;
+    hessian_scale_ = at_.hessian.cwiseAbs().maxCoeff() + first_order / size_;
+    gradient_scale_ = first_order + kRest * hessian_scale_ * size_;
   }
 
   void run() {
     const double f = probe_.value(x_);
-    gradient.update(std::abs(at_.value - f) / (gradient_scale_ * size_), element_, "value",
-                    at_.value, f);
+    gradient.update(gradient_scale_ * size_, element_, "value", at_.value, f);
     const LocalValues first_order = probe_.first_order(x_);
-    gradient.update(std::abs(first_order.value - f) / (gradient_scale_ * size_), element_,
-                    "value without hessian", first_order.value, f);
+    gradient.update(gradient_scale_ * size_, element_, "value without hessian", first_order.value,
+                    f);
     for (int i = 0; i < at_.gradient.size(); ++i) {
-      gradient.update(std::abs(first_order.gradient[i] - at_.gradient[i]) / gradient_scale_,
-                      element_, fmt::format("gradient[{}] without hessian", i),
+      gradient.update(gradient_scale_, element_, fmt::format("gradient[{}] without hessian", i),
                       first_order.gradient[i], at_.gradient[i]);
       differences(i);
     }
@@ -132,8 +141,9 @@ class ElementCheck {
       if (curvature == Curvature::Exact || !term_.supports(curvature)) continue;
       const Eigen::MatrixXd k = probe_.local(x_, curvature).hessian;
       const double lowest = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(k).eigenvalues()[0];
-      definite.update(std::max(0.0, -lowest) / hessian_scale_, element_,
-                      fmt::format("curvature {}", curvature_name(curvature)), lowest, 0);
+      definite.update(hessian_scale_, element_,
+                      fmt::format("curvature {}", curvature_name(curvature)), std::min(lowest, 0.0),
+                      0);
     }
     if (exact_ && term_.supports(Curvature::Projected)) blend();
   }
@@ -149,15 +159,25 @@ class ElementCheck {
     for (int j = 0; j < half.cols(); ++j)
       for (int i = j; i < half.rows(); ++i) {
         const double expected = 0.5 * (exact(i, j) + projected(i, j));
-        hessian.update(std::abs(half(i, j) - expected) / hessian_scale_, element_,
-                       fmt::format("blend({}, {})", i, j), half(i, j), expected);
+        hessian.update(hessian_scale_, element_, fmt::format("blend({}, {})", i, j), half(i, j),
+                       expected);
       }
   }
 
-  // Central differences by local unknown i. Where a stencil names an unknown several times, the
-  // derivative by it is the sum over its places.
+  // How far the nodes lie apart, coordinate by coordinate: what a step has to be small against.
+  double size_of_unknowns(int block) const {
+    const std::vector<Index>& u = probe_.unknowns();
+    double size = 0;
+    for (std::size_t i = 0; i < u.size(); ++i)
+      for (std::size_t j = i % at(block); j < i; j += at(block))
+        size = std::max(size, std::abs(x_[u[i]] - x_[u[j]]));
+    return size > 0 ? size : 1;
+  }
+
+  // Differences of fourth order by local unknown i. Where a stencil names an unknown several times,
+  // the derivative by it is the sum over its places.
   void differences(int i) {
-    const double h = 1e-5 * size_;
+    const double h = kStep * size_;
     const Index u = probe_.unknowns()[at(i)];
     double gradient_sum = 0;
     Vec hessian_sum = Vec::Zero(at_.gradient.size());
@@ -167,20 +187,18 @@ class ElementCheck {
       hessian_sum += at_.hessian.col(k);
     }
     const double here = x_[u];
-    x_[u] = here + h;
-    const double f_above = probe_.value(x_);
-    const Vec g_above = exact_ ? probe_.local(x_, Curvature::Exact).gradient : Vec();
-    x_[u] = here - h;
-    const double g = (f_above - probe_.value(x_)) / (2 * h);
-    gradient.update(std::abs(gradient_sum - g) / gradient_scale_, element_,
-                    fmt::format("gradient[{}]", i), gradient_sum, g);
-    if (exact_) {
-      const Vec column = (g_above - probe_.local(x_, Curvature::Exact).gradient) / (2 * h);
-      for (int j = 0; j < column.size(); ++j)
-        hessian.update(std::abs(hessian_sum[j] - column[j]) / hessian_scale_, element_,
-                       fmt::format("hessian({}, {})", j, i), hessian_sum[j], column[j]);
+    double g = 0;
+    Vec column = Vec::Zero(at_.gradient.size());
+    for (const auto& [steps, weight] : {std::pair(1, 8.0), {-1, -8.0}, {2, -1.0}, {-2, 1.0}}) {
+      x_[u] = here + steps * h;
+      g += weight / (12 * h) * probe_.value(x_);
+      if (exact_) column += weight / (12 * h) * probe_.local(x_, Curvature::Exact).gradient;
     }
     x_[u] = here;
+    gradient.update(gradient_scale_, element_, fmt::format("gradient[{}]", i), gradient_sum, g);
+    for (int j = 0; exact_ && j < column.size(); ++j)
+      hessian.update(hessian_scale_, element_, fmt::format("hessian({}, {})", j, i), hessian_sum[j],
+                     column[j]);
   }
 
   const EnergyTerm& term_;
@@ -216,9 +234,8 @@ class ChunkCheck {
       const LocalValues v = alone.local(x_, model_);
       Worst worst;
       const auto compare = [&](double computed, double expected, double scale, auto block) {
-        if (computed == expected) return;
-        worst.update(std::abs(computed - expected) / scale, e, block() + " among others", computed,
-                     expected);
+        if (computed != expected)
+          worst.update(scale, e, block() + " among others", computed, expected);
       };
       const double g = v.gradient.cwiseAbs().maxCoeff(), h = v.hessian.cwiseAbs().maxCoeff();
       const auto at = static_cast<int>(p);

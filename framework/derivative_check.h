@@ -4,12 +4,12 @@
 //   DerivativeReport report = check_derivatives(*energy, x);
 //   if (!report.ok()) std::cerr << report.message();   // names the element and the block
 //
-// Central differences of values() check the gradient, central differences of the gradient check the
-// Hessian under Curvature::Exact; the other curvature models the term supports are checked to be
-// positive semidefinite, blends of Exact and Projected to lie between them; local() without a
-// Hessian has to give the same gradient (a term that writes through the null pointer crashes here);
-// elements evaluated together have to give what each gives alone. x must lie inside the domain,
-// away from its boundary.
+// Differences of values() check the gradient, differences of the gradient check the Hessian under
+// Curvature::Exact; the other curvature models the term supports are checked to be positive
+// semidefinite, blends of Exact and Projected to lie between them; local() without a Hessian has to
+// give the same gradient (a term that writes through the null pointer crashes here); elements
+// evaluated together have to give what each gives alone. x must lie inside the domain, away from
+// its boundary and from kinks.
 #pragma once
 
 #include <string>
@@ -35,7 +35,8 @@ struct DerivativeReport {
 };
 
 // tolerance: relative to the largest entry of the element's gradient or Hessian (plus the energy
-// itself divided by the size of the element's unknowns). state: as for the term's evaluation.
+// itself divided by the size of the element, plus what 1e-5 of it changes). state: as for the
+// term's evaluation.
 DerivativeReport check_derivatives(const EnergyTerm& term, VecIn x, double tolerance = 1e-5,
                                    const TermState& state = {});
 

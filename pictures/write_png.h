@@ -12,16 +12,15 @@
 // both show the same.
 //
 //     * Camera: orthographic. `view` points from the surface to the eye; the y axis is up in the
-//       picture (the z axis where `view` is closer than 3 degrees to it). The middle of the
-//       bounding box is in the middle of the picture, and 2.15 times half its diagonal are as high
-//       as the picture, or as wide where it is narrower than high.
+//       picture (the z axis where `view` is closer than 3 degrees to it). What is seen, layout or
+//       surface, is in the middle and as large as it fits with a margin of 2 % of the smaller side.
 //     * Light comes from the eye: sRGB values times 0.72 + 0.28 |cos| of its angle with the normal,
 //       which is interpolated between those of corners, means of the faces around them by area.
 //     * Checkerboard: squares of 1, 2 or 5 times a power of ten uv units, at least a 40th of the
 //       layout's larger side, edges on multiples of that.
-//     * Image: upright over the square around the middle of the layout that has its larger side,
-//       bilinear; beyond it the nearest pixel.
-//     * Layout: fits the picture with a margin of 2 % of its smaller side.
+//     * Image: upright over the unit square of layouts that were made for one (claimed to be
+//       normalized, or without claims), over the square around the middle of others that has their
+//       larger side; bilinear, and repeated beyond it.
 //
 // Not for what is to be measured or magnified: write_svg() and write_page() keep curves.
 #pragma once

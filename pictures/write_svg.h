@@ -16,7 +16,10 @@ struct SvgOptions {
   // The space around the map (to_map_file of a BezierMesh), of its degree: drawn pale behind it, as
   // far as the drawing reaches.
   std::optional<MapFile> scaffold = std::nullopt;
-  // None: the fixed range of the energy's scale.
+  // What the triangles' colours show, the mean over each; none: the density, where the map has it
+  // and names its energy.
+  std::optional<Quantity> quantity = std::nullopt;
+  // None: the fixed range of the quantity's scale.
   std::optional<ColorRange> color_range = std::nullopt;
   Alignment alignment = Alignment::Automatic;
 };

@@ -18,7 +18,7 @@ from pathlib import Path
 # A room may include from its own folder and from rooms below.
 FLOORS = [
     ['framework'],
-    ['elements', 'mesh'],
+    ['terms', 'elements', 'mesh'],
     ['energies', 'constraints', 'parametrization/fields'],
     ['parametrization/maps', 'parametrization/cuts'],
     ['parametrization/injectivity', 'parametrization/starts', 'parametrization/scaffold'],

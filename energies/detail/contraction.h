@@ -25,7 +25,8 @@ struct ContractionView {
 struct ChunkView {
   static constexpr int stride = 128;
   int count;
-  const double* x;  // M rows per node
+  const int* elements;  // count
+  const double* x;      // M rows per node
   // Constant rest shapes: D^2 + 1 rows, inverse rest Jacobian row by row and measure. Curved ones:
   // as many rows for every quadrature point.
   const double* rest;

@@ -143,13 +143,26 @@ struct Frame {
   }
 };
 
+// The density on a batch of elements: the object itself, or, where the object is a function that is
+// called through pointers (internal/point_densities.h), what calls it there.
+template <class Density>
+[[gnu::always_inline]] inline decltype(auto) density_on(const void* object, const int* elements,
+                                                        int element_count, int lanes) {
+  if constexpr (requires { typename Density::Function; })
+    return Density(*static_cast<const typename Density::Function*>(object),
+                   {lanes, elements, element_count < lanes ? element_count : lanes});
+  else
+    return (*static_cast<const Density*>(object));
+}
+
 template <class Arch, class Density>
 [[gnu::flatten]] void values(const void* object, const ContractionView& t, const ChunkView& c,
                              double* scratch, double* f) {
   using B = Batch<Arch>;
   using F = Frame<Arch, Density>;
-  const Density& density = *static_cast<const Density*>(object);
-  for (int at = 0; at < c.count; at += static_cast<int>(B::size)) {
+  constexpr int kLanes = static_cast<int>(B::size);
+  for (int at = 0; at < c.count; at += kLanes) {
+    const auto& density = density_on<Density>(object, c.elements + at, c.count - at, kLanes);
     const F frame(t, c, at, reinterpret_cast<B*>(scratch));
     B sum(0.0), z[F::N];
     for (int l = 0; l < t.points; ++l) {
@@ -236,18 +249,19 @@ void write_hessian(const ContractionView& t, const Batch<Arch>* s, double* out, 
 
 // Flattened: the compiler's budget for a file with many densities would leave calls in the loop.
 template <class Arch, class Density, Curvature C>
-[[gnu::flatten]] void local_with(const Density& density, const ContractionView& t,
-                                 const ChunkView& c, double clamp, double* scratch, double* f,
-                                 double* gradient, double* hessian) {
+[[gnu::flatten]] void local_with(const void* object, const ContractionView& t, const ChunkView& c,
+                                 double clamp, double* scratch, double* f, double* gradient,
+                                 double* hessian) {
   using B = Batch<Arch>;
   using F = Frame<Arch, Density>;
-  constexpr int N = F::N, kEntries = packed(N);
+  constexpr int N = F::N, kEntries = packed(N), kLanes = static_cast<int>(B::size);
   B* z_control = reinterpret_cast<B*>(scratch);
   B* g = z_control + N * t.first_count;
   B* moments = g + N * t.first_count;
   B* s = moments + kEntries * t.moment_count;
   const int blocks = packed(F::M) * t.direction_count * t.direction_count;
-  for (int at = 0; at < c.count; at += static_cast<int>(B::size)) {
+  for (int at = 0; at < c.count; at += kLanes) {
+    const auto& density = density_on<Density>(object, c.elements + at, c.count - at, kLanes);
     const F frame(t, c, at, z_control);
     for (int k = 0; k < N * t.first_count; ++k) g[k] = B(0.0);
     for (int k = 0; hessian && k < kEntries * t.moment_count; ++k) moments[k] = B(0.0);
@@ -284,14 +298,13 @@ template <class Arch, class Density>
 void local(const void* object, const ContractionView& t, const ChunkView& c,
            BlendedCurvature curvature, double* scratch, double* f, double* gradient,
            double* hessian) {
-  const Density& density = *static_cast<const Density*>(object);
+  const double clamp = hessian ? curvature.clamp : 0;
   const auto run = [&](auto model) {
     constexpr Curvature C = decltype(model)::value;
     // What a density does not define is not compiled; DensityTerm::supports() keeps it from being
     // asked for.
     constexpr Curvature defined = Density::defines(C) ? C : Curvature::Exact;
-    local_with<Arch, Density, defined>(density, t, c, curvature.clamp, scratch, f, gradient,
-                                       hessian);
+    local_with<Arch, Density, defined>(object, t, c, clamp, scratch, f, gradient, hessian);
   };
   using C = Curvature;
   switch (hessian ? curvature.model : C::Exact) {
@@ -352,7 +365,7 @@ template <class Arch, class Density>
 [[gnu::flatten]] void star(const void* object, const StarView& s, double vx, double vy,
                            StarModel& out) {
   using B = Batch<Arch>;
-  const Density& density = *static_cast<const Density*>(object);
+  const auto& density = density_on<Density>(object, nullptr, 0, static_cast<int>(B::size));
   B sums[6], room(std::numeric_limits<double>::max());
   for (B& sum : sums) sum = B(0.0);
   for (int at = 0; at < s.count; at += static_cast<int>(B::size))

@@ -17,9 +17,9 @@
 #include <limits>
 
 #include "majorant/energies/detail/contraction.h"
-#include "majorant/energies/detail/dual2.h"
 #include "majorant/energies/traits.h"
 #include "majorant/framework/curvature.h"
+#include "majorant/framework/dual2.h"
 
 namespace majorant {
 

@@ -14,6 +14,7 @@ namespace majorant {
 enum class InstructionSet { Baseline, Avx2, Avx512 };
 
 std::vector<InstructionSet> instruction_sets();  // of this machine, the widest last
+InstructionSet widest_instruction_set();
 
 // In the order of named_energies(); `set` must be one of instruction_sets().
 std::vector<NamedEnergy> named_energies(InstructionSet set);

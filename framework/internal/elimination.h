@@ -1,12 +1,13 @@
 // Exact elimination of linear constraints: {x : A x = b} = {Z y + c}.
 //
-// Gauss-Jordan over the rationals, row by row, so redundant rows are recognized without a floating
-// point tolerance and Z solves A Z = 0 exactly. Every reduced unknown is one of the full unknowns
-// (its row of Z is a unit row) or an auxiliary unknown of the constraints. Rows are divided by
-// their common factor and solved for the first unknown, in numerical order, with coefficient +-1
-// (where there is none: for the first unknown, and Z gets fractions); auxiliary unknowns come last,
-// so a point that can be expressed by them is. Not for dense or large systems of general rows:
-// fill-in is not controlled.
+// Rows of integers are reduced over the rationals, row by row, so redundant ones are recognized
+// without a floating point tolerance and Z solves A Z = 0 exactly; other rows follow, to within
+// rounding (row_reduction.h). Every reduced unknown is one of the full unknowns (its row of Z is a
+// unit row) or an auxiliary unknown of the constraints. Rows of integers are divided by their
+// common factor and solved for the first unknown, in numerical order, with coefficient +-1 (where
+// there is none: for the first unknown, and Z gets fractions); auxiliary unknowns come last, so a
+// point that can be expressed by them is. Not for dense or large systems of general rows: fill-in
+// is not controlled.
 #pragma once
 
 #include <vector>
@@ -25,8 +26,8 @@ class Elimination {
   };
 
   // Throws Error(Unsupported) naming the row when the rows contradict each other: the residual of
-  // a redundant row exceeds 1e-12 times the largest right-hand side, or when an exact coefficient
-  // leaves 64 bits.
+  // a redundant row of integers exceeds 1e-12 times the largest right-hand side; else as
+  // solve_rows().
   Elimination(Index full_size, const ConstraintRows& rows);
 
   Index full_size() const { return static_cast<Index>(starts_.size()) - 1; }

@@ -18,6 +18,7 @@
 #include "majorant/mesh/internal/model_unit.h"
 #include "majorant/mesh/internal/texture_borders.h"
 #include "majorant/parametrization/atlas/internal/chart_solver.h"
+#include "majorant/parametrization/drive/internal/normalized_start.h"
 #include "majorant/parametrization/packing/proven_distance.h"
 
 namespace majorant {
@@ -76,6 +77,7 @@ class Unwrapping {
       task.options.map.pins = points_on(piece, surface_vertex, options_.chart.map.pins);
       task.options.map.handles = points_on(piece, surface_vertex, options_.chart.map.handles);
       task.options.map.face_weight = weights_on(piece);
+      task.options.map.energy = for_elements(options_.chart.map.energy, piece.face);
       task.mesh = std::move(piece.mesh);
       task.faces = std::move(piece.face);  // faces keep their numbers where the surface is cut
     }
@@ -284,6 +286,7 @@ Stretch Atlas::stretch() const {
 
 Atlas unwrap(const std::shared_ptr<const SurfaceMesh>& surface, const UnwrapOptions& options,
              RunRecord& record) {
+  require_face_data(*surface, options.chart.map);
   const double unit = model_unit(*surface);
   if (unit == 1) return Unwrapping(surface, options, record).solve();
   require_usable_sizes(*surface);

@@ -9,6 +9,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/curvature_name.h"
+#include "majorant/framework/internal/element_values.h"
 #include "majorant/framework/thread_count.h"
 #include "majorant/parametrization/drive/internal/degree_solver.h"
 #include "majorant/parametrization/drive/internal/free_scale.h"
@@ -17,20 +18,9 @@
 #include "majorant/parametrization/drive/internal/reach_pins.h"
 #include "majorant/parametrization/injectivity/global_injectivity.h"
 #include "majorant/parametrization/scaffold/internal/improve_mesh.h"
-#include "majorant/parametrization/starts/multiresolution.h"
-#include "majorant/parametrization/starts/tutte.h"
 
 namespace majorant {
 namespace {
-
-// Faces from which on a start in many resolutions is the automatic one. Origin:
-// bench/multiresolution: at 2,500 it saves 2 to 4 fe of 20 on easy disks and costs some on hard
-// ones.
-constexpr Index kLargeSurface = 5000;
-// Of the energy, from a level to one that is not coarse, beyond which Tutte's map is taken after
-// all. Origin: 0.51 on penguin_10000, where other minima wait (19.10 instead of 19.07), 0.07 on the
-// next of the public disks.
-constexpr double kLargestDrop = 0.25;
 
 void require_valid(const MapOptions& asked) {
   const auto refuse = [](const std::string& what) { throw Error(ErrorKind::Usage, what); };
@@ -63,22 +53,12 @@ void require_valid(const ParametrizationOptions& o) {
         fmt::format("the scaffold's energy has no curvature model '{}'; use projected, majorizer "
                     "or exact",
                     curvature_name(o.solve.curvature)));
-  if (o.solve.triangles == Triangles::Flipped && o.map.face_weight.size() > 0)
-    refuse("flipping edges changes the faces that weights are for; leave one of the two out");
-}
-
-// Whether an automatic start is made in many resolutions. Points that are to stay where the initial
-// map has them, or are pulled, mean Tutte's: it does not depend on the energy.
-bool pays(const SurfaceMesh& mesh, const MapOptions& asked) {
-  return mesh.face_count() >= kLargeSurface && asked.handles.empty() &&
-         std::all_of(asked.pins.begin(), asked.pins.end(),
-                     [](const Pin& pin) { return pin.target.has_value(); });
-}
-
-bool tries_multiresolution(const SurfaceMesh& mesh, const MapOptions& asked) {
-  if (asked.injectivity == MapInjectivity::Global || !asked.aligned.empty()) return false;
-  return asked.start == StartMethod::Multiresolution ||
-         (asked.start == StartMethod::Automatic && pays(mesh, asked));
+  if (o.solve.triangles == Triangles::Flipped &&
+      (o.map.face_weight.size() > 0 || knows_elements(o.map.energy)))
+    refuse("flipping edges changes the faces that weights and data are for; leave one out");
+  if (o.solve.triangles == Triangles::Flipped && o.extend)
+    refuse(
+        "flipping edges changes the faces and nodes that were added to; leave one of the two out");
 }
 
 // One degree after the other, from 1 (or, when asked, directly at the highest).
@@ -88,12 +68,14 @@ class Run {
       RunRecord& record)
       : options_(options),
         record_(record),
-        start_(start, options.map),
+        start_(start, options.map, options.extend ? Origin::Kept : Origin::Free),
         map_(start_.map()),
-        setup_{start_.specification(), options.solve, record.stop(), rules, {}} {
-    if (!options.solve.watch) return;
+        setup_{start_.specification(), options.solve, record.stop(), rules, {}, {}} {
+    if (!options.solve.watch && !options.extend) return;
     setup_.watch = [this](const TraceEntry& row, const auto& space, VecIn x) {
-      options_.solve.watch(row, [&] { return start_.in_model_units(map_.with(space, x)); });
+      if (options_.solve.watch)
+        options_.solve.watch(row, [&] { return start_.in_model_units(map_.with(space, x)); });
+      return observe(row, x);
     };
   }
 
@@ -104,6 +86,7 @@ class Run {
     result_.initial_value = mean_density(map_, setup_.map.rest, options_.map.energy, unused);
     show_start();
     if (options_.map.injectivity == MapInjectivity::Global) record_.begin(Activity::Scaffold);
+    extend();
     domain_ = make_domain();
     record_.begin(Activity::Solving);
     SolveResult solved;
@@ -118,6 +101,25 @@ class Run {
   }
 
  private:
+  // Asks for the additions of this degree.
+  void extend() {
+    if (!options_.extend || (extension_ && extension_->degree() == map_.degree())) return;
+    auto extension =
+        std::make_shared<MapExtension>(map_, start_.specification().rest, start_.scale());
+    options_.extend(*extension);
+    extension_ = std::move(extension);
+    setup_.added = Additions(extension_);
+  }
+
+  // What an observer has said once, holds.
+  Directive observe(const TraceEntry& row, VecIn x) {
+    if (!extension_) return Directive::Continue;
+    for (const MapObserver& observer : extension_->observers())
+      if (const Directive said = observer(row, x); observed_ == Directive::Continue)
+        observed_ = said;
+    return observed_;
+  }
+
   void show_start() const {
     if (!setup_.watch) return;
     TraceEntry row;
@@ -152,7 +154,7 @@ class Run {
         map_.space().element_count());
     const DensityTerms terms = energy_terms(setup_.map, map_.shared_space(), levels.rules());
     gentle.asked_energy = [&](VecIn x) {
-      return energy_of_map(setup_.map, terms, levels.of_faces(), x);
+      return energy_of_map(setup_.map, terms, levels.of_faces(), x) + setup_.added.energy(x);
     };
     DegreeSolver solver(gentle, *domain_, map_.shared_space(), map_.control_points());
     solver.soften_start(record_);
@@ -162,6 +164,7 @@ class Run {
   }
 
   SolveResult optimize(bool last) {
+    extend();
     DegreeSolver solver(setup_, *domain_, map_.shared_space(), map_.control_points());
     solver.soften_start(record_);
     SolveResult solved = last ? solver.finish(record_)
@@ -207,6 +210,8 @@ class Run {
   // the promised degree.
   ParametrizationResult conclude(const SolveResult& solved) {
     while (map_.degree() < options_.map.degree) elevate();
+    extend();
+    report_additions();
     result_.status = solved.status;
     result_.message = solved.message;
     result_.value_quadrature = solved.energy;
@@ -227,6 +232,18 @@ class Run {
       flip_triangles();
     take_cost();
     return std::move(result_);
+  }
+
+  void report_additions() {
+    if (!extension_) return;
+    const Vec& x = map_.control_points();
+    for (const auto& [term, weight] : extension_->terms()) {
+      const ChunkPlan plan(term->stencils(), {});
+      result_.terms.push_back(
+          {std::string(term->name()), weight, element_values(*term, {}, plan, x).sum()});
+    }
+    for (const auto& checker : extension_->checkers())
+      result_.checks.push_back({std::string(checker->name()), checker->check(x)});
   }
 
   void take_cost() {
@@ -298,41 +315,13 @@ class Run {
   NormalizedStart start_;
   BezierMap map_;  // normalised
   DegreeSolver::Setup setup_;
+  std::shared_ptr<const MapExtension> extension_;  // of the degree of map_, or of one below
+  Directive observed_ = Directive::Continue;
   std::unique_ptr<MapDomain> domain_;  // around map_
   ParametrizationResult result_;
 };
 
 }  // namespace
-
-std::string_view start_name(StartMethod method) {
-  constexpr std::string_view kNames[] = {"auto", "tutte", "multiresolution", "input"};
-  return kNames[static_cast<std::size_t>(method)];
-}
-
-Vec initial_map(const SurfaceMesh& mesh, const MapOptions& asked, const StopCheck& stop,
-                StartMethod* taken) {
-  RunRecord unseen(stop);
-  return initial_map(mesh, asked, unseen, taken);
-}
-
-Vec initial_map(const SurfaceMesh& mesh, const MapOptions& asked, RunRecord& record,
-                StartMethod* taken) {
-  mesh.require_planar();
-  if (asked.initial && asked.initial->size() != 2 * mesh.vertex_count())
-    throw Error(ErrorKind::Usage, mesh.file() + ": the initial map needs 2 numbers per vertex");
-  StartMethod unused;
-  StartMethod& method = taken ? *taken : unused;
-  method = StartMethod::Given;
-  if (asked.initial) return *asked.initial;
-  method = StartMethod::Multiresolution;
-  MultiresolutionRules rules;
-  if (asked.start == StartMethod::Automatic) rules.largest_drop = kLargestDrop;
-  if (tries_multiresolution(mesh, asked))
-    if (std::optional<Vec> start = multiresolution_map(mesh, asked, record, rules))
-      return *std::move(start);
-  method = StartMethod::Tutte;
-  return tutte_map(mesh, record.start_stop());
-}
 
 ParametrizationResult parametrize_by(const SolverRules& rules, const BezierMap& start,
                                      const ParametrizationOptions& options, RunRecord& record) {
@@ -364,7 +353,9 @@ ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,
   const ThreadCount threads(options.solve.threads);
   record.begin(Activity::Starting);
   StartMethod taken;
-  const BezierMap start = BezierMap::linear(mesh, initial_map(*mesh, options.map, record, &taken));
+  MapOptions asked = options.map;
+  if (options.extend && asked.start == StartMethod::Automatic) asked.start = StartMethod::Tutte;
+  const BezierMap start = BezierMap::linear(mesh, initial_map(*mesh, asked, record, &taken));
   const double initialize_seconds = record.seconds() - started;
   ParametrizationResult result = parametrize(start, options, record);
   result.start = taken;

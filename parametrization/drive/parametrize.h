@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "majorant/framework/run_record.h"
+#include "majorant/parametrization/drive/map_extension.h"
 #include "majorant/parametrization/drive/map_options.h"
 #include "majorant/parametrization/drive/solve_options.h"
 #include "majorant/parametrization/maps/bezier_map.h"
@@ -28,6 +29,18 @@ namespace majorant {
 struct ParametrizationOptions {
   MapOptions map;      // what: degree, energy, boundary, pins, ...
   SolveOptions solve;  // how: curvature, tolerance, quadrature, ...
+  MapExtender extend;  // what else: terms, constraints, checkers of one's own; may be empty
+};
+
+// What became of what MapOptions does not know, in the order it was added for the last degree.
+struct AddedTerm {
+  std::string name;
+  double weight;
+  double energy;  // unweighted, in the units of MapExtension
+};
+struct AddedCheck {
+  std::string name;
+  Verdict verdict;  // on the result, before it is put back into model units
 };
 
 struct ParametrizationResult {
@@ -36,7 +49,7 @@ struct ParametrizationResult {
   std::optional<BezierMap> map;  // absent only when status is Infeasible or Failed
   StartMethod start = StartMethod::Given;  // what was taken, never Automatic
   double initial_value = 0;                // mean density of the start
-  double value_quadrature = 0;             // the optimizer's own energy at the end
+  double value_quadrature = 0;  // the optimizer's own energy at the end, added terms included
   // -g . p of the last step, with a scaffold that of map and scaffold together, relative to the
   // map's energy.
   double newton_decrement = 0;
@@ -46,6 +59,8 @@ struct ParametrizationResult {
   double handle_distance = 0;      // largest distance of a soft handle from its target, model units
   Index variables = 0;
   MapMeasures measures;
+  std::vector<AddedTerm> terms;
+  std::vector<AddedCheck> checks;
   std::vector<long> injectivity_tests;  // elements certified, by bisection depth
   FlipCounts flips;                     // of the scaffold's edges, and of Triangles::Flipped
   bool other_triangles = false;         // the map's faces are not those of the input
@@ -73,7 +88,12 @@ Vec initial_map(const SurfaceMesh& mesh, const MapOptions& asked, RunRecord& rec
 // Error(Unsupported) when a vertex is pinned twice or pinned and a handle; Error(Usage) when the
 // energy does not support the curvature or would shrink the map to a point (FreeScale::Collapses
 // with neither a fixed boundary nor points that hold the scale), or options are out of range;
-// Stopped before there is a start. From then on a stop ends the run with the best map so far.
+// Stopped before there is a start. Where something is added (options.extend): Error(Usage) when
+// edges are to be flipped, too, or a term does not support the curvature; Error(Infeasible) when
+// the start is not injective where it satisfies added constraints, Error(Unsupported) when they
+// contradict others; an automatic start is Tutte's. Status::Infeasible: the start violates a
+// checker that was added, or no map was found inside a bound. From then on a stop ends the run with
+// the best map so far.
 ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,
                                   const ParametrizationOptions& options, RunRecord& record);
 ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,

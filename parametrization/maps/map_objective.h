@@ -21,7 +21,10 @@ enum class BoundaryAngles { Free, AtMostFullTurn };  // sector sums at boundary 
 
 struct MapObjective {
   EnergySum energy{{symmetric_dirichlet(), 1.0}};  // minimized: its mean over the surface
-  Vec face_weight;  // #F positive factors of the energy's density, empty = all 1
+  // #F positive factors of the whole energy, empty = all 1: where it matters. What is measured of a
+  // map leaves them out, unlike those of single summands (WeightedEnergy::face_weight), which say
+  // what the energy is.
+  Vec face_weight;
   BoundaryCondition boundary = BoundaryCondition::Free;
   BoundaryAngles boundary_angles = BoundaryAngles::Free;
   double handle_weight = 1e3;  // w of the soft handles: + w * sum |x - target|^2 / area

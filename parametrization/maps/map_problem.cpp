@@ -17,6 +17,19 @@ const Seams& seams_of(const MapSpecification& spec) {
   return spec.seams ? *spec.seams : none;
 }
 
+// The factors of one summand at the faces, `more` (empty = all 1) among them; empty = all 1.
+Vec weight_of_faces(const MapSpecification& spec, const WeightedEnergy& summand, const Vec& more) {
+  Vec product;
+  for (const Vec* factor : {&spec.face_weight, &summand.face_weight, &more}) {
+    if (factor->size() == 0) continue;
+    if (product.size() == 0)
+      product = *factor;
+    else
+      product.array() *= factor->array();
+  }
+  return product;
+}
+
 }  // namespace
 
 std::vector<Index> vertex_components(const BezierTriangleSpace& space) {
@@ -56,6 +69,7 @@ std::vector<Index> gauge_vertices(const MapSpecification& spec, const BezierTria
 DensityTerms energy_terms(const MapSpecification& spec,
                           const std::shared_ptr<const BezierTriangleSpace>& space,
                           const std::vector<Quadrature>& rules) {
+  require_elements(spec.energy, space->element_count());
   DensityTerms terms;
   for (const WeightedEnergy& e : spec.energy) terms.push_back(e.make(space, spec.rest, rules));
   return terms;
@@ -69,7 +83,7 @@ EnergyIds add_map(ProblemBuilder& builder, const MapSpecification& spec,
   for (std::size_t k = 0; k < terms.size(); ++k) {
     TermState state;
     state.weight = spec.energy[k].weight / area;
-    state.element_weight = spec.face_weight;
+    state.element_weight = weight_of_faces(spec, spec.energy[k], {});
     energies.push_back(builder.add(terms[k], state));
   }
   if (spec.boundary_angles == BoundaryAngles::AtMostFullTurn)
@@ -105,11 +119,7 @@ TermChanges energy_states(const MapSpecification& spec, const EnergyIds& energie
     TermState state;
     state.weight = spec.energy[k].weight / area;
     state.element_rule = rules;
-    state.element_weight = spec.face_weight;
-    if (element_weight.size() > 0 && spec.face_weight.size() == 0)
-      state.element_weight = element_weight;
-    else if (element_weight.size() > 0)
-      state.element_weight.array() *= element_weight.array();
+    state.element_weight = weight_of_faces(spec, spec.energy[k], element_weight);
     changes.emplace_back(energies[k], std::move(state));
   }
   return changes;
@@ -122,9 +132,11 @@ Vec energy_by_face(const MapSpecification& spec, const DensityTerms& terms,
   state.element_rule = rules;
   for (std::size_t k = 0; k < terms.size(); ++k) {
     const ChunkPlan plan(terms[k]->stencils(), rules);
-    sum += spec.energy[k].weight * element_values(*terms[k], state, plan, x, stop);
+    Vec values = spec.energy[k].weight * element_values(*terms[k], state, plan, x, stop);
+    const Vec weight = weight_of_faces(spec, spec.energy[k], {});
+    if (weight.size() > 0) values.array() *= weight.array();
+    sum += values;
   }
-  if (spec.face_weight.size()) sum.array() *= spec.face_weight.array();
   return sum;
 }
 

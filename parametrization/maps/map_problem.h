@@ -31,7 +31,8 @@ struct MapSpecification : MapObjective {
 
 using DensityTerms = std::vector<std::shared_ptr<const DensityTerm>>;
 
-// One term per summand of spec.energy.
+// One term per summand of spec.energy. Throws std::invalid_argument for a summand that has data or
+// weights for another number of faces.
 DensityTerms energy_terms(const MapSpecification& spec,
                           const std::shared_ptr<const BezierTriangleSpace>& space,
                           const std::vector<Quadrature>& rules);
@@ -66,7 +67,7 @@ MapProblem map_problem(const MapSpecification& spec,
                        std::shared_ptr<const FeasibilityChecker> injectivity);
 
 // States of the energies with other quadrature rules (#F, empty = all 0) and element weights (#F,
-// on top of spec.face_weight, empty = all 1).
+// on top of those of spec and of its summands, empty = all 1).
 TermChanges energy_states(const MapSpecification& spec, const EnergyIds& energies,
                           const std::vector<RuleId>& rules, const Vec& element_weight);
 

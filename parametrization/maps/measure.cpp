@@ -30,6 +30,7 @@ class Measured {
   Measured(const EnergySum& energy, const BezierMap& map, const RestShapes& rest,
            const std::vector<Quadrature>& rules)
       : energy_(energy), x_(map.control_points()) {
+    require_elements(energy, map.space().element_count());
     for (const WeightedEnergy& e : energy)
       terms_.push_back(e.make(map.shared_space(), rest, rules));
   }
@@ -38,8 +39,11 @@ class Measured {
     state.element_rule = rules;
     const ChunkPlan plan(terms_.front()->stencils(), rules);
     Vec sum = Vec::Zero(static_cast<Index>(rules.size()));
-    for (std::size_t k = 0; k < terms_.size(); ++k)
-      sum += energy_[k].weight * element_values(*terms_[k], state, plan, x_);
+    for (std::size_t k = 0; k < terms_.size(); ++k) {
+      Vec values = energy_[k].weight * element_values(*terms_[k], state, plan, x_);
+      if (energy_[k].face_weight.size() > 0) values.array() *= energy_[k].face_weight.array();
+      sum += values;
+    }
     return sum;
   }
 

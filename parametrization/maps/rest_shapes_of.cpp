@@ -1,6 +1,12 @@
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <stdexcept>
+#include <vector>
+
+#include "majorant/elements/internal/tangent_part.h"
 
 namespace majorant {
 namespace {
@@ -14,6 +20,25 @@ RestShapes shape_of(const RestTriangle& triangle, double scale) {
 }
 
 }  // namespace
+
+RowMatrix in_frames(const SurfaceMesh& mesh, const Points3& vectors) {
+  if (vectors.rows() != mesh.face_count())
+    throw std::invalid_argument(fmt::format("in_frames: {} vectors for {} faces of {}",
+                                            vectors.rows(), mesh.face_count(), mesh.file()));
+  std::vector<char> has_plane(at(mesh.face_count()), 1);
+  for (const RestTriangle& triangle : mesh.rest_triangles()) has_plane[at(triangle.face)] = 0;
+  RowMatrix out(mesh.face_count(), 2);
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    out.row(f) << 1, 0;
+    if (!has_plane[at(f)]) continue;
+    const auto part = tangent_part(mesh.positions(), mesh.faces(), f, vectors.row(f));
+    if (!part)
+      throw std::invalid_argument(
+          fmt::format("in_frames: the vector of face {} has no tangent part", f));
+    out.row(f) = *part;
+  }
+  return out;
+}
 
 RestShapes rest_shapes(const SurfaceMesh& mesh, double scale) {
   RestShapes rest = flat_triangles(mesh.positions() * scale, mesh.faces());

@@ -368,8 +368,8 @@ class Multiresolution {
 }  // namespace
 
 bool suits_multiresolution(const SurfaceMesh& mesh, const MapObjective& asked) {
-  return barrier_of(asked.energy) != Barrier::None && mesh.rest_triangles().empty() &&
-         asked.boundary_angles == BoundaryAngles::Free &&
+  return barrier_of(asked.energy) != Barrier::None && !knows_elements(asked.energy) &&
+         mesh.rest_triangles().empty() && asked.boundary_angles == BoundaryAngles::Free &&
          (asked.boundary == BoundaryCondition::Free || mesh.boundary_loops().size() == 1);
 }
 

@@ -6,6 +6,7 @@
 
 #include "majorant/elements/bezier_triangle_space.h"
 #include "majorant/elements/quadrature.h"
+#include "majorant/framework/error.h"
 
 namespace majorant {
 namespace {
@@ -16,6 +17,9 @@ constexpr int kMost = Chunk::kMaxSize;
 
 // As many triangles (p0, p1, p2) = ((1, 0), (0, 1), (0, 0)) as a chunk takes, each on its own.
 DensityProbe::DensityProbe(const EnergySum& energy) {
+  if (knows_elements(energy))
+    throw Error(ErrorKind::Usage,
+                "the density is another on every face and has no scale; take the area");
   Cells faces(kMost, 3);
   RowMatrix positions(3 * kMost, 2);
   for (Index k = 0; k < kMost; ++k) {

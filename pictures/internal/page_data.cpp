@@ -18,6 +18,7 @@
 #include "majorant/io/layout_scale.h"
 #include "majorant/parametrization/maps/internal/energy_text.h"
 #include "majorant/pictures/color_scale.h"
+#include "majorant/pictures/internal/first_view.h"
 
 namespace majorant {
 namespace {
@@ -214,6 +215,8 @@ Json page_data(const MapPage& page) {
   data.update(plane_of(map));
   data["corners"] = order.corner_count();
   data["positions"] = base64_of_rows<double>(order.rows(map.points, order.corner_count()));
+  const Vector3 eye = first_view(map);
+  data["eye"] = {eye.x(), eye.y(), eye.z()};
   if (map.input_vertex.size() > 0)
     data["input_vertex"] =
         base64_of_rows<std::int32_t>(order.rows(map.input_vertex, order.corner_count()));

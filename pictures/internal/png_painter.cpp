@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "majorant/io/layout_scale.h"
+#include "majorant/pictures/internal/claims_json.h"
 
 namespace majorant {
 namespace {
@@ -14,6 +15,26 @@ const FloatColor kDark(79, 107, 135), kLight(242, 240, 232), kPlain(219, 219, 21
 
 FloatColor as_float(Color c) {
   return {static_cast<double>(c.red), static_cast<double>(c.green), static_cast<double>(c.blue)};
+}
+
+// A square in the plane.
+struct Square {
+  Vector2 middle;
+  double side;
+};
+
+// Around the layout, with its larger side.
+Square square_around(const MapFile& map) {
+  const Vector2 low = map.uv.colwise().minCoeff(), high = map.uv.colwise().maxCoeff();
+  const double side = (high - low).maxCoeff();
+  return {0.5 * low + 0.5 * high, side > 0 ? side : 1};
+}
+
+// Where textures lie: the unit square of layouts that were made for one, the square around others.
+Square texture_square(const MapFile& map) {
+  const bool is_normalized = claims_of(map).value("normalized", nlohmann::json()).is_object();
+  if (is_normalized || has_assumed_scale(map)) return {{0.5, 0.5}, 1};
+  return square_around(map);
 }
 
 class PlainPainter final : public Painter {
@@ -42,7 +63,7 @@ class TexturePainter : public Painter {
 class CheckerPainter final : public TexturePainter {
  public:
   explicit CheckerPainter(const MapFile& map) : TexturePainter(map) {
-    const double wanted = LayoutSquare(map).side / kSquares;
+    const double wanted = square_around(map).side / kSquares;
     const double power = std::pow(10.0, std::floor(std::log10(wanted)));
     width_ = 10 * power;
     for (const double digit : {5.0, 2.0, 1.0})
@@ -60,7 +81,7 @@ class CheckerPainter final : public TexturePainter {
 class ImagePainter final : public TexturePainter {
  public:
   ImagePainter(const MapFile& map, PixelImage image)
-      : TexturePainter(map), square_(map), texture_(std::move(image)) {}
+      : TexturePainter(map), square_(texture_square(map)), texture_(std::move(image)) {}
 
  private:
   FloatColor color(const Vector2& uv) const override {
@@ -73,10 +94,13 @@ class ImagePainter final : public TexturePainter {
            below * ((1 - right) * pixel(left, top + 1) + right * pixel(left + 1, top + 1));
   }
   FloatColor pixel(double x, double y) const {
-    return as_float(texture_.at(static_cast<int>(std::clamp(x, 0.0, texture_.width - 1.0)),
-                                static_cast<int>(std::clamp(y, 0.0, texture_.height - 1.0))));
+    const auto repeated = [](double place, int count) {
+      const double rest = place - count * std::floor(place / count);
+      return static_cast<int>(std::clamp(rest, 0.0, count - 1.0));
+    };
+    return as_float(texture_.at(repeated(x, texture_.width), repeated(y, texture_.height)));
   }
-  LayoutSquare square_;
+  Square square_;
   PixelImage texture_;
 };
 
@@ -125,13 +149,6 @@ class HeatPainter final : public Painter {
 };
 
 }  // namespace
-
-LayoutSquare::LayoutSquare(const MapFile& map) {
-  const Vector2 low = map.uv.colwise().minCoeff(), high = map.uv.colwise().maxCoeff();
-  middle = 0.5 * low + 0.5 * high;
-  side = (high - low).maxCoeff();
-  if (!(side > 0)) side = 1;
-}
 
 std::unique_ptr<Painter> plain_painter() { return std::make_unique<PlainPainter>(); }
 

@@ -26,13 +26,8 @@ class Painter {
 };
 
 std::unique_ptr<Painter> plain_painter();
-// The square around the layout that has its larger side.
-struct LayoutSquare {
-  explicit LayoutSquare(const MapFile& map);
-  Vector2 middle;
-  double side;
-};
 std::unique_ptr<Painter> checker_painter(const MapFile& map);
+// write_png.h says where the image lies.
 std::unique_ptr<Painter> image_painter(const MapFile& map, PixelImage image);
 // energy: of the density. Of cells whose surface triangle has no area: kFlippedColor.
 std::unique_ptr<Painter> heat_painter(const MapFile& map, Quantity quantity,

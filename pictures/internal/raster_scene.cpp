@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "majorant/io/internal/bezier_cell.h"
@@ -10,11 +11,10 @@
 namespace majorant {
 namespace {
 
-constexpr double kViewHeight = 2.15;  // of half the diagonal
-constexpr double kUpright = 0.9986;   // cosine of 3 degrees
-constexpr double kMargin = 0.02;      // around the layout
-constexpr double kChord = 0.1;        // pixels from the curve
-constexpr int kMostPieces = 64;       // along an edge
+constexpr double kUpright = 0.9986;  // cosine of 3 degrees
+constexpr double kMargin = 0.02;     // around what is shown
+constexpr double kChord = 0.1;       // pixels from the curve
+constexpr int kMostPieces = 64;      // along an edge
 constexpr double kMostTriangles = 4e6;
 
 // Rows: right, up, towards the eye.
@@ -27,6 +27,25 @@ Eigen::Matrix3d view_axes(const Vector3& view) {
   axes.row(2) = eye;
   return axes;
 }
+
+// What is between low and high, in the middle of the picture, as large as it fits.
+struct Frame {
+  Vector2 middle;
+  double scale;  // pixels a unit
+  PixelSize size;
+
+  Frame(const Vector2& low, const Vector2& high, PixelSize pixels)
+      : middle(0.5 * low + 0.5 * high), size(pixels) {
+    const Vector2 extent = (high - low).cwiseMax(1e-300);
+    const double margin = kMargin * std::min(size.width, size.height);
+    scale = std::min((size.width - 2 * margin) / extent[0], (size.height - 2 * margin) / extent[1]);
+  }
+
+  Vector2 operator()(const Vector2& p) const {
+    const Vector2 q = scale * (p - middle);
+    return {0.5 * size.width + q.x(), 0.5 * size.height - q.y()};
+  }
+};
 
 // How far the control points of cells are from the lattice of the straight triangle, pixels.
 double curvature_of(const MapFile& map, double scale) {
@@ -63,38 +82,39 @@ std::vector<RasterTriangle> surface_triangles(const MapFile& map, const Vector3&
                                               PixelSize size) {
   const Vector3 low = map.points.colwise().minCoeff(), high = map.points.colwise().maxCoeff();
   const Vector3 middle = 0.5 * low + 0.5 * high;
-  const double radius = std::max((0.5 * high - 0.5 * low).norm(), 1e-300);
-  const double scale = std::min(size.width, size.height) / kViewHeight;  // pixels a radius
+  const double radius = std::max((0.5 * high - 0.5 * low).stableNorm(), 1e-300);
   const Eigen::Matrix3d axes = view_axes(view);
   std::vector<RasterTriangle> triangles(static_cast<std::size_t>(map.cells.rows()));
+  Vector2 left_low = Vector2::Constant(std::numeric_limits<double>::infinity());
+  Vector2 right_high = -left_low;
   for (Index c = 0; c < map.cells.rows(); ++c) {
     RasterTriangle& t = triangles[at(c)];
     t.cell = c;
     for (Index k = 0; k < 3; ++k) {
-      const Vector3 p =
-          axes * ((Vector3(map.points.row(map.cells(c, k))) - middle) / radius) * scale;
-      t.corners[at(k)] = {0.5 * size.width + p.x(), 0.5 * size.height - p.y()};
+      const Vector3 p = axes * ((Vector3(map.points.row(map.cells(c, k))) - middle) / radius);
+      t.corners[at(k)] = p.head<2>();
       t.depth[at(k)] = p.z();
       t.xi[at(k)] = Barycentric::Unit(k);
+      left_low = left_low.cwiseMin(t.corners[at(k)]);
+      right_high = right_high.cwiseMax(t.corners[at(k)]);
     }
   }
+  const Frame frame(left_low, right_high, size);
+  for (RasterTriangle& t : triangles)
+    for (Vector2& corner : t.corners) corner = frame(corner);
   return triangles;
 }
 
 std::vector<RasterTriangle> layout_triangles(const MapFile& map, PixelSize size) {
   const Vector2 low = map.uv.colwise().minCoeff(), high = map.uv.colwise().maxCoeff();
-  const Vector2 extent = (high - low).cwiseMax(1e-300), middle = 0.5 * low + 0.5 * high;
-  const double margin = kMargin * std::min(size.width, size.height);
-  const double scale =
-      std::min((size.width - 2 * margin) / extent[0], (size.height - 2 * margin) / extent[1]);
-  const int n = pieces(map, scale);
+  const Frame frame(low, high, size);
+  const int n = pieces(map, frame.scale);
   const BezierImage image(map, 1);
   std::vector<RasterTriangle> triangles;
   for (Index c = 0; c < map.cells.rows(); ++c) {
     const auto corner = [&](RasterTriangle& t, std::size_t k, int i, int j) {
       t.xi[k] = Barycentric(i, j, n - i - j) / n;
-      const Vector2 p = scale * (image.uv(c, t.xi[k]) - middle);
-      t.corners[k] = {0.5 * size.width + p.x(), 0.5 * size.height - p.y()};
+      t.corners[k] = frame(image.uv(c, t.xi[k]));
       t.cell = c;
     };
     for (int i = 0; i < n; ++i)

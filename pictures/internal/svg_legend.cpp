@@ -4,9 +4,10 @@ namespace majorant {
 namespace {
 
 constexpr double kBarLeft = 26.0;
-constexpr double kBarWidth = 360.0;
-constexpr double kBarHeight = 14.0;
-constexpr double kPoint = 12.0;  // of an end that values are beyond
+constexpr double kBarWidth = SvgLayout::kWidth - 2 * kBarLeft;
+constexpr double kBarHeight = 20.0;
+constexpr double kPoint = 14.0;                          // of an end that values are beyond
+constexpr double kLetters = 24.0, kSmallLetters = 20.0;  // to be read at a quarter of the size
 constexpr int kSteps = 72;
 
 void add_rect(SvgLayout& layout, const Vector2& corner, const Vector2& size,
@@ -37,8 +38,9 @@ void add_text(SvgLayout& layout, const char* anchor, double x, double y, const s
 }  // namespace
 
 void add_color_legend(SvgLayout& layout, const Legend& legend, double top) {
-  const double y = top + 8.0, below = y + kBarHeight;
-  layout.add("<g font-family=\"sans-serif\" font-size=\"13\" fill=\"#333\">\n");
+  const double y = top + 12.0 + kLetters, below = y + kBarHeight;
+  layout.add("<g font-family=\"sans-serif\" font-size=\"{}\" fill=\"#333\">\n", kLetters);
+  add_text(layout, "start", SvgLayout::kMargin, y - 12.0, legend.title);
   for (int k = 0; k < kSteps; ++k) {  // each to the end of the bar: no hairlines between them
     const double from = k * kBarWidth / kSteps;
     add_rect(layout, {kBarLeft + from, y}, {kBarWidth - from, kBarHeight},
@@ -48,12 +50,13 @@ void add_color_legend(SvgLayout& layout, const Legend& legend, double top) {
   if (legend.goes_above) add_end(layout, kBarLeft + kBarWidth, y, 1, legend.scale.colors().back());
   for (const ColorScale::Tick& tick : legend.scale.ticks()) {
     const double x = kBarLeft + tick.position * kBarWidth;
-    add_rect(layout, {x - 0.5, below}, {1.0, 4.0}, "#333");
-    add_text(layout, "middle", x, below + 17.0, tick.label);
+    add_rect(layout, {x - 1.0, below}, {2.0, 5.0}, "#333");
+    add_text(layout, "middle", x, below + 5.0 + kLetters, tick.label);
   }
-  const double text_left = kBarLeft + kBarWidth + kPoint + 18.0;
-  add_text(layout, "start", text_left, y + 11.0, legend.title);
-  add_text(layout, "start", text_left, y + 30.0, legend.note);
+  layout.add("</g>\n<g font-family=\"sans-serif\" font-size=\"{}\" fill=\"#333\">\n",
+             kSmallLetters);
+  add_text(layout, "start", SvgLayout::kMargin, below + 16.0 + kLetters + kSmallLetters,
+           legend.note);
   layout.add("</g>\n");
 }
 

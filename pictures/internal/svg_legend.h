@@ -6,10 +6,10 @@
 
 namespace majorant {
 
-inline constexpr double kSvgLegendHeight = 58.0;
+inline constexpr double kSvgLegendHeight = 130.0;
 
-// From this height on: the bar with its ticks, pointed at ends that values are beyond, and the
-// lines of text beside it.
+// From this height on: the title, the bar with its ticks, pointed at ends that values are beyond,
+// and the note, in letters for drawings that are shown small.
 void add_color_legend(SvgLayout& layout, const Legend& legend, double top);
 
 }  // namespace majorant

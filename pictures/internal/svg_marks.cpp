@@ -212,7 +212,7 @@ void add_cones(SvgLayout& layout) {
 }
 
 void add_marks_legend(SvgLayout& layout, double y, double grid_spacing) {
-  constexpr double kColumn = 200.0, kText = 14.0, kBase = 5.0;
+  constexpr double kColumn = 245.0, kText = 18.0, kBase = 7.0;
   const MapFile& map = layout.map();
   double x = SvgLayout::kMargin;
   const auto label = [&](const std::string& text) {
@@ -227,7 +227,7 @@ void add_marks_legend(SvgLayout& layout, double y, double grid_spacing) {
     layout.add_point('L', {x + kText - 4.0, y});
     layout.add("\"/>\n");
   };
-  layout.add("<g font-family=\"sans-serif\" font-size=\"14\" fill=\"#333\">\n");
+  layout.add("<g font-family=\"sans-serif\" font-size=\"20\" fill=\"#333\">\n");
   const auto [positive, negative] = count_cones(map);
   for (const auto& [count, turns, text] :
        {std::tuple{positive, 3, "index &gt; 0"}, std::tuple{negative, 5, "index &lt; 0"}}) {

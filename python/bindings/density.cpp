@@ -1,5 +1,6 @@
 #include "density.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -8,13 +9,12 @@
 
 #include "arrays.h"
 #include "kept.h"
-#include "majorant/energies/density.h"
-#include "majorant/energies/detail/contraction_kernel.h"
+#include "majorant/energies/detail/point_functions.h"
 
 namespace majorant::python {
 namespace {
 
-constexpr int kSize = 4, kPacked = 10;  // entries of J (2 by 2), of the lower triangle of H
+constexpr int kSize = 4;  // entries of J, 2 by 2
 
 // What the kernels come by, in the order in which they do: the same in all of them.
 struct Points {
@@ -24,76 +24,43 @@ struct Points {
   std::size_t count() const { return J.size() / kSize; }
 };
 
-// Shared by both: J is its own coordinates.
-struct OfJacobian {
-  static constexpr int rows = 2, dims = 2, size = kSize;
-  static constexpr bool defines(Curvature c) {
-    return c == Curvature::Projected || c == Curvature::Exact;
-  }
-  template <class T>
-  static void to_coordinates(const T (&J)[size], T (&z)[size]) {
-    for (int r = 0; r < size; ++r) z[r] = J[r];
-  }
-  template <class T>
-  static void gradient_to_jacobian(const T* g, T* out) {
-    for (int r = 0; r < size; ++r) out[r] = g[r];
-  }
-  template <class T>
-  static void curvature_to_jacobian(const T* k, T* out) {
-    for (int r = 0; r < kPacked; ++r) out[r] = k[r];
-  }
-};
+constexpr int kLanes = PointBatch::kMost;
 
-struct Recorder : OfJacobian {
-  Points* points;
+void record(const void* points, const PointBatch& batch, const double* J, double* f) {
+  auto& to = const_cast<Points&>(*static_cast<const Points*>(points)).J;
+  for (int p = 0; p < batch.count; ++p) {
+    for (int r = 0; r < kSize; ++r) to.push_back(J[r * kLanes + p]);
+    f[p] = 0;
+  }
+}
 
-  template <class T>
-  T value(const T (&z)[kSize]) const {
-    double lanes[kSize][T::size];
-    for (int r = 0; r < kSize; ++r) z[r].store_unaligned(lanes[r]);
-    for (std::size_t lane = 0; lane < T::size; ++lane)
-      for (int r = 0; r < kSize; ++r) points->J.push_back(lanes[r][lane]);
-    return T(0.0);
-  }
-  template <Curvature, class T>
-  void model(const T (&z)[kSize], double, PointModel<T, kSize>& m) const {
-    m.f = value(z);
-    for (T& g : m.g) g = T(0.0);
-    for (T& k : m.k) k = T(0.0);
-  }
-};
+void play_values(const void* object, const PointBatch& batch, const double*, double* f) {
+  const auto& points = *static_cast<const Points*>(object);
+  std::copy_n(points.value.data() + points.next, batch.count, f);
+  points.next += static_cast<std::size_t>(batch.count);
+}
 
-struct Player : OfJacobian {
-  const Points* points;
+void play_models(const void* object, const PointBatch& batch, const double* J, double* f, double* g,
+                 double* k) {
+  const auto& points = *static_cast<const Points*>(object);
+  const double* gradient = points.g.data() + points.next * kSize;
+  const double* hessian = points.H.data() + points.next * kSize * kSize;
+  play_values(object, batch, J, f);
+  for (int p = 0; p < batch.count; ++p, gradient += kSize, hessian += kSize * kSize) {
+    for (int r = 0; r < kSize; ++r) g[r * kLanes + p] = gradient[r];
+    for (int i = 0, r = 0; i < kSize; ++i)
+      for (int j = 0; j <= i; ++j, ++r) k[r * kLanes + p] = hessian[i * kSize + j];
+  }
+}
 
-  template <class T>
-  static T lanes_of(const double* first, int step) {
-    double lanes[T::size];
-    for (std::size_t lane = 0; lane < T::size; ++lane)
-      lanes[lane] = first[lane * static_cast<std::size_t>(step)];
-    return T::load_unaligned(lanes);
-  }
-  template <class T>
-  T value(const T (&)[kSize]) const {
-    const T f = T::load_unaligned(points->value.data() + points->next);
-    points->next += T::size;
-    return f;
-  }
-  template <Curvature C, class T>
-  void model(const T (&z)[kSize], double clamp, PointModel<T, kSize>& m) const {
-    const std::size_t q = points->next;
-    m.f = value(z);
-    for (int r = 0; r < kSize; ++r) m.g[r] = lanes_of<T>(points->g.data() + q * kSize + r, kSize);
-    for (int i = 0, k = 0; i < kSize; ++i)
-      for (int j = 0; j <= i; ++j, ++k)
-        m.k[k] = lanes_of<T>(points->H.data() + q * kSize * kSize + i * kSize + j, kSize * kSize);
-    if constexpr (C != Curvature::Exact) detail::project(clamp, m);
-  }
-};
+// The library's, which call a JacobianFunction for some points at a time.
+const DensityKernels& kernels() {
+  static const DensityKernels kernels = jacobian_kernels(2, 2);
+  return kernels;
+}
 
-using Arch = xsimd::default_arch;
-const DensityKernels kRecord = kernel::make_kernels<Arch, Recorder>();
-const DensityKernels kPlay = kernel::make_kernels<Arch, Player>();
+JacobianFunction recorder(const Points& points) { return {&points, &record, nullptr}; }
+JacobianFunction player(const Points& points) { return {&points, &play_values, &play_models}; }
 
 struct PythonDensity {
   std::shared_ptr<const Kept> density;
@@ -127,9 +94,9 @@ void answer(const PythonDensity& density, Points& points, bool models) {
 
 Points recorded(const ContractionView& table, const ChunkView& chunk, double* scratch) {
   Points points;
-  Recorder recorder{{}, &points};
+  const JacobianFunction function = recorder(points);
   double f[ChunkView::stride];
-  kRecord.values(&recorder, table, chunk, scratch, f);
+  kernels().values(&function, table, chunk, scratch, f);
   return points;
 }
 
@@ -137,8 +104,8 @@ void values(const void* object, const ContractionView& table, const ChunkView& c
             double* scratch, double* f) {
   Points points = recorded(table, chunk, scratch);
   answer(*static_cast<const PythonDensity*>(object), points, false);
-  const Player player{{}, &points};
-  kPlay.values(&player, table, chunk, scratch, f);
+  const JacobianFunction function = player(points);
+  kernels().values(&function, table, chunk, scratch, f);
 }
 
 void local(const void* object, const ContractionView& table, const ChunkView& chunk,
@@ -146,17 +113,8 @@ void local(const void* object, const ContractionView& table, const ChunkView& ch
            double* hessian) {
   Points points = recorded(table, chunk, scratch);
   answer(*static_cast<const PythonDensity*>(object), points, true);
-  const Player player{{}, &points};
-  kPlay.local(&player, table, chunk, curvature, scratch, f, gradient, hessian);
-}
-
-void star(const void* object, const StarView& view, double vx, double vy, StarModel& out) {
-  Points points;
-  const Recorder recorder{{}, &points};
-  kRecord.star(&recorder, view, vx, vy, out);
-  answer(*static_cast<const PythonDensity*>(object), points, true);
-  const Player player{{}, &points};
-  kPlay.star(&player, view, vx, vy, out);
+  const JacobianFunction function = player(points);
+  kernels().local(&function, table, chunk, curvature, scratch, f, gradient, hessian);
 }
 
 Barrier barrier_named(const std::string& name) {
@@ -180,11 +138,11 @@ EnergyFactory python_energy(const py::object& density) {
   const bool positive = density.attr("domain").cast<std::string>() == "positive";
   const auto object = std::make_shared<const PythonDensity>(
       PythonDensity{std::make_shared<const Kept>(density), positive});
-  const DensityKernels kernels{2, 2, &values, &local, kPlay.scratch_size, &star};
+  const DensityKernels ours{2, 2, &values, &local, kernels().scratch_size};
   return {traits, [=](std::shared_ptr<const ElementSpace> space, const RestShapes& rest,
                       const std::vector<Quadrature>& rules) {
             return std::make_shared<const DensityTerm>(traits, std::move(space), rest, rules,
-                                                       object, kernels);
+                                                       object, ours);
           }};
 }
 

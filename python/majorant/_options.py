@@ -114,6 +114,11 @@ def wishes(mesh: _core.Mesh, said: Mapping[str, Any]) -> dict[str, Any]:
         'time_limit': math.inf if limit is None else number('time_limit', limit, 0, zero=True),
         'threads': integer('threads', get('threads', 0), 0, 1024),
     }
+    if any(not isinstance(e, str) for e, _ in summands):
+        # Starts in many resolutions move single vertices: a call of Python for each would take for ever.
+        if out['init'] == 'multiresolution':
+            raise UsageError("init='multiresolution' knows energies with a name only; take 'tutte'")
+        out['init'] = 'tutte' if out['init'] == 'auto' else out['init']
     if out['improve_mesh'] and weights is not None:
         raise UsageError('improve_mesh changes the faces that weights are for; leave one of the two out')
     out['as_json'] = json.dumps({name: _plain(value) for name, value in said.items()

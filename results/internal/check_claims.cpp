@@ -87,8 +87,8 @@ void check_fixed_boundary(const CheckedMap& checked, Findings& findings) {
 }
 
 // How far control points of a cell may be from those that were measured, in the units of the run:
-// uv was rounded after normalizing, and again as values of Lagrange cells, whose errors grow by
-// `amplification`.
+// uv was rounded after turning and normalizing, and again as values of Lagrange cells, whose errors
+// grow by `amplification`.
 double rounding_of_uv(const CheckedMap& checked, Index cell, double amplification) {
   constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
   const MapFile& file = checked.file;
@@ -98,6 +98,7 @@ double rounding_of_uv(const CheckedMap& checked, Index cell, double amplificatio
     size = n.size;
     unit = 4 * kEpsilon * (n.origin.cwiseAbs().maxCoeff() + n.size);
   }
+  if (checked.claims.aligned) unit += 4 * kEpsilon * size * file.uv.cwiseAbs().maxCoeff();
   const double largest = file.uv(file.cells.row(cell), Eigen::all).cwiseAbs().maxCoeff();
   return unit + size * amplification * kEpsilon * largest;
 }
@@ -174,6 +175,10 @@ std::string claimed_energy(const Claims& claims) {
 Vec in_units_of_the_run(VecIn uv, const Claims& claims) {
   Vec x = uv * claimed_scale(claims);
   if (claims.normalized) x += claims.normalized->origin.replicate(x.size() / 2, 1);
+  if (!claims.aligned) return x;
+  const double c = claims.aligned->x(), s = claims.aligned->y();
+  for (Index k = 0; k < x.size(); k += 2)
+    x.segment<2>(k) = Vector2(c * x[k] - s * x[k + 1], s * x[k] + c * x[k + 1]);
   return x;
 }
 

@@ -27,7 +27,7 @@ struct CheckedMap {
 MapMeasures measure_as_claimed(const BezierMap& map, const Claims& claims, const StopCheck& stop,
                                Findings& findings);
 std::string claimed_energy(const Claims& claims);
-// uv of the file (2 numbers a node) in the units of the run, before --normalize.
+// uv of the file (2 numbers a node) as the run had them, before --align and --normalize.
 Vec in_units_of_the_run(VecIn uv, const Claims& claims);
 
 // Energy, degree, pins, boundary, seams and cones, arrays.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "majorant/framework/error.h"
 #include "majorant/io/layout_scale.h"
 #include "majorant/io/map_distortion.h"
 #include "majorant/results/internal/check_claims.h"
@@ -49,6 +50,23 @@ Json measured_distortion(const MapFile& file) {
   return section;
 }
 
+// Whether the file is what a map makes of the plane, as `.msh` has it: the identity of itself.
+bool is_image(const MapFile& file) {
+  const auto corners = file.cells.leftCols(3).reshaped();
+  return file.points(corners, 2).isZero(0) &&
+         file.points(corners, Eigen::seqN(0, 2)) == file.uv(corners, Eigen::all);
+}
+
+void require_surface(const MapCheck& check, const MapFile& file, const CheckRequest& request) {
+  if (check.proof.surface.answer == Answer::Violated && extension(request.name) == ".msh" &&
+      is_image(file))
+    throw Error(ErrorKind::Unsupported,
+                fmt::format("{}: this is the image of a map, in the plane: there is no surface in "
+                            "it to compare with {}; write it with --msh surface, or leave "
+                            "--surface out",
+                            request.name, request.surface->file));
+}
+
 void add_proofs(MapCheck& check) {
   for (const auto& [question, finding] : check.proof.findings()) {
     if (finding->answer == Answer::Violated)
@@ -88,6 +106,7 @@ MapCheck::MapCheck(const MapFile& file, const CheckRequest& request, const RunRe
     : claims(parse_claims(file.claims, request.name)),
       report{{"schema_version", 1}, {"version", MAJORANT_VERSION}, {"command", "check"}},
       proof(proven(file, request, claims, record)) {
+  require_surface(*this, file, request);
   add_proofs(*this);
   record.begin(Activity::Measuring);
   add_measures(*this, file, request, record.stop());

@@ -16,6 +16,9 @@ namespace {
 
 using nlohmann::json;
 
+// Origin: rounding of a vector of length 1 and of its digits is far below.
+constexpr double kUnitLength = 1e-12;
+
 // A value and where it is: "bunny.vtu: majorant_claims.pins[3].vertex".
 struct Place {
   const json& value;
@@ -95,6 +98,13 @@ ClaimedNormalization as_normalization(const Place& p) {
   return n;
 }
 
+Vector2 as_alignment(const Place& p) {
+  const Place direction = member(p, "direction");
+  const Vector2 unit = as_point(direction);
+  if (!(std::abs(unit.norm() - 1) <= kUnitLength)) direction.fail("is not of length 1");
+  return unit;
+}
+
 std::string as_boundary(const Place& p) {
   std::string boundary = as_string(p);
   if (boundary != "free" && boundary != "fixed") p.fail("is neither \"free\" nor \"fixed\"");
@@ -122,6 +132,7 @@ class Entries {
 ClaimedOptions as_options(const Place& p) {
   ClaimedOptions options;
   Entries(p).read("seamless", as_bool, options.seamless);
+  Entries(p).read("handles", as_string, options.handles);
   return options;
 }
 
@@ -155,6 +166,7 @@ Claims parse_claims(const std::string& text, const std::string& file) {
   entries.read("seams", as_bool, claims.seams);
   entries.read("bijective", as_bool, claims.bijective);
   entries.read("other_triangles", as_bool, claims.other_triangles);
+  entries.read("aligned", as_alignment, claims.aligned);
   entries.read("normalized", as_normalization, claims.normalized);
   entries.read(
       "pins", [](const Place& p) { return as_list(p, as_pin); }, claims.pins);

@@ -22,14 +22,15 @@ struct ClaimedPin {
   Vector2 target;    // uv, finite
 };
 
-// uv in the file = (uv - origin) / size.
+// uv in the file = (uv - origin) / size, of uv that have been turned, if they were.
 struct ClaimedNormalization {
   Vector2 origin;
   double size = 1;  // positive
 };
 
 struct ClaimedOptions {
-  std::optional<bool> seamless;  // the run kept the seams of its input's texture coordinates
+  std::optional<bool> seamless;        // the run kept the seams of its input's texture coordinates
+  std::optional<std::string> handles;  // the file of what pulled at it, or empty
 };
 
 struct Claims {
@@ -40,6 +41,7 @@ struct Claims {
   std::optional<std::string> init;      // what the start was made from
   std::optional<bool> seams, bijective;
   std::optional<bool> other_triangles;  // edges were flipped inside flat parts
+  std::optional<Vector2> aligned;       // the direction, of length 1, that was turned to (1, 0)
   std::optional<ClaimedNormalization> normalized;
   std::optional<std::vector<ClaimedPin>> pins;
   std::optional<std::vector<Cone>> cones;  // vertices of the input, quarter turns >= 1

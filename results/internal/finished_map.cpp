@@ -9,10 +9,16 @@
 namespace majorant {
 namespace {
 
-// uv in the file = (uv - origin) / size.
-Json normalized_section(const InUnitSquare* normalized) {
-  if (!normalized) return nullptr;
-  return {{"origin", {normalized->origin.x(), normalized->origin.y()}}, {"size", normalized->size}};
+Json aligned_section(const FinishedMap& run) {
+  if (!run.placement || !run.is_aligned) return nullptr;
+  const Vector2& direction = run.placement->direction;
+  return {{"direction", {direction.x(), direction.y()}}};
+}
+
+Json normalized_section(const FinishedMap& run) {
+  if (!run.placement || !run.is_normalized) return nullptr;
+  const LayoutPlacement& p = *run.placement;
+  return {{"origin", {p.origin.x(), p.origin.y()}}, {"size", p.size}};
 }
 
 // What the start was made from: where nobody brought one, what parametrize() chose.
@@ -38,7 +44,8 @@ std::string claims(const FinishedMap& run) {
               {"init", start_taken(run)},
               {"seams", !map.seams().trivial()},
               {"bijective", run.asked.injectivity == MapInjectivity::Global},
-              {"normalized", normalized_section(run.normalized)},
+              {"aligned", aligned_section(run)},
+              {"normalized", normalized_section(run)},
               {"pins", pins},
               {"other_triangles", run.result.other_triangles},
               {"options", run.options}};
@@ -94,7 +101,7 @@ bool has_result(const ParametrizationResult& result) {
   return result.map && result.status != Status::Failed && result.status != Status::Infeasible;
 }
 
-double scale_of(const FinishedMap& run) { return run.normalized ? run.normalized->size : 1; }
+double scale_of(const FinishedMap& run) { return run.placement ? run.placement->size : 1; }
 
 ProofRequest promise(const FinishedMap& run, const std::string& path) {
   ProofRequest promise;

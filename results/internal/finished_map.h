@@ -12,7 +12,7 @@
 
 #include "majorant/io/map_proof.h"
 #include "majorant/parametrization/cuts/choose_cuts.h"
-#include "majorant/parametrization/drive/internal/unit_square.h"
+#include "majorant/parametrization/drive/internal/placement.h"
 #include "majorant/parametrization/drive/parametrize.h"
 #include "majorant/parametrization/starts/start.h"
 #include "majorant/pictures/film.h"
@@ -32,10 +32,11 @@ struct FinishedMap {
   std::string init = "auto";      // likewise
   Json options = Json::object();  // likewise, all of it
   double read_seconds = 0;
-  const SurfaceCuts* cuts = nullptr;         // of surfaces cut open
-  const Start* start = nullptr;              // that was made of a seamless map
-  const InUnitSquare* normalized = nullptr;  // how result.map was moved
-  const Film* film = nullptr;                // of the run, if asked for
+  const SurfaceCuts* cuts = nullptr;               // of surfaces cut open
+  const Start* start = nullptr;                    // that was made of a seamless map
+  const LayoutPlacement* placement = nullptr;      // how result.map was moved
+  bool is_aligned = false, is_normalized = false;  // of that, what was asked for
+  const Film* film = nullptr;                      // of the run, if asked for
 };
 
 // Whether there is a map to write: the run did not fail, and was feasible.

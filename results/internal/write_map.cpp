@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "majorant/io/write_ply.h"
+#include "majorant/pictures/internal/first_view.h"
 #include "majorant/results/internal/claims.h"
 
 namespace majorant {
@@ -54,7 +55,11 @@ void write_map(const std::string& path, const MapFile& map, const PolygonMesh* i
   if (e == ".obj") write_obj(path, map, input, formats.tessellation, verify);
   if (e == ".ply") write_ply(path, map, input, formats.tessellation, verify);
   if (e == ".svg") write_svg(path, map, formats.svg);
-  if (e == ".png") write_png(path, map, formats.png);
+  if (e == ".png") {
+    PngOptions png = formats.png;
+    if (formats.view_is_chosen) png.view = first_view(map);
+    write_png(path, map, png);
+  }
   if (e == ".html") {
     MapPage page = formats.page;
     page.map = map;

@@ -42,7 +42,8 @@ struct MapFormats {
   MshContent msh = MshContent::Image;
   SvgOptions svg;
   PngOptions png;
-  MapPage page;  // but for its map
+  bool view_is_chosen = false;  // of PNG: first_view()
+  MapPage page;                 // but for its map
 };
 
 // .vtu .msh .obj .ply .svg .png .html; of other names nothing is written. input may be null.

@@ -17,6 +17,8 @@ WRONG = [
     ('degree', '3'), ('degree', 0), ('degree', 2.5), ('degree', 2**31), ('degree', 2**63),
     ('degree', -2**31), ('value', 'high'), ('value', [4]), ('boundary', 7), ('boundary', 'open'),
     ('init', True), ('seams', 'no'), ('bijective', 1), ('other_triangles', 'false'),
+    ('aligned', True), ('aligned', {}), ('aligned', {'direction': [0, 1, 0]}),
+    ('aligned', {'direction': [0.6, 0.9]}), ('aligned', {'direction': [0, 0]}),
     ('normalized', True), ('normalized', {}), ('normalized', {'origin': POINT}),
     ('normalized', {'origin': POINT, 'size': 0}), ('normalized', {'origin': [0], 'size': 1}),
     ('normalized', {'origin': [0, 'x'], 'size': 1}), ('normalized', {'origin': POINT, 'size': -1}),

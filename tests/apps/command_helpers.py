@@ -185,8 +185,8 @@ class Vtu:
             count = size // struct.calcsize(_FORMATS[kind])
             self.types[name], self.components[name] = kind, int(components)
             self.arrays[name] = list(struct.unpack('<%d%s' % (count, _FORMATS[kind]), raw[8:]))
-        claims = re.search(r'Name="majorant_claims"[^>]*>\n(.*?)\n</DataArray>', self.text, re.S).group(1)
-        self.claims = json.loads(bytes(map(int, claims.split())).decode())
+        found = re.search(r'Name="majorant_claims"[^>]*>\n(.*?)\n</DataArray>', self.text, re.S)
+        self.claims = json.loads(bytes(map(int, found.group(1).split())).decode()) if found else None
 
     def rows(self, name):
         a, k = self.arrays[name], self.components[name]

@@ -89,6 +89,21 @@ class CurvedFiles(CommandTest):
         self.run_ok('convert', self.path('a.vtu'), '-o', self.path('b.msh'), '--msh', 'surface')
         self.run_ok('check', self.path('b.msh'), '--surface', ball, '--cuts', 'free')
 
+    def test_an_image_is_no_map_of_a_surface(self):
+        self.solve('-o', self.path('a.msh'), '-o', self.path('b.vtu'), '--degree', '2')
+        self.refused(UNSUPPORTED, 'check', self.path('a.msh'), '--surface', self.mesh,
+                     says=['a.msh', 'image', '--msh surface'])
+        self.run_ok('check', self.path('a.msh'))
+        self.run_ok('convert', self.path('b.vtu'), '-o', self.path('s.msh'), '--msh', 'surface')
+        self.run_ok('check', self.path('s.msh'), '--surface', self.mesh)
+        other = self.write('other.obj', obj_text(*grid(3, lambda x, y: x * y)))
+        outcome = majorant('check', self.path('s.msh'), '--surface', other)
+        self.assertEqual(outcome.code, INVALID)  # this one has a surface
+        flat = self.write('flat.obj', obj_text(*grid(3, lambda x, y: 0)))
+        self.run_ok('parametrize', '--quiet', flat, '-o', self.path('f.vtu'), '--init', 'tutte')
+        self.run_ok('convert', self.path('f.vtu'), '-o', self.path('f.msh'))
+        self.refused(UNSUPPORTED, 'check', self.path('f.msh'), '--surface', flat, says='image')
+
     def test_degree_of_formats_without_curves(self):
         for files, degree in ((['a.ply'], 1), (['a.ply', 'a.obj'], 1), (['a.ply', 'a.svg'], 1),
                               (['a.msh'], 3), (['a.ply', 'a.msh'], 3), (['a.ply', 'a.vtu'], 3)):

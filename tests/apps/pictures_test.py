@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """-o map.svg and -o map.png: one scale, the flags of pictures, refusals in one line."""
+import json
 import re
 import struct
 import unittest
@@ -76,6 +77,34 @@ class Pictures(CommandTest):
                                          self.path('i.png')),
                             self.picture(result, '--view', '1,0.5,2', '--size', '64,64'))
         self.assertEqual(picture, self.read('i.png'))
+
+    def test_quantities_of_triangles(self):
+        result = self.map('creature', '--degree', 2)
+        drawn = {name: self.picture(result, '--color-by', name, name='a.svg').decode()
+                 for name in ('density', 'area', 'angle', 'sigma-max', 'sigma-min')}
+        self.assertEqual(len(set(drawn.values())), len(drawn))
+        self.assertEqual(drawn['density'].encode(), self.picture(result, name='a.svg'))
+        for name in ('area', 'sigma-max'):
+            self.assertRegex(drawn[name], r'>%s[^<]*, degree 2<' % name.split('-')[0])
+        bare = self.path('bare.obj')  # claims no energy: no density, the others measured
+        self.run_ok('convert', result, '-o', bare)
+        self.picture(bare, '--color-by', 'angle', name='a.svg')
+        outcome = majorant('convert', bare, '-o', self.path('a.svg'), '--force', '--color-by',
+                           'density')
+        self.assertEqual(outcome.code, USAGE)
+        self.assertIn('no density', outcome.err)
+
+    def test_a_view_that_is_chosen(self):
+        """The page's first one, which looks at the front of a disk."""
+        result = self.map('cap', '--degree', 1)
+        self.run_ok('convert', result, '-o', self.path('a.html'))
+        text = self.read('a.html').decode()
+        eye = json.loads(re.search(r'id="data">(.*?)</script>', text, re.S).group(1))['eye']
+        chosen = self.picture(result, '--view', '--size', '80,60')
+        self.assertEqual(chosen, self.picture(result, '--size', '80,60', '--view', 'auto'))
+        self.assertEqual(chosen, self.picture(result, '--size', '80,60',
+                                              '--view=' + ','.join(map(repr, eye))))
+        self.assertNotEqual(chosen, self.picture(result, '--size', '80,60', '--view=0.1,-1,0.2'))
 
     def test_align(self):
         result = self.map('creature', '--degree', 1)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Judges a map in a file exactly, from the definitions, on the digits that the file holds.
 
-    check_map.py RESULT.(vtu|obj) [--surface S.obj] [--cuts none|free] [--seamless] [--overlap]
+    check_map.py RESULT.(vtu|msh|obj|ply) [--surface S.obj] [--cuts none|free] [--seamless] [--overlap]
                  [--may-touch] [--json]
 
 The last line is `ok ...`, `bad ...`, `undecided ...` or `unreadable ...`; exit code 0, 1, 3, 2
@@ -35,7 +35,7 @@ def check_positivity(result, findings):
         findings.bad('positivity', '%s has no positive triangulation' % name)
     for name in result.undecided_polygons:
         findings.undecided('positivity', '%s has many corners and no ear' % name)
-    if result.kind == 'obj':
+    if result.kind == 'polygons':
         return good
     for cell in result.cells:
         if result.degree == 1:

@@ -7,20 +7,13 @@ UNIT = 2.0 ** -53
 
 
 def integers(points):
-    """Points (pairs of doubles) times one common positive power of two: pairs of integers."""
+    """Points (pairs of doubles, integers or Fractions) times one common positive number, a power of
+    two for doubles: pairs of integers."""
     ratios = [(x.as_integer_ratio(), y.as_integer_ratio()) for x, y in points]
     scale = 1
     for (_, a), (_, b) in ratios:
-        scale = max(scale, a, b)
+        scale = lcm(scale, a, b)
     return [(n * (scale // d), m * (scale // e)) for (n, d), (m, e) in ratios]
-
-
-def rationals_to_integers(points):
-    """The same for pairs of Fractions: times one common positive integer."""
-    scale = 1
-    for x, y in points:
-        scale = lcm(scale, x.denominator, y.denominator)
-    return [(int(x * scale), int(y * scale)) for x, y in points]
 
 
 def cross(a, b, c):

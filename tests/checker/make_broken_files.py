@@ -14,6 +14,7 @@ import sys
 import broken_obj
 import broken_vtu
 import good_files
+import value_files
 from small_maps import cube, fan, obj_bytes, plate, square_grid, straight
 
 DEFAULT = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'data', 'maps')
@@ -41,8 +42,11 @@ def all_cases():
     for module in (broken_vtu, broken_obj):
         for case in module.cases():
             yield 'broken', case
-    for case in good_files.cases():
-        yield 'good', case
+    for case in value_files.broken_cases():
+        yield 'broken', case
+    for cases in (good_files.cases, value_files.good_cases):
+        for case in cases():
+            yield 'good', case
 
 
 def files():

@@ -5,6 +5,9 @@ from fractions import Fraction
 
 from bernstein import edge_points, vtk_order
 from exact import cross, integers, orientation
+from lagrange import control_points
+from msh_file import MshFile
+from ply_file import PlyFile
 from vtu_file import LARGEST, Unreadable, VtuFile
 
 MAX_POLYGON = 40  # corners up to which every triangulation of a polygon is tried: n^3 of them
@@ -29,8 +32,8 @@ class Cell:
 
 class ResultMap:
     """degree; cells; positions: of the vertices that cells name, in space; numbers: the vertex of
-    the surface that the file says each of them is, or None where it says nothing; kind: 'vtu' or
-    'obj'; claims; not_flat: names of cells that are not the elevation of their flat triangle;
+    the surface that the file says each of them is, or None where it says nothing; kind: 'cells' or
+    'polygons'; claims; not_flat: names of cells that are not the elevation of their flat triangle;
     bad_polygons: names of polygons without a positive triangulation; undecided_polygons."""
 
     def __init__(self, kind, degree):
@@ -53,14 +56,18 @@ def read_result(path):
         data = file.read()
     if path.endswith('.vtu'):
         return _from_vtu(VtuFile(data))
+    if path.endswith('.msh'):
+        return _from_msh(MshFile(data))
     if path.endswith('.obj'):
-        return _from_obj(ObjFile(data))
-    raise Unreadable('neither .vtu nor .obj')
+        return _from_polygons(ObjFile(data))
+    if path.endswith('.ply'):
+        return _from_polygons(PlyFile(data))
+    raise Unreadable('neither .vtu, .msh, .obj nor .ply')
 
 
 # ------------------------------------------------------------------ VTU
 def _from_vtu(vtu):
-    result = ResultMap('vtu', vtu.degree)
+    result = ResultMap('cells', vtu.degree)
     result.claims, result.faces = vtu.claims, len(vtu.cells)
     places, numbers = {}, vtu.input_vertex
 
@@ -76,14 +83,22 @@ def _from_vtu(vtu):
         return places[key]
 
     for c, cell in enumerate(vtu.cells):
-        result.cells.append(Cell([vertex(p) for p in cell[:3]], [vtu.uv[p] for p in cell],
+        uv = [vtu.uv[p] for p in cell]
+        result.cells.append(Cell([vertex(p) for p in cell[:3]],
+                                 control_points(uv, vtu.degree) if vtu.is_lagrange else uv,
                                  'cell %d' % c))
-    if vtu.degree > 1:
-        tolerance = 1e-9 * result.size()
-        for cell, points in zip(result.cells, vtu.cells):
-            if not _flat([vtu.positions[p] for p in points], vtu.degree, tolerance):
-                result.not_flat.append(cell.name)
+    _find_not_flat(result, vtu.positions, vtu.cells)
     return result
+
+
+def _find_not_flat(result, positions, cells):
+    """Control points of a flat triangle are its lattice points: values there are the same."""
+    if result.degree == 1:
+        return
+    tolerance = 1e-9 * result.size()
+    for cell, points in zip(result.cells, cells):
+        if not _flat([positions[p] for p in points], result.degree, tolerance):
+            result.not_flat.append(cell.name)
 
 
 def _flat(points, degree, tolerance):
@@ -95,7 +110,28 @@ def _flat(points, degree, tolerance):
     return True
 
 
-# ------------------------------------------------------------------ OBJ
+# ------------------------------------------------------------------ MSH
+def _from_msh(msh):
+    """Vertices are nodes: nothing says whose. Of an image the surface is that of its corners."""
+    result = ResultMap('cells', msh.degree)
+    result.faces, places = len(msh.cells), {}
+    for c, cell in enumerate(msh.cells):
+        corners = []
+        for p in cell[:3]:  # copies along cuts lie at one place on a surface, apart in an image
+            key = p if msh.is_image else msh.positions[p]
+            if key not in places:
+                places[key] = len(result.positions)
+                result.positions.append(msh.positions[p])
+                result.numbers.append(None)
+            corners.append(places[key])
+        result.cells.append(Cell(corners, control_points([msh.uv[p] for p in cell], msh.degree),
+                                 'cell %d' % c))
+    if not msh.is_image:
+        _find_not_flat(result, msh.positions, msh.cells)
+    return result
+
+
+# ------------------------------------------------------------------ OBJ, PLY
 class ObjFile:
     """v: triples of doubles; vt: pairs of doubles, vt_text: their digits; faces: lists of pairs
     (vertex, texture coordinate or None), from 0."""
@@ -150,8 +186,9 @@ def _finite(words, count):
     return values
 
 
-def _from_obj(obj):
-    result = ResultMap('obj', 1)
+def _from_polygons(obj):
+    """obj: an ObjFile or a PlyFile."""
+    result = ResultMap('polygons', 1)
     result.positions, result.numbers = obj.v, list(range(len(obj.v)))
     result.faces = len(obj.faces)
     for f, face in enumerate(obj.faces):
@@ -164,7 +201,7 @@ def _from_obj(obj):
             result.undecided_polygons.append(name)
         elif not triangles:
             result.bad_polygons.append(name)
-        elif not all(_positive_as_written([obj.vt_text[face[k][1]] for k in triangle],
+        elif obj.vt_text and not all(_positive_as_written([obj.vt_text[face[k][1]] for k in triangle],
                                           [texture[k] for k in triangle])
                      for triangle in triangles):
             result.bad_polygons.append(name + ' (its decimals)')

@@ -155,7 +155,7 @@ def _candidates(result, surface, findings):
             if math.dist(point, surface.positions[number]) <= surface.tolerance:
                 candidates[v] = [number]
                 continue
-        if result.kind == 'vtu' and number is not None:
+        if result.kind == 'cells' and number is not None:
             findings.bad('vertices', 'a point says that it is vertex %d, which lies elsewhere'
                          % number)
         candidates[v] = exact.get(point, [])

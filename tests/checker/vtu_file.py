@@ -1,4 +1,4 @@
-"""Reads VTK's XML unstructured grids: one triangle or Bezier triangle of one degree per cell.
+"""Reads VTK's XML unstructured grids: one triangle, Bezier or Lagrange triangle of one degree per cell.
 
 Inline base64 and ascii, appended raw and base64, UInt32 and UInt64 headers, both byte orders.
 Whatever else a file may hold (compression, other cells, rational weights that differ, values that
@@ -10,7 +10,7 @@ import re
 import struct
 import xml.etree.ElementTree as ElementTree
 
-TRIANGLE, BEZIER_TRIANGLE = 5, 76
+TRIANGLE, LAGRANGE_TRIANGLE, BEZIER_TRIANGLE = 5, 69, 76
 LARGEST = 1e300  # of coordinates: their distances are finite
 _CODES = {'Float32': 'f', 'Float64': 'd', 'Int8': 'b', 'UInt8': 'B', 'Int16': 'h', 'UInt16': 'H',
           'Int32': 'i', 'UInt32': 'I', 'Int64': 'q', 'UInt64': 'Q'}
@@ -22,7 +22,7 @@ class Unreadable(Exception):
 
 class VtuFile:
     """positions, uv: one tuple of floats per point; cells: lists of point numbers in VTK's order;
-    degree; input_vertex: one int per point, or None; claims: the JSON of majorant_claims, or None.
+    degree; is_lagrange: uv are values at lattice points; input_vertex: one int per point, or None; claims: the JSON of majorant_claims, or None.
     """
 
     def __init__(self, data):
@@ -44,6 +44,7 @@ class VtuFile:
         if len(self.input_vertex) != len(self.uv):
             self.input_vertex = None
         self.degree = _degree(types, self.cells)
+        self.is_lagrange = types[0] == LAGRANGE_TRIANGLE
         self.claims = _claims(root)
 
     def _read_piece(self, piece, decoder):
@@ -130,7 +131,7 @@ def _degree(types, cells):
     if kind == TRIANGLE and size == 3:
         return 1
     for degree in range(1, 9):
-        if kind == BEZIER_TRIANGLE and size == (degree + 1) * (degree + 2) // 2:
+        if kind in (BEZIER_TRIANGLE, LAGRANGE_TRIANGLE) and size == (degree + 1) * (degree + 2) // 2:
             return degree
     raise Unreadable('cells of type %d with %d points' % (kind, size))
 

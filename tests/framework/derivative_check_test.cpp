@@ -112,5 +112,38 @@ TEST(DerivativeCheck, ElementsTogetherAreThoseAlone) {
       << r.message();
 }
 
+// Zero, with all its derivatives, on one side.
+class Hinge final : public EnergyTerm {
+ public:
+  std::string_view name() const override { return "hinge"; }
+  const Stencils& stencils() const override { return stencils_; }
+  bool supports(Curvature) const override { return true; }
+  // min(1 - x, 0)^2
+  void values(VecIn x, const Chunk&, const TermState&, Workspace&,
+              std::span<double> f) const override {
+    f[0] = std::pow(std::min(1 - x[0], 0.0), 2);
+  }
+  void local(VecIn x, const Chunk& chunk, BlendedCurvature, const TermState& state,
+             Workspace& workspace, LocalSystem& out) const override {
+    values(x, chunk, state, workspace, {out.value, 1});
+    out.gradient[0] = -2 * std::min(1 - x[0], 0.0) + wrong;
+    if (out.hessian) out.hessian[0] = x[0] > 1 ? 2 : 0;
+  }
+  double wrong = 0;
+
+ private:
+  Stencils stencils_ = test::band_stencils(1, 1, 1);
+};
+
+TEST(DerivativeCheck, ElementsWithoutEnergy) {
+  for (const double x : {0.5, 3.0}) {
+    const DerivativeReport report = check_derivatives(Hinge(), Vec::Constant(1, x));
+    EXPECT_TRUE(report.ok()) << report.message();
+  }
+  Hinge hinge;
+  hinge.wrong = 1e-9;
+  EXPECT_FALSE(check_derivatives(hinge, Vec::Constant(1, 0.5)).ok());
+}
+
 }  // namespace
 }  // namespace majorant

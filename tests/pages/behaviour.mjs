@@ -92,6 +92,17 @@ const scenes = {
       }
     return found;
   },
+  // The face that the layout shows at the middle of each that fails.
+  faults: (page) => page.evaluate((size) => {
+    const {app, readPass} = window.majorantPage;
+    const bytes = readPass('layout', 'facePass', size, size);
+    return app.map.faults.map(({face}) => {
+      const p = app.layout.pointAt({face, xi: [1 / 3, 1 / 3, 1 / 3]}).project(app.layout.camera);
+      const [x, y] = [p.x, p.y].map((t) => Math.floor((t + 1) / 2 * size));
+      const [high, middle, low] = bytes.subarray(4 * (y * size + x));
+      return {face, seen: 65536 * high + 256 * middle + low - 1};
+    });
+  }, 400),
   keys: walkWithKeys,
 };
 

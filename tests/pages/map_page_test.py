@@ -43,6 +43,10 @@ class MapPage(CommandTest):
         text = self.play('facts', 'bad.html')['text']
         self.assertIn('turned over', text)
         self.assertIn('invalid', text)
+        faults = self.play('faults', 'bad.html')
+        self.assertGreater(len(faults), 1)
+        for fault in faults:  # not hidden by others
+            self.assertIn(fault['seen'], [f['face'] for f in faults])
 
     def test_draw_calls(self):
         points = {'handles': [{'vertex': 0, 'target': 'initial'}]}
@@ -54,6 +58,9 @@ class MapPage(CommandTest):
             calls = self.play('draw', page)
             self.assertGreater(len(calls), 3)
             self.assertLessEqual(max(calls), 10, calls)
+            halved = self.play('draw', page, hash='straight=0.5')
+            self.assertLessEqual(max(halved), 10, halved)
+            self.assertGreater(min(halved), min(calls))
             self.assertGreater(min(calls), 1, calls)
 
     def test_hover_equals_the_files(self):

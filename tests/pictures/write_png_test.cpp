@@ -66,8 +66,7 @@ TEST(WritePng, TheCameraIsAsItSays) {
   options.height = 215;
   options.view = Vector3(0, 0, 3);
   const Color paper{255, 255, 255};
-  // Half the diagonal is 1 / sqrt(2), and 215 pixels are 2.15 of it: a side has 100 sqrt(2).
-  const double side = 100 * std::sqrt(2.0);
+  const double side = 0.96 * 215;  // as large as it fits
   const auto is_paper = [&](const PixelImage& image, double x, double y) {
     return image.at(static_cast<int>(200 + x), static_cast<int>(107.5 - y)) == paper;
   };
@@ -76,12 +75,33 @@ TEST(WritePng, TheCameraIsAsItSays) {
     EXPECT_FALSE(is_paper(image, way * (side - 4), 0));
     EXPECT_TRUE(is_paper(image, way * (side + 4), 0));
     EXPECT_FALSE(is_paper(image, 0, way * (side - 4)));
-    EXPECT_TRUE(is_paper(image, 0, way * (side + 4)));
+    EXPECT_TRUE(is_paper(image, 0, way * (side + 3)));
   }
   options.view = Vector3(std::sqrt(3.0), 0, 1);  // from the right: half as wide
   image = picture_of(square_map(), options);
   EXPECT_FALSE(is_paper(image, 0.25 * side - 3, 0));
   EXPECT_TRUE(is_paper(image, 0.25 * side + 3, 0));
+}
+
+TEST(WritePng, TheSilhouetteIsInTheMiddle) {
+  MapFile map = square_map();  // seen from the front a line along x = y, below it a long way back
+  map.points = Points3{{0, 0, 0}, {1, 1, 0}, {1, 1, -40}, {0, 0, -40}};
+  PngOptions options;
+  options.width = options.height = 100;
+  for (const Vector3& view : {Vector3(1, 0, 0), Vector3(3, 1, 2), Vector3(-1, 5, 0.5)}) {
+    options.view = view;
+    const PixelImage image = picture_of(map, options);
+    int left = 100, right = 0, top = 100, bottom = 0;
+    for (int y = 0; y < 100; ++y)
+      for (int x = 0; x < 100; ++x) {
+        if (image.at(x, y) == Color{255, 255, 255}) continue;
+        left = std::min(left, x), right = std::max(right, x);
+        top = std::min(top, y), bottom = std::max(bottom, y);
+      }
+    EXPECT_NEAR(left + right, 99, 1) << view.transpose();
+    EXPECT_NEAR(top + bottom, 99, 1) << view.transpose();
+    EXPECT_NEAR(std::max(right - left, bottom - top), 95, 1) << view.transpose();
+  }
 }
 
 TEST(WritePng, NearHidesFar) {
@@ -100,6 +120,13 @@ TEST(WritePng, NearHidesFar) {
   }
 }
 
+// To some steps of 255: next to the middle of a pixel of the image.
+void expect_near(const Color& found, const Color& wanted) {
+  for (const auto& [a, b] :
+       {std::pair{found.red, wanted.red}, {found.green, wanted.green}, {found.blue, wanted.blue}})
+    EXPECT_NEAR(a, b, 6);
+}
+
 TEST(WritePng, ImagesLieOnTheSquareOfTheLayout) {
   const TemporaryFolder folder;
   PixelImage quarters{2, 2, {{250, 0, 0}, {0, 250, 0}, {0, 0, 250}, {250, 250, 0}}};
@@ -110,8 +137,18 @@ TEST(WritePng, ImagesLieOnTheSquareOfTheLayout) {
   options.width = options.height = 200;
   options.image = folder.file("i.png");
   const PixelImage image = picture_of(map, options);
-  for (const auto& [x, y, k] : {std::tuple{20, 20, 0}, {180, 20, 1}, {20, 180, 2}, {180, 180, 3}})
-    EXPECT_EQ(image.at(x, y), quarters.pixels[static_cast<std::size_t>(k)]) << k;
+  for (const auto& [x, y, k] : {std::tuple{52, 52, 0}, {148, 52, 1}, {52, 148, 2}, {148, 148, 3}})
+    expect_near(image.at(x, y), quarters.pixels[static_cast<std::size_t>(k)]);
+  // Layouts in the unit square keep their place in it, others have the image around them.
+  map.uv *= 0.5;
+  expect_near(picture_of(map, options).at(148, 52), quarters.pixels[1]);
+  for (const char* claims : {R"({"normalized": {"origin": [0, 0], "size": 2}})", ""}) {
+    map.claims = claims;
+    expect_near(picture_of(map, options).at(100, 100), quarters.pixels[2]);
+    map.uv.array() += 3;  // repeated
+    expect_near(picture_of(map, options).at(100, 100), quarters.pixels[2]);
+    map.uv.array() -= 3;
+  }
   std::ofstream(folder.file("no.png")) << "no image";
   options.image = folder.file("no.png");
   expect_contains(error_message(ErrorKind::Unreadable, [&] { picture_of(map, options); }),
@@ -124,10 +161,10 @@ TEST(WritePng, SquaresAreOnMultiplesOfTheirSide) {
   MapFile map = square_map();
   map.uv = 40 * map.points.leftCols(2);  // a 40th of the side: 1
   PngOptions options;
-  options.width = options.height = 430;  // 200 sqrt(2) pixels for 40 squares
+  options.width = options.height = 430;  // 96 % of them for 40 squares
   options.view = Vector3(0, 0, 1);
   const PixelImage image = picture_of(map, options);
-  const double square = 200 * std::sqrt(2.0) / 40;
+  const double square = 0.96 * 430 / 40;
   int agree = 0;
   for (int i = 0; i < 40; ++i)
     for (int j = 0; j < 40; ++j) {

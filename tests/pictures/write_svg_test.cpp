@@ -133,6 +133,30 @@ TEST(WriteSvg, ADensityHasOneColourInAllMaps) {
                   {"--color-range: ", "4 at isometry"});
 }
 
+TEST(WriteSvg, EveryQuantityHasItsScale) {
+  MapFile map = two_triangles(4);
+  map.face_distortion.resize(2, 6);
+  map.face_distortion.row(0) << 2, 0.5, 1.25, 4, 2, 2;
+  map.face_distortion.row(1) << 3, -1, -2, INFINITY, 9, 9;  // turned over
+  for (const auto& [quantity, value] : {std::pair{Quantity::SigmaMax, 2.0},
+                                        {Quantity::SigmaMin, 0.5},
+                                        {Quantity::Area, 1.25},
+                                        {Quantity::Angle, 4.0}}) {
+    const ColorScale scale = color_scale(quantity, {});
+    const std::string text = drawing_of(map, {.quantity = quantity});
+    EXPECT_EQ(fills(text), (std::vector{scale.color(value).hex(), kFlippedColor.hex()}));
+    expect_contains(text, {fmt::format(">{}, degree 1<", scale.label()),
+                           fmt::format("smallest {0:.4g}, largest {0:.4g}<", value)});
+  }
+  EXPECT_EQ(drawing_of(map, {.quantity = Quantity::Density}), drawing_of(map));
+  map.face_distortion.resize(0, 6);  // measured where the file does not say
+  EXPECT_EQ(fills(drawing_of(map, {.quantity = Quantity::Area})).size(), 2u);
+  map.distortion.resize(0);
+  expect_contains(
+      error_message(ErrorKind::Usage, [&] { drawing_of(map, {.quantity = Quantity::Density}); }),
+      {"no density"});
+}
+
 TEST(WriteSvg, WithoutAnEnergyThereIsNoScale) {
   MapFile map = two_triangles(4);
   for (const char* claims : {"", "{", "[]", R"({"energy": 3})", R"({"energy": "unknown"})"}) {

@@ -1,12 +1,16 @@
 #include "majorant/parametrization/drive/internal/degree_solver.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
+#include "majorant/framework/error.h"
 #include "majorant/framework/evaluator.h"
 #include "majorant/framework/internal/stopwatch.h"
+#include "majorant/parametrization/drive/internal/meet_constraints.h"
 #include "majorant/parametrization/drive/internal/solver_rules.h"
 
 namespace majorant {
@@ -26,18 +30,40 @@ DegreeSolver::DegreeSolver(const Setup& setup, MapDomain& domain,
                                                             depth_, setup.stop)),
       element_weight_(Vec::Ones(space_->element_count())),
       x_(domain.unknowns(x)),
+      added_(setup.added),
       built_([&] {
         require_curvature(terms_, setup.solve.curvature);
+        added_.require_curvature(setup.solve.curvature);
         setup.stop.poll();
-        MapProblem built = domain.build(input(), x_);
+        DomainProblem built = domain.build(input(), x_);
         setup.stop.poll();  // what follows is the analysis of its pattern
         return built;
       }()),
       stepper_(built_.problem,
-               newton_options(setup.solve.curvature, setup.rules, setup.stop, domain.ordering())) {}
+               newton_options(setup.solve.curvature, setup.rules, setup.stop, domain.ordering())) {
+  if (added_.constrained()) meet_added_constraints();
+}
 
 DomainInput DegreeSolver::input() const {
-  return {setup_.map, space_, start_, terms_, injectivity_, depth_, setup_.stop};
+  return {setup_.map, space_, start_, terms_, injectivity_, depth_, added_, setup_.stop};
+}
+
+// What was added may hold nowhere yet.
+void DegreeSolver::meet_added_constraints() {
+  x_ = majorant::meet_constraints(built_.problem, *space_, x_);
+  const Verdict faces = injectivity_->check(x());
+  if (!faces.feasible)
+    throw Error(ErrorKind::Infeasible,
+                fmt::format("degree {}: the start, moved to where it satisfies the added "
+                            "constraints, is not injective: face {} ({} in all) is not positively "
+                            "oriented; bring a start that satisfies them",
+                            space_->degree(), faces.blocking.front(), faces.blocking.size()));
+  if (!AngleSums(space_, AngleSums::Vertices::Interior, setup_.map.seams).check(x()).feasible)
+    throw Error(ErrorKind::Infeasible,
+                fmt::format("degree {}: the start, moved to where it satisfies the added "
+                            "constraints, covers a place more than once; bring a start that "
+                            "satisfies them",
+                            space_->degree()));
 }
 
 double DegreeSolver::constraint_residual() const {
@@ -87,10 +113,17 @@ void DegreeSolver::return_to(const Place& place) {
   rebuild();
 }
 
-// Of the map alone, on the rules of now, all elements with their full weight.
+// Of the map alone, on the rules of now, all elements with their full weight, and what was added.
 double DegreeSolver::own_energy(VecIn x) const {
   const Vec map = x.head(2 * space_->node_count());
-  return energy_of_map(setup_.map, terms_, levels_.of_faces(), map);
+  return energy_of_map(setup_.map, terms_, levels_.of_faces(), map) + added_.energy(map);
+}
+
+// What the problem's energy at x_ has that nobody asked for.
+double DegreeSolver::foreign_energy() const {
+  double sum = domain_.foreign_energy(built_.problem, x_);
+  for (const TermId id : built_.barriers) sum += term_energy(built_.problem, id, x_);
+  return sum;
 }
 
 // own: the step's record, of the map alone.
@@ -105,8 +138,9 @@ Directive DegreeSolver::note(const IterationRecord& own, StepResult::Outcome out
   if (rows.phase != Phase::Newton)
     row.energy = setup_.asked_energy ? setup_.asked_energy(x()) : own_energy(x_);
   const Directive directive = rows.record.note(std::move(row));
-  if (setup_.watch) setup_.watch(rows.record.trace().back(), space_, x());
-  return directive;
+  if (!setup_.watch) return directive;
+  const Directive watched = setup_.watch(rows.record.trace().back(), space_, x());
+  return directive != Directive::Continue ? directive : watched;
 }
 
 // One step and what the domain makes of it; energy: of the problem, result.energy: the map's own.
@@ -122,7 +156,7 @@ DegreeSolver::Iteration DegreeSolver::iterate(SolveResult& result, double& energ
   if (moved) {
     x_ = built_.problem.expand(result.y);
     own.iteration = static_cast<int>(result.iterations.size()) + 1;
-    own.energy = energy - domain_.foreign_energy(built_.problem, x_);
+    own.energy = energy - foreign_energy();
     own.relative_decrease = relative_to(result.energy, result.energy - own.energy);
     result.energy = own.energy;
     result.iterations.push_back(own);
@@ -178,7 +212,7 @@ SolveResult DegreeSolver::descend(StoppingRules rules, Phase phase, RunRecord& r
     x_ = built_.problem.expand(result.y);
     if (!check_start(stepper_.evaluator(), result)) return result;
     const double energy = result.energy;
-    result.energy -= domain_.foreign_energy(built_.problem, x_);
+    result.energy -= foreign_energy();
     began_at_ = result.energy;
     StoppingTest test(rules, energy);
     iterate_until(test, {record, phase}, energy, result);
@@ -211,7 +245,7 @@ void DegreeSolver::soften(RunRecord& record) {
     apply_state();
     result.y = built_.problem.reduce(x_);
     double energy = stepper_.evaluator().value(result.y);
-    result.energy = energy - domain_.foreign_energy(built_.problem, x_);
+    result.energy = energy - foreign_energy();
     const Iteration it = iterate(result, energy, {record, Phase::SoftStart});
     if (test.after(it.step, it.since).stop || it.directive != Directive::Continue) break;
   }

@@ -33,16 +33,20 @@ class DegreeSolver {
     SolveOptions solve;
     StopCheck stop;
     SolverRules rules;
+    Additions added = {};  // of this degree
     // Of a map, 2 numbers per node, for the trace: where another energy is minimized than the one
     // asked for. Empty: that of `map`.
     std::function<double(VecIn)> asked_energy;
     // Called after every row of the trace, with the nodes of the map. May be empty.
-    std::function<void(const TraceEntry&, const std::shared_ptr<const BezierTriangleSpace>&, VecIn)>
+    std::function<Directive(const TraceEntry&, const std::shared_ptr<const BezierTriangleSpace>&,
+                            VecIn)>
         watch = {};
   };
 
   // x: start, 2 numbers per node of `space`, normalised, locally injective. setup and domain
-  // outlive the solver. Throws Error(Usage) when an energy does not support the curvature; Stopped.
+  // outlive the solver. Throws Error(Usage) when an energy does not support the curvature,
+  // Error(Infeasible) when x, moved to where it satisfies added constraints, is not injective;
+  // Stopped.
   DegreeSolver(const Setup& setup, MapDomain& domain,
                std::shared_ptr<const BezierTriangleSpace> space, const Vec& x);
 
@@ -86,6 +90,7 @@ class DegreeSolver {
   enum class Effect { None, GoOn, Ended };
 
   DomainInput input() const;
+  void meet_added_constraints();
   void rebuild();
   void apply_state();
   void renew_states();
@@ -93,6 +98,7 @@ class DegreeSolver {
   Place place() const { return {x_, domain_.surroundings()}; }
   void return_to(const Place& place);
   double own_energy(VecIn x) const;
+  double foreign_energy() const;
   Directive note(const IterationRecord& own, StepResult::Outcome outcome, const Rows& rows) const;
 
   SolveResult descend(StoppingRules rules, Phase phase, RunRecord& record);
@@ -102,6 +108,12 @@ class DegreeSolver {
   bool refine_inaccurate();
   StoppingRules unlimited(double relative_decrease) const;
   StoppingRules final_rules() const;
+
+  // bounds.cpp
+  SolveResult solve_within_bounds(RunRecord& record);
+  bool enter_bounds(SolveResult& result, RunRecord& record);
+  bool follow_barriers(SolveResult& result, RunRecord& record);
+  SolveResult descend_with(double barrier_weight, RunRecord& record);
 
   // remedies.cpp
   const RemedyRules& rules() const { return setup_.rules.remedies; }
@@ -127,7 +139,8 @@ class DegreeSolver {
   std::vector<long> proven_inside_;  // by the solves along a barrier
   Vec element_weight_;               // 1, or else for a while: softened, excluded
   Vec x_;                            // unknowns of the domain, the map's first
-  MapProblem built_;
+  Additions added_;
+  DomainProblem built_;
   NewtonStepper stepper_;
   double began_at_ = 0;            // own energy at the start of the last descent
   bool barrier_followed_ = false;  // once a degree

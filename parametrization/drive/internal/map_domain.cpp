@@ -28,8 +28,13 @@ class KeptSolver final : public LinearSolver {
 
 }  // namespace
 
-MapProblem PlainDomain::build(const DomainInput& in, VecIn) {
-  return map_problem(in.map, in.space, in.start, in.terms, in.injectivity);
+DomainProblem PlainDomain::build(const DomainInput& in, VecIn) {
+  ProblemBuilder builder(2 * in.space->node_count());
+  EnergyIds energies = add_map(builder, in.map, in.space, in.start, in.terms);
+  builder.add(in.injectivity);
+  std::vector<TermId> barriers = in.added.add_to(builder);
+  builder.add(in.added.gauge(in.map, *in.space, in.start));
+  return {{builder.build(), std::move(energies)}, std::move(barriers)};
 }
 
 ScaffoldedDomain::ScaffoldedDomain(const BezierMap& start, ScaffoldFlips flips,
@@ -46,7 +51,7 @@ ScaffoldedDomain::ScaffoldedDomain(const BezierMap& start, ScaffoldFlips flips,
   relaxing_.linear_solver = [solver] { return std::make_unique<KeptSolver>(solver); };
 }
 
-MapProblem ScaffoldedDomain::build(const DomainInput& in, VecIn x) {
+DomainProblem ScaffoldedDomain::build(const DomainInput& in, VecIn x) {
   const AddedSeconds time(seconds_);
   ProblemBuilder builder(2 * scaffold_.joint_node_count());
   EnergyIds energies = add_map(builder, in.map, in.space, in.start, in.terms);
@@ -57,10 +62,11 @@ MapProblem ScaffoldedDomain::build(const DomainInput& in, VecIn x) {
       in.injectivity, in.space->element_count(),
       std::make_shared<const LocalInjectivity>(scaffold_.space(), Vec::Ones(scaffold_.face_count()),
                                                in.depth, in.stop)));
+  std::vector<TermId> barriers = in.added.add_to(builder);
   builder.add(FixedPoints::at(scaffold_.frame_nodes(), x));
   lambda_.reset();
   built_ = built_ ? builder.build(*built_) : builder.build();
-  return {*built_, std::move(energies)};
+  return {{*built_, std::move(energies)}, std::move(barriers)};
 }
 
 TermChanges ScaffoldedDomain::before_step(const MapProblem& built, VecIn x) {

@@ -12,6 +12,7 @@
 
 #include "majorant/framework/linear_solver.h"
 #include "majorant/framework/stepper.h"
+#include "majorant/parametrization/drive/internal/additions.h"
 #include "majorant/parametrization/drive/internal/solver_rules.h"
 #include "majorant/parametrization/drive/solve_options.h"
 #include "majorant/parametrization/maps/bezier_map.h"
@@ -28,7 +29,12 @@ struct DomainInput {
   const DensityTerms& terms;
   std::shared_ptr<const LocalInjectivity> injectivity;  // of the map
   int depth;                                            // of certificates
+  const Additions& added;
   const StopCheck& stop;
+};
+
+struct DomainProblem : MapProblem {
+  std::vector<TermId> barriers;  // of the bounds that were added and are held
 };
 
 // What happened to the unknowns between two steps.
@@ -44,7 +50,7 @@ class MapDomain {
 
   // The unknowns of a problem for a map with these control points, which come first.
   virtual Vec unknowns(VecIn map) const = 0;
-  virtual MapProblem build(const DomainInput& input, VecIn x) = 0;
+  virtual DomainProblem build(const DomainInput& input, VecIn x) = 0;
 
   // States that follow the unknowns x of the last problem built; empty: as they are. Not stopped:
   // coming back to a place after a stop needs it, too.
@@ -80,7 +86,7 @@ class MapDomain {
 class PlainDomain final : public MapDomain {
  public:
   Vec unknowns(VecIn map) const override { return map; }
-  MapProblem build(const DomainInput& input, VecIn x) override;
+  DomainProblem build(const DomainInput& input, VecIn x) override;
 };
 
 // [MC20] Sec. 6. Every iteration is one Newton step on
@@ -92,7 +98,7 @@ class ScaffoldedDomain final : public MapDomain {
   ScaffoldedDomain(const BezierMap& start, ScaffoldFlips flips, const SolverRules& rules);
 
   Vec unknowns(VecIn map) const override { return scaffold_.joined(map); }
-  MapProblem build(const DomainInput& input, VecIn x) override;
+  DomainProblem build(const DomainInput& input, VecIn x) override;
   TermChanges before_step(const MapProblem& built, VecIn x) override;
   DomainChange after_step(Vec& x, const StepResult& step, const DomainInput& input) override;
   double foreign_energy(const Problem& problem, VecIn x) const override;

@@ -186,9 +186,21 @@ Vec translated(Vec x, const Vector2& by) {
 
 }  // namespace
 
-NormalizedStart::NormalizedStart(const BezierMap& given, const MapOptions& asked)
+void require_face_data(const SurfaceMesh& mesh, const MapObjective& asked) {
+  require_face_weights(mesh, asked.face_weight);
+  for (const WeightedEnergy& e : asked.energy) {
+    require_face_weights(mesh, e.face_weight);
+    const DensityTraits& traits = e.make.traits();
+    if (traits.elements.value_or(mesh.face_count()) != mesh.face_count())
+      throw Error(ErrorKind::Usage,
+                  fmt::format("{}: the energy '{}' has data for {} faces, the mesh has {}",
+                              mesh.file(), traits.name, *traits.elements, mesh.face_count()));
+  }
+}
+
+NormalizedStart::NormalizedStart(const BezierMap& given, const MapOptions& asked, Origin origin)
     : scale_(normalizing_scale(given.mesh())), map_(given) {
-  require_face_weights(given.mesh(), asked.face_weight);
+  require_face_data(given.mesh(), asked);
   MapSpecification& spec = specification_;
   static_cast<MapObjective&>(spec) = asked;
   spec.aligned = nearest_axes(given, asked.aligned);
@@ -202,7 +214,7 @@ NormalizedStart::NormalizedStart(const BezierMap& given, const MapOptions& asked
   require_scale(asked, start);
   // Where nothing holds the map, its first held vertex moves to the origin.
   if (const auto gauge = gauge_vertices(spec, start.space());
-      !gauge.empty() && spec.pins.empty() && spec.handles.empty())
+      origin == Origin::Free && !gauge.empty() && spec.pins.empty() && spec.handles.empty())
     origin_ = start.control_points().segment<2>(2 * gauge.front());
   if (origin_.norm() * scale_ <= kFarAway || spec.boundary == BoundaryCondition::Fixed)
     destination_ = origin_;

@@ -13,15 +13,22 @@
 
 namespace majorant {
 
+// Throws Error(Usage) unless face weights and data of energies are for the faces of the mesh.
+void require_face_data(const SurfaceMesh& mesh, const MapObjective& asked);
+
+// Where the origin is: where coordinates have most digits, or where the start has it, because
+// somebody else knows the coordinates.
+enum class Origin { Free, Kept };
+
 class NormalizedStart {
  public:
   // asked.aligned: edges are projected onto their axis, seams kept, before anything else.
   // Throws Error(Infeasible) when the start is not locally injective, does not meet the pins or has
   // an aligned edge off its axis by more than kSeamTolerance,
   // Error(Unsupported) when a vertex is held twice or a handle's target too far away to compute
-  // with (kLargestFactor), Error(Usage) for vertices that do not exist, face weights that do not
-  // fit, and an energy that would shrink the map to a point (free_scale.h).
-  NormalizedStart(const BezierMap& start, const MapOptions& asked);
+  // with (kLargestFactor), Error(Usage) for vertices that do not exist, weights or data of
+  // faces that do not fit, and an energy that would shrink the map to a point (free_scale.h).
+  NormalizedStart(const BezierMap& start, const MapOptions& asked, Origin origin = Origin::Free);
 
   double scale() const { return scale_; }
   const BezierMap& map() const { return map_; }  // (uv - origin) * scale

@@ -60,6 +60,7 @@ BezierMap roughly_optimized(const BezierMap& start, const ParametrizationOptions
   ParametrizationOptions o = options;
   o.map.degree = 1;
   o.map.energy = {{symmetric_dirichlet(), 1.0}};
+  o.extend = {};
   o.map.pins.clear();
   o.map.handles.clear();
   o.solve.curvature = Curvature::Projected;
@@ -195,6 +196,7 @@ void PinPull::pull(std::vector<Pin> to, double weight) {
   ParametrizationOptions o = options_;
   o.map.degree = 1;
   o.map.handle_weight = weight;
+  o.extend = {};
   o.map.handles = std::move(to);
   o.map.pins.clear();
   o.solve.tolerance = kRoughly;

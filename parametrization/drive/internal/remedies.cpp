@@ -23,7 +23,7 @@ void add_use(RemedyUses& uses, Remedy remedy, double gained) {
 }  // namespace
 
 SolveResult DegreeSolver::finish(RunRecord& record) {
-  SolveResult result = exhaust(kRemedies, record);
+  SolveResult result = added_.bounded() ? solve_within_bounds(record) : exhaust(kRemedies, record);
   record.forget_mark();  // the last remedy may have had no iteration
   return result;
 }
@@ -169,6 +169,7 @@ bool DegreeSolver::step_aside(double unit, RunRecord& record) {
 // Minimizes with that much of the symmetric Dirichlet energy; whether to go on.
 bool DegreeSolver::approach_with(double weight, RunRecord& record) {
   Setup with = setup_;
+  with.added = added_;
   if (weight > 0) with.map.energy.push_back({symmetric_dirichlet(), weight});
   with.solve.curvature = Curvature::Projected;
   with.asked_energy = [this](VecIn x) {

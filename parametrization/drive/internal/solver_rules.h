@@ -45,6 +45,30 @@ struct RemedyRules {
   double worth_another_round = 1e-4;
 };
 
+// Bounds with a barrier (bounds.cpp).
+struct BoundRules {
+  // Of the energy: the first weight times the absolute values of the barrier's elements. Origin:
+  // strong enough to lead away from the bound, weak enough to leave the energy its say.
+  double first_share = 0.1;
+  // Mean density: where the map's vanishes, a barrier has a weight. Origin: as
+  // ScaffoldRules::least_energy.
+  double least_energy = 1e-3;
+  // The same of a barrier's values, which are 0 where rooms are 1. Origin: no weight is infinite.
+  double least_barrier = 1e-6;
+  // Relative decrease that ends a round on the way inside. Origin: they only lead there.
+  double entry_tolerance = 1e-3;
+  // Of the margin, by which a round comes nearer; else the weight grows. Origin: a bound that is
+  // relaxed by a tenth moves by more while it is led by its barrier.
+  double least_progress = 0.02;
+  // By so much. Origin: chosen, not tuned: a round costs a few steps.
+  double harder = 10;
+  // The weight from round to round. Origin: [NW06] Sec. 19.3 has 0.2; Newton's method follows
+  // a tenth in three to six steps.
+  double fall = 0.1;
+  // Origin: bounds the cost of what leads nowhere; ways inside took up to ten rounds.
+  int most_rounds = 40;
+};
+
 // The space around an image (map_domain.h).
 struct ScaffoldRules {
   // lambda E_conf / E. Origin: [MC20] Sec. 6 has 1e-4: too weak a barrier where curves touch
@@ -80,6 +104,7 @@ struct SolverRules {
   // Mean density of a start beyond which it is softened. Origin: bench/tune.py soft_start.
   double soft_start = 1e5;
   RemedyRules remedies;
+  BoundRules bounds;
   ScaffoldRules scaffold;
 };
 

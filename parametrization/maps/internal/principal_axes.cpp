@@ -63,9 +63,11 @@ Vector2 principal_direction(const Points2& uv, const Cells& cells) {
 }
 
 Points2 turned_along(const Points2& uv, const Vector2& direction) {
-  Eigen::Matrix2d turn;
-  turn << direction.x(), direction.y(), -direction.y(), direction.x();
-  return uv * turn.transpose();
+  const double c = direction.x(), s = direction.y();
+  Points2 turned(uv.rows(), 2);
+  for (Index p = 0; p < uv.rows(); ++p)
+    turned.row(p) << c * uv(p, 0) + s * uv(p, 1), c * uv(p, 1) - s * uv(p, 0);
+  return turned;
 }
 
 }  // namespace majorant

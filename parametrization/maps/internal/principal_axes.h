@@ -12,7 +12,8 @@ namespace majorant {
 // is clearly longer than another.
 Vector2 principal_direction(const Points2& uv, const Cells& cells);
 
-// uv turned so that `direction` becomes (1, 0).
+// uv turned so that `direction`, of length 1, becomes (1, 0): (1, 0) itself changes no digit. Point
+// by point: equal points stay equal.
 Points2 turned_along(const Points2& uv, const Vector2& direction);
 
 }  // namespace majorant

@@ -259,6 +259,8 @@ class Improver {
 
 ImprovedMap improve_mesh(const BezierMap& map, const EnergySum& energy, const StopCheck& stop) {
   if (energy.empty()) throw std::invalid_argument("improve_mesh: no energy");
+  if (knows_elements(energy))
+    throw std::invalid_argument("improve_mesh: the energy has data or weights of faces");
   return Improver(map, energy).run(stop);
 }
 

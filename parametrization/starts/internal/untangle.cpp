@@ -7,6 +7,7 @@
 
 #include "majorant/energies/internal/untangling.h"
 #include "majorant/energies/make_energy.h"
+#include "majorant/energies/vectorized.h"
 #include "majorant/framework/newton.h"
 
 namespace majorant {
@@ -53,7 +54,8 @@ class Untangler {
 
  private:
   static MapSpecification untangling(MapSpecification spec) {
-    spec.energy = {{energy_factory(UntanglingDensity(1.0)), 1.0}};
+    const UntanglingDensity density(1.0);
+    spec.energy = {{energy_factory(density, vectorized(density)), 1.0}};
     spec.face_weight.resize(0);
     spec.boundary_angles = BoundaryAngles::Free;
     return spec;

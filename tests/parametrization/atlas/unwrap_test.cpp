@@ -7,6 +7,7 @@
 
 #include "counted_stop.h"
 #include "expected_error.h"
+#include "majorant/energies/make_energy.h"
 #include "majorant/mesh/repair.h"
 #include "majorant/parametrization/atlas/internal/texture_start.h"
 #include "majorant/parametrization/atlas/unit_square.h"
@@ -14,6 +15,7 @@
 #include "majorant/parametrization/packing/proven_distance.h"
 #include "mesh/surfaces_of_any_genus.h"
 #include "mesh/test_meshes.h"
+#include "random.h"
 
 namespace majorant {
 namespace {
@@ -260,6 +262,36 @@ TEST(Unwrap, ACylinderIsCutOpen) {
   const Atlas atlas = unwrapped(cylinder(12), of_degree(1));
   EXPECT_NEAR(atlas.value(), 4, 1e-6);
   EXPECT_NEAR(atlas.cuts.length, 1, 1e-9);
+}
+
+// Cut and split: the data of a face are where the face is.
+TEST(Unwrap, DataFollowTheFacesIntoTheCharts) {
+  const auto mesh = repair(together(moved(grid(4, bumpy), {0, 0, 9}), cube_sphere(2))).mesh;
+  test::Random random(3);
+  const Vec k = random.vector(mesh->face_count(), 1, 30);
+  const Vec weight = random.vector(mesh->face_count(), 1, 3);
+  UnwrapOptions options = of_degree(1);
+  options.chart.map.energy = {{energy_factory(density<2, 2>(
+                                   "stiff",
+                                   [](const auto& J, double c) {
+                                     return c * (J.squaredNorm() + J.inverse().squaredNorm());
+                                   },
+                                   k)),
+                               1.0, weight}};
+  RunRecord record;
+  const Atlas atlas = unwrap(mesh, options, record);
+  EXPECT_GE(atlas.charts.size(), 2U);
+  for (const Chart& chart : atlas.charts)
+    for (Index f = 0; f < chart.map->mesh().face_count(); ++f) {
+      const Eigen::Matrix2d J = chart.map->jacobian(f, Barycentric::Constant(1.0 / 3));
+      const Index on_surface = chart.faces[at(f)];
+      const double expected =
+          weight[on_surface] * k[on_surface] * (J.squaredNorm() + J.inverse().squaredNorm());
+      EXPECT_NEAR(chart.measures.face_value[f], expected, 1e-9 * expected);
+    }
+  options.chart.map.energy[0].face_weight = Vec::Ones(3);
+  expect_contains(error_message(ErrorKind::Usage, [&] { unwrap(mesh, options, record); }),
+                  {"face weights"});
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ function step(app, view, way) {
 }
 
 export function followKeys(app) {
-  const {state, surface, layout, stage} = app;
+  const {state, surface, layout} = app;
   for (const view of [surface, layout]) {
     view.element.addEventListener('keydown', (event) => {
       const way = ways[event.key];
@@ -42,7 +42,6 @@ export function followKeys(app) {
         state.set({pinned: view.pickMiddle() ?? {face: 0, xi: kMiddle}});
       else return;
       event.preventDefault();
-      stage.request();
     });
   }
 }

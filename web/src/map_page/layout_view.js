@@ -4,9 +4,10 @@ import {MOUSE, OrthographicCamera, TOUCH, Vector3} from 'three';
 
 import {combine} from './bezier.js';
 import {CellFinder} from './cell_finder.js';
+import {Chords} from './chords.js';
 import {evaluate} from './map_data.js';
-import * as shaders from './shaders.js';
-import {Mesh, drawable, latticeGeometry, material} from './stage.js';
+import * as markShaders from './mark_shaders.js';
+import {Mesh, cellsGeometry, flatGeometry, material} from './stage.js';
 import {View} from './view.js';
 
 export class LayoutView extends View {
@@ -16,6 +17,7 @@ export class LayoutView extends View {
     super('layout', stage, element, camera, shared);
     this.extent = 1.08;
     this.cells = new CellFinder(shared.map);
+    this.chords = new Chords(shared.map);
     Object.assign(this.controls, {
       enableRotate: false, zoomToCursor: true, minZoom: 0.2, maxZoom: 2000,
       mouseButtons: {LEFT: MOUSE.PAN, MIDDLE: MOUSE.DOLLY, RIGHT: MOUSE.PAN},
@@ -61,11 +63,33 @@ export class LayoutView extends View {
   }
 
   addScaffold(scaffold) {
-    const geometry = latticeGeometry(1, scaffold.faceCount);
     const uniforms = {...this.uniforms, uControl: {value: this.shared.scaffoldControl}};
-    this.scaffold = this.add(drawable(
-        Mesh, geometry,
-        material(shaders.scaffoldVertex(scaffold), shaders.scaffoldFragment, uniforms), 0));
+    this.scaffold = this.add(
+        Mesh, flatGeometry(scaffold.faceCount),
+        material(markShaders.scaffoldVertex(scaffold), markShaders.scaffoldFragment, uniforms), 0);
+    this.scaffoldChords = new Chords(scaffold);
+  }
+
+  refine(height) {
+    const {map: {uvBounds, scaffold}, uv} = this.shared;
+    const {top, bottom, zoom} = this.camera;
+    const scale = height * zoom / ((top - bottom) * uvBounds.size);
+    const cut = this.chords.of(uv, scale);
+    if (this.cut !== cut) {
+      this.cut = cut;
+      this.setCells(this.faces, cut, this.shared.faulty);
+      this.setLines(this.lineList);
+    }
+    if (!scaffold) return;
+    const around = this.scaffoldChords.of(scaffold.uv, scale);
+    if (this.scaffoldCut === around) return;
+    this.scaffoldCut = around;
+    this.setCells(this.scaffold, around, new Set());
+  }
+
+  setCells(object, cut, top) {
+    if (object.geometry !== this.shared.flatCells) object.geometry.dispose();
+    object.geometry = cellsGeometry(cut, top);
   }
 
   // {face, xi} under the mouse, or null.

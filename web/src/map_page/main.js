@@ -17,8 +17,7 @@ import {pictureOf, savePicture} from './picture.js';
 import {followPointer} from './pointer.js';
 import {Readout, measure} from './readout.js';
 import {Scale} from './scales.js';
-import {modes, quantityNumbers} from './shaders.js';
-import {Stage} from './stage.js';
+import {Stage, flatGeometry} from './stage.js';
 import {State} from './state.js';
 import {SurfaceView} from './surface_view.js';
 import {fillControl} from './textures.js';
@@ -54,7 +53,7 @@ function makeApp() {
     frame: null, theme: 0,
   });
   return {
-    map, scales, state, symbols, energy: parseEnergy(map.claims.energy), uv: map.uv, wipe: 0,
+    map, scales, state, symbols, energy: parseEnergy(map.claims.energy), uv: map.uv,
     titles: titlesOf(map, scales), firstShown: state.show,
     css: (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim(),
   };
@@ -121,17 +120,16 @@ function takeImages(app) {
 
 // State to uniforms.
 function drawState(app) {
-  const {state, uniforms, map, stage, layout} = app;
+  const {state, uniforms, map, stage} = app;
   const redraw = (names, change) => state.watch(names, () => {
     change();
     stage.request();
   });
   redraw(['show', 'texture'], () => {
     const scale = app.scales[state.show];
-    const picture = state.show === 'chart' ? 'chart' : state.texture;
-    uniforms.uMode.value = modes[scale ? 'heat' : picture];
+    app.picture = {name: state.show === 'chart' ? 'chart' : state.texture};
     if (!scale) return;
-    uniforms.uQuantity.value = quantityNumbers[state.show];
+    app.picture = {name: 'heat', quantity: state.show};
     uniforms.uScale.value = scale.uniform;
     uniforms.uUnit.value = scale.unit;
     uniforms.uColors.value.image.data.forEach((_, k, bytes) => {
@@ -141,7 +139,6 @@ function drawState(app) {
   });
   redraw(['brush'], () => { uniforms.uBrush.value = state.brush ?? [0, 1]; });
   redraw(['wipe'], () => {
-    app.wipe = state.wipe;
     byId('wipe').value = 100 * state.wipe;
     for (const line of document.querySelectorAll('.wipe')) {
       line.hidden = state.wipe === 0;
@@ -150,7 +147,7 @@ function drawState(app) {
   });
   redraw(['edges'], () => { uniforms.uEdges.value = state.edges ? 0.3 : 0; });
   redraw(['faults'], () => { uniforms.uFaultsShown.value = state.faults; });
-  redraw(['scaffold'], () => { if (layout.scaffold) layout.scaffold.visible = state.scaffold; });
+  redraw(['scaffold'], () => {});
   redraw(['hovered', 'pinned'], () => {
     uniforms.uHovered.value = state.hovered?.face ?? -1;
     uniforms.uPinned.value = state.pinned?.face ?? -1;
@@ -169,7 +166,8 @@ function drawState(app) {
 
 function addViews(app) {
   const {state} = app;
-  Object.assign(app, makeUniforms(app));
+  app.faulty = new Set(app.map.faults.map(({face}) => face));
+  Object.assign(app, makeUniforms(app), {flatCells: flatGeometry(app.map.faceCount, app.faulty)});
   app.stage = new Stage(byId('canvas'));
   app.surface = new SurfaceView(app.stage, byId('surface'), app);
   app.layout = new LayoutView(app.stage, byId('layout'), app);

@@ -87,6 +87,7 @@ export function readMap(data) {
     scaffold: data.scaffold ? planeOf(data.scaffold) : null,
     claims: data.claims,
     facts: data.facts,
+    eye: data.eye,
     scale: data.scale.value,
     scaleIsAssumed: data.scale.assumed,
   };

@@ -1,54 +1,88 @@
 // One WebGL canvas with two views, drawn when something changed: scenes, cameras, render passes.
 
 import {
-  BufferAttribute, BufferGeometry, Color, DoubleSide, Float32BufferAttribute, GLSL3,
-  InstancedBufferAttribute, InstancedBufferGeometry, Mesh, Points, RawShaderMaterial, Scene,
-  WebGLRenderer, WebGLRenderTarget,
+  BufferAttribute, BufferGeometry, Color, DoubleSide, Float32BufferAttribute, GLSL3, Mesh, Points,
+  RawShaderMaterial, Scene, WebGLRenderer, WebGLRenderTarget,
 } from 'three';
 
-import {modes} from './shaders.js';
-
-// Every cell as a triangle cut into k * k: vertices are (cell, first two barycentric coordinates).
-// One long list, as renderers in software take instances one by one.
-export function latticeGeometry(k, cells) {
-  const places = [], triangles = [];
-  const number = (i, j) => i * (k + 1) - (i * (i - 1)) / 2 + j;
-  for (let i = 0; i <= k; ++i)
-    for (let j = 0; j <= k - i; ++j) {
-      places.push([i / k, j / k]);
-      if (i + j < k) triangles.push(number(i + 1, j), number(i, j + 1), number(i, j));
-      if (i + j < k - 1) triangles.push(number(i, j + 1), number(i + 1, j), number(i + 1, j + 1));
-    }
-  const vertices = new Float32Array(3 * places.length * cells);
-  const indices = new Uint32Array(triangles.length * cells);
-  for (let cell = 0; cell < cells; ++cell) {
-    places.forEach(([a, b], at) => vertices.set([cell, a, b], 3 * (cell * places.length + at)));
-    triangles.forEach((vertex, at) => {
-      indices[cell * triangles.length + at] = cell * places.length + vertex;
-    });
-  }
+// Everything is one long list, as renderers in software take instances one by one.
+function indexedGeometry(attributes, indices) {
   const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(vertices, 3));
+  for (const [name, [values, size]] of Object.entries(attributes))
+    geometry.setAttribute(name, new BufferAttribute(values, size));
   geometry.setIndex(new BufferAttribute(indices, 1));
   return geometry;
 }
 
-// lines: [{face, edge, width, corner, tint, target}], of `pieces` pieces each.
-export function linesGeometry(lines, pieces) {
-  const corners = [];
-  for (let k = 0; k < pieces; ++k) {
-    const [t, s] = [k / pieces, (k + 1) / pieces];
-    corners.push(t, -1, 0, s, -1, 0, s, 1, 0, t, -1, 0, s, 1, 0, t, 1, 0);
+// A triangle cut into k * k: its vertices' barycentric coordinates, its triangles. Vertices on edges
+// 01, 12, 20 go to the next of `ends` pieces there, fewer than k where the other side has fewer.
+function lattice(k, ends) {
+  const places = [], triangles = [];
+  const number = (i, j) => i * (k + 1) - (i * (i - 1)) / 2 + j;
+  const next = (x, edge) => Math.round(x * ends[edge] / k) / ends[edge];
+  for (let i = 0; i <= k; ++i)
+    for (let j = 0; j <= k - i; ++j) {
+      let place = [i / k, j / k];
+      if (i + j === k) place = [next(i, 0), 1 - next(i, 0)];
+      else if (i === 0) place = [0, next(j, 1)];
+      else if (j === 0) place = [next(i, 2), 0];
+      places.push(...place);
+      if (i + j < k) triangles.push(number(i + 1, j), number(i, j + 1), number(i, j));
+      if (i + j < k - 1) triangles.push(number(i, j + 1), number(i + 1, j), number(i + 1, j + 1));
+    }
+  return {places, triangles};
+}
+
+// Cells as triangles cut into pieces (chords.js): vertices are (cell, first two barycentric
+// coordinates). Where they overlap, those of `top` are seen.
+export function cellsGeometry({pieces, edges}, top) {
+  const lattices = new Map();
+  const ofCells = Array.from(pieces, (k, cell) => {
+    const ends = edges.subarray(3 * cell, 3 * cell + 3);
+    const key = `${k},${ends}`;
+    if (!lattices.has(key)) lattices.set(key, lattice(k, ends));
+    return lattices.get(key);
+  });
+  const sum = (sizeOf) => ofCells.reduce((total, one) => total + sizeOf(one), 0);
+  const vertices = new Float32Array(sum(({places}) => 1.5 * places.length));
+  const indices = new Uint32Array(sum(({triangles}) => triangles.length));
+  let vertex = 0, index = 0;
+  const add = (cell) => {
+    const {places, triangles} = ofCells[cell];
+    for (const corner of triangles) indices[index++] = vertex + corner;
+    for (let at = 0; at < places.length; at += 2)
+      vertices.set([cell, places[at], places[at + 1]], 3 * vertex++);
+  };
+  for (let cell = 0; cell < pieces.length; ++cell) if (!top.has(cell)) add(cell);
+  top.forEach(add);
+  return indexedGeometry({position: [vertices, 3]}, indices);
+}
+
+// Every cell as one triangle.
+export const flatGeometry = (count, top = new Set()) => cellsGeometry(
+    {pieces: new Uint8Array(count).fill(1), edges: new Uint8Array(3 * count).fill(1)}, top);
+
+// lines: [{face, edge, width, corner, tint, target}], bands of piecesOf(face) pieces each.
+export function linesGeometry(lines, piecesOf) {
+  const positions = [], targets = [], tints = [], places = [], indices = [];
+  for (const {face, edge, width, corner, tint, target} of lines) {
+    const pieces = piecesOf(face);
+    const first = positions.length / 3;
+    for (let k = 0; k <= pieces; ++k)
+      for (const side of [-1, 1]) {
+        positions.push(k / pieces, side, width);
+        places.push(face, edge, corner ?? 0);
+        tints.push(...tint);
+        targets.push(...(target ?? [0, 0]));
+      }
+    for (let k = first; k < first + 2 * pieces; k += 2)
+      indices.push(k, k + 2, k + 3, k, k + 3, k + 1);
   }
-  const geometry = new InstancedBufferGeometry();
-  const add = (name, size, valueOf) => geometry.setAttribute(
-      name, new InstancedBufferAttribute(new Float32Array(lines.flatMap(valueOf)), size));
-  geometry.setAttribute('position', new Float32BufferAttribute(corners, 3));
-  add('line', 4, (l) => [l.face, l.edge, l.width, l.corner ?? 0]);
-  add('tint', 3, (l) => l.tint);
-  add('target', 2, (l) => l.target ?? [0, 0]);
-  geometry.instanceCount = lines.length;
-  return geometry;
+  const floats = (values, size) => [Float32Array.from(values), size];
+  return indexedGeometry({
+    position: floats(positions, 3), line: floats(places, 3), tint: floats(tints, 3),
+    target: floats(targets, 2),
+  }, Uint32Array.from(indices));
 }
 
 // dots: [{face, xi, radius, tint}].
@@ -109,12 +143,12 @@ export class Stage {
     this.request();
   }
 
-  // In CSS pixels from the upper left corner of the canvas.
+  // In CSS pixels from the lower left corner of the canvas.
   rectangleOf(view) {
     const outer = this.canvas.getBoundingClientRect();
     const inner = view.element.getBoundingClientRect();
-    return {x: inner.left - outer.left, y: inner.top - outer.top,
-            width: inner.width, height: inner.height, total: outer.height};
+    return {x: inner.left - outer.left, y: outer.bottom - inner.bottom, width: inner.width,
+            height: inner.height, pixel: this.renderer.getPixelRatio()};
   }
 
   render(views = this.views) {
@@ -123,30 +157,24 @@ export class Stage {
     renderer.setScissorTest(true);
     for (const view of views) {
       view.isOld = false;
-      const {x, y, width, height, total} = this.rectangleOf(view);
+      const rectangle = this.rectangleOf(view);
+      const {x, y, width, height} = rectangle;
       if (width < 1 || height < 1) continue;
-      renderer.setViewport(x, total - y - height, width, height);
-      renderer.setScissor(x, total - y - height, width, height);
-      view.prepare({left: x * renderer.getPixelRatio(), width, height,
-                    pixel: renderer.getPixelRatio()});
+      renderer.setViewport(x, y, width, height);
+      renderer.setScissor(x, y, width, height);
       renderer.clear();
+      view.prepare(rectangle);
       renderer.render(view.scene, view.camera);
     }
     this.drawCalls = renderer.info.render.calls;
   }
 
-  // The view drawn in another mode, one texel a CSS pixel, read back: bytes r, g, b, a by rows from
-  // below. Only cells are drawn, without antialiasing.
-  readPass(view, mode, width, height) {
+  // The view with another picture (shaders.js), one texel a CSS pixel, read back: bytes r, g, b, a by
+  // rows from below. Only cells are drawn, without antialiasing.
+  readPass(view, picture, width, height) {
     const {renderer} = this;
     const target = new WebGLRenderTarget(width, height);
-    const marks = view.scene.children.filter((child) => child !== view.faces && child.visible);
-    for (const mark of marks) mark.visible = false;
-    const {uMode} = view.faces.material.uniforms;
-    const shown = uMode.value;
-    uMode.value = modes[mode];
-    view.prepare({left: 0, width, height, pixel: 1});
-    view.faces.material.uniforms.uWipe.value = -1;
+    view.prepare({x: 0, y: 0, width, height, pixel: 1}, picture);
     renderer.setScissorTest(false);
     renderer.setRenderTarget(target);
     renderer.clear();
@@ -155,8 +183,6 @@ export class Stage {
     renderer.readRenderTargetPixels(target, 0, 0, width, height, bytes);
     renderer.setRenderTarget(null);
     target.dispose();
-    uMode.value = shown;
-    for (const mark of marks) mark.visible = true;
     this.request();
     return bytes;
   }

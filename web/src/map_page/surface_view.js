@@ -6,53 +6,42 @@ import {cornersOf, positionOf} from './map_data.js';
 import {meet} from './ray.js';
 import {View} from './view.js';
 
-const kExtent = 2.15;  // of the view at zoom 1, in radii; as of write_png.h
+const kExtent = 2.15;  // of the view at zoom 1, in radii
 const kMargin = 1.05;  // around what is seen first
 const kDistance = 4;   // of the camera, in radii
 const kSteep = 0.9986;  // cosine of 3 degrees
-const kOneSided = 0.2;  // sum of normals over area, from which a surface is seen from its front
-
-// Open surfaces from where most of them is seen, closed ones from the front, a little aside.
-function firstView(map) {
-  const sum = [0, 0, 0];
-  let area = 0;
-  for (let face = 0; face < map.faceCount; ++face) {
-    const [p, q, r] = cornersOf(map, face).map((c) => new Vector3(...positionOf(map, c)));
-    const normal = q.sub(p).cross(r.sub(p)).multiplyScalar(0.5);
-    normal.toArray().forEach((x, d) => { sum[d] += x; });
-    area += normal.length();
-  }
-  const length = Math.hypot(...sum);
-  const eye = length > kOneSided * area ? sum.map((x) => x / length) : [0.35, 0.25, 1];
-  return {eye, up: Math.abs(eye[1]) > kSteep * Math.hypot(...eye) ? [0, 0, 1] : [0, 1, 0]};
-}
 
 export class SurfaceView extends View {
   constructor(stage, element, shared) {
     const camera = new OrthographicCamera(-1, 1, 1, -1, -10, 20);
-    const {eye, up} = firstView(shared.map);
-    camera.up.set(...up);  // before OrbitControls look
+    const {eye} = shared.map;
+    camera.up.set(...(Math.abs(eye[1]) > kSteep ? [0, 0, 1] : [0, 1, 0]));  // before OrbitControls look
     camera.position.set(...eye).setLength(kDistance);
     super('surface', stage, element, camera, shared);
     this.extent = kExtent;
-    camera.zoom = kExtent / (kMargin * this.shownSize(eye, up));
     Object.assign(this.controls, {minZoom: 0.2, maxZoom: 500, zoomToCursor: true});
-    this.controls.update();
+    const {middle, size} = this.shownFrom(eye);
+    this.setPose([...eye, ...middle, kExtent / (kMargin * size)]);
     this.homePose = this.pose();
   }
 
-  // The larger side of what is seen from there, in radii.
-  shownSize(eye, up) {
+  // The middle of what is seen from there, in the frame of the view, and its larger side.
+  shownFrom(eye) {
     const back = new Vector3(...eye).normalize();
-    const right = new Vector3(...up).cross(back).normalize();
-    const axes = [right, back.clone().cross(right)];
+    const right = this.camera.up.clone().cross(back).normalize();
     const {map, surfaceFrame: {center, radius}} = this.shared;
-    let most = 0;
-    for (let corner = 0; corner < map.cornerCount; ++corner) {
-      const p = new Vector3(...positionOf(map, corner)).sub(new Vector3(...center));
-      for (const axis of axes) most = Math.max(most, Math.abs(p.dot(axis)));
+    const middle = new Vector3();
+    let size = 0;
+    for (const axis of [right, back.clone().cross(right)]) {
+      let [low, high] = [Infinity, -Infinity];
+      for (let corner = 0; corner < map.cornerCount; ++corner) {
+        const along = axis.dot(new Vector3(...positionOf(map, corner)).sub(new Vector3(...center)));
+        [low, high] = [Math.min(low, along), Math.max(high, along)];
+      }
+      middle.addScaledVector(axis, (low + high) / (2 * radius));
+      size = Math.max(size, (high - low) / radius);
     }
-    return 2 * most / radius || 2;
+    return {middle, size: size || 2};
   }
 
   // Direction to the eye, what it looks at (in the frame of the view), zoom.

@@ -1,7 +1,6 @@
 // What the programs of both views share: textures of the map, and what the state says.
 
 import {tints, rgbOf} from './marks.js';
-import {modes} from './shaders.js';
 import * as textures from './textures.js';
 
 const kCheckers = 40;  // along the layout, at least half of them
@@ -35,8 +34,6 @@ export function makeUniforms({map}) {
     uTints: textures.colorTexture(tintBytes, textures.nearest),
     uColors: textures.colorTexture(new Uint8Array(768)),
     uImage: null,
-    uMode: modes.checker,
-    uQuantity: 1,
     uHovered: -1,
     uPinned: -1,
     uScale: [0, 0, 1, 0],

@@ -3,109 +3,117 @@
 
 import {OrbitControls} from 'three/addons/controls/OrbitControls.js';
 
+import * as markShaders from './mark_shaders.js';
 import * as shaders from './shaders.js';
-import {Mesh, Points, Scene, dotsGeometry, drawable, latticeGeometry, linesGeometry,
-        material} from './stage.js';
-
-const kPieces = [1, 2, 3, 4, 6, 8, 12];  // of curved edges
-const kChord = 5;            // CSS pixels
-const kMostTriangles = 1e6;
-const kLinePieces = 8;       // of curved outlines
-const kUsualHeight = 600;    // CSS pixels
+import {Mesh, Points, Scene, dotsGeometry, drawable, linesGeometry, material} from './stage.js';
 
 export class View {
-  // kind: 'surface' or 'layout'; scene: what main.js shares between views: map, energy, uniforms.
+  // kind: 'surface' or 'layout'; shared: what main.js shares between views: map, energy, uniforms,
+  // what is shown.
   constructor(kind, stage, element, camera, shared) {
     Object.assign(this, {kind, stage, element, camera, shared, scene: new Scene()});
     this.uniforms = {
       ...shared.uniforms,
       uCamera: {value: camera.projectionMatrix.clone()},
-      uStraight: {value: false},
-      uWipe: {value: -1},
       uViewport: {value: [1, 1]},
     };
-    this.straight = {...this.uniforms, uStraight: {value: true}};
-    const {map, energy} = shared;
-    const faces = latticeGeometry(1, map.faceCount);
-    const faceMaterial = (uniforms) => material(
-        shaders.facesVertex(map, kind), shaders.facesFragment(map, energy, kind), uniforms);
-    this.faces = this.add(drawable(Mesh, faces, faceMaterial(this.uniforms), 1));
-    if (kind === 'layout')
-      this.straightFaces = this.add(drawable(Mesh, faces, faceMaterial(this.straight), 1));
+    this.programs = new Map();
+    this.lineList = [];
+    this.addObjects();
     this.controls = new OrbitControls(camera, element);
     this.controls.addEventListener('change', () => stage.request(this));
     stage.views.push(this);
   }
 
-  // Along the edges of cells, so that chords are a few pixels long: more where the view is closer.
-  piecesOf({degree, faceCount}, height = kUsualHeight) {
-    if (this.kind === 'surface' || degree === 1) return 1;
-    const cell = height * this.camera.zoom / Math.sqrt(faceCount);
-    return kPieces.findLast((pieces) => pieces * kChord < 2 * cell &&
-                                        pieces * pieces * faceCount < kMostTriangles) ?? 1;
-  }
-
-  // Takes finer or coarser geometry where the camera has come closer or gone away.
-  refine(height) {
-    for (const [plane, objects] of [[this.shared.map, [this.faces, this.straightFaces]],
-                                    [this.shared.map.scaffold, [this.scaffold]]]) {
-      if (!plane || !objects[0]) continue;
-      const pieces = this.piecesOf(plane, height);
-      for (const object of objects) {
-        if (!object || object.userData.pieces === pieces) continue;
-        object.userData.pieces = pieces;
-        const geometry = latticeGeometry(pieces, plane.faceCount);
-        object.geometry.dispose();
-        object.geometry = geometry;
-      }
+  addObjects() {
+    const {shared: {map, flatCells}, kind} = this;
+    const lineMaterial = (straight) => material(
+        markShaders.linesVertex(map, kind, straight), markShaders.linesFragment, this.uniforms);
+    this.faces = this.add(Mesh, flatCells, undefined, 1, 'right');
+    this.straightFaces = this.add(Mesh, flatCells, undefined, 1, 'left');
+    const noLines = linesGeometry([]);
+    if (kind === 'surface') {
+      this.lines = [this.add(Mesh, noLines, lineMaterial(false), 2)];
+    } else {
+      this.lines = [this.add(Mesh, noLines, lineMaterial(false), 2, 'right'),
+                    this.add(Mesh, noLines, lineMaterial(true), 2, 'left')];
     }
+    this.dots = this.add(Points, dotsGeometry([]),
+                         material(markShaders.dotsVertex(map, kind), markShaders.dotsFragment,
+                                  this.uniforms, {transparent: true}), 3);
   }
 
-  add(object) {
+  // part: where it is drawn, `left` or `right` of the slider's line, or everywhere.
+  add(Kind, geometry, itsMaterial, order, part = 'whole') {
+    const object = drawable(Kind, geometry, itsMaterial, order);
+    object.userData.part = part;
+    object.onBeforeRender = (renderer) => renderer.setScissor(...this.clips[part]);
     this.scene.add(object);
     return object;
   }
 
+  // The program of the cells for a picture (shaders.js), made when it is first shown.
+  programOf(picture) {
+    const {map, energy} = this.shared;
+    const key = JSON.stringify(picture);
+    if (!this.programs.has(key)) {
+      const ofView = {...picture, view: this.kind};
+      this.programs.set(key, material(shaders.facesVertex(map, ofView),
+                                      shaders.facesFragment(map, energy, ofView), this.uniforms));
+    }
+    return this.programs.get(key);
+  }
+
   setLines(lines) {
-    const {map} = this.shared;
-    const pieces = this.kind === 'surface' || map.degree === 1 ? 1 : kLinePieces;
-    for (const old of [this.lines, this.straightLines]) if (old) this.scene.remove(old);
-    this.lines = this.straightLines = null;
-    if (lines.length === 0) return;
-    const geometry = linesGeometry(lines, pieces);
-    const lineMaterial = (uniforms) => material(
-        shaders.linesVertex(map, this.kind), shaders.linesFragment(this.kind), uniforms);
-    this.lines = this.add(drawable(Mesh, geometry, lineMaterial(this.uniforms), 2));
-    if (this.kind === 'layout')
-      this.straightLines = this.add(drawable(Mesh, geometry, lineMaterial(this.straight), 2));
+    this.lineList = lines;
+    const geometry = linesGeometry(lines, (face) => this.cut?.pieces[face] ?? 1);
+    this.lines[0].geometry.dispose();
+    for (const object of this.lines) object.geometry = geometry;
   }
 
   setDots(dots) {
-    if (this.dots) this.scene.remove(this.dots);
-    this.dots = null;
-    if (dots.length === 0) return;
-    const {map} = this.shared;
-    this.dots = this.add(drawable(
-        Points, dotsGeometry(dots),
-        material(shaders.dotsVertex(map, this.kind), shaders.dotsFragment, this.uniforms,
-                 {transparent: true}), 3));
+    this.dots.geometry.dispose();
+    this.dots.geometry = dotsGeometry(dots);
   }
 
-  // Before it is drawn into a rectangle that begins `left` device pixels from the target's edge.
-  prepare({left, width, height, pixel}) {
+  // Takes finer or coarser geometry where the camera has come closer or gone away; the surface has
+  // flat triangles anyway. height: in device pixels.
+  refine() {}
+
+  // Before it is drawn into a rectangle of the target. pass: instead of what the page shows, cells
+  // alone (shaders.js).
+  prepare({x, y, width, height, pixel}, pass = null) {
     this.fit(width, height);
-    this.refine(height);
+    this.refine(height * pixel);
     this.camera.updateMatrixWorld();
     this.uniforms.uCamera.value.multiplyMatrices(this.camera.projectionMatrix,
                                                  this.camera.matrixWorldInverse);
-    const {wipe} = this.shared;
-    this.uniforms.uWipe.value = wipe > 0 ? left + wipe * width * pixel : -1;
     this.uniforms.uViewport.value = [width * pixel, height * pixel];
     this.uniforms.uPixel.value = pixel;
-    for (const object of [this.straightFaces, this.straightLines])
-      if (object) object.visible = wipe > 0;
     const eye = this.camera.position.clone().sub(this.controls.target).normalize();
     this.uniforms.uEye.value = [eye.x, eye.y, eye.z];
+    const line = pass ? 0 : Math.round(this.shared.state.wipe * width * pixel) / pixel;
+    this.clips = {
+      whole: [x, y, width, height],
+      left: [x, y, line, height],
+      right: [x + line, y, width - line, height],
+    };
+    this.choose(pass);
+  }
+
+  // What is drawn, and as which picture.
+  choose(pass) {
+    const {state, picture} = this.shared;
+    const shown = pass ? {...picture, name: pass} : picture;
+    const isCoarse = this.cut?.areCoarse ?? false;
+    this.faces.material = this.programOf({...shown, straight: false, isCoarse});
+    for (const object of this.scene.children)
+      object.visible = (!pass || object === this.faces) && this.clips[object.userData.part][2] > 0;
+    if (this.straightFaces.visible)
+      this.straightFaces.material = this.programOf({...shown, straight: true});
+    for (const object of this.lines) object.visible &&= this.lineList.length > 0;
+    this.dots.visible &&= this.dots.geometry.attributes.position.count > 0;
+    if (this.scaffold) this.scaffold.visible &&= state.scaffold;
   }
 
   // An orthographic camera whose height at zoom 1 is `extent`, or its width where that is less.

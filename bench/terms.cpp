@@ -1,0 +1,188 @@
+// What a term of a lambda costs beside the same one differentiated by hand: time per linearization,
+// assembly included (Google Benchmark). The ratio of two lines of one run is what counts.
+//
+// Sample run:
+//   build/release/bench/majorant_terms_bench
+#include <benchmark/benchmark.h>
+
+#include <random>
+
+#include "majorant/framework/evaluator.h"
+#include "majorant/framework/packed_symmetric.h"
+#include "majorant/framework/thread_count.h"
+#include "majorant/terms/local_term.h"
+
+namespace majorant {
+namespace {
+
+constexpr Index kPoints = 20000;
+constexpr double kEdge = 1.0 / kPoints;
+
+Cells runs_of(Index nodes) {
+  Cells cells(kPoints - nodes + 1, nodes);
+  for (Index e = 0; e < cells.rows(); ++e)
+    for (Index i = 0; i < nodes; ++i) cells(e, i) = e + i;
+  return cells;
+}
+
+// (|d| - L)^2 / L.
+std::shared_ptr<const EnergyTerm> springs() {
+  return make_term<2, 2>("springs", runs_of(2), [](Index, const auto& z) {
+    const auto stretch = (z.col(1) - z.col(0)).norm() - kEdge;
+    return stretch * stretch / kEdge;
+  });
+}
+
+// Turning angle squared / (2 L).
+std::shared_ptr<const EnergyTerm> bending() {
+  return make_term<3, 2>("bending", runs_of(3), [](Index, const auto& z) {
+    using std::atan2;
+    const auto a = (z.col(1) - z.col(0)).eval(), b = (z.col(2) - z.col(1)).eval();
+    const auto angle = atan2(a[0] * b[1] - a[1] * b[0], a.dot(b));
+    return angle * angle / (2 * kEdge);
+  });
+}
+
+class ByHand : public EnergyTerm {
+ public:
+  explicit ByHand(Index nodes) : stencils_{runs_of(nodes), 2} {}
+  std::string_view name() const override { return "by hand"; }
+  const Stencils& stencils() const override { return stencils_; }
+  bool supports(Curvature c) const override {
+    return c == Curvature::Exact || c == Curvature::Projected;
+  }
+
+ protected:
+  Vector2 edge(VecIn x, Index e, Index i) const {
+    const Index a = stencils_.nodes(e, i), b = stencils_.nodes(e, i + 1);
+    return x.segment<2>(2 * b) - x.segment<2>(2 * a);
+  }
+  Stencils stencils_;
+};
+
+// Its projection in closed form.
+class SpringsByHand final : public ByHand {
+ public:
+  SpringsByHand() : ByHand(2) {}
+  void values(VecIn x, const Chunk& chunk, const TermState&, Workspace&,
+              std::span<double> f) const override {
+    for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
+      const double stretch = edge(x, chunk.elements[p], 0).norm() - kEdge;
+      f[p] = stretch * stretch / kEdge;
+    }
+  }
+  void local(VecIn x, const Chunk& chunk, BlendedCurvature curvature, const TermState&, Workspace&,
+             LocalSystem& out) const override {
+    for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
+      const Vector2 d = edge(x, chunk.elements[p], 0);
+      const double r = d.norm(), across = curvature.clamped(1 - kEdge / r);
+      const Vector2 t = d / r;
+      const Eigen::Matrix2d along = t * t.transpose(),
+                            h = 2 / kEdge *
+                                (along + across * (Eigen::Matrix2d::Identity() - along));
+      out.value[p] = (r - kEdge) * (r - kEdge) / kEdge;
+      for (int i = 0, k = 0; i < 4; ++i) {
+        const double sign = i < 2 ? -1 : 1;
+        out.gradient[at(i * LocalSystem::stride) + p] = sign * 2 * (r - kEdge) / kEdge * t[i % 2];
+        for (int j = 0; out.hessian && j <= i; ++j, ++k)
+          out.hessian[at(k * LocalSystem::stride) + p] = sign * (j < 2 ? -1 : 1) * h(i % 2, j % 2);
+      }
+    }
+  }
+};
+
+// The angle is the difference of the directions of two edges; no closed form of the projection.
+class BendingByHand final : public ByHand {
+ public:
+  BendingByHand() : ByHand(3) {}
+  void values(VecIn x, const Chunk& chunk, const TermState&, Workspace&,
+              std::span<double> f) const override {
+    for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
+      const double turn = angle(edge(x, chunk.elements[p], 0), edge(x, chunk.elements[p], 1));
+      f[p] = turn * turn / (2 * kEdge);
+    }
+  }
+  void local(VecIn x, const Chunk& chunk, BlendedCurvature curvature, const TermState&, Workspace&,
+             LocalSystem& out) const override {
+    for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
+      const Vector2 a = edge(x, chunk.elements[p], 0), b = edge(x, chunk.elements[p], 1);
+      const double turn = angle(a, b);
+      const Vector2 ga = direction_gradient(a), gb = direction_gradient(b);
+      const Eigen::Matrix2d ha = direction_hessian(a), hb = direction_hessian(b);
+      double g[6], h[21];
+      for (int c = 0; c < 2; ++c) {
+        g[c] = ga[c];
+        g[2 + c] = -ga[c] - gb[c];
+        g[4 + c] = gb[c];
+      }
+      for (int i = 0, k = 0; i < 6; ++i)
+        for (int j = 0; j <= i; ++j, ++k) {
+          const int m = i / 2, n = j / 2, r = i % 2, c = j % 2;
+          const double from_a = m < 2 && n < 2 ? (m == n ? -1 : 1) * ha(r, c) : 0;
+          const double from_b = m > 0 && n > 0 ? (m == n ? 1 : -1) * hb(r, c) : 0;
+          h[k] = (g[i] * g[j] + turn * (from_a + from_b)) / kEdge;
+        }
+      if (curvature.clamp > 0) clamp_eigenvalues<6>(curvature.clamp, h);
+      out.value[p] = turn * turn / (2 * kEdge);
+      for (int i = 0; i < 6; ++i)
+        out.gradient[at(i * LocalSystem::stride) + p] = turn * g[i] / kEdge;
+      for (int k = 0; out.hessian && k < 21; ++k)
+        out.hessian[at(k * LocalSystem::stride) + p] = h[k];
+    }
+  }
+
+ private:
+  static double angle(const Vector2& a, const Vector2& b) {
+    return std::atan2(cross(a, b), a.dot(b));
+  }
+  static Vector2 direction_gradient(const Vector2& d) {
+    return Vector2(-d[1], d[0]) / d.squaredNorm();
+  }
+  static Eigen::Matrix2d direction_hessian(const Vector2& d) {
+    const double r4 = d.squaredNorm() * d.squaredNorm(), s = d[1] * d[1] - d[0] * d[0];
+    return Eigen::Matrix2d{{2 * d[0] * d[1], s}, {s, -2 * d[0] * d[1]}} / r4;
+  }
+};
+
+// Of a wavy line whose edges are `stretch` times as long as they want to be.
+void linearize(benchmark::State& state, const std::shared_ptr<const EnergyTerm>& term,
+               Curvature curvature, double stretch) {
+  const ThreadCount one(1);
+  const Problem problem = ProblemBuilder(2 * kPoints).add(term, 1).build();
+  Vec y(2 * kPoints), g, h;
+  Vector2 p(0, 0);
+  for (Index i = 0; i < kPoints; ++i) {
+    y.segment<2>(2 * i) = p;
+    const double angle = std::sin(0.3 * i) + 0.2 * std::cos(1.1 * i);
+    p += stretch * kEdge * Vector2(std::cos(angle), std::sin(angle));
+  }
+  Evaluator evaluator(problem);
+  for (auto _ : state) benchmark::DoNotOptimize(evaluator.linearize(y, curvature, g, h));
+  state.counters["ns/element"] = benchmark::Counter(
+      static_cast<double>(kPoints),
+      benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+void bench(const char* name, const std::shared_ptr<const EnergyTerm>& term, double stretch) {
+  for (const auto& [model, text] :
+       {std::pair(Curvature::Exact, "/exact"), {Curvature::Projected, "/projected"}})
+    benchmark::RegisterBenchmark((std::string(name) + text).c_str(), linearize, term, model,
+                                 stretch)
+        ->Unit(benchmark::kMillisecond);
+}
+
+}  // namespace
+}  // namespace majorant
+
+int main(int argc, char** argv) {
+  using namespace majorant;
+  const auto springs_by_hand = std::make_shared<const SpringsByHand>();
+  bench("springs/stretched/lambda", springs(), 1.2);
+  bench("springs/stretched/hand", springs_by_hand, 1.2);
+  bench("springs/compressed/lambda", springs(), 0.8);
+  bench("springs/compressed/hand", springs_by_hand, 0.8);
+  bench("bending/lambda", bending(), 1);
+  bench("bending/hand", std::make_shared<const BendingByHand>(), 1);
+  benchmark::Initialize(&argc, argv);
+  benchmark::RunSpecifiedBenchmarks();
+}

@@ -1,0 +1,14 @@
+// What a vector in space is in the frame of a triangle, the frame that flat_triangles() gives it.
+#pragma once
+
+#include <optional>
+
+#include "majorant/framework/types.h"
+
+namespace majorant {
+
+// Nothing for a vector that is not finite or along the normal, and for a triangle without a plane.
+std::optional<Eigen::RowVector2d> tangent_part(const Points3& positions, const Cells& faces,
+                                               Index face, const Vector3& vector);
+
+}  // namespace majorant

@@ -1,0 +1,87 @@
+#include "majorant/elements/jacobian_net.h"
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace majorant {
+namespace {
+
+// Corners of control triangle (i, j, l), i + j + l = n - 1, among the nodes of a cell.
+Cells corners_of_triangles(const BezierTriangleSpace& space) {
+  const int n = space.degree();
+  Cells corners(n * (n + 1) / 2, 3);
+  Index t = 0;
+  for (int i = n - 1; i >= 0; --i)
+    for (int j = n - 1 - i; j >= 0; --j, ++t)
+      for (int k = 0; k < 3; ++k) {
+        Exponents e{i, j, n - 1 - i - j};
+        ++e[at(k)];
+        corners(t, k) = space.basis().find(e);
+      }
+  return corners;
+}
+
+}  // namespace
+
+Cells control_triangles(const BezierTriangleSpace& space) {
+  const Cells corners = corners_of_triangles(space);
+  const Index per_face = static_cast<Index>(corners.rows());
+  Cells triangles(space.element_count() * per_face, 3);
+  for (Index t = 0; t < triangles.rows(); ++t)
+    for (int k = 0; k < 3; ++k)
+      triangles(t, k) = space.cells()(t / per_face, corners(t % per_face, k));
+  return triangles;
+}
+
+JacobianNet jacobian_net(const BezierTriangleSpace& space, const RestShapes& rest) {
+  const Index faces = space.element_count();
+  if (rest.inverse.rows() != faces || rest.measure.size() != faces || rest.dim != 2)
+    throw std::invalid_argument(
+        "jacobian_net: rest shapes are not those of the faces of the space");
+  NodeNumbering numbering{control_triangles(space), space.node_count(), {}};
+  const Index count = static_cast<Index>(numbering.cells.rows());
+  JacobianNet net;
+  net.per_face = space.degree() * (space.degree() + 1) / 2;
+  net.rest.inverse.resize(count, 4);
+  net.rest.measure.resize(count);
+  for (Index t = 0; t < count; ++t) {
+    const Index f = t / net.per_face;
+    net.rest.inverse.row(t) = space.degree() * rest.inverse.row(f);
+    net.rest.measure[t] = rest.measure[f] / net.per_face;
+  }
+  net.triangles = std::make_shared<const BezierTriangleSpace>(std::move(numbering), 1);
+  return net;
+}
+
+Eigen::Matrix2d jacobian_coefficient(const JacobianNet& net, Index t, VecIn x) {
+  const auto point = [&](int k) -> Vector2 {
+    return x.segment<2>(2 * net.triangles->cells()(t, k));
+  };
+  Eigen::Matrix2d edges;
+  edges.col(0) = point(0) - point(2);
+  edges.col(1) = point(1) - point(2);
+  return edges * net.rest.inverse_of(t);
+}
+
+Vec largest_stretch(const JacobianNet& net, VecIn x) {
+  // Differences, two products, sums and the norms below: each entry of J is off by no more than 4
+  // roundings of |edges| |M|, in the Frobenius norms, and what follows by 8 of |J|.
+  constexpr double kUnit = std::numeric_limits<double>::epsilon();
+  Vec stretch(net.triangles->element_count());
+  for (Index t = 0; t < stretch.size(); ++t) {
+    const Eigen::Matrix2d J = jacobian_coefficient(net, t, x);
+    const double alpha = std::hypot(J(0, 0) + J(1, 1), J(1, 0) - J(0, 1)) / 2;
+    const double beta = std::hypot(J(0, 0) - J(1, 1), J(1, 0) + J(0, 1)) / 2;
+    double edges = 0;
+    for (int k = 0; k < 2; ++k)
+      edges = std::max(edges, (x.segment<2>(2 * net.triangles->cells()(t, k)) -
+                               x.segment<2>(2 * net.triangles->cells()(t, 2)))
+                                  .norm());
+    stretch[t] =
+        (alpha + beta) * (1 + 8 * kUnit) + 16 * kUnit * edges * net.rest.inverse.row(t).norm();
+  }
+  return stretch;
+}
+
+}  // namespace majorant

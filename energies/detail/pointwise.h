@@ -1,0 +1,130 @@
+// From a density to the functions of few points that the kernels of the library call
+// (point_functions.h): what is compiled in the file of a user's formula, and no more.
+#pragma once
+
+#include <memory>
+#include <utility>
+
+#include "majorant/energies/detail/isotropic.h"
+#include "majorant/energies/detail/point_functions.h"
+
+namespace majorant::detail {
+
+// call(p, data...) for each point; data: of its element, where the density has any.
+template <class Density, class Call>
+void for_points(const Density& density, const PointBatch& batch, const Call& call) {
+  for (int p = 0; p < batch.count; ++p) {
+    if constexpr (requires { density.element_count(); }) {
+      const int last = batch.element_count - 1;
+      call(p, density.data_of(batch.elements[p < last ? p : last]));
+    } else {
+      call(p);
+    }
+  }
+}
+
+template <class Density>
+struct JacobianPoints {
+  static constexpr int kSize = Density::size, kLanes = PointBatch::kMost;
+
+  static void load(const double* J, int p, double (&z)[kSize]) {
+    for (int r = 0; r < kSize; ++r) z[r] = J[r * kLanes + p];
+  }
+  static void values(const void* formula, const PointBatch& batch, const double* J, double* f) {
+    const auto& density = *static_cast<const Density*>(formula);
+    for_points(density, batch, [&](int p, const auto&... data) {
+      double z[kSize];
+      load(J, p, z);
+      f[p] = density.value(z, data...);
+    });
+  }
+  static void models(const void* formula, const PointBatch& batch, const double* J, double* f,
+                     double* g, double* k) {
+    const auto& density = *static_cast<const Density*>(formula);
+    for_points(density, batch, [&](int p, const auto&... data) {
+      double z[kSize];
+      PointModel<double, kSize> m;
+      load(J, p, z);
+      density.model(z, m, data...);
+      f[p] = m.f;
+      for (int r = 0; r < kSize; ++r) g[r * kLanes + p] = m.g[r];
+      for (int r = 0; r < kSize * (kSize + 1) / 2; ++r) k[r * kLanes + p] = m.k[r];
+    });
+  }
+};
+
+template <class Density>
+struct InvariantPoints {
+  static void values(const void* formula, const PointBatch& batch, const double* x, const double* y,
+                     double* f) {
+    const auto& density = *static_cast<const Density*>(formula);
+    for_points(density, batch,
+               [&](int p, const auto&... data) { f[p] = density.value_at(x[p], y[p], data...); });
+  }
+  static void jets(const void* formula, const PointBatch& batch, const double* x, const double* y,
+                   double* jets) {
+    const auto& density = *static_cast<const Density*>(formula);
+    for_points(density, batch, [&](int p, const auto&... data) {
+      const IsotropicJet<double> j = density.jet_at(x[p], y[p], data...);
+      const double numbers[] = {j.f, j.ga, j.gb, j.caa, j.cab, j.cbb};
+      for (int r = 0; r < 6; ++r) jets[r * PointBatch::kMost + p] = numbers[r];
+    });
+  }
+  static void majorants(const void* formula, const PointBatch& batch, const double* x,
+                        const double* y, double* m) {
+    const auto& density = *static_cast<const Density*>(formula);
+    for (int p = 0; p < batch.count; ++p) m[p] = density.majorant()(x[p], y[p]);
+  }
+};
+
+// A density of invariants, not of J itself.
+template <class Density>
+concept Isotropic = requires(const Density& density) {
+  density.majorant();
+};
+
+template <class Density>
+auto point_function(const Density& density) {
+  if constexpr (Isotropic<Density>) {
+    using Points = InvariantPoints<Density>;
+    InvariantFunction function{&density, density.traits, &Points::values, &Points::jets, nullptr};
+    if constexpr (requires { density.majorant()(1.0, 1.0); })
+      function.majorants = &Points::majorants;
+    return function;
+  } else {
+    using Points = JacobianPoints<Density>;
+    return JacobianFunction{&density, &Points::values, &Points::models};
+  }
+}
+
+template <class Density>
+DensityKernels point_kernels() {
+  DensityKernels kernels;
+  if constexpr (Isotropic<Density>)
+    kernels = invariant_kernels();
+  else
+    kernels = jacobian_kernels(Density::rows, Density::dims);
+  // Stars have no elements.
+  if constexpr (requires(const Density& density) { density.element_count(); })
+    kernels.star = nullptr;
+  return kernels;
+}
+
+// A density beside the function that refers to it: neither moves.
+template <class Density>
+struct CalledByPoint {
+  explicit CalledByPoint(Density d) : density(std::move(d)), function(point_function(density)) {}
+  CalledByPoint(const CalledByPoint&) = delete;
+  CalledByPoint& operator=(const CalledByPoint&) = delete;
+  const Density density;
+  const decltype(point_function(std::declval<const Density&>())) function;
+};
+
+// What the kernels of point_kernels() are called with.
+template <class Density>
+std::shared_ptr<const void> point_object(Density density) {
+  const auto both = std::make_shared<const CalledByPoint<Density>>(std::move(density));
+  return {both, &both->function};
+}
+
+}  // namespace majorant::detail

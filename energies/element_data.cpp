@@ -1,0 +1,37 @@
+#include "majorant/energies/element_data.h"
+
+#include <stdexcept>
+
+namespace majorant {
+namespace {
+
+void require_finite(const std::string& name, const RowMatrix& rows) {
+  for (Index e = 0; e < rows.rows(); ++e)
+    if (!rows.row(e).allFinite())
+      throw std::invalid_argument("density '" + name + "': the data of element " +
+                                  std::to_string(e) + " are not finite");
+}
+
+}  // namespace
+
+ElementRows ElementRows::of(std::span<const Index> elements) const {
+  RowMatrix part(elements.size(), rows_->cols());
+  for (std::size_t k = 0; k < elements.size(); ++k)
+    part.row(static_cast<Index>(k)) = rows_->row(elements[k]);
+  return ElementRows(std::move(part));
+}
+
+namespace detail {
+
+ElementValues<double> element_data(const std::string& name, const Vec& numbers) {
+  require_finite(name, numbers);
+  return ElementValues<double>({numbers.begin(), numbers.end()});
+}
+
+ElementRows element_data(const std::string& name, const RowMatrix& rows) {
+  require_finite(name, rows);
+  return ElementRows(rows);
+}
+
+}  // namespace detail
+}  // namespace majorant

@@ -1,0 +1,27 @@
+// Kernels of formulas that are compiled elsewhere, for one instruction set (cmake/kernels.cmake
+// names the function). Nothing here may instantiate inline code that other files share.
+#include "majorant/energies/detail/contraction_kernel.h"
+#include "majorant/energies/internal/point_densities.h"
+
+namespace majorant {
+namespace {
+
+template <int M, int D>
+DensityKernels of_jacobian() {
+  return kernel::make_kernels<xsimd::default_arch, PointwiseJacobian<M, D>>();
+}
+
+}  // namespace
+
+// Of M by D Jacobians at 3 (M - 1) + D - 1; of isotropic planar densities at 9.
+DensityKernels MAJORANT_KERNEL_NAME(int index) {
+  const DensityKernels table[] = {
+      of_jacobian<1, 1>(), of_jacobian<1, 2>(),
+      of_jacobian<1, 3>(), of_jacobian<2, 1>(),
+      of_jacobian<2, 2>(), of_jacobian<2, 3>(),
+      of_jacobian<3, 1>(), of_jacobian<3, 2>(),
+      of_jacobian<3, 3>(), kernel::make_kernels<xsimd::default_arch, PointwiseInvariant>()};
+  return table[index];
+}
+
+}  // namespace majorant

@@ -1,0 +1,27 @@
+// Kernels with a formula compiled into them, for batches of numbers: the way of the built-in
+// energies, for an isotropic density that has proven itself and is waited for.
+//
+//   auto mine = spectral("mine", [](auto S, auto s) { return S / s + s / S; });
+//   options.map.energy = {{energy_factory(mine, vectorized(mine))}};
+//
+// Without it, formulas are called point by point by kernels of the library, which compiles in
+// a fraction of the time. Here the file that asks compiles the whole contraction, with that file's
+// flags: -march=native or the like makes the difference. The formula sees SIMD batches: no
+// branches, no comparisons; no data of elements. What is gained: docs/add_an_energy.md.
+#pragma once
+
+#include "majorant/energies/detail/contraction_kernel.h"
+#include "majorant/energies/detail/pointwise.h"
+
+namespace majorant {
+
+// For make_energy() and energy_factory() with this density.
+template <detail::Isotropic Density>
+DensityKernels vectorized(const Density&) {
+  static_assert(
+      !requires(const Density& density) { density.element_count(); },
+      "formulas with data of elements are called point by point");
+  return kernel::make_kernels<xsimd::default_arch, Density>();
+}
+
+}  // namespace majorant

@@ -1,0 +1,74 @@
+// Minimizes a problem while the weight of its barriers falls to 0: inequalities and bounds then end
+// where they hold exactly, to a tolerance. The interior point method of [NW06] Sec. 19.6.
+//
+//   auto barrier = make_term<1>("x0 > 1", Cells::Zero(1, 1), [](Index, const auto& z) {
+//     using std::log;
+//     return -log(z[0] - 1.0);
+//   });
+//   const TermId id = builder.add(barrier, 1.0);
+//   problem = builder.build();
+//   const BarrierResult result = BarrierMinimizer({id}).run(problem, y0);
+//
+// A barrier is any term that is +inf outside of the feasible set and grows like -log of the
+// distance to its boundary: Bounds::barrier(), Inequality::barrier() (terms/), or one that belongs
+// to a FeasibilityChecker of the problem. With E the other terms and B the barriers, each with the
+// weight it has in the problem, phases minimize E + mu B for falling mu by Newton's method. The
+// last one has
+//     m mu <= tolerance max(1, |E|),      m: the sum of the weights of all elements of the barriers,
+// which for convex problems and -log g bounds what E is above its constrained minimum. A constraint
+// with multiplier l ends at the distance mu / l from its boundary. Not for equality constraints:
+// eliminate them (constraint.h); nor for starts on the boundary: they must be inside.
+#pragma once
+
+#include <vector>
+
+#include "majorant/framework/newton.h"
+
+namespace majorant {
+
+struct BarrierOptions {
+  // m mu / max(1, |E|) of the first phase. Origin: [NW06] Sec. 19.3 starts near it; chosen, not
+  // tuned.
+  double first_gap = 0.1;
+  // Of mu, from one phase to the next. Origin: [NW06] Sec. 19.3 has 0.2; Newton's method follows
+  // further.
+  double fall = 0.1;
+  // m mu / max(1, |E|) of the last phase. Origin: bounds with multipliers near 1 end within 1e-8.
+  double tolerance = 1e-8;
+  // A phase but the last ends with a decrease of at most so many m mu. Origin: what the next fall
+  // of mu changes is larger.
+  double centred = 0.1;
+  // Of every phase; its stopping rules hold in the last one, its iterations count through all.
+  NewtonOptions newton = {};
+};
+
+// One value of mu.
+struct BarrierPhase {
+  double mu = 0;
+  double gap = 0;      // m mu
+  double energy = 0;   // E where it ended
+  double barrier = 0;  // B there
+  int iterations = 0;
+  Status status = Status::Failed;  // MaxIterations, too, where it was left early on purpose
+};
+
+struct BarrierResult : SolveResult {  // energy: E; energies of `iterations`: E + mu B
+  std::vector<BarrierPhase> phases;
+};
+
+class BarrierMinimizer final : public Minimizer {
+ public:
+  explicit BarrierMinimizer(std::vector<TermId> barriers, BarrierOptions options = {});
+
+  // y0: strictly inside. Throws Error for ids that the problem does not have.
+  BarrierResult run(const Problem& problem, Vec y0, const Observer& observer = {}) const;
+  SolveResult minimize(const Problem& problem, Vec y0, const Observer& observer) const override {
+    return run(problem, std::move(y0), observer);
+  }
+
+ private:
+  std::vector<TermId> barriers_;
+  BarrierOptions options_;
+};
+
+}  // namespace majorant

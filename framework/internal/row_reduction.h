@@ -1,0 +1,46 @@
+// Linear rows solved: which unknowns they determine, as affine expressions of those that stay free.
+//
+//     const SolvedUnknowns solved = solve_rows(full_size, rows);   // what Elimination is made of
+//
+// Gauss-Jordan, row by row. Rows of integers come first and are reduced over the rationals, so that
+// their rank and their consistency are decided without a tolerance, whatever else is there. Rows
+// with other coefficients follow, in doubles, each solved for its largest coefficient. Such a row
+// follows from those before it where subtracting them leaves no more than kFollows of what was
+// subtracted; where it leaves more but less than kNearlyFollows, nobody can tell, and it is
+// refused by name.
+#pragma once
+
+#include <map>
+#include <unordered_map>
+
+#include "majorant/framework/constraint.h"
+#include "majorant/framework/types.h"
+
+namespace majorant {
+
+// Of the largest product that a coefficient is a sum of. Origin: thousands of roundings, whose
+// number grows with the rows that are subtracted.
+inline constexpr double kFollows = 1e-12;
+// Below, half of the digits are lost. Origin: square root of the unit roundoff.
+inline constexpr double kNearlyFollows = 1e-8;
+// Of the largest numbers in it: a residual of a row that follows from others. Origin: kFollows,
+// and the digits that right-hand sides may have lost before they came here.
+inline constexpr double kSameTarget = 1e-9;
+
+// sum coefficient * x[unknown] + constant.
+struct AffineExpression {
+  std::map<Index, double> terms;
+  double constant = 0;
+};
+using SolvedUnknowns = std::unordered_map<Index, AffineExpression>;
+
+// Auxiliary unknowns are numbered after the full ones.
+inline Index row_position(Index unknown, Index full_size) {
+  return unknown >= 0 ? unknown : full_size - 1 - unknown;
+}
+
+// By row_position(). Throws Error(Unsupported), naming rows, where they contradict each other, one
+// nearly follows from others, or exact coefficients leave 64 bits.
+SolvedUnknowns solve_rows(Index full_size, const ConstraintRows& rows);
+
+}  // namespace majorant

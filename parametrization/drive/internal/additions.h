@@ -1,0 +1,59 @@
+// What a MapExtension added, as a part of the problems of its degree: bounds with a barrier are
+// left out, relaxed or held, as the solver goes along (bounds.cpp).
+//
+//     Additions added(extension);
+//     const Additions::Ids ids = added.add_to(builder);
+//     builder.add(added.gauge(spec, *space, start));
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "majorant/constraints/fixed_unknowns.h"
+#include "majorant/framework/problem.h"
+#include "majorant/parametrization/drive/map_extension.h"
+#include "majorant/parametrization/maps/map_problem.h"
+
+namespace majorant {
+
+class Additions {
+ public:
+  Additions() = default;  // nothing
+  explicit Additions(std::shared_ptr<const MapExtension> extension);
+
+  bool constrained() const { return extension_ && !extension_->constraints().empty(); }
+  // Terms, constraints and checkers; the map's nodes are the builder's first. What it returns are
+  // the ids of the barriers of the bounds that are held.
+  std::vector<TermId> add_to(ProblemBuilder& builder) const;
+  // What must be held so that the gauge vertices' pieces cannot be translated where nothing that
+  // was added withstands: both coordinates of each, or fewer. A term withstands where a translation
+  // changes it at the start; rows with auxiliary unknowns do not count.
+  FixedUnknowns gauge(const MapSpecification& spec, const BezierTriangleSpace& space,
+                      VecIn start) const;
+
+  // Throws Error(Usage) where a term has no such curvature model.
+  void require_curvature(Curvature asked) const;
+  // Weighted sum of the terms, bounds' barriers not among them.
+  double energy(VecIn x) const;
+
+  // ---- Bounds with a barrier ----
+  bool bounded() const { return !bounds_.empty(); }
+  // Whether x meets all of them; the first one that it does not, by name.
+  bool met(VecIn x) const { return violated(x) == nullptr; }
+  const BarrierChecker* violated(VecIn x) const;
+  // From here on they are held, relaxed where x does not meet them.
+  void hold(VecIn x);
+  double barrier_weight() const { return barrier_weight_; }
+  void set_barrier_weight(double weight) { barrier_weight_ = weight; }
+  // Sum of the absolute values of the elements of the held bounds' barriers.
+  double barrier_size(VecIn x) const;
+
+ private:
+  std::shared_ptr<const MapExtension> extension_;
+  std::vector<std::shared_ptr<const BarrierChecker>> bounds_;
+  std::vector<std::shared_ptr<const BarrierChecker>> held_;  // none: left out
+  std::vector<std::shared_ptr<const EnergyTerm>> barriers_;  // of held_
+  double barrier_weight_ = 1;
+};
+
+}  // namespace majorant

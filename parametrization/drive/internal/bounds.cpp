@@ -1,0 +1,92 @@
+// The bounds with a barrier of a DegreeSolver (degree_solver.h): first as if there were none, then
+// inside, then along the barrier to the constrained minimum. Where the free minimum meets them, it
+// is the constrained one, and no barrier is made.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "majorant/framework/evaluator.h"
+#include "majorant/parametrization/drive/internal/degree_solver.h"
+#include "majorant/parametrization/drive/internal/solver_rules.h"
+
+namespace majorant {
+
+SolveResult DegreeSolver::solve_within_bounds(RunRecord& record) {
+  SolveResult result = approach(setup_.solve.elevation_tolerance, record);
+  if (was_stopped(result.status)) return result;
+  if (added_.met(x_)) {
+    result = exhaust(kRemedies, record);
+    if (was_stopped(result.status) || added_.met(x_)) return result;
+  }
+  try {
+    if (!enter_bounds(result, record)) return result;
+    if (!follow_barriers(result, record)) return result;
+  } catch (const Stopped& stop) {
+    return stopped(std::move(result), stop.why());
+  }
+  return exhaust(kRemedies, record);
+}
+
+// Bounds relaxed as far as x_ needs it are tightened as x_ moves away from them. Whether it is
+// inside.
+bool DegreeSolver::enter_bounds(SolveResult& result, RunRecord& record) {
+  const BoundRules& rules = setup_.rules.bounds;
+  double weight = 0, margin = -std::numeric_limits<double>::infinity();
+  for (int round = 0; round < rules.most_rounds; ++round) {
+    setup_.stop.poll();
+    added_.hold(x());
+    if (round == 0)
+      weight = rules.first_share * std::max(std::abs(result.energy), rules.least_energy) /
+               std::max(added_.barrier_size(x()), rules.least_barrier);
+    added_.set_barrier_weight(weight);
+    rebuild();
+    result = descend(unlimited(rules.entry_tolerance), Phase::Barrier, record);
+    if (was_stopped(result.status)) return false;
+    const BarrierChecker* violated = added_.violated(x());
+    if (!violated) {
+      added_.hold(x());
+      rebuild();
+      return true;
+    }
+    const double now = violated->check(x()).margin;
+    if (!(now > margin + rules.least_progress * std::abs(now))) weight *= rules.harder;
+    margin = now;
+  }
+  result.status = Status::Infeasible;
+  result.message =
+      fmt::format("no map was found that meets the bound '{}'", added_.violated(x())->name());
+  return false;
+}
+
+// Interior points: the weight falls until what it may still cost is within the tolerance. Along the
+// path the energy exceeds the constrained minimum by a multiple of the weight, so the last decrease
+// tells what is left.
+bool DegreeSolver::follow_barriers(SolveResult& result, RunRecord& record) {
+  const BoundRules& rules = setup_.rules.bounds;
+  double weight = added_.barrier_weight(), before = 0;
+  for (int round = 0; round < rules.most_rounds; ++round, weight *= rules.fall) {
+    setup_.stop.poll();
+    result = descend_with(weight, record);
+    if (was_stopped(result.status)) return false;
+    const double left = (before - result.energy) * rules.fall / (1 - rules.fall);
+    if (round > 1 && left <= setup_.solve.tolerance * std::abs(result.energy)) return true;
+    before = result.energy;
+  }
+  return true;
+}
+
+SolveResult DegreeSolver::descend_with(double barrier_weight, RunRecord& record) {
+  added_.set_barrier_weight(barrier_weight);
+  TermChanges changes;
+  for (const TermId id : built_.barriers) {
+    changes.emplace_back(id, built_.problem.state(id));
+    changes.back().second.weight = barrier_weight;
+  }
+  built_.problem = built_.problem.with(std::move(changes));
+  stepper_.reset(built_.problem);
+  return descend(unlimited(setup_.solve.tolerance), Phase::Barrier, record);
+}
+
+}  // namespace majorant

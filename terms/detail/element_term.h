@@ -1,0 +1,91 @@
+// What all terms made of a lambda share: gathering an element's unknowns, as numbers or as
+// variables to differentiate by, and writing what became of them. Not for inclusion: local_term.h.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "majorant/framework/dual2_eigen.h"
+#include "majorant/framework/energy_term.h"
+#include "majorant/framework/error.h"
+
+namespace majorant {
+
+// The unknowns of an element's N nodes, a column of Block each; T is double or a Dual2.
+template <class T, int Block, int N>
+using NodeValues = Eigen::Matrix<T, Block, N>;
+
+namespace detail {
+
+// A Model has, all const:
+//     nodes, block                       constexpr, N and Block
+//     supports(Curvature)
+//     value(e, z)                        of element e, z of doubles; NaN: outside the domain
+//     model(e, z, curvature, second)     z of Dual2; the second derivatives of what it returns are
+//                                        the curvature, if `second`, else they do not matter
+template <class Model>
+class ElementTerm final : public EnergyTerm {
+ public:
+  static constexpr int N = Model::nodes, Block = Model::block, size = N * Block;
+  using Variable = Dual2<double, size>;
+
+  ElementTerm(std::string name, Cells nodes, Model model)
+      : name_(std::move(name)), stencils_{std::move(nodes), Block}, model_(std::move(model)) {
+    if (stencils_.nodes.cols() != N)
+      throw Error(ErrorKind::Usage, "term '" + name_ + "': its lambda takes " + std::to_string(N) +
+                                        " nodes, the list has " +
+                                        std::to_string(stencils_.nodes.cols()) + " columns");
+  }
+
+  std::string_view name() const override { return name_; }
+  const Stencils& stencils() const override { return stencils_; }
+  bool supports(Curvature curvature) const override { return model_.supports(curvature); }
+
+  void values(VecIn x, const Chunk& chunk, const TermState&, Workspace&,
+              std::span<double> f) const override {
+    NodeValues<double, Block, N> z;
+    for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
+      const Index e = chunk.elements[p];
+      for_each_unknown(e, [&](int k, Index unknown) { z(k % Block, k / Block) = x[unknown]; });
+      f[p] = inside_domain(model_.value(e, z));
+    }
+  }
+
+  void local(VecIn x, const Chunk& chunk, BlendedCurvature curvature, const TermState&, Workspace&,
+             LocalSystem& out) const override {
+    constexpr std::size_t stride = LocalSystem::stride;
+    NodeValues<Variable, Block, N> z;
+    for (int k = 0; k < size; ++k) z(k % Block, k / Block) = Variable::variable(0, k);
+    for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
+      const Index e = chunk.elements[p];
+      for_each_unknown(e, [&](int k, Index unknown) { z(k % Block, k / Block).v = x[unknown]; });
+      const Variable result = model_.model(e, z, curvature, out.hessian != nullptr);
+      out.value[p] = inside_domain(result.v);
+      for (std::size_t k = 0; k < result.d.size(); ++k) out.gradient[k * stride + p] = result.d[k];
+      if (!out.hessian) continue;
+      for (std::size_t k = 0; k < result.h.size(); ++k) out.hessian[k * stride + p] = result.h[k];
+    }
+  }
+
+ private:
+  template <class Visit>
+  void for_each_unknown(Index e, const Visit& visit) const {
+    for (int i = 0, k = 0; i < N; ++i)
+      for (int c = 0; c < Block; ++c, ++k) visit(k, Block * stencils_.nodes(e, i) + c);
+  }
+  static double inside_domain(double f) {
+    return std::isnan(f) ? std::numeric_limits<double>::infinity() : f;
+  }
+
+  std::string name_;
+  Stencils stencils_;
+  Model model_;
+};
+
+}  // namespace detail
+}  // namespace majorant

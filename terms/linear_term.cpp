@@ -1,0 +1,55 @@
+#include "majorant/terms/linear_term.h"
+
+#include <utility>
+#include <vector>
+
+#include "majorant/framework/error.h"
+
+namespace majorant {
+namespace {
+
+// An element for each unknown that counts.
+class LinearTerm final : public EnergyTerm {
+ public:
+  LinearTerm(std::string name, Vec coefficients)
+      : name_(std::move(name)), coefficients_(std::move(coefficients)) {
+    if (!coefficients_.allFinite())
+      throw Error(ErrorKind::Usage, "term '" + name_ + "': a coefficient is not finite");
+    std::vector<Index> used;
+    for (Index k = 0; k < coefficients_.size(); ++k)
+      if (coefficients_[k] != 0) used.push_back(k);
+    stencils_.nodes = Eigen::Map<const Cells>(used.data(), static_cast<Index>(used.size()), 1);
+  }
+  std::string_view name() const override { return name_; }
+  const Stencils& stencils() const override { return stencils_; }
+  bool supports(Curvature) const override { return true; }
+
+  void values(VecIn x, const Chunk& chunk, const TermState&, Workspace&,
+              std::span<double> f) const override {
+    for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
+      const Index unknown = stencils_.nodes(chunk.elements[p], 0);
+      f[p] = coefficients_[unknown] * x[unknown];
+    }
+  }
+  void local(VecIn x, const Chunk& chunk, BlendedCurvature, const TermState& state,
+             Workspace& workspace, LocalSystem& out) const override {
+    values(x, chunk, state, workspace, {out.value, chunk.elements.size()});
+    for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
+      out.gradient[p] = coefficients_[stencils_.nodes(chunk.elements[p], 0)];
+      if (out.hessian) out.hessian[p] = 0;
+    }
+  }
+
+ private:
+  std::string name_;
+  Vec coefficients_;
+  Stencils stencils_;
+};
+
+}  // namespace
+
+std::shared_ptr<const EnergyTerm> linear_term(std::string name, Vec coefficients) {
+  return std::make_shared<const LinearTerm>(std::move(name), std::move(coefficients));
+}
+
+}  // namespace majorant

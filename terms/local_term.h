@@ -1,0 +1,65 @@
+// An energy term from one lambda: any function of the unknowns of a few nodes, differentiated for
+// you.
+//
+//   Cells ends(2, 2);
+//   ends << 0, 1, 1, 2;
+//   auto springs = make_term<2, 3>("springs", ends, [rest = Vec{{1.0, 1.5}}](Index e, const auto& z) {
+//     const auto stretch = (z.col(1) - z.col(0)).norm() - rest[e];
+//     return stretch * stretch;
+//   });
+//   builder.add(springs, 10.0);
+//
+// The lambda gets the element's number, for data that it captures, and the unknowns z of its nodes:
+// Block by N, column i the node ends(e, i), double where the energy alone is wanted, Dual2 where
+// derivatives are. It has to be generic in them, deterministic and safe to call from several
+// threads; `using std::sqrt;` and so on make functions of numbers work on both (dual2.h has the
+// list). Branches on values are fine where the energy stays continuous. It is Eigen's algebra:
+// expressions that are used twice want .eval(), and data enter as doubles.
+//
+// NaN and +inf mean that z is outside of the domain: line searches stay inside. An exception thrown
+// by the lambda ends the solve and reaches the caller of minimize().
+//
+// Where nodes of an element have different numbers of unknowns, or it needs single ones, leave
+// Block out and list unknowns instead of nodes: make_term<5>("hinge", unknowns, f), z[0] to z[4].
+//
+// Curvature: Exact, and Projected by an eigendecomposition of the N Block by N Block matrix. Not
+// for energies of maps (make_energy() is several times faster and integrates), nor for elements of
+// more than 30 unknowns: derivatives cost 3 (N Block)^2 operations for every product in the lambda.
+#pragma once
+
+#include "majorant/framework/packed_symmetric.h"
+#include "majorant/terms/detail/element_term.h"
+
+namespace majorant {
+
+namespace detail {
+
+template <int N, int Block, class F>
+struct LocalFunction {
+  static constexpr int nodes = N, block = Block;
+  F f;
+
+  static bool supports(Curvature c) { return c == Curvature::Exact || c == Curvature::Projected; }
+  double value(Index e, const NodeValues<double, Block, N>& z) const { return f(e, z); }
+  template <class Variable>
+  Variable model(Index e, const NodeValues<Variable, Block, N>& z, BlendedCurvature curvature,
+                 bool second) const {
+    Variable result = f(e, z);
+    if (second && curvature.clamp > 0 && !is_semidefinite<N * Block>(result.h.data()))
+      clamp_eigenvalues<N * Block>(curvature.clamp, result.h.data());
+    return result;
+  }
+};
+
+}  // namespace detail
+
+// nodes: #E by N, or, with Block 1, the unknowns themselves. f(Index e, NodeValues<T, Block, N> z)
+// -> T. Throws Error where `nodes` does not have N columns.
+template <int N, int Block = 1, class F>
+std::shared_ptr<const EnergyTerm> make_term(std::string name, Cells nodes, F f) {
+  using Model = detail::LocalFunction<N, Block, F>;
+  return std::make_shared<const detail::ElementTerm<Model>>(std::move(name), std::move(nodes),
+                                                            Model{std::move(f)});
+}
+
+}  // namespace majorant

@@ -1,0 +1,190 @@
+"""--align: layouts turned to their principal axes in data, before they are certified; claims of it."""
+import base64
+import json
+import math
+import re
+import struct
+import subprocess
+
+from command_helpers import *
+
+
+def moments(uv, cells):
+    """(uu, uv, vv) of the area of the triangles about their centre."""
+    area, first, second = 0, [0, 0], [0, 0, 0]
+    for cell in cells:
+        p = [uv[k] for k in cell[:3]]
+        (ax, ay), (bx, by) = ((q[0] - p[0][0], q[1] - p[0][1]) for q in p[1:])
+        weight = abs(ax * by - ay * bx) / 2
+        middles = [[(p[i][d] + p[j][d]) / 2 for d in (0, 1)] for i, j in ((0, 1), (1, 2), (2, 0))]
+        area += weight
+        for x, y in middles:  # exact for quadratics
+            first = [first[0] + weight * x / 3, first[1] + weight * y / 3]
+            second = [a + weight / 3 * b for a, b in zip(second, (x * x, x * y, y * y))]
+    x, y = first[0] / area, first[1] / area
+    return [a / area - b for a, b in zip(second, (x * x, x * y, y * y))]
+
+
+class Align(CommandTest):
+    def assert_lies(self, uv, cells):
+        uu, uv_, vv = moments([p[:2] for p in uv], cells)
+        self.assertGreater(uu, 1.02 * vv)
+        self.assertLess(abs(uv_), 1e-12 * uu)
+
+    def verified(self, result, mesh, *options):
+        if os.path.exists(VERIFY):
+            done = subprocess.run(['/usr/bin/python3', VERIFY, result, '--mesh', mesh, '--no-energy', *options],
+                                  text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+            self.assertEqual(done.returncode, 0, done.stdout[-2000:])
+
+    def data(self, name):
+        text = self.read(name).decode()
+        return json.loads(re.search(r'id="data">(.*?)</script>', text, re.S).group(1))
+
+    # ---------------------------------------------------------------- runs
+    def test_a_disk_in_every_format(self):
+        mesh = generated('creature')
+        for degree in (1, 3):
+            files = ['a.vtu', 'a.obj', 'a.ply', 'a.msh', 'a.html', 'a.svg']
+            outputs = sum((['-o', self.path(f)] for f in files), [])
+            self.run_ok('parametrize', mesh, *outputs, '--quiet', '--degree', degree, '--align')
+            result = Vtu(self.path('a.vtu'))
+            self.assert_lies(result.rows('uv'), result.cells())
+            x, y = result.claims['aligned']['direction']
+            self.assertLess(abs(math.hypot(x, y) - 1), 1e-15)
+            self.assertGreater(abs(y), 0.01)  # it did not lie
+            for name in files[:3]:
+                self.run_ok('check', self.path(name), '--surface', mesh)
+            self.run_ok('check', self.path('a.msh'))
+            self.judge(self.path('a.vtu'), mesh)
+            self.verified(self.path('a.vtu'), mesh)
+            page = self.data('a.html')
+            raw = base64.b64decode(page['uv'])
+            self.assertEqual(sorted(struct.unpack('<%dd' % (len(raw) // 8), raw)),
+                             sorted(x for row in result.rows('uv') for x in row[:2]))
+
+    def test_it_is_the_map_without_the_flag_turned(self):
+        mesh = generated('creature')
+        run = ('parametrize', mesh, '--quiet', '--degree', 2)
+        self.run_ok(*run, '-o', self.path('a.vtu'))
+        self.run_ok(*run, '-o', self.path('b.vtu'), '--align')
+        self.run_ok('convert', self.path('a.vtu'), '-o', self.path('c.vtu'), '--align')
+        a, b, c = (Vtu(self.path(name)) for name in ('a.vtu', 'b.vtu', 'c.vtu'))
+        self.assertIsNone(a.claims['aligned'])
+        (dx, dy), size = b.claims['aligned']['direction'], max(map(abs, a.arrays['uv']))
+        for p, q in zip(a.rows('uv'), b.rows('uv')):
+            self.assertAlmostEqual(dx * p[0] + dy * p[1], q[0], delta=1e-14 * size)
+            self.assertAlmostEqual(dx * p[1] - dy * p[0], q[1], delta=1e-14 * size)
+        self.assertEqual(b.arrays['uv'], c.arrays['uv'])
+        self.assertEqual(b.claims['aligned'], c.claims['aligned'])
+        self.run_ok('check', self.path('c.vtu'), '--surface', mesh)
+        self.run_ok('convert', self.path('c.vtu'), '-o', self.path('d.vtu'), '--align')
+        self.assertEqual(self.read('c.vtu'), self.read('d.vtu'))
+
+    def test_in_the_unit_square(self):
+        mesh = generated('creature')
+        self.run_ok('parametrize', mesh, '-o', self.path('a.vtu'), '--quiet', '--align', '--normalize')
+        result = Vtu(self.path('a.vtu'))
+        uv = [p[:2] for p in result.rows('uv')]
+        self.assert_lies(uv, result.cells())
+        low, high = ([f(p[k] for p in uv) for k in (0, 1)] for f in (min, max))
+        self.assertEqual(low, [0, 0])
+        self.assertEqual(max(high), 1)
+        self.run_ok('check', self.path('a.vtu'), '--surface', mesh)
+        self.verified(self.path('a.vtu'), mesh)
+
+    def test_the_scaffold_turns_along(self):
+        mesh = self.write('mesh.obj', obj_text(*grid(4, lambda x, y: 0.9 * math.sin(3 * x + y))))
+        self.run_ok('parametrize', mesh, '-o', self.path('a.vtu'), '-o', self.path('a.svg'),
+                    '--bijective', '--degree', 2, '--quiet', '--align',
+                    '--write-scaffold', self.path('s.vtu'))
+        result, around = (Vtu(self.path(name)) for name in ('a.vtu', 's.vtu'))
+        self.assertIsNotNone(result.claims['aligned'])
+        self.run_ok('check', self.path('a.vtu'), '--surface', mesh, '--certify')
+        self.run_ok('check', self.path('s.vtu'))
+        self.verified(self.path('a.vtu'), mesh, '--require-global')
+        boundary = [p for p, v in zip(result.rows('uv'), result.arrays['input_vertex'])
+                    if v % 5 in (0, 4) and v >= 0 or 0 <= v < 5 or v >= 20]
+        self.assertEqual(len(boundary), 16)
+        self.assertLessEqual({p[:2] for p in boundary}, {p[:2] for p in around.rows('uv')})
+
+    def test_seams_survive(self):
+        mesh = generated('buckle')
+        for degree in (1, 2):
+            self.run_ok('seamless', mesh, '-o', self.path('a.vtu'), '--quiet', '--degree', degree, '--align')
+            result = Vtu(self.path('a.vtu'))
+            self.assert_lies(result.rows('uv'), result.cells())
+            self.run_ok('check', self.path('a.vtu'), '--surface', mesh)
+            self.judge(self.path('a.vtu'), mesh, '--seamless')
+            self.verified(self.path('a.vtu'), mesh, '--cuts', 'auto')
+
+    def test_the_film_turns_along(self):
+        mesh = generated('creature')
+        frames = []
+        for more in ([], ['--align']):
+            self.run_ok('parametrize', mesh, '-o', self.path('a.html'), '--quiet', '--degree', 1,
+                        '--snapshots', 2, *more)
+            snapshots = self.data('a.html')['snapshots']
+            raw = [base64.b64decode(s['uv']) for s in snapshots]
+            frames.append([struct.unpack('<%df' % (len(r) // 4), r) for r in raw])
+        dx, dy = self.data('a.html')['claims']['aligned']['direction']
+        self.assertGreater(len(frames[0]), 2)
+        for before, after in zip(*frames):
+            size = max(map(abs, before))
+            for k in range(0, len(before), 2):
+                u, v = before[k:k + 2]
+                self.assertAlmostEqual(dx * u + dy * v, after[k], delta=1e-6 * size)
+                self.assertAlmostEqual(dx * v - dy * u, after[k + 1], delta=1e-6 * size)
+
+    # ---------------------------------------------------------------- claims
+    def test_a_boundary_is_compared_as_the_run_had_it(self):
+        """Nobody writes such a file, but its claims have a meaning."""
+        mesh = generated('cap')
+        self.run_ok('parametrize', mesh, '-o', self.path('a.vtu'), '--quiet', '--degree', 2,
+                    '--boundary', 'fixed')
+        turned, direction = Vtu(self.path('a.vtu')), (0.6, 0.8)
+        for p, (u, v, *rest) in enumerate(turned.rows('uv')):
+            k = turned.components['uv'] * p
+            turned.arrays['uv'][k:k + 2] = 0.6 * u + 0.8 * v, 0.6 * v - 0.8 * u
+        self.refused(INVALID, 'check', turned.write(self.path('b.vtu')), '--surface', mesh,
+                     says="the boundary is off the initial map's")
+        turned.claims['aligned'] = {'direction': direction}
+        self.run_ok('check', turned.write(self.path('b.vtu')), '--surface', mesh)
+
+    def test_files_without_claims_are_turned(self):
+        mesh = generated('creature')
+        self.run_ok('parametrize', mesh, '-o', self.path('a.obj'), '--quiet')
+        self.run_ok('convert', self.path('a.obj'), '-o', self.path('b.obj'), '-o', self.path('b.vtu'),
+                    '--align')
+        _, vt, _, faces = read_obj(self.path('b.obj'))
+        self.assert_lies(vt, faces)
+        for name in ('b.obj', 'b.vtu'):
+            self.run_ok('check', self.path(name), '--surface', mesh)
+
+    # ---------------------------------------------------------------- what is held
+    def test_what_is_held_is_not_turned(self):
+        mesh = self.write('mesh.obj', obj_text(*grid(3)))
+        flat = self.write('flat.obj', obj_text(*grid(3, lambda x, y: 0)))
+        pins = self.write('pins.json', '{"handles": [{"vertex": 0, "target": "initial"}]}')
+        handles = self.write('handles.json', '{"handles": [{"vertex": 0, "target": [-0.1, 0]}]}')
+        out, before = self.path('a.vtu'), self.files()
+        for says, run in (('pins', ('parametrize', mesh, '--pins', pins)),
+                          ('handles', ('parametrize', mesh, '--handles', handles)),
+                          ('--boundary fixed', ('parametrize', mesh, '--boundary', 'fixed')),
+                          ('handles', ('deform', flat, '--handles', handles)),
+                          ('charts', ('unwrap', mesh))):
+            for name in ('a.vtu', 'a.html'):
+                self.refused(USAGE, *run, '-o', self.path(name), '--align', says=['--align', says])
+            self.assertEqual(self.files(), before)
+            self.run_ok(*run, '-o', self.path('a.svg'), '--align', '--quiet', '--degree', 1)
+            self.run_ok(*run, '-o', out, '--align', 'no', '--quiet', '--degree', 1)
+            self.refused(USAGE, 'convert', out, '-o', self.path('b.obj'), '--align', says=['--align', out])
+            self.run_ok('convert', out, '-o', self.path('b.svg'), '--align')
+            for name in ('a.svg', 'a.vtu', 'b.svg'):
+                os.remove(self.path(name))
+        self.run_ok('parametrize', mesh, '-o', out, '--normalize', '--quiet')
+        self.refused(USAGE, 'convert', out, '-o', self.path('b.vtu'), '--align', says='unit square')
+
+
+if __name__ == '__main__':
+    main()

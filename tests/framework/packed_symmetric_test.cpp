@@ -1,0 +1,103 @@
+// Eigenvalues of packed symmetric matrices, clamped.
+#include "majorant/framework/packed_symmetric.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "random.h"
+
+namespace majorant {
+namespace {
+
+template <int N>
+Eigen::Matrix<double, N, N> unpacked(const double* k) {
+  Eigen::Matrix<double, N, N> m;
+  for (int i = 0; i < N; ++i)
+    for (int j = 0; j <= i; ++j) m(i, j) = m(j, i) = *k++;
+  return m;
+}
+
+template <int N>
+void clamp_random_matrices() {
+  test::Random random(N);
+  for (int trial = 0; trial < 20; ++trial)
+    for (const double clamp : {0.0, 0.3, 1.0}) {
+      double k[N * (N + 1) / 2];
+      for (double& entry : k) entry = random.uniform();
+      const auto before = unpacked<N>(k);
+      clamp_eigenvalues<N>(clamp, k);
+      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, N, N>> eigen(before);
+      Eigen::Matrix<double, N, N> expected = before;
+      for (int i = 0; i < N; ++i)
+        if (const double l = eigen.eigenvalues()[i]; l < 0)
+          expected -=
+              clamp * l * eigen.eigenvectors().col(i) * eigen.eigenvectors().col(i).transpose();
+      EXPECT_LE((unpacked<N>(k) - expected).norm(), 1e-13 * (1 + before.norm())) << N;
+    }
+}
+
+TEST(PackedSymmetric, TakesPartsOfNegativeEigenvaluesAway) {
+  clamp_random_matrices<1>();
+  clamp_random_matrices<2>();
+  clamp_random_matrices<3>();
+  clamp_random_matrices<6>();
+  clamp_random_matrices<12>();
+}
+
+TEST(PackedSymmetric, LeavesDefiniteMatricesToTheBit) {
+  double k[] = {2, 0.1, 3, 0.3, 0.7, 4};
+  const std::vector<double> before(std::begin(k), std::end(k));
+  clamp_eigenvalues<3>(1, k);
+  for (std::size_t p = 0; p < before.size(); ++p) EXPECT_EQ(k[p], before[p]);
+}
+
+// Random matrices of full and of lower rank, moved across 0 by a little more than rounding.
+template <int N>
+void judge_random_matrices() {
+  using Matrix = Eigen::Matrix<double, N, N>;
+  test::Random random(N);
+  for (int trial = 0; trial < 50; ++trial) {
+    Matrix half = Matrix::NullaryExpr([&] { return random.uniform(); });
+    half.rightCols(random.integer(0, N)).setZero();
+    const Vec direction = random.vector(N).normalized();
+    const auto judged = [&](double part) {
+      const Matrix m =
+          half * half.transpose() + part * half.squaredNorm() * direction * direction.transpose();
+      double k[N * (N + 1) / 2];
+      for (int i = 0, p = 0; i < N; ++i)
+        for (int j = 0; j <= i; ++j, ++p) k[p] = m(i, j);
+      const double lowest = Eigen::SelfAdjointEigenSolver<Matrix>(m).eigenvalues()[0];
+      return std::pair(is_semidefinite<N>(k), lowest >= -1e-12 * half.squaredNorm());
+    };
+    EXPECT_TRUE(judged(0.01).first) << N;
+    for (const double part : {-0.001, -0.1, -1.0}) {
+      const auto [said, is] = judged(part);
+      EXPECT_TRUE(is || !said) << N << " " << part;
+    }
+  }
+}
+
+TEST(PackedSymmetric, Semidefinite) {
+  judge_random_matrices<2>();
+  judge_random_matrices<4>();
+  judge_random_matrices<9>();
+  const double spring[] = {2, -1, 3, -2, 1, 2, 1, -3, -1, 3};  // translations are free
+  EXPECT_TRUE(is_semidefinite<4>(spring));
+  const double hollow[] = {0, 1, 5}, zero[] = {0, 0, 0}, nan[] = {1, std::nan(""), 1};
+  EXPECT_FALSE(is_semidefinite<2>(hollow));
+  EXPECT_TRUE(is_semidefinite<2>(zero));
+  EXPECT_FALSE(is_semidefinite<2>(nan));
+}
+
+TEST(PackedSymmetric, NotFinite) {
+  for (const double bad :
+       {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
+    double k[] = {2, bad, 3};
+    clamp_eigenvalues<2>(1, k);
+    for (const double entry : k) EXPECT_EQ(entry, 0);
+  }
+}
+
+}  // namespace
+}  // namespace majorant

@@ -1,0 +1,168 @@
+// Barriers whose weight falls to 0: where they end, what they report, what they refuse.
+#include "majorant/framework/barrier_minimizer.h"
+
+#include <gtest/gtest.h>
+
+#include "majorant/framework/derivative_check.h"
+#include "majorant/terms/inequality.h"
+#include "majorant/terms/linear_term.h"
+#include "random.h"
+
+namespace majorant {
+namespace {
+
+// The point of the unit disk that lies farthest along c, and all corners of a polygon likewise.
+struct Disks {
+  Vec directions;
+  Problem problem;
+  TermId barrier;
+
+  explicit Disks(Index count, double weight = 1)
+      : Disks(count, weight, ProblemBuilder(2 * count)) {}
+
+ private:
+  Disks(Index count, double weight, ProblemBuilder builder)
+      : directions(test::Random(1).vector(2 * count)), problem(), barrier() {
+    Cells points(count, 1);
+    for (Index i = 0; i < count; ++i) points(i, 0) = i;
+    const auto disk = inequality<1, 2>("disk", points,
+                                       [](Index, const auto& z) { return 1.0 - z.squaredNorm(); });
+    builder.add(linear_term("along", -directions), 1);
+    barrier = builder.add(disk.barrier(), weight);
+    problem = builder.build();
+  }
+};
+
+TEST(BarrierMinimizer, EndsOnTheBoundary) {
+  const Index count = 50;
+  const Disks disks(count);
+  const BarrierResult result =
+      BarrierMinimizer({disks.barrier}).run(disks.problem, Vec::Zero(2 * count));
+  EXPECT_EQ(result.status, Status::Converged) << result.message;
+  double best = 0;
+  for (Index i = 0; i < count; ++i) {
+    const Vector2 c = disks.directions.segment<2>(2 * i), x = result.y.segment<2>(2 * i);
+    EXPECT_LE((x - c.normalized()).norm(), 1e-6);
+    EXPECT_LT(x.norm(), 1);
+    best -= c.norm();
+  }
+  EXPECT_NEAR(result.energy, best, 1e-8 * -best);
+  EXPECT_GE(result.energy, best);
+}
+
+TEST(BarrierMinimizer, ReportsItsPhases) {
+  const Disks disks(7, 3);
+  BarrierOptions options;
+  options.fall = 0.2;
+  options.tolerance = 1e-5;
+  int seen = 0;
+  const BarrierResult result =
+      BarrierMinimizer({disks.barrier}, options)
+          .run(disks.problem, Vec::Zero(14), [&](const IterationRecord& record, const Vec&) {
+            EXPECT_EQ(record.iteration, ++seen);
+            return Directive::Continue;
+          });
+  int iterations = 0;
+  for (std::size_t k = 0; k < result.phases.size(); ++k) {
+    const BarrierPhase& phase = result.phases[k];
+    iterations += phase.iterations;
+    EXPECT_DOUBLE_EQ(phase.gap, 7 * 3 * phase.mu);
+    if (k == 0) continue;
+    EXPECT_DOUBLE_EQ(phase.mu, 0.2 * result.phases[k - 1].mu);
+    EXPECT_LT(phase.energy, result.phases[k - 1].energy);
+  }
+  EXPECT_EQ(result.iterations.size(), iterations);
+  EXPECT_EQ(result.iterations.back().iteration, iterations);
+  EXPECT_EQ(seen, iterations);
+  const BarrierPhase& last = result.phases.back();
+  EXPECT_EQ(last.energy, result.energy);
+  EXPECT_LE(last.gap, 1e-5 * std::abs(last.energy));
+  EXPECT_GT(last.gap, 0.2 * 0.2 * 1e-5 * std::abs(last.energy));
+  // The gap is what it promises on a convex problem.
+  double best = 0;
+  for (Index i = 0; i < 7; ++i) best -= disks.directions.segment<2>(2 * i).norm();
+  EXPECT_LE(result.energy - best, 1.001 * last.gap);
+}
+
+// Hock and Schittkowski 71 has the minimum 17.0140173 at (1, 4.743, 3.8211, 1.3794); its equality
+// is a penalty here, its bounds and inequality barriers.
+TEST(BarrierMinimizer, NonconvexWithOtherConstraintsInactive) {
+  const auto objective = make_term<4>("hs71", Cells{{0, 1, 2, 3}}, [](Index, const auto& z) {
+    const auto sphere = z.squaredNorm() - 40.0;
+    return z[0] * z[3] * (z[0] + z[1] + z[2]) + z[2] + 1e6 * sphere * sphere;
+  });
+  const auto product = inequality<4>("product", Cells{{0, 1, 2, 3}}, [](Index, const auto& z) {
+    return z[0] * z[1] * z[2] * z[3] - 25.0;
+  });
+  Cells each(4, 1);
+  each << 0, 1, 2, 3;
+  const auto low = inequality<1>("low", each, [](Index, const auto& z) { return z[0] - 1.0; });
+  const auto high = inequality<1>("high", each, [](Index, const auto& z) { return 5.0 - z[0]; });
+  ProblemBuilder builder(4);
+  builder.add(objective, 1);
+  const std::vector<TermId> ids{builder.add(product.barrier(), 1), builder.add(low.barrier(), 1),
+                                builder.add(high.barrier(), 1)};
+  const BarrierResult result =
+      BarrierMinimizer(ids).run(builder.build(), Vec{{1.5, 4.5, 4.5, 1.5}});
+  EXPECT_EQ(result.status, Status::Converged) << result.message;
+  EXPECT_LE((result.y - Vec{{1, 4.7429994, 3.8211503, 1.3794082}}).norm(), 1e-5);
+}
+
+TEST(BarrierMinimizer, PenaltyEndsOutside) {
+  // (x - 2)^2 with x <= 1: x = 1 + 1 / (1 + w).
+  const auto pull = make_term<1>("pull", Cells{{0}},
+                                 [](Index, const auto& z) { return (z[0] - 2.0) * (z[0] - 2.0); });
+  const auto wall =
+      inequality<1>("wall", Cells{{0}}, [](Index, const auto& z) { return 1.0 - z[0]; });
+  for (const double start : {-3.0, 0.5, 5.0}) {
+    EXPECT_TRUE(check_derivatives(*wall.penalty(), Vec::Constant(1, start)).ok());
+    const Problem problem = ProblemBuilder(1).add(pull, 1).add(wall.penalty(), 99).build();
+    const SolveResult result = NewtonMinimizer().minimize(problem, Vec::Constant(1, start), {});
+    EXPECT_NEAR(result.y[0], 1.01, 1e-9);
+  }
+}
+
+TEST(BarrierMinimizer, LimitsAndStarts) {
+  const Disks disks(5);
+  const auto run = [&](BarrierOptions options, const Vec& y0, Observer observer = {}) {
+    return BarrierMinimizer({disks.barrier}, options).run(disks.problem, y0, observer);
+  };
+  BarrierOptions few;
+  few.newton.stopping.max_iterations = 7;
+  EXPECT_EQ(run(few, Vec::Zero(10)).status, Status::MaxIterations);
+  EXPECT_EQ(run(few, Vec::Zero(10)).iterations.size(), 7);
+  const auto interrupt = [](const IterationRecord& r, const Vec&) {
+    return r.iteration == 9 ? Directive::Interrupt : Directive::Continue;
+  };
+  const BarrierResult interrupted = run({}, Vec::Zero(10), interrupt);
+  EXPECT_EQ(interrupted.status, Status::Interrupted);
+  EXPECT_EQ(interrupted.iterations.size(), 9);
+  const BarrierResult outside = run({}, Vec::Constant(10, 1));
+  EXPECT_EQ(outside.status, Status::Infeasible);
+  EXPECT_EQ(outside.y, Vec::Constant(10, 1));
+}
+
+TEST(BarrierMinimizer, Misuse) {
+  const Disks disks(5);
+  const Vec y0 = Vec::Zero(10);
+  EXPECT_THROW(BarrierMinimizer({TermId(7)}).run(disks.problem, y0), Error);
+  EXPECT_THROW(BarrierMinimizer({disks.barrier, disks.barrier}).run(disks.problem, y0), Error);
+  EXPECT_THROW(BarrierMinimizer({}, {.fall = 1}), Error);
+  EXPECT_THROW(BarrierMinimizer({}, {.tolerance = 0}), Error);
+  EXPECT_THROW(BarrierMinimizer({}, {.first_gap = -1}), Error);
+}
+
+TEST(BarrierMinimizer, WithoutBarriersItIsNewton) {
+  const auto bowl = make_term<2>("bowl", Cells{{0, 1}}, [](Index, const auto& z) {
+    return z.squaredNorm() + z[0] * z[1] + z[0];
+  });
+  const Problem problem = ProblemBuilder(2).add(bowl, 1).build();
+  const BarrierResult result = BarrierMinimizer({}).run(problem, Vec::Ones(2));
+  const SolveResult newton = NewtonMinimizer().minimize(problem, Vec::Ones(2), {});
+  EXPECT_EQ(result.y, newton.y);
+  EXPECT_EQ(result.phases.size(), 1);
+  EXPECT_EQ(result.phases.back().mu, 0);
+}
+
+}  // namespace
+}  // namespace majorant

@@ -1,0 +1,16 @@
+// Ceres as an oracle: until nothing changes any more, silently.
+#pragma once
+
+#include <ceres/solver.h>
+
+namespace majorant::test {
+
+inline ceres::Solver::Options tight_options() {
+  ceres::Solver::Options options;
+  options.max_num_iterations = 1000;
+  options.function_tolerance = options.gradient_tolerance = options.parameter_tolerance = 1e-16;
+  options.logging_type = ceres::SILENT;
+  return options;
+}
+
+}  // namespace majorant::test

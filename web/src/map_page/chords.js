@@ -1,0 +1,79 @@
+// How finely the curved cells of the layout are cut into flat pieces to be drawn: each as much as it
+// bends, so that none is more than a fraction of a pixel off.
+
+import {localIndex, multiIndices} from './bezier.js';
+import {facesOfEdges} from './neighbours.js';
+
+const kError = 0.5;   // pixels between a cell and its pieces
+const kMostPieces = 16;  // along an edge; a power of two
+const kMostTriangles = 1e6;
+
+// For every cell about how far it is from the flat triangle of its corners: a quadratic map with
+// second derivatives M along the edges is off by half the sum of xi_a xi_b M_ab, no more than a sixth
+// of the largest, and pieces of others are the nearer to quadratic the smaller they are. Those of a
+// cell are n (n - 1) times second differences of its control points. Of k * k pieces: a k^2-th.
+export function bendsOf({degree: n, size, faceCount, cells}, uv) {
+  const bends = new Float64Array(faceCount);
+  if (n === 1) return bends;
+  // Local indices p, q, r of all p - 2 q + r.
+  const differences = multiIndices(n - 2).flatMap(([i, j]) => {
+    const at = (a, b) => localIndex(n, i + a, j + b);
+    return [[at(2, 0), at(1, 0), at(0, 0)], [at(0, 2), at(0, 1), at(0, 0)],
+            [at(2, 0), at(1, 1), at(0, 2)]];
+  });
+  for (let face = 0; face < faceCount; ++face) {
+    let most = 0;
+    for (const locals of differences) {
+      const [p, q, r] = locals.map((l) => 2 * cells[face * size + l]);
+      most = Math.max(most, Math.hypot(uv[p] - 2 * uv[q] + uv[r],
+                                       uv[p + 1] - 2 * uv[q + 1] + uv[r + 1]));
+    }
+    bends[face] = n * (n - 1) / 6 * most;
+  }
+  return bends;
+}
+
+function piecesWithin(error, bends) {
+  return Uint8Array.from(bends, (bend) => {
+    let k = 1;
+    while (k < kMostPieces && bend > error * k * k) k *= 2;
+    return k;
+  });
+}
+
+// {pieces, areCoarse}: along the edges of every cell, a power of two; whether some are further off
+// than wanted, because there would be too many. bends: in pixels.
+export function piecesFor(bends) {
+  let error = kError;
+  let pieces = piecesWithin(error, bends);
+  while (pieces.reduce((sum, k) => sum + k * k, 0) > kMostTriangles) {
+    error *= 2;
+    pieces = piecesWithin(error, bends);
+  }
+  return {pieces, areCoarse: bends.some((bend, face) => bend > kError * pieces[face] ** 2)};
+}
+
+// A layout whose cells are cut. `of(uv, scale)` is {pieces, edges, areCoarse} for control points uv
+// and pixels a unit of uv; edges: of edges 01, 12, 20 of every cell, the pieces of the coarser of the
+// two cells there, so that there are no gaps. The same object as long as it suffices.
+export class Chords {
+  constructor(plane) {
+    this.plane = plane;
+    this.sides = facesOfEdges(plane, (corner) => corner);
+  }
+
+  of(uv, scale) {
+    const level = Math.ceil(Math.log2(scale));  // else all would be cut anew at every step of a zoom
+    if (this.uv === uv && this.level === level) return this.cut;
+    if (this.uv !== uv) this.bends = bendsOf(this.plane, uv);
+    Object.assign(this, {uv, level});
+    const {pieces, areCoarse} = piecesFor(this.bends.map((bend) => bend * 2 ** level));
+    const edges = new Uint8Array(3 * pieces.length);
+    for (let face = 0; face < pieces.length; ++face)
+      for (let edge = 0; edge < 3; ++edge)
+        edges[3 * face + edge] =
+            this.sides.at(face, edge).reduce((k, other) => Math.min(k, pieces[other]), kMostPieces);
+    this.cut = {pieces, edges, areCoarse};
+    return this.cut;
+  }
+}
