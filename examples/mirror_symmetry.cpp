@@ -70,10 +70,12 @@ int main(int argc, char** argv) {
   const ParametrizationResult result = parametrize(mesh, options);
   // 3. Symmetric to the last digits.
   const Vec& x = result.map->control_points();
-  const Eigen::Rotation2D<double> turn(2 * angle);
+  const double c = std::cos(2 * angle), s = std::sin(2 * angle);
   double off = 0;
-  for (const auto& [a, b] : last.nodes)
-    off = std::max(off, (turn * Vector2(x[2 * a], -x[2 * a + 1]) - x.segment<2>(2 * b)).norm());
+  for (const auto& [a, b] : last.nodes) {
+    const Vector2 p = x.segment<2>(2 * a), image(c * p.x() + s * p.y(), s * p.x() - c * p.y());
+    off = std::max(off, (image - x.segment<2>(2 * b)).norm());
+  }
   std::cout << status_name(result.status) << ", energy " << result.measures.value << ", "
             << result.variables << " unknowns, symmetric to " << off << "\n";
   write_vtu(argv[2], to_map_file(*result.map));

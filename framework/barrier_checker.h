@@ -1,8 +1,11 @@
 // A checker that also knows how to keep away from its limit, so that a bound is a constraint of the
 // optimization and no wall at which runs stall.
 //
-//   builder.add(bound);                                            // holds at every step
-//   const TermId barrier = builder.add(bound->barrier(), 0.1);     // its weight falls to 0
+//   const auto hold = [](ProblemBuilder& b, std::shared_ptr<const BarrierChecker> bound) {
+//     b.add(bound);                                        // at every step
+//     const TermId barrier = b.add(bound->barrier(), 1.0);
+//     return BarrierMinimizer({barrier});                  // from a start that is inside
+//   };
 //
 // The barrier grows to infinity towards the limit; while its weight falls, minima of the sum run
 // along a path inside the feasible set to the constrained minimum (interior points, [NW06]

@@ -91,7 +91,7 @@ def main():
         from PIL import Image
         image = Image.open(out).convert('RGB')
         image = image.resize((WIDTH, round(WIDTH * image.height / image.width)), Image.LANCZOS)
-        image.quantize(COLORS).save(out, optimize=True)
+        image.quantize(COLORS, method=Image.Quantize.MAXCOVERAGE).save(out, optimize=True)
 
 
 if __name__ == '__main__':

@@ -55,7 +55,7 @@ void add_color_legend(SvgLayout& layout, const Legend& legend, double top) {
   }
   layout.add("</g>\n<g font-family=\"sans-serif\" font-size=\"{}\" fill=\"#333\">\n",
              kSmallLetters);
-  add_text(layout, "start", SvgLayout::kMargin, below + 10.0 + kLetters + kSmallLetters,
+  add_text(layout, "start", SvgLayout::kMargin, below + 16.0 + kLetters + kSmallLetters,
            legend.note);
   layout.add("</g>\n");
 }

@@ -6,7 +6,7 @@
 
 namespace majorant {
 
-inline constexpr double kSvgLegendHeight = 124.0;
+inline constexpr double kSvgLegendHeight = 130.0;
 
 // From this height on: the title, the bar with its ticks, pointed at ends that values are beyond,
 // and the note, in letters for drawings that are shown small.

@@ -122,6 +122,7 @@ TEST(RealRows, IntegersBesideThemStayExact) {
     EXPECT_EQ(a.offset(i), b.offset(i));
   }
   EXPECT_EQ(a.rank() + 1, b.rank());
+  EXPECT_EQ(b.begin(0)->coefficient, 2401.0 / 81);  // (7/3)^4, rounded once
 }
 
 // Whatever the order: what integers say is not changed by a real row before them.

@@ -99,8 +99,7 @@ async function film(page) {
   if (end.playShown) {
     await page.click('#film button');
     await page.waitForFunction(() => window.majorantPage.app.state.frame !== null);
-    await page.waitForFunction(() => window.majorantPage.app.state.frame === null, null,
-                               {timeout: 60000});
+    await page.waitForFunction(() => window.majorantPage.app.state.frame === null);
     played = {label: await page.textContent('#film button'), ...await at()};
   }
   return {end, start, second, again, played};

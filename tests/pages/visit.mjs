@@ -15,6 +15,8 @@ const flags = [
   '--enable-unsafe-swiftshader',
 ];
 
+const kPatience = 120000;  // ms: machines are busy
+
 // options: width, height, hash of the address, dark, touch, reducedMotion, flags: more of them.
 export async function visit(file, options, act) {
   const browser = await chromium.launch({
@@ -45,9 +47,10 @@ export async function visit(file, options, act) {
       const isLocal = /^(data|blob):/.test(request.url());
       if (!isLocal && request.url().split('#')[0] !== url) requests.push(request.url());
     });
+    page.setDefaultTimeout(kPatience);
     await page.goto(url + (options.hash ? `#${options.hash}` : ''));
     if (!options.plain)
-      await page.waitForFunction(() => window.majorantPage !== undefined, null, {timeout: 60000});
+      await page.waitForFunction(() => window.majorantPage !== undefined);
     const result = await act(page);
     return {result, surprises, requests};
   } finally {

@@ -78,7 +78,7 @@ TEST(Placement, WhatRoundingTurnsOverIsNoResult) {
   const auto mesh = surface(grid(1, bumpy));
   Vec uv(8);
   uv << 0, 0, 4, 0, 0, 4, 4, 4;  // units in the last place there
-  uv.array() += 0x1p54;
+  uv.array() += 0x1.cp54;        // the sum of both beyond 2^55, where these are 8
   const BezierMap map = BezierMap::linear(mesh, uv);
   ASSERT_TRUE(measure_map(map, kMeasured).locally_injective);
   EXPECT_TRUE(turned_along(map, {1, 0}, kMeasured));
