@@ -100,8 +100,6 @@ EXEMPT = {
     'energies/detail/point_functions.h kMost': 'size of a table',
     'energies/detail/contraction_kernel.h kMaxDirections': 'size of a table',
     'energies/detail/contraction_kernel.h kWidest': 'size of a batch',
-    'energies/detail/point_functions.h kMost': 'size of a batch',
-    'energies/internal/point_kernels.cpp kPacked': 'size of a table',
     'energies/detail/isotropic.h kSmallestA': 'range of doubles',
     'energies/quadratic_penalty.h kLongestRow': 'size of a table',
     'constraints/local_injectivity.cpp kParallelElements': 'threads',
