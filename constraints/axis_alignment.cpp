@@ -2,21 +2,23 @@
 
 #include <fmt/format.h>
 
-#include <stdexcept>
 #include <utility>
 
+#include "majorant/framework/error.h"
+#include "majorant/framework/internal/argument_check.h"
 #include "majorant/mesh/half_edge.h"
 #include "majorant/mesh/internal/union_find.h"
 
 namespace majorant {
 AxisAlignment::AxisAlignment(std::shared_ptr<const BezierTriangleSpace> space,
                              std::vector<AlignedEdge> edges)
-    : space_(std::move(space)), edges_(std::move(edges)) {
+    : space_(given("AxisAlignment: the space", std::move(space))), edges_(std::move(edges)) {
   for (const AlignedEdge& edge : edges_)
     if (edge.half_edge < 0 || edge.half_edge >= 3 * space_->element_count() ||
         edge.coordinate < 0 || edge.coordinate > 1)
-      throw std::invalid_argument(fmt::format("axis alignment: no half-edge {} or no coordinate {}",
-                                              edge.half_edge, edge.coordinate));
+      throw InvalidArgument(
+          fmt::format("AxisAlignment: there is no half-edge {} or no coordinate {}", edge.half_edge,
+                      edge.coordinate));
 }
 
 // Edges that hold the same coordinate and meet are a component. Every unknown of one equals its

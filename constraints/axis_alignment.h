@@ -22,7 +22,7 @@ struct AlignedEdge {
 
 class AxisAlignment final : public Constraint {
  public:
-  // Throws std::invalid_argument for a half-edge or coordinate that does not exist.
+  // Throws InvalidArgument for a half-edge or coordinate that does not exist.
   AxisAlignment(std::shared_ptr<const BezierTriangleSpace> space, std::vector<AlignedEdge> edges);
   void append_rows(ConstraintRows& rows) const override;
 

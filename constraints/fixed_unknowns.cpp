@@ -1,9 +1,12 @@
 #include "majorant/constraints/fixed_unknowns.h"
 
+#include "majorant/framework/internal/argument_check.h"
+
 namespace majorant {
 
 void FixedUnknowns::append_rows(ConstraintRows& rows) const {
   for (const FixedUnknown& u : unknowns_) {
+    require_at_least("FixedUnknowns: an unknown", u.unknown, 0);
     rows.begin_row("unknown " + std::to_string(u.unknown));
     rows.add(u.unknown, 1);
     rows.end_row(u.value);

@@ -7,9 +7,10 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
-#include <stdexcept>
 
 #include "majorant/elements/internal/bernstein.h"
+#include "majorant/framework/error.h"
+#include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/internal/parallel_errors.h"
 
 namespace majorant {
@@ -25,16 +26,20 @@ LocalInjectivity::LocalInjectivity(std::shared_ptr<const ElementSpace> space, Ve
                                    int max_depth, StopCheck stop)
     : space_(std::move(space)),
       rest_det_(std::move(rest_det)),
-      max_depth_(std::clamp(max_depth, 0, kMaxDepth)),
+      max_depth_(std::min(max_depth, kMaxDepth)),
       stop_(std::move(stop)) {
-  if (!space_ || static_cast<Index>(rest_det_.size()) != space_->element_count())
-    throw std::invalid_argument(
-        fmt::format("LocalInjectivity: {} rest determinants for {} elements", rest_det_.size(),
-                    space_ ? space_->element_count() : 0));
+  require_given("LocalInjectivity: the space", space_);
+  if (rest_det_.size() != space_->element_count())
+    throw InvalidArgument(fmt::format("LocalInjectivity: {} rest determinants for {} elements",
+                                      rest_det_.size(), space_->element_count()));
+  require_at_least("LocalInjectivity: the depth", max_depth, 0);
 }
+
+Index LocalInjectivity::unknowns() const { return space_->reference_dim() * space_->node_count(); }
 
 // proven: where elements are counted by depth, if anywhere.
 Vec LocalInjectivity::certify(VecIn x, std::vector<long>* proven) const {
+  require_enough("LocalInjectivity: x", x.size(), unknowns());
   const Index count = space_->element_count();
   Vec bounds(count);
   std::vector<int> depths(proven ? at(count) : 0, -1);
@@ -72,6 +77,8 @@ Verdict LocalInjectivity::check(VecIn x) const {
 // First coefficientwise, without bisection, which settles almost all elements; then bisection for
 // those that limit the step, each asked only for the step the others still allow.
 StepBound LocalInjectivity::max_step(VecIn x, VecIn d, double s) const {
+  require_enough("LocalInjectivity::max_step: x", x.size(), unknowns());
+  require_enough("LocalInjectivity::max_step: d", d.size(), unknowns());
   const Index count = space_->element_count();
   Vec quick(count);
   ParallelErrors errors;
@@ -103,6 +110,7 @@ StepBound LocalInjectivity::max_step(VecIn x, VecIn d, double s) const {
 }
 
 Vec vertex_angle_sums(const BezierTriangleSpace& space, VecIn x) {
+  require_enough("vertex_angle_sums: x", x.size(), 2 * space.node_count());
   Vec sums = Vec::Zero(space.vertex_count());
   const TriangleIndices& ix = TriangleIndices::of_degree(space.degree());
   const auto point = [&](Index e, int local) {
@@ -121,9 +129,11 @@ Vec vertex_angle_sums(const BezierTriangleSpace& space, VecIn x) {
 
 AngleSums::AngleSums(std::shared_ptr<const BezierTriangleSpace> space, Vertices which,
                      std::shared_ptr<const Seams> seams)
-    : space_(std::move(space)), which_(which) {
+    : space_(given("AngleSums: the space", std::move(space))), which_(which) {
   const auto count = at(space_->vertex_count());
   if (seams && !seams->quarter_turns().empty()) {  // cones may lie on no cut
+    require_size("AngleSums: the seams' list of vertices",
+                 static_cast<Index>(seams->surface_vertex().size()), space_->vertex_count());
     vertex_of_ = seams->surface_vertex();
     quarter_turns_ = seams->quarter_turns();
     return;

@@ -25,8 +25,9 @@ class LocalInjectivity final : public FeasibilityChecker {
   static constexpr int kMaxDepth = 63;
   // rest_det: #E determinants of the rest shapes (their measures over the reference measure), to
   // make margins dimensionless. Where they are not positive nothing is certified. stop: polled by
-  // max_step() alone, which then throws Stopped. Throws std::invalid_argument for another number of
-  // them.
+  // max_step() alone, which then throws Stopped. Throws InvalidArgument for another number of
+  // them, no space, or a negative depth; all members do for fewer unknowns than the
+  // space has (more may follow: those of a scaffold).
   LocalInjectivity(std::shared_ptr<const ElementSpace> space, Vec rest_det,
                    int max_depth = ProofDepth::kStart, StopCheck stop = {});
 
@@ -39,6 +40,7 @@ class LocalInjectivity final : public FeasibilityChecker {
   Vec lower_bounds(VecIn x) const;
 
  private:
+  Index unknowns() const;
   Vec certify(VecIn x, std::vector<long>* proven) const;
 
   std::shared_ptr<const ElementSpace> space_;

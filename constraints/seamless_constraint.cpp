@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "majorant/framework/internal/argument_check.h"
 #include "majorant/mesh/half_edge.h"
 
 namespace majorant {
@@ -19,6 +20,12 @@ Turned turned(int turns, int c) {
   constexpr Turned kTable[4][2] = {
       {{0, 1}, {1, 1}}, {{1, -1}, {0, 1}}, {{0, -1}, {1, -1}}, {{1, 1}, {0, -1}}};
   return kTable[turns][c];
+}
+
+void require_fitting(const BezierTriangleSpace& space, const Seams& seams) {
+  for (const SeamEdge& edge : seams.edges())
+    for (const Index h : {edge.side, edge.opposite})
+      require_index("seams: half-edge", h, 3 * space.element_count());
 }
 
 struct NodePair {
@@ -51,7 +58,10 @@ std::vector<std::vector<NodePair>> pairs_by_chain(const BezierTriangleSpace& spa
 
 SeamlessConstraint::SeamlessConstraint(std::shared_ptr<const BezierTriangleSpace> space,
                                        std::shared_ptr<const Seams> seams)
-    : space_(std::move(space)), seams_(std::move(seams)) {}
+    : space_(given("SeamlessConstraint: the space", std::move(space))),
+      seams_(given("SeamlessConstraint: the seams", std::move(seams))) {
+  require_fitting(*space_, *seams_);
+}
 
 void SeamlessConstraint::append_rows(ConstraintRows& rows) const {
   const auto surface_vertex = [&](Index cut) { return seams_->surface_vertex()[at(cut)]; };
@@ -90,6 +100,8 @@ std::vector<Index> boundary_nodes(const BezierTriangleSpace& space, const Seams&
 }
 
 SeamMismatch worst_seam_edge(const BezierTriangleSpace& space, const Seams& seams, VecIn x) {
+  require_enough("worst_seam_edge: x", x.size(), 2 * space.node_count());
+  require_fitting(space, seams);
   const auto point = [&](Index node) { return Vector2(x[2 * node], x[2 * node + 1]); };
   SeamMismatch worst;
   for (std::size_t e = 0; e < seams.edges().size(); ++e) {

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <numeric>
-#include <stdexcept>
 
 #include "majorant/elements/internal/rounding.h"
+#include "majorant/framework/error.h"
+#include "majorant/framework/internal/argument_check.h"
 
 namespace majorant {
 namespace {
@@ -17,7 +18,7 @@ double power(double x, int e) {
 
 double exact(double integer) {
   if (!(integer < kExactIntegers))
-    throw std::invalid_argument("BernsteinBasis: degree too high for exact weights");
+    throw InvalidArgument("BernsteinBasis: degree too high for exact weights");
   return integer;
 }
 
@@ -36,7 +37,7 @@ BernsteinBasis::BernsteinBasis(Factors factors, std::vector<Exponents> functions
       coordinates_(std::accumulate(factors_.begin(), factors_.end(), 0)),
       functions_(std::move(functions)) {
   if (coordinates_ > static_cast<int>(Exponents{}.size()))
-    throw std::invalid_argument("BernsteinBasis: cell with too many coordinates");
+    throw InvalidArgument("BernsteinBasis: cell with too many coordinates");
   for (int k = 0; k < count(); ++k) {
     double weight = 1;
     const int* e = exponents(k).data();
@@ -64,6 +65,9 @@ bool BernsteinBasis::is_corner(int k) const {
 }
 
 Vec BernsteinBasis::values(VecIn point) const {
+  Index columns = 0;
+  for (const int corners : factors_) columns += corners == 2 ? 1 : corners;
+  require_size("BernsteinBasis::values: the point", point.size(), columns);
   std::array<double, Exponents{}.size()> x{};
   Index from = 0;
   std::size_t to = 0;

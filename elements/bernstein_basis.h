@@ -22,7 +22,7 @@ using Degrees = std::vector<int>;      // of a polynomial space, one per factor
 class BernsteinBasis {
  public:
   // Functions in the given order; several polynomial spaces may follow each other. Throws
-  // std::invalid_argument for more than 6 coordinates and for weights beyond 2^53, which a double
+  // InvalidArgument for more than 6 coordinates and for weights beyond 2^53, which a double
   // would round.
   BernsteinBasis(Factors factors, std::vector<Exponents> functions);
 

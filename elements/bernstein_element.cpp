@@ -6,7 +6,8 @@
 #include <algorithm>
 #include <numeric>
 #include <set>
-#include <stdexcept>
+
+#include "majorant/framework/error.h"
 
 namespace majorant {
 namespace {
@@ -44,7 +45,7 @@ std::vector<Exponents> BernsteinElement::functions(const Degrees& of) const {
   const bool all = std::all_of(out.begin(), out.end(),
                                [&](const Exponents& e) { return has_degrees(factors, of, e); });
   if (!all || out.size() != expected || std::set(out.begin(), out.end()).size() != expected)
-    throw std::invalid_argument(
+    throw InvalidArgument(
         fmt::format("{}: lattice({}) must be the {} functions of these degrees, each once", name,
                     fmt::join(of, ", "), expected));
   return out;

@@ -38,7 +38,7 @@ struct BernsteinElement {
   double measure() const;        // of the reference cell
 
   Degrees degrees() const { return Degrees(factors.size(), degree); }
-  // lattice(of), which must name every function of the space once. Throws std::invalid_argument.
+  // lattice(of), which must name every function of the space once. Throws InvalidArgument.
   std::vector<Exponents> functions(const Degrees& of) const;
   BernsteinBasis basis(const Degrees& of) const { return {factors, functions(of)}; }
   // Factor that a homogeneous coordinate belongs to.

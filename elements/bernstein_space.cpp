@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <utility>
 
 #include "majorant/elements/internal/det_coefficients.h"
@@ -13,6 +12,8 @@
 #include "majorant/elements/internal/node_lattice.h"
 #include "majorant/elements/internal/positivity.h"
 #include "majorant/elements/internal/small_buffer.h"
+#include "majorant/framework/error.h"
+#include "majorant/framework/internal/argument_check.h"
 
 namespace majorant {
 namespace {
@@ -83,14 +84,19 @@ BernsteinSpace::BernsteinSpace(const BernsteinElement& element, NodeNumbering nu
       numbering_(std::move(numbering)) {
   const NodeLattice& lattice = tables_->lattice;
   if (numbering_.cells.cols() != lattice.node_count())
-    throw std::invalid_argument(fmt::format("{}: cells of {} nodes, {} are needed", element.name,
-                                            numbering_.cells.cols(), lattice.node_count()));
+    throw InvalidArgument(fmt::format("{}: cells of {} nodes, {} are needed", element.name,
+                                      numbering_.cells.cols(), lattice.node_count()));
+  for (Index e = 0; e < numbering_.cells.rows(); ++e)
+    for (const Index node : numbering_.cells.row(e))
+      if (node < 0 || node >= numbering_.node_count)
+        throw InvalidArgument(fmt::format("{}: cell {} has node {}, there are {}", element.name, e,
+                                          node, numbering_.node_count));
 }
 
 RowMatrix BernsteinSpace::node_positions(const RowMatrix& vertices) const {
   if (vertices.rows() != vertex_count_)
-    throw std::invalid_argument(fmt::format("{}: {} positions for {} vertices", element_.name,
-                                            vertices.rows(), vertex_count_));
+    throw InvalidArgument(fmt::format("{}: {} positions for {} vertices", element_.name,
+                                      vertices.rows(), vertex_count_));
   const NodeLattice& lattice = tables_->lattice;
   RowMatrix out = RowMatrix::Zero(node_count(), vertices.cols());
   out.topRows(vertex_count_) = vertices;
@@ -108,7 +114,13 @@ ContractionTable BernsteinSpace::tabulate(const Quadrature& rule) const {
   return contraction_table(element_, rule);
 }
 
+void BernsteinSpace::require_element(Index e, VecIn x) const {
+  require_index("element", e, element_count());
+  require_enough("the map x", x.size(), reference_dim() * node_count());
+}
+
 PositivityProof BernsteinSpace::certify(Index e, VecIn x, int max_depth) const {
+  require_element(e, x);
   const DetCoefficients& coefficients = tables_->det;
   if (coefficients.is_one_minor()) {
     double c[kTriangleSize], det, error;
@@ -133,6 +145,8 @@ PositivityProof BernsteinSpace::certify(Index e, VecIn x, int max_depth) const {
 }
 
 double BernsteinSpace::largest_step(Index e, VecIn x, VecIn d, double s, int max_depth) const {
+  require_element(e, x);
+  require_enough("the direction d", d.size(), reference_dim() * node_count());
   if (tables_->det.is_one_minor()) {
     StepPolynomial<1> c[kTriangleSize];
     gather(*this, e, [&](int i, Index k) { c[i] = {{x[k], d[k]}}; });

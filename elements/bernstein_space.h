@@ -35,15 +35,17 @@ class BernsteinSpace : public ElementSpace {
   const BernsteinElement& element() const { return element_; }
 
   // Control points of the map that takes vertex v to row v and is linear (on squares: bilinear) on
-  // every cell. vertices: #V by d; returns #N by d. Throws std::invalid_argument for another #V.
+  // every cell. vertices: #V by d; returns #N by d. Throws InvalidArgument for another #V.
   RowMatrix node_positions(const RowMatrix& vertices) const;
 
+  // These throw InvalidArgument for the rule of another cell, an element that does not exist and
+  // fewer unknowns than the space has.
   ContractionTable tabulate(const Quadrature& rule) const final;
   PositivityProof certify(Index e, VecIn x, int max_depth) const final;
   double largest_step(Index e, VecIn x, VecIn d, double s, int max_depth) const final;
 
  protected:
-  // cells: #E by corners, positively oriented. Throws std::invalid_argument for a degree outside
+  // cells: #E by corners, positively oriented. Throws InvalidArgument for a degree outside
   // 1..max_degree, a description that is wrong, vertex numbers outside 0..vertex_count-1, a vertex
   // twice in a cell and facets of more than two cells.
   BernsteinSpace(const BernsteinElement& element, const Cells& cells, Index vertex_count);
@@ -51,6 +53,7 @@ class BernsteinSpace : public ElementSpace {
   BernsteinSpace(const BernsteinElement& element, NodeNumbering numbering);
 
  private:
+  void require_element(Index e, VecIn x) const;
   struct Tables;  // of the element, whatever its cells
 
   BernsteinElement element_;
@@ -62,7 +65,7 @@ class BernsteinSpace : public ElementSpace {
 
 // First-order and product tables of an element on a rule, from its exponents (method.md section 4):
 // a derivative lowers one exponent, a product adds exponents. Directions: the barycentric ones of
-// a simplex, the reference ones of a product of simplices. Throws std::invalid_argument for the
+// a simplex, the reference ones of a product of simplices. Throws InvalidArgument for the
 // rule of another cell.
 ContractionTable contraction_table(const BernsteinElement& element, const Quadrature& rule);
 

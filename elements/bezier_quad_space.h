@@ -21,7 +21,7 @@ class BezierQuadSpace final : public BernsteinSpace {
 
   // cells: #E by 4 vertex numbers, counterclockwise: (s,t) = (0,0), (1,0), (1,1), (0,1). Nodes of a
   // cell are in VTK's order; quadrature points are (s, t), which are the reference coordinates.
-  // Throws std::invalid_argument when degree is not 1..8, for vertex numbers outside
+  // Throws InvalidArgument when degree is not 1..8, for vertex numbers outside
   // 0..vertex_count-1 and when an edge has more than two cells.
   BezierQuadSpace(const Cells& cells, Index vertex_count, int degree);
 };

@@ -20,7 +20,7 @@ class BezierTetrahedronSpace final : public BernsteinSpace {
 
   // cells: #E by 4 vertex numbers, positively oriented: det(p1 - p0, p2 - p0, p3 - p0) > 0, also
   // the reference coordinates. Nodes of a cell are in VTK's order; quadrature points barycentric.
-  // Throws std::invalid_argument when degree is not 1..6, for vertex numbers outside
+  // Throws InvalidArgument when degree is not 1..6, for vertex numbers outside
   // 0..vertex_count-1 and when a face has more than two cells.
   BezierTetrahedronSpace(const Cells& cells, Index vertex_count, int degree);
 };

@@ -1,9 +1,12 @@
 #include "majorant/elements/bezier_triangle_space.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "majorant/elements/internal/bernstein.h"
 #include "majorant/elements/internal/node_lattice.h"
+#include "majorant/framework/internal/argument_check.h"
 
 namespace majorant {
 namespace {
@@ -33,6 +36,7 @@ BernsteinElement triangle(int degree) {
 }  // namespace
 
 LatticeNumbering number_lattice(const Cells& faces, Index vertex_count, int n) {
+  require_at_least("number_lattice: n", n, 1);
   const NodeLattice lattice(triangle(n).basis({n}));
   return number_nodes(lattice, faces, vertex_count, "number_lattice");
 }
@@ -44,6 +48,12 @@ BezierTriangleSpace::BezierTriangleSpace(NodeNumbering numbering, int degree)
     : BernsteinSpace(triangle(degree), std::move(numbering)), faces_(cells().leftCols<3>()) {}
 
 Vec BezierTriangleSpace::elevate(VecIn x, const BezierTriangleSpace& higher) const {
+  require_enough("BezierTriangleSpace::elevate: x", x.size(), 2 * node_count());
+  if (higher.degree() != degree() + 1 || higher.element_count() != element_count())
+    throw InvalidArgument(
+        fmt::format("BezierTriangleSpace::elevate: a space of degree {} with {} faces, degree {} "
+                    "with {} is needed",
+                    higher.degree(), higher.element_count(), degree() + 1, element_count()));
   const Eigen::MatrixXd e = elevation_matrix(degree());
   Vec out = Vec::Zero(2 * higher.node_count());
   for (Index f = 0; f < cells().rows(); ++f)
@@ -59,6 +69,7 @@ Vec BezierTriangleSpace::elevate(VecIn x, const BezierTriangleSpace& higher) con
 }
 
 std::vector<Index> edge_nodes(const BezierTriangleSpace& space, Index half_edge) {
+  require_index("edge_nodes: half-edge", half_edge, 3 * space.element_count());
   const TriangleIndices& ix = TriangleIndices::of_degree(space.degree());
   std::vector<Index> nodes;
   for (const int local : ix.edge(half_edge % 3))

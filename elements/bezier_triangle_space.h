@@ -12,7 +12,7 @@ namespace majorant {
 
 using LatticeNumbering = NodeNumbering;
 // Shared numbering of the points (i,j,k)/n of every face: vertices keep their numbers, then edges,
-// then face interiors; local order is VTK's. Any n >= 1. Throws std::invalid_argument when an edge
+// then face interiors; local order is VTK's. Any n >= 1. Throws InvalidArgument when an edge
 // has more than two faces.
 LatticeNumbering number_lattice(const Cells& faces, Index vertex_count, int n);
 
@@ -22,13 +22,13 @@ class BezierTriangleSpace final : public BernsteinSpace {
   static constexpr int kMaxDegree = 8;
 
   // faces: #F by 3 vertex numbers, counterclockwise, consistently oriented and edge-manifold;
-  // vertices 0..vertex_count-1. Throws std::invalid_argument when degree is not 1..8, for other
+  // vertices 0..vertex_count-1. Throws InvalidArgument when degree is not 1..8, for other
   // vertex numbers, or when an edge has more than two faces.
   BezierTriangleSpace(const Cells& faces, Index vertex_count, int degree);
 
   // Faces whose nodes the caller has numbered (#F by (n+1)(n+2)/2, the corners first): part of a
   // larger numbering, say that of a map and the space around it. Its vertices are not the first
-  // nodes: not for what says "vertex" of a space. Throws std::invalid_argument for another number
+  // nodes: not for what says "vertex" of a space. Throws InvalidArgument for another number
   // of columns.
   BezierTriangleSpace(NodeNumbering numbering, int degree);
 

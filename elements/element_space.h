@@ -67,7 +67,7 @@ class ElementSpace {
   Index element_count() const { return static_cast<Index>(cells().rows()); }
   int nodes_per_element() const { return static_cast<int>(cells().cols()); }
 
-  // Throws std::invalid_argument for the rule of another cell (require_cell() says why).
+  // Throws InvalidArgument for the rule of another cell (require_cell() says why).
   virtual ContractionTable tabulate(const Quadrature& rule) const = 0;
 
   // Proof that det J > 0 on element e of the map x (D numbers per node), by bisection of its

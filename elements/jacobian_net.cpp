@@ -2,7 +2,8 @@
 
 #include <cmath>
 #include <limits>
-#include <stdexcept>
+
+#include "majorant/framework/error.h"
 
 namespace majorant {
 namespace {
@@ -37,8 +38,7 @@ Cells control_triangles(const BezierTriangleSpace& space) {
 JacobianNet jacobian_net(const BezierTriangleSpace& space, const RestShapes& rest) {
   const Index faces = space.element_count();
   if (rest.inverse.rows() != faces || rest.measure.size() != faces || rest.dim != 2)
-    throw std::invalid_argument(
-        "jacobian_net: rest shapes are not those of the faces of the space");
+    throw InvalidArgument("jacobian_net: rest shapes are not those of the faces of the space");
   NodeNumbering numbering{control_triangles(space), space.node_count(), {}};
   const Index count = static_cast<Index>(numbering.cells.rows());
   JacobianNet net;

@@ -33,7 +33,7 @@ struct JacobianNet {
 // The triangles alone: #F n (n+1)/2 by 3 nodes.
 Cells control_triangles(const BezierTriangleSpace& space);
 
-// rest: constant on every face, #F of them; else throws std::invalid_argument.
+// rest: constant on every face, #F of them; else throws InvalidArgument.
 JacobianNet jacobian_net(const BezierTriangleSpace& space, const RestShapes& rest);
 
 // Coefficient t of J for control points x, 2 numbers per node: J = coefficient * rest directions.

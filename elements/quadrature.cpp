@@ -6,9 +6,11 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
-#include <stdexcept>
 #include <utility>
 #include <vector>
+
+#include "majorant/framework/error.h"
+#include "majorant/framework/internal/argument_check.h"
 
 namespace majorant {
 namespace {
@@ -84,7 +86,7 @@ class RuleBuilder {
 void require_composable(const Quadrature& rule, std::string_view name) {
   for (const int corners : rule.cell)
     if (corners < 2 || corners > 4)
-      throw std::invalid_argument(
+      throw InvalidArgument(
           fmt::format("{}: cells are products of segments, triangles and "
                       "tetrahedra, not of simplices with {} corners",
                       name, corners));
@@ -220,7 +222,7 @@ std::vector<WeightedPiece> pieces_of(const Factors& cell, int m) {
 
 void require_cell(const Quadrature& rule, const Factors& cell, std::string_view name) {
   const auto refuse = [&](const std::string& what) {
-    throw std::invalid_argument(fmt::format("{}: quadrature {}", name, what));
+    throw InvalidArgument(fmt::format("{}: quadrature {}", name, what));
   };
   const auto text = [](const Factors& f) { return fmt::format("{{{}}}", fmt::join(f, ", ")); };
   if (rule.cell != cell)
@@ -247,6 +249,7 @@ void require_cell(const Quadrature& rule, const Factors& cell, std::string_view 
 
 // Gauss-Legendre points, by Newton's method.
 Quadrature gauss_rule(int m) {
+  require_at_least("gauss_rule: m", m, 1);
   Quadrature q;
   q.cell = {2};
   q.points.resize(m, 1);
@@ -270,6 +273,7 @@ Quadrature gauss_rule(int m) {
 }
 
 Quadrature lattice_rule(int m) {
+  require_at_least("lattice_rule: m", m, 1);
   RuleBuilder builder({3});
   const double third = 1.0 / 3.0;
   for (int i = 0; i < m; ++i)
@@ -333,6 +337,7 @@ Quadrature tensor_gauss_rule(int m) { return product_rule(gauss_rule(m), gauss_r
 
 Quadrature composite_rule(const Quadrature& rule, int m) {
   require_composable(rule, "composite_rule");
+  require_at_least("composite_rule: m", m, 1);
   RuleBuilder builder(rule.cell);
   for (const WeightedPiece& p : pieces_of(rule.cell, m)) builder.add(rule, p.piece, p.share);
   return builder.build();
@@ -340,6 +345,8 @@ Quadrature composite_rule(const Quadrature& rule, int m) {
 
 Quadrature corner_graded_rule(const Quadrature& rule, int m, int levels) {
   require_cell(rule, {3}, "corner_graded_rule");
+  require_at_least("corner_graded_rule: m", m, 1);
+  require_at_least("corner_graded_rule: levels", levels, 0);
   RuleBuilder builder(rule.cell);
   for (const Piece& t : subdivide(Piece::Identity(3, 3), m))
     add_graded(rule, t, 1.0 / (double(m) * m), levels, builder);
@@ -348,6 +355,10 @@ Quadrature corner_graded_rule(const Quadrature& rule, int m, int levels) {
 
 Quadrature guarded_rule(const Quadrature& rule, int m, double weight) {
   require_composable(rule, "guarded_rule");
+  require_at_least("guarded_rule: m", m, 1);
+  if (!(weight >= 0 && weight < 1))
+    throw InvalidArgument(
+        fmt::format("guarded_rule: the weight is {:g}, 0..1 are possible", weight));
   const std::vector<Point> guards = lattice_points(rule.cell, m);
   RuleBuilder builder(rule.cell);
   for (Index l = 0; l < rule.size(); ++l)

@@ -23,7 +23,7 @@ struct Quadrature {
   Index size() const { return static_cast<Index>(weights.size()); }
 };
 
-// Throws std::invalid_argument, opened by `name` (of the space), unless the rule is one of `cell`:
+// Throws InvalidArgument, opened by `name` (of the space), unless the rule is one of `cell`:
 // made for it, its points inside, as many weights as points, adding to 1.
 void require_cell(const Quadrature& rule, const Factors& cell, std::string_view name);
 

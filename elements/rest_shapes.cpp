@@ -1,12 +1,15 @@
 #include "majorant/elements/rest_shapes.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Dense>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <string>
 
 #include "majorant/elements/internal/tangent_part.h"
+#include "majorant/framework/error.h"
+#include "majorant/framework/internal/argument_check.h"
 
 namespace majorant {
 namespace {
@@ -65,8 +68,17 @@ std::optional<Eigen::RowVector2d> tangent_part(const Points3& positions, const C
 RestShapes flat_simplices(const RowMatrix& positions, const Cells& cells) {
   RestShapes rest;
   rest.dim = static_cast<int>(cells.cols()) - 1;
-  if (positions.cols() < rest.dim)
-    throw std::invalid_argument("flat_simplices: positions have too few coordinates");
+  if (rest.dim < 1 || positions.cols() < rest.dim)
+    throw InvalidArgument(
+        fmt::format("flat_simplices: positions of {} coordinates for cells of {} "
+                    "corners, too few",
+                    positions.cols(), cells.cols()));
+  require_finite_rows("flat_simplices: positions", positions);
+  for (Index e = 0; e < cells.rows(); ++e)
+    for (const Index v : cells.row(e))
+      if (v < 0 || v >= positions.rows())
+        throw InvalidArgument(fmt::format("flat_simplices: cell {} has vertex {}, there are {}", e,
+                                          v, positions.rows()));
   double factorial = 1;
   for (int k = 2; k <= rest.dim; ++k) factorial *= k;
   rest.inverse.resize(cells.rows(), rest.dim * rest.dim);
@@ -91,31 +103,31 @@ RestShapes flat_triangles(const Points3& positions, const Cells& faces) {
 
 RowMatrix in_frames(const Points3& positions, const Cells& faces, const Points3& vectors) {
   if (faces.cols() != 3 || vectors.rows() != faces.rows())
-    throw std::invalid_argument("in_frames: " + std::to_string(vectors.rows()) + " vectors for " +
-                                std::to_string(faces.rows()) + " triangles");
+    throw InvalidArgument("in_frames: " + std::to_string(vectors.rows()) + " vectors for " +
+                          std::to_string(faces.rows()) + " triangles");
   RowMatrix out(faces.rows(), 2);
   for (Index f = 0; f < faces.rows(); ++f) {
     const auto part = tangent_part(positions, faces, f, vectors.row(f));
     if (!part)
-      throw std::invalid_argument("in_frames: the vector of triangle " + std::to_string(f) +
-                                  " has no tangent part, or the triangle no plane");
+      throw InvalidArgument("in_frames: the vector of triangle " + std::to_string(f) +
+                            " has no tangent part, or the triangle no plane");
     out.row(f) = *part;
   }
   return out;
 }
 
 RestShapes turned(RestShapes rest, const RowMatrix& first_axes) {
-  if (rest.curved()) throw std::invalid_argument("turned: rest shapes are curved");
+  if (rest.curved()) throw InvalidArgument("turned: rest shapes are curved");
   if (first_axes.rows() != rest.inverse.rows() || first_axes.cols() != rest.dim)
-    throw std::invalid_argument("turned: " + std::to_string(first_axes.rows()) + " axes of " +
-                                std::to_string(first_axes.cols()) + " numbers for " +
-                                std::to_string(rest.inverse.rows()) + " elements of dimension " +
-                                std::to_string(rest.dim));
+    throw InvalidArgument("turned: " + std::to_string(first_axes.rows()) + " axes of " +
+                          std::to_string(first_axes.cols()) + " numbers for " +
+                          std::to_string(rest.inverse.rows()) + " elements of dimension " +
+                          std::to_string(rest.dim));
   for (Index e = 0; e < first_axes.rows(); ++e) {
     const double length = first_axes.row(e).stableNorm();
     if (!(length > 0) || !std::isfinite(length))
-      throw std::invalid_argument("turned: the axis of element " + std::to_string(e) +
-                                  " is zero or not finite");
+      throw InvalidArgument("turned: the axis of element " + std::to_string(e) +
+                            " is zero or not finite");
     const RowMatrix inverse = rest.inverse_of(e) * frame_along(first_axes.row(e) / length);
     rest.inverse.row(e) = Eigen::Map<const Eigen::RowVectorXd>(inverse.data(), inverse.size());
   }
@@ -124,6 +136,10 @@ RestShapes turned(RestShapes rest, const RowMatrix& first_axes) {
 
 RowMatrix tabulate_rest(const RestShapes& rest, const ElementSpace& space,
                         const ContractionTable& table, Index e) {
+  require_index("tabulate_rest: element", e, space.element_count());
+  if (rest.nodes.rows() != space.node_count() || rest.dim != space.reference_dim())
+    throw InvalidArgument(fmt::format("tabulate_rest: rest positions of {} nodes, the space has {}",
+                                      rest.nodes.rows(), space.node_count()));
   const Eigen::Index points = table.weights.size(), square = rest.dim * rest.dim;
   RowMatrix out(points, square + 1), inverse(rest.dim, rest.dim);
   for (Eigen::Index l = 0; l < points; ++l) {
@@ -141,7 +157,11 @@ RowMatrix tabulate_rest(const RestShapes& rest, const ElementSpace& space,
 RestShapes curved_shapes(const ElementSpace& space, const RowMatrix& positions,
                          const Quadrature& rule) {
   if (positions.rows() != space.node_count() || positions.cols() < space.reference_dim())
-    throw std::invalid_argument("curved_shapes: one position of at least D numbers per node");
+    throw InvalidArgument(
+        fmt::format("curved_shapes: {} positions of {} coordinates, one of at least {} is needed "
+                    "for each of {} nodes",
+                    positions.rows(), positions.cols(), space.reference_dim(), space.node_count()));
+  require_finite_rows("curved_shapes: positions", positions);
   RestShapes rest;
   rest.dim = space.reference_dim();
   rest.nodes = positions;

@@ -28,20 +28,22 @@ struct RestShapes {
 // Flat simplices, one per row of D+1 vertex numbers: triangles in the plane or in space (D = 2),
 // tetrahedra in space (D = 3), reference coordinates as in their spaces: tangents p0 - p2 and p1 -
 // p2 of a triangle, p1 - p0, p2 - p0, p3 - p0 of a tetrahedron. positions: #V by d. Where d = D the
-// frame is that of the positions, else p0 - p2 along the first axis ([MC20] Eq. 5 and 6).
+// frame is that of the positions, else p0 - p2 along the first axis ([MC20] Eq. 5 and 6). A cell
+// without a measure has measure 0 and an inverse that is not finite; terms refuse it. Throws
+// InvalidArgument for vertices that do not exist and positions that are not finite.
 RestShapes flat_simplices(const RowMatrix& positions, const Cells& cells);
 
 // flat_simplices of triangles in space: positions #V by 3, faces #F by 3.
 RestShapes flat_triangles(const Points3& positions, const Cells& faces);
 
 // Vectors in space, one a triangle, as the frames of flat_triangles() see them: #F by 2; what they
-// have along the normal is left out. vectors: #F by 3. Throws std::invalid_argument unless there is
+// have along the normal is left out. vectors: #F by 3. Throws InvalidArgument unless there is
 // one a triangle, and for a triangle without a plane or a vector without a tangent part.
 RowMatrix in_frames(const Points3& positions, const Cells& faces, const Points3& vectors);
 
 // The same shapes in other frames: the first axis along first_axes (#E by D, of any length, in the
 // frames of `rest`), the others normal to it; in three dimensions any two. How an energy of J is
-// told of fibres: column 0 of J is their image. Throws std::invalid_argument for curved shapes, for
+// told of fibres: column 0 of J is their image. Throws InvalidArgument for curved shapes, for
 // other sizes, and for axes that are zero or not finite.
 //
 //   const RowMatrix fibres = in_frames(mesh->positions(), mesh->faces(), directions);
@@ -50,7 +52,8 @@ RestShapes turned(RestShapes rest, const RowMatrix& first_axes);
 
 // Rest shapes that are themselves images of the reference element: positions #N by d of the space's
 // nodes, d >= D. `rule` integrates the measures. Where d > D, frames are made from the tangents by
-// Gram-Schmidt, the first tangent along the first axis.
+// Gram-Schmidt, the first tangent along the first axis. Throws InvalidArgument unless there is a
+// finite position for every node, and for the rule of another cell.
 RestShapes curved_shapes(const ElementSpace& space, const RowMatrix& positions,
                          const Quadrature& rule);
 

@@ -81,7 +81,7 @@ GeneralDensity<M, D, F> density(std::string name, F f, const Traits& traits = {}
   return {std::move(name), std::move(f), traits};
 }
 
-// f(J, data of the element): see element_data.h. Throws std::invalid_argument for numbers that are
+// f(J, data of the element): see element_data.h. Throws InvalidArgument for numbers that are
 // not finite; make_energy() and drivers do so unless there are data for each element.
 template <int M, int D, class F, DataOfElements Data>
 auto density(std::string name, F f, const Data& data, const Traits& traits = {}) {

@@ -1,9 +1,13 @@
 #include "majorant/energies/density_term.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cstring>
-#include <stdexcept>
+#include <cmath>
 #include <utility>
+
+#include "majorant/framework/error.h"
+#include "majorant/framework/internal/argument_check.h"
 
 namespace majorant {
 
@@ -14,21 +18,32 @@ DensityTerm::DensityTerm(DensityTraits traits, std::shared_ptr<const ElementSpac
                          std::shared_ptr<const void> density, const DensityKernels& kernels)
     : traits_(std::move(traits)),
       rest_(rest),
-      space_(std::move(space)),
-      density_(std::move(density)),
+      space_(given("DensityTerm: the space", std::move(space))),
+      density_(given("DensityTerm: the density", std::move(density))),
       kernels_(kernels) {
-  if (rules.empty()) throw std::invalid_argument("DensityTerm: no quadrature rule");
+  const auto refuse = [&](const std::string& what) {
+    throw InvalidArgument(fmt::format("energy '{}': {}", traits_.name, what));
+  };
+  if (rules.empty()) refuse("no quadrature rule");
   if (rest.measure.size() != space_->element_count() ||
       (rest.curved() ? rest.nodes.rows() != space_->node_count() || rest.nodes.cols() < rest.dim
                      : rest.inverse.rows() != space_->element_count() ||
                            rest.inverse.cols() != rest.dim * rest.dim))
-    throw std::invalid_argument("DensityTerm: rest shapes do not fit the space");
+    refuse(fmt::format("rest shapes of {} elements do not fit the space, which has {}",
+                       rest.measure.size(), space_->element_count()));
   if (kernels.dims != space_->reference_dim() || rest.dim != space_->reference_dim())
-    throw std::invalid_argument("DensityTerm: the density is for elements of another dimension");
+    refuse(
+        fmt::format("the density is for elements of {} dimensions, the rest shapes have {}, the "
+                    "elements {}",
+                    kernels.dims, rest.dim, space_->reference_dim()));
+  for (Index e = 0; e < rest.measure.size(); ++e)
+    if (!(rest.measure[e] > 0) || !std::isfinite(rest.measure[e]) ||
+        (!rest.curved() && !rest.inverse.row(e).allFinite()))
+      refuse(fmt::format("the rest shape of element {} is degenerate (measure {:g})", e,
+                         rest.measure[e]));
   if (traits_.elements.value_or(space_->element_count()) != space_->element_count())
-    throw std::invalid_argument("DensityTerm: '" + traits_.name + "' has data for " +
-                                std::to_string(*traits_.elements) + " elements, the space has " +
-                                std::to_string(space_->element_count()));
+    refuse(fmt::format("data for {} elements, the space has {}", *traits_.elements,
+                       space_->element_count()));
   stencils_.nodes = space_->cells();
   stencils_.block = kernels.rows;
   for (const Quadrature& q : rules) {
@@ -138,8 +153,8 @@ void DensityTerm::local(VecIn x, const Chunk& chunk, BlendedCurvature curvature,
 
 StarModel DensityTerm::star(const StarView& view, const Vector2& v) const {
   if (!kernels_.star)
-    throw std::invalid_argument("DensityTerm: '" + traits_.name +
-                                "' is not of planar maps, or not the same on all elements");
+    throw InvalidArgument("DensityTerm: '" + traits_.name +
+                          "' is not of planar maps, or not the same on all elements");
   StarModel model;
   kernels_.star(density_.get(), view, v.x(), v.y(), model);
   return model;

@@ -33,7 +33,7 @@ struct DensityTraits {
 class DensityTerm final : public EnergyTerm {
  public:
   // `density` is what `kernels` expect; `rules` are numbered by RuleId. Throws
-  // std::invalid_argument when there is no rule, the rest shapes do not fit the space, the density
+  // InvalidArgument when there is no rule, the rest shapes do not fit the space, the density
   // has data for another number of elements, or its Jacobian has not the element's dimension.
   DensityTerm(DensityTraits traits, std::shared_ptr<const ElementSpace> space,
               const RestShapes& rest, const std::vector<Quadrature>& rules,
@@ -42,6 +42,7 @@ class DensityTerm final : public EnergyTerm {
   std::string_view name() const override { return traits_.name; }
   const Stencils& stencils() const override { return stencils_; }
   bool supports(Curvature curvature) const override;
+  RuleId rule_count() const override { return static_cast<RuleId>(rules_.size()); }
   const DensityTraits& traits() const { return traits_; }
   // f = measure * mean density of each element.
   void values(VecIn x, const Chunk& chunk, const TermState& state, Workspace& workspace,
@@ -50,7 +51,7 @@ class DensityTerm final : public EnergyTerm {
              Workspace& workspace, LocalSystem& out) const override;
 
   // The density alone, at TermState{}: summed over the triangles around a vertex at v, which need
-  // not be those of the space. Throws std::invalid_argument unless the density is of planar maps
+  // not be those of the space. Throws InvalidArgument unless the density is of planar maps
   // and the same on all elements.
   StarModel star(const StarView& view, const Vector2& v) const;
 

@@ -1,6 +1,6 @@
 #include "majorant/energies/element_data.h"
 
-#include <stdexcept>
+#include "majorant/framework/error.h"
 
 namespace majorant {
 namespace {
@@ -8,8 +8,8 @@ namespace {
 void require_finite(const std::string& name, const RowMatrix& rows) {
   for (Index e = 0; e < rows.rows(); ++e)
     if (!rows.row(e).allFinite())
-      throw std::invalid_argument("density '" + name + "': the data of element " +
-                                  std::to_string(e) + " are not finite");
+      throw InvalidArgument("density '" + name + "': the data of element " + std::to_string(e) +
+                            " are not finite");
 }
 
 }  // namespace

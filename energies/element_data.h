@@ -61,7 +61,7 @@ class ElementRows {
 extern template class ElementValues<double>;
 
 namespace detail {
-// Throws std::invalid_argument for numbers that are not finite; name: of the density.
+// Throws InvalidArgument for numbers that are not finite; name: of the density.
 ElementValues<double> element_data(const std::string& name, const Vec& numbers);
 ElementRows element_data(const std::string& name, const RowMatrix& rows);
 template <class T>
@@ -97,7 +97,7 @@ class WithData : public Density {
 };
 
 // Isotropic densities of formulas k(x, y, data) and h(Sigma, sigma, data): spectral.h. Throw
-// std::invalid_argument for numbers that are not finite.
+// InvalidArgument for numbers that are not finite.
 template <class K, DataOfElements Data>
 auto invariant(std::string name, K k, const Data& data, const Traits& traits = {}) {
   auto rows = detail::element_data(name, data);

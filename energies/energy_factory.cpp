@@ -1,16 +1,19 @@
 #include "majorant/energies/energy_factory.h"
 
 #include <algorithm>
-#include <stdexcept>
 #include <string>
+#include <utility>
+
+#include "majorant/framework/error.h"
+#include "majorant/framework/internal/argument_check.h"
 
 namespace majorant {
 namespace {
 
 void require_count(const std::string& what, Index given, Index count) {
   if (given != count)
-    throw std::invalid_argument(what + " for " + std::to_string(given) + " elements, not " +
-                                std::to_string(count));
+    throw InvalidArgument(what + " for " + std::to_string(given) + " elements, not " +
+                          std::to_string(count));
 }
 
 template <class Rows>
@@ -18,7 +21,7 @@ Rows rows_of(const Rows& all, std::span<const Index> elements) {
   Rows part(static_cast<Index>(elements.size()), all.cols());
   for (std::size_t k = 0; k < elements.size(); ++k) {
     if (elements[k] < 0 || elements[k] >= all.rows())
-      throw std::out_of_range("there is no element " + std::to_string(elements[k]));
+      throw InvalidArgument("there is no element " + std::to_string(elements[k]));
     part.row(static_cast<Index>(k)) = all.row(elements[k]);
   }
   return part;
@@ -39,11 +42,10 @@ EnergyFactory EnergyFactory::of_density(DensityTraits traits, std::shared_ptr<co
 
 EnergyFactory EnergyFactory::for_elements(std::span<const Index> elements) const {
   if (!traits_.elements) return *this;
-  if (!part_)
-    throw std::logic_error("EnergyFactory: '" + traits_.name + "' is made without part()");
+  if (!part_) throw InvalidArgument("EnergyFactory: '" + traits_.name + "' is made without part()");
   for (const Index e : elements)
     if (e < 0 || e >= *traits_.elements)
-      throw std::out_of_range("EnergyFactory: there is no element " + std::to_string(e));
+      throw InvalidArgument("EnergyFactory: there is no element " + std::to_string(e));
   return part_(elements);
 }
 
@@ -88,6 +90,11 @@ void require_elements(const EnergySum& energy, Index count) {
       require_count("energy '" + traits.name + "' has weights",
                     static_cast<Index>(e.face_weight.size()), count);
   }
+}
+
+EnergyFactory::EnergyFactory(DensityTraits traits, Make make, Part part)
+    : traits_(std::move(traits)), make_(std::move(make)), part_(std::move(part)) {
+  require_given("EnergyFactory: make", make_);
 }
 
 Barrier barrier_of(const EnergySum& energy) {

@@ -24,22 +24,22 @@ class EnergyFactory {
       const std::vector<Quadrature>& rules)>;
   using Part = std::function<EnergyFactory(std::span<const Index> elements)>;
   // make: gives terms of these traits. part: for_elements() where traits.elements is set.
-  EnergyFactory(DensityTraits traits, Make make, Part part = {})
-      : traits_(std::move(traits)), make_(std::move(make)), part_(std::move(part)) {}
+  // Throws InvalidArgument where `make` is empty.
+  EnergyFactory(DensityTraits traits, Make make, Part part = {});
   // density: what `kernels` are called with; all terms share it.
   static EnergyFactory of_density(DensityTraits traits, std::shared_ptr<const void> density,
                                   const DensityKernels& kernels, Part part = {});
 
   const DensityTraits& traits() const { return traits_; }
-  // Value of the term = sum over elements of measure * mean density. Throws std::invalid_argument
+  // Value of the term = sum over elements of measure * mean density. Throws InvalidArgument
   // as DensityTerm does.
   std::shared_ptr<const DensityTerm> operator()(std::shared_ptr<const ElementSpace> space,
                                                 const RestShapes& rest,
                                                 const std::vector<Quadrature>& rules) const {
     return make_(std::move(space), rest, rules);
   }
-  // The same energy on a mesh made of these elements, in this order. Throws std::out_of_range for
-  // an element it does not know, std::logic_error if it has no part().
+  // The same energy on a mesh made of these elements, in this order. Throws InvalidArgument for
+  // an element it does not know, InvalidArgument if it has no part().
   EnergyFactory for_elements(std::span<const Index> elements) const;
 
  private:
@@ -54,7 +54,7 @@ class EnergyFactory {
 //   const RowMatrix fibres = in_frames(*mesh, directions);         // #F by 3, in space
 //   options.map.energy = {{symmetric_dirichlet()}, {along(fibres, energy_factory(shear)), 0.1}};
 //
-// Throws std::invalid_argument where `make` is for another number of elements; the terms it makes
+// Throws InvalidArgument where `make` is for another number of elements; the terms it makes
 // do for directions without a length, and for curved rest shapes.
 EnergyFactory along(RowMatrix first_axes, EnergyFactory make);
 
@@ -70,7 +70,7 @@ using EnergySum = std::vector<WeightedEnergy>;
 bool knows_elements(const EnergySum& energy);
 // The sum on a mesh made of these elements: EnergyFactory::for_elements().
 EnergySum for_elements(const EnergySum& energy, std::span<const Index> elements);
-// Throws std::invalid_argument unless the summands are for `count` elements, or for any.
+// Throws InvalidArgument unless the summands are for `count` elements, or for any.
 void require_elements(const EnergySum& energy, Index count);
 
 // The strongest of the summands; None of an empty sum.

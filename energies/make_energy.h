@@ -67,7 +67,7 @@ EnergyFactory energy_factory(const Density& density, const DensityKernels& kerne
   });
 }
 
-// Throw std::invalid_argument as DensityTerm does.
+// Throw InvalidArgument as DensityTerm does.
 template <class Density>
 std::shared_ptr<const DensityTerm> make_energy(std::shared_ptr<const ElementSpace> space,
                                                const RestShapes& rest, const Density& density,

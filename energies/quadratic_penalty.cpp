@@ -1,8 +1,10 @@
 #include "majorant/energies/quadratic_penalty.h"
 
 #include <algorithm>
-#include <stdexcept>
+#include <cmath>
 #include <string>
+
+#include "majorant/framework/error.h"
 
 namespace majorant {
 
@@ -11,8 +13,9 @@ namespace {
 std::vector<LinearExpression> expressions(const Constraint& constraint) {
   ConstraintRows rows;
   constraint.append_rows(rows);
+  rows.require_ended();
   if (rows.auxiliary_count() > 0)
-    throw std::invalid_argument("QuadraticPenalty: the constraint has auxiliary unknowns");
+    throw InvalidArgument("QuadraticPenalty: the constraint has auxiliary unknowns");
   std::vector<LinearExpression> out;
   for (std::size_t r = 0; r < rows.size(); ++r) {
     out.push_back({{}, rows.rhs(r)});
@@ -31,8 +34,14 @@ QuadraticPenalty::QuadraticPenalty(const std::vector<LinearExpression>& rows) {
   std::size_t longest = 1;
   for (const LinearExpression& row : rows) {
     if (row.terms.empty() || row.terms.size() > kLongestRow)
-      throw std::invalid_argument("QuadraticPenalty: a row of " + std::to_string(row.terms.size()) +
-                                  " unknowns; 1 to " + std::to_string(kLongestRow) + " can be");
+      throw InvalidArgument("QuadraticPenalty: a row of " + std::to_string(row.terms.size()) +
+                            " unknowns; 1 to " + std::to_string(kLongestRow) + " can be");
+    for (const auto& [unknown, coefficient] : row.terms)
+      if (unknown < 0 || !std::isfinite(coefficient))
+        throw InvalidArgument("QuadraticPenalty: unknown " + std::to_string(unknown) +
+                              " with coefficient " + std::to_string(coefficient));
+    if (!std::isfinite(row.target))
+      throw InvalidArgument("QuadraticPenalty: a target is not finite");
     longest = std::max(longest, row.terms.size());
   }
   const auto count = static_cast<Index>(rows.size());

@@ -4,11 +4,13 @@
 #include <ceres/gradient_problem_solver.h>
 
 #include <cmath>
-#include <stdexcept>
+#include <exception>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "majorant/framework/error.h"
+#include "majorant/framework/internal/diagnosis.h"
 #include "majorant/framework/internal/stopwatch.h"
 #include "majorant/framework/stepper.h"
 
@@ -39,6 +41,8 @@ struct Run {
     result.blocking = cut_short ? blocking : std::vector<Index>();
     if (observer) directive = observer(r, y);
   }
+  // After an exception or a stop every trial point is refused, until Ceres gives up.
+  bool is_over() const { return error || directive != Directive::Continue; }
 
   Evaluator evaluator;
   const CeresOptions& options;
@@ -51,6 +55,7 @@ struct Run {
   bool cut_short = false;       // `refused` as of the last accepted step
   bool started = false;         // Ceres evaluated the start
   Directive directive = Directive::Continue;
+  std::exception_ptr error;  // of the caller's code
   Stopwatch watch;
 };
 
@@ -59,14 +64,17 @@ class Function final : public ceres::FirstOrderFunction {
   explicit Function(Run& run) : run_(run) {}
   int NumParameters() const override { return run_.evaluator.problem().size(); }
 
-  // No exception may pass through Ceres: after a stop every trial point is refused.
+  // No exception may pass through Ceres.
   bool Evaluate(const double* parameters, double* cost, double* gradient) const override {
+    if (run_.is_over()) return false;
     try {
       return evaluate(parameters, cost, gradient);
     } catch (const Stopped& stopped) {
       run_.directive = stopped.why();
-      return false;
+    } catch (...) {
+      run_.error = std::current_exception();
     }
+    return false;
   }
 
  private:
@@ -99,11 +107,15 @@ class Callback final : public ceres::IterationCallback {
  public:
   Callback(Run& run, const Vec& y) : run_(run), y_(y) {}
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& s) override {
-    if (run_.started) run_.accept(y_, s.step_size);
+    try {
+      if (run_.started) run_.accept(y_, s.step_size);
+    } catch (...) {
+      run_.error = std::current_exception();
+    }
     run_.started = true;
     run_.trials = 0;
     run_.gradient_norm = s.gradient_norm / run_.options.scale;
-    return run_.directive == Directive::Continue ? ceres::SOLVER_CONTINUE : ceres::SOLVER_ABORT;
+    return run_.is_over() ? ceres::SOLVER_ABORT : ceres::SOLVER_CONTINUE;
   }
 
  private:
@@ -127,9 +139,9 @@ CeresSolver::Options ceres_options(const CeresOptions& o) {
   c.logging_type = ceres::SILENT;
   c.update_state_every_iteration = true;
   std::string why;
-  if (!c.IsValid(&why)) throw std::invalid_argument("CeresOptions: " + why);
+  if (!c.IsValid(&why)) throw InvalidArgument("CeresOptions: " + why);
   if (!(o.scale > 0) || !std::isfinite(o.scale))
-    throw std::invalid_argument("CeresOptions: scale must be positive");
+    throw InvalidArgument("CeresOptions: scale must be positive");
   return c;
 }
 
@@ -163,12 +175,19 @@ SolveResult CeresMinimizer::minimize(const Problem& problem, Vec y0,
   const ceres::GradientProblem function(new Function(run));  // owned by it
   CeresSolver::Summary summary;
   ceres::Solve(options, function, y.data(), &summary);
+  if (run.error) std::rethrow_exception(run.error);
   // Ceres calls back after its convergence tests: the last step is still to be told.
   if (summary.termination_type == ceres::CONVERGENCE && y != run.result.y)
     run.accept(y, summary.iterations.empty() ? 0 : summary.iterations.back().step_size);
   if (run.refused) run.result.blocking = run.blocking;
   run.result.status = status_of(summary.termination_type, run);
   run.result.message = summary.message;
+  if (run.result.status == Status::Stalled || run.result.status == Status::Failed)
+    if (std::string why = unbounded_along_gradient(run.evaluator, run.result.y, run.result.energy);
+        !why.empty()) {
+      run.result.status = Status::Failed;
+      run.result.message = std::move(why);
+    }
   return std::move(run.result);
 }
 

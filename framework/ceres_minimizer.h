@@ -29,15 +29,15 @@ struct CeresOptions {
   double function_tolerance = 1e-14;
   double gradient_tolerance = 1e-10;  // absolute: an energy per unknown, times scale
   double parameter_tolerance = 1e-14;
-  double scale = 1;  // Ceres minimizes scale * E; 1 / |E_0| makes gradient_tolerance relative
-  int history = 20;  // pairs that L-BFGS keeps
-  StopCheck stop{};  // ends a run between evaluations and chunks of elements
+  double scale = 1;     // Ceres minimizes scale * E; 1 / |E_0| makes gradient_tolerance relative
+  int history = 20;     // pairs that L-BFGS keeps
+  StopCheck stop = {};  // ends a run between evaluations and chunks of elements
 };
 
 class CeresMinimizer final : public Minimizer {
  public:
   explicit CeresMinimizer(CeresOptions options = {}) : options_(options) {}
-  // Throws std::invalid_argument when Ceres refuses the options. Converged: the formula of
+  // Throws InvalidArgument when Ceres refuses the options. Converged: the formula of
   // the gradient holds, or another one and no checker cut the last line search short. Stalled: a
   // checker did, or the line search found nothing. Failed: Ceres gave up elsewhere. The message is
   // that of Ceres. Records: step in multiples of Ceres' direction; step_bound, newton_decrement and

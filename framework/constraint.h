@@ -14,10 +14,12 @@
 //   };
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "majorant/framework/error.h"
 #include "majorant/framework/types.h"
 
 namespace majorant {
@@ -31,13 +33,30 @@ class ConstraintRows {
   // In absolute value, that counts as one. Origin: doubles have all integers up to there.
   static constexpr double kLargestInteger = 9007199254740992.0;
 
-  // Starts a row; `label` names it in messages about contradictions.
+  // Starts a row; `label` names it in messages about contradictions. This, add() and end_row()
+  // throw InvalidArgument out of turn, end_row() also for a number that is not finite.
   void begin_row(std::string label) {
+    require_ended();
     labels_.push_back(std::move(label));
     starts_.push_back(entries_.size());
   }
-  void add(Index unknown, double coefficient) { entries_.push_back({unknown, coefficient}); }
-  void end_row(double right_hand_side) { rhs_.push_back(right_hand_side); }
+  void add(Index unknown, double coefficient) {
+    require_begun("add");
+    entries_.push_back({unknown, coefficient});
+  }
+  void end_row(double right_hand_side) {
+    require_begun("end_row");
+    if (!std::isfinite(right_hand_side))
+      throw InvalidArgument("constraint row '" + labels_.back() + "': its right-hand side is " +
+                            std::to_string(right_hand_side) + ", finite is needed");
+    rhs_.push_back(right_hand_side);
+  }
+  // Throws InvalidArgument where a row was begun that is not ended.
+  void require_ended() const {
+    if (is_open())
+      throw InvalidArgument("constraint row '" + labels_.back() +
+                            "' was begun, but not ended with end_row()");
+  }
 
   // A new auxiliary unknown. A point x says nothing of it: its value there follows from the first
   // row in which it is the only auxiliary unknown that is not known yet.
@@ -54,6 +73,13 @@ class ConstraintRows {
   }
 
  private:
+  bool is_open() const { return labels_.size() > rhs_.size(); }
+  void require_begun(const char* function) const {
+    if (!is_open())
+      throw InvalidArgument(std::string("ConstraintRows::") + function +
+                            ": no row was begun with begin_row()");
+  }
+
   std::vector<std::string> labels_;
   std::vector<std::size_t> starts_;
   std::vector<Entry> entries_;

@@ -9,8 +9,10 @@
 #include <limits>
 #include <utility>
 
+#include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/internal/chunk_plan.h"
 #include "majorant/framework/internal/curvature_name.h"
+#include "majorant/framework/internal/problem_parts.h"
 
 namespace majorant {
 namespace {
@@ -271,6 +273,16 @@ std::string DerivativeReport::message() const {
 
 DerivativeReport check_derivatives(const EnergyTerm& term, VecIn x, double tolerance,
                                    const TermState& state) {
+  require_valid(term, state);
+  Index extent = 0;
+  const Stencils& s = term.stencils();
+  if (s.nodes.size() > 0) extent = s.block * (s.nodes.maxCoeff() + 1);
+  if (x.size() < extent)
+    throw InvalidArgument(
+        fmt::format("check_derivatives: x has {} numbers, the term's stencils use "
+                    "{}",
+                    x.size(), extent));
+  require_finite("check_derivatives: x", x);
   DerivativeReport report;
   for (Index e = 0; e < term.stencils().element_count(); ++e) {
     ElementCheck check(term, state, e, x);

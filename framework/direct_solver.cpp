@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/internal/extended_elimination.h"
 #include "majorant/framework/internal/foreign_code.h"
 #include "majorant/framework/internal/multifrontal.h"
@@ -155,21 +156,27 @@ class DirectSolver final : public LinearSolver {
   explicit DirectSolver(Ordering ordering) : ordering_(ordering) {}
 
   void analyze(const SparsePattern& pattern) override {
+    require_valid(pattern);
     factor_.reset();
     tree_.reset();
+    size_ = pattern.size;
+    nonzeros_ = pattern.nonzeros();
     if (pattern.size == 0) return;
     make_tree(pattern);
     make_factor();
   }
   FactorStatus factorize(const Vec& values, double shift) override {
+    require_size("LinearSolver::factorize: values", values.size(), nonzeros_);
     return !factor_ || factor_->factorize(values, shift) ? FactorStatus::Ok
                                                          : FactorStatus::NotPositiveDefinite;
   }
-  void solve(const Vec& r, Vec& p) override {
+  Solution solve(const Vec& r, Vec& p, double) override {
+    require_size("LinearSolver::solve: r", r.size(), size_);
     if (factor_)
       factor_->solve(r, p);
     else
       p.resize(r.size());
+    return {};
   }
   std::string description() const override { return description_; }
 
@@ -214,6 +221,7 @@ class DirectSolver final : public LinearSolver {
   }
 
   Ordering ordering_, chosen_ = Ordering::Amd;
+  Index size_ = 0, nonzeros_ = 0;
   std::optional<BlockGraph> last_graph_;
   BlockElimination elimination_;  // of it
   bool extended_ = false;         // made for another one

@@ -3,6 +3,7 @@
 #include <Eigen/SparseCholesky>
 #include <cmath>
 
+#include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/linear_solver.h"
 
 namespace majorant {
@@ -13,6 +14,7 @@ using Matrix = Eigen::SparseMatrix<double, Eigen::ColMajor, Index>;
 class EigenLdltSolver final : public LinearSolver {
  public:
   void analyze(const SparsePattern& pattern) override {
+    require_valid(pattern);
     matrix_ = Eigen::Map<const Matrix>(pattern.size, pattern.size, pattern.nonzeros(),
                                        pattern.column_starts.data(), pattern.rows.data(),
                                        Vec::Ones(pattern.nonzeros()).eval().data());
@@ -21,6 +23,7 @@ class EigenLdltSolver final : public LinearSolver {
   }
 
   FactorStatus factorize(const Vec& values, double shift) override {
+    require_size("LinearSolver::factorize: values", values.size(), matrix_.nonZeros());
     if (matrix_.rows() == 0) return FactorStatus::Ok;
     Eigen::Map<Vec>(matrix_.valuePtr(), matrix_.nonZeros()) = values;
     ldlt_.setShift(shift);
@@ -32,11 +35,13 @@ class EigenLdltSolver final : public LinearSolver {
     return FactorStatus::Ok;
   }
 
-  void solve(const Vec& r, Vec& p) override {
+  Solution solve(const Vec& r, Vec& p, double) override {
+    require_size("LinearSolver::solve: r", r.size(), matrix_.rows());
     if (r.size() == 0)
       p.resize(0);
     else
       p = ldlt_.solve(r);
+    return {};
   }
 
   std::string description() const override {

@@ -50,10 +50,10 @@ struct Chunk {
 
 // What may change between steps without changing unknowns or sparsity pattern.
 struct TermState {
-  double weight = 1.0;               // of the whole term
-  Vec element_weight;                // #E factors, empty = all 1
-  std::vector<RuleId> element_rule;  // #E, empty = all 0
-  Vec parameters;  // the term's own scalars (annealed epsilon, say); usually empty
+  double weight = 1.0;                    // of the whole term
+  Vec element_weight = {};                // #E factors, empty = all 1
+  std::vector<RuleId> element_rule = {};  // #E, empty = all 0
+  Vec parameters = {};  // the term's own scalars (annealed epsilon, say); usually empty
 };
 
 // Scratch memory of one thread: grows, never shrinks, contents undefined.
@@ -87,6 +87,7 @@ class EnergyTerm {
   virtual std::string_view name() const = 0;
   virtual const Stencils& stencils() const = 0;  // constant for the term's lifetime
   virtual bool supports(Curvature curvature) const = 0;
+  virtual RuleId rule_count() const { return 1; }  // TermState::element_rule says one of these
 
   // f[p] = energy of the chunk's element p at x, +inf outside the domain, never NaN. Weights are
   // not the term's business.

@@ -1,10 +1,22 @@
-// Errors at set-up: one exception type with a kind, so that a program can turn it into an exit
-// code.
+// What the library throws: one base class, Error, with a kind, so that a program can turn it into
+// an exit code.
 //
-//   throw Error(ErrorKind::Unsupported, "mesh.obj: edge (4, 7) has 3 faces; split it");
+//   try {
+//     std::cout << status_name(parametrize(mesh, {}).status) << "\n";
+//   } catch (const InvalidArgument& e) {   // the call is wrong: mend the program
+//     std::cerr << "called wrongly: " << e.what() << "\n";
+//   } catch (const Error& e) {             // the input is: tell the user
+//     std::cerr << e.what() << "\n";
+//   }
 //
-// The message is one line that names the file, the place and the remedy. Numerical trouble inside a
-// solve is never thrown: it is a Status (minimizer.h).
+// The message is one line that names the place and the remedy. Meshes that were read from a file
+// are told of by its name, lines and numbers from 1, as it has them; all else counts from 0, as
+// programs do. Numerical trouble inside a solve is never thrown: it is a Status (minimizer.h).
+//
+// Nothing else leaves the library, but std::bad_alloc, Stopped where a stop check of the caller's
+// says so (stop_check.h), and whatever the caller's own code throws - terms, constraints, checkers,
+// observers, solvers -, unchanged, from parallel loops too. After an exception the objects that it
+// passed through may be destroyed, and problems and terms, which are immutable, used again.
 #pragma once
 
 #include <stdexcept>
@@ -27,6 +39,13 @@ class Error : public std::runtime_error {
 
  private:
   ErrorKind kind_;
+};
+
+// A call that no input makes right: sizes that do not fit, null pointers, numbers that are not
+// finite or out of range. The message names the function and the argument. Its kind is Usage.
+class InvalidArgument : public Error {
+ public:
+  explicit InvalidArgument(const std::string& message) : Error(ErrorKind::Usage, message) {}
 };
 
 }  // namespace majorant

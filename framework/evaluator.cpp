@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/internal/element_values.h"
 #include "majorant/framework/internal/parallel_errors.h"
 #include "majorant/framework/internal/problem_parts.h"
@@ -66,17 +67,20 @@ Vec element_values(const EnergyTerm& term, const TermState& state, const ChunkPl
 }
 
 Vec element_values(const Problem& problem, TermId id, VecIn x, const StopCheck& stop) {
+  require_size("element_values: x", x.size(), problem.full_size());
   return element_values(problem.term(id), problem.state(id), ProblemParts::plan(problem, id), x,
                         stop);
 }
 
 double term_energy(const Problem& problem, TermId id, VecIn x, const StopCheck& stop) {
+  require_size("term_energy: x", x.size(), problem.full_size());
   double total = 0;
   add_energy(problem, id, x, stop, total);
   return total;
 }
 
 double Evaluator::value(VecIn y, const StopCheck& stop) {
+  require_size("Evaluator::value: y", y.size(), problem_.size());
   const AddedSeconds time(counters_.value_seconds);
   ++counters_.values;
   ProblemParts::elimination(problem_).expand(y, x_);
@@ -87,6 +91,10 @@ double Evaluator::value(VecIn y, const StopCheck& stop) {
 
 double Evaluator::linearize(VecIn y, BlendedCurvature curvature, Vec& gradient, Vec& hessian_values,
                             const StopCheck& stop) {
+  require_size("Evaluator::linearize: y", y.size(), problem_.size());
+  require_curvature("Evaluator::linearize", problem_, curvature.model);
+  if (!(curvature.clamp >= 0 && curvature.clamp <= 1))
+    throw InvalidArgument("Evaluator::linearize: the clamp of a curvature must lie in 0..1");
   const AddedSeconds time(counters_.linearize_seconds);
   ++counters_.linearizations;
   hessian_values.setZero(problem_.pattern().nonzeros());
@@ -94,12 +102,14 @@ double Evaluator::linearize(VecIn y, BlendedCurvature curvature, Vec& gradient, 
 }
 
 double Evaluator::gradient(VecIn y, Vec& gradient, const StopCheck& stop) {
+  require_size("Evaluator::gradient: y", y.size(), problem_.size());
   const AddedSeconds time(counters_.gradient_seconds);
   ++counters_.gradients;
   return assemble(y, Curvature::Projected, gradient, nullptr, stop);
 }
 
 std::optional<Evaluator::Violation> Evaluator::violation(VecIn x) {
+  require_size("Evaluator::violation: x", x.size(), problem_.full_size());
   for (const auto& checker : problem_.checkers()) {
     Verdict verdict = checker->check(x);
     add_counts(counters_.proven, verdict.proven);

@@ -8,7 +8,9 @@
 //
 // One evaluator per solver: it owns scratch memory, counters and timers. Results do not depend on
 // the number of threads (thread_count.h), to the last bit: chunks are fixed, chunks of one colour
-// touch disjoint unknowns, colours run in order, energies add in chunk order.
+// touch disjoint unknowns, colours run in order, energies add in chunk order. All throw
+// InvalidArgument for another number of unknowns, linearize() for a curvature that a term has not;
+// what a term throws leaves them as it is.
 #pragma once
 
 #include <memory>

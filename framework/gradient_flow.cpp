@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "majorant/framework/internal/metric.h"
+#include "majorant/framework/internal/option_check.h"
 #include "majorant/framework/internal/stopwatch.h"
 #include "majorant/framework/stepper.h"
 
@@ -14,7 +15,7 @@ class GradientFlowStepper final : public Stepper {
   GradientFlowStepper(const Problem& problem, const GradientFlowOptions& options)
       : Stepper(problem, options.line_search, options.stopping.decrement, options.stop),
         metric_(metric_problem(problem, options.metric), options.curvature,
-                options.linear_solver()) {}
+                make_solver("GradientFlowOptions", options.linear_solver)) {}
 
  private:
   void advance(Vec& y, double& energy, Step& step) override {

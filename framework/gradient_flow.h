@@ -23,20 +23,20 @@ namespace majorant {
 // within a factor k of the Hessian puts the excess over the minimum below k/2 of that.
 struct GradientFlowOptions {
   // M is its Hessian at the start, shifted if need be; empty: the problem itself.
-  std::optional<Problem> metric;
+  std::optional<Problem> metric = {};
   Curvature curvature = Curvature::Projected;  // of M
   StoppingRules stopping = first_order_rules();
-  LineSearchOptions line_search;
+  LineSearchOptions line_search = {};
   std::function<std::unique_ptr<LinearSolver>()> linear_solver = [] {
     return make_direct_solver();
   };
-  StopCheck stop;  // ends a step, as in NewtonOptions
+  StopCheck stop = {};  // ends a step, as in NewtonOptions
 };
 
 class GradientFlowMinimizer final : public Minimizer {
  public:
   explicit GradientFlowMinimizer(GradientFlowOptions options = {}) : options_(std::move(options)) {}
-  // Throws std::invalid_argument when options.metric has other unknowns or constraints than
+  // Throws InvalidArgument when options.metric has other unknowns or constraints than
   // `problem` or does not support options.curvature. Records: newton_decrement = g.M^-1 g, step and
   // step_bound in multiples of p, shift and curvature of M. The first trial step of an iteration is
   // the step that the last one accepted.

@@ -6,6 +6,7 @@
 // Values only: no solver. Who decides from them whether to go on is StoppingTest (stopping.h).
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -40,6 +41,8 @@ struct IterationRecord {
   Curvature curvature = Curvature::Projected;  // model that gave the direction
   double clamp = 1;                            // BlendedCurvature::clamp of it
   int trials = 0;                              // energy evaluations of the line search
+  double residual = 0;                         // Solution::residual, 0 with a direct solver
+  int solver_iterations = 0;                   // Solution::iterations, of all solves
   int factorizations = 0;                      // of a matrix of this size, failed ones included
   int failed_factorizations = 0;               // of these: the matrix was not positive definite
   struct Seconds {
@@ -65,6 +68,7 @@ struct StepResult {
   IterationRecord record;       // record.energy is the energy after the step
   std::vector<Index> blocking;  // StepBound::blocking of the line search
   Directive why = Directive::Continue;
+  std::string why_none;  // of a Breakdown, where somebody looked into it: a sentence
 };
 
 }  // namespace majorant

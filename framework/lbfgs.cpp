@@ -4,6 +4,7 @@
 
 #include "majorant/framework/internal/lbfgs_history.h"
 #include "majorant/framework/internal/metric.h"
+#include "majorant/framework/internal/option_check.h"
 #include "majorant/framework/internal/stopwatch.h"
 #include "majorant/framework/stepper.h"
 
@@ -15,8 +16,11 @@ class LbfgsStepper final : public Stepper {
   LbfgsStepper(const Problem& problem, const LbfgsOptions& options)
       : Stepper(problem, options.line_search, options.stopping.decrement, options.stop),
         metric_(metric_problem(problem, options.metric), options.curvature,
-                options.linear_solver()),
-        history_(options.history, options.cautious) {}
+                make_solver("LbfgsOptions", options.linear_solver)),
+        history_(options.history, options.cautious) {
+    require_at_least("LbfgsOptions: history", options.history, 0);
+    require_at_least("LbfgsOptions: cautious", options.cautious, 0);
+  }
 
  private:
   void advance(Vec& y, double& energy, Step& step) override {

@@ -26,23 +26,23 @@ struct LbfgsOptions {
   // Sec. 7.2 has 3 to 20.
   int history = 10;
   // The metric is its Hessian, shifted if need be; empty: the problem itself.
-  std::optional<Problem> metric;
+  std::optional<Problem> metric = {};
   Curvature curvature = Curvature::Projected;  // of the metric
   // Pairs with s.q <= cautious |s| |q| are skipped: B stays positive definite [LF01]. Origin: far
   // above the rounding of s.q; chosen, not tuned.
   double cautious = 1e-10;
   StoppingRules stopping = first_order_rules();
-  LineSearchOptions line_search;
+  LineSearchOptions line_search = {};
   std::function<std::unique_ptr<LinearSolver>()> linear_solver = [] {
     return make_direct_solver();
   };
-  StopCheck stop;  // ends a step, as in NewtonOptions
+  StopCheck stop = {};  // ends a step, as in NewtonOptions
 };
 
 class LbfgsMinimizer final : public Minimizer {
  public:
   explicit LbfgsMinimizer(LbfgsOptions options = {}) : options_(std::move(options)) {}
-  // Throws std::invalid_argument when options.metric has other unknowns or constraints than
+  // Throws InvalidArgument when options.metric has other unknowns or constraints than
   // `problem` or does not support options.curvature. A direction that is no descent direction, or
   // along which nothing is gained, is replaced by that of the metric and the history dropped.
   // Records: newton_decrement = -g.p, shift and curvature of the metric.

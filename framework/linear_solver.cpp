@@ -2,6 +2,9 @@
 
 #include <cmath>
 
+#include "majorant/framework/internal/argument_check.h"
+#include "majorant/framework/internal/try_shifts.h"
+
 namespace majorant {
 namespace {
 
@@ -22,14 +25,22 @@ double mean_diagonal(const SparsePattern& pattern, const Vec& values) {
 ShiftedFactorization factorize_shifted(LinearSolver& solver, const SparsePattern& pattern,
                                        const Vec& values, double smallest_shift,
                                        const StopCheck& stop) {
+  require_size("factorize_shifted: values", values.size(), pattern.nonzeros());
+  const auto attempt = [&](double shift) { return solver.factorize(values, shift); };
+  return try_shifts(attempt, pattern, values, smallest_shift, stop);
+}
+
+ShiftedFactorization try_shifts(const std::function<FactorStatus(double shift)>& attempt,
+                                const SparsePattern& pattern, const Vec& values,
+                                double smallest_shift, const StopCheck& stop) {
   ShiftedFactorization result;
   const double diagonal = mean_diagonal(pattern, values);
   if (pattern.size > 0 && !std::isfinite(diagonal)) return result;
   double shift = 0;
-  for (int attempt = 0; attempt < kMostShifts; ++attempt) {
+  for (int k = 0; k < kMostShifts; ++k) {
     stop.poll();
     ++result.factorizations;
-    result.status = solver.factorize(values, shift);
+    result.status = attempt(shift);
     result.shift = shift;
     if (result.status != FactorStatus::NotPositiveDefinite) break;
     shift = shift == 0 ? smallest_shift * diagonal : kShiftGrowth * shift;

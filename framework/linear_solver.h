@@ -1,6 +1,9 @@
-// Direct solution of H p = r for symmetric positive definite H of a fixed pattern.
+// Solution of H p = r for symmetric positive definite H of a fixed pattern.
 //
-// Analyse once per pattern, factorize once per matrix, solve as often as needed.
+// Analyse once per pattern, factorize once per matrix, solve as often as needed. The solvers here
+// are direct. One of your own may be iterative: factorize() makes a preconditioner, solve() is
+// asked for no more accuracy than the method needs and says what it reached;
+// examples/custom_solver.cpp.
 #pragma once
 
 #include <memory>
@@ -15,6 +18,18 @@ namespace majorant {
 
 enum class FactorStatus { Ok, NotPositiveDefinite };
 
+enum class SolveStatus {
+  Solved,        // to the tolerance asked for, or as well as rounding lets a direct solver
+  NotConverged,  // p is the best there is: taken as it is where it points downhill
+  Indefinite,    // p . H p <= 0 was met: as if factorize() had failed, p is not looked at
+};
+
+struct Solution {
+  SolveStatus status = SolveStatus::Solved;
+  double residual = 0;  // |H p - r| / |r| that was reached; 0 where nobody looked: direct solvers
+  int iterations = 0;   // 0: direct
+};
+
 class LinearSolver {
  public:
   virtual ~LinearSolver() = default;
@@ -22,8 +37,9 @@ class LinearSolver {
   virtual void analyze(const SparsePattern& pattern) = 0;
   // Factorizes H + shift * I; `values` parallel to pattern.rows.
   virtual FactorStatus factorize(const Vec& values, double shift) = 0;
-  // p = H^-1 r; only after factorize() returned Ok.
-  virtual void solve(const Vec& r, Vec& p) = 0;
+  // p with |H p - r| <= tolerance |r|, H with its shift; only after factorize() returned Ok.
+  // tolerance: in [0, 1); 0 asks for all that rounding leaves. Direct solvers do not look at it.
+  virtual Solution solve(const Vec& r, Vec& p, double tolerance = 0) = 0;
   // What the analysis chose, for reports: "supernodal, METIS, 1.2e6 nonzeros".
   virtual std::string description() const = 0;
 };
@@ -53,6 +69,10 @@ double mean_diagonal(const SparsePattern& pattern, const Vec& values);
 // roundoffs, what the factorization of a singular matrix may be off; Newton's next matrix is
 // another one. Where the matrix stays, callers say why theirs is larger.
 inline constexpr double kSmallestShift = 1e-14;
+
+// Residual asked for where one matrix serves many solves as a metric, which has to be the same
+// operator every time. Origin: the square root of the unit roundoff.
+inline constexpr double kMetricTolerance = 1e-8;
 
 struct ShiftedFactorization {
   FactorStatus status = FactorStatus::NotPositiveDefinite;

@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
-#include <stdexcept>
 #include <utility>
 
-#include "majorant/framework/internal/curvature_name.h"
+#include "majorant/framework/error.h"
+#include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/internal/lbfgs_history.h"
+#include "majorant/framework/internal/option_check.h"
+#include "majorant/framework/internal/problem_parts.h"
 #include "majorant/framework/internal/stopwatch.h"
+#include "majorant/framework/internal/try_shifts.h"
 #include "majorant/framework/lbfgs.h"
 
 namespace majorant {
@@ -49,7 +52,7 @@ class NewtonStepper::KeptFactor {
   // p = -B g at y, the next point.
   void direction(LinearSolver& solver, const Vec& y, const Vec& g, Vec& p) {
     history_.visit(y, g);
-    history_.apply([&solver](const Vec& r, Vec& out) { solver.solve(r, out); }, -g, p);
+    history_.apply([&](const Vec& r, Vec& out) { solver.solve(r, out, kMetricTolerance); }, -g, p);
     --steps_;
   }
   void judge(const IterationRecord& r) {
@@ -71,18 +74,17 @@ NewtonStepper::~NewtonStepper() = default;
 NewtonStepper::NewtonStepper(const Problem& problem, NewtonOptions options)
     : Stepper(problem, options.line_search, options.stopping.decrement, options.stop),
       options_(std::move(options)),
-      solver_(options_.linear_solver()),
+      solver_(make_solver("NewtonOptions", options_.linear_solver)),
       kept_(std::make_unique<KeptFactor>(options_.kept)) {
   require_curvature(problem);
+  require_in("NewtonOptions: forcing.largest", options_.forcing.largest, 0, 1);
+  require_at_least("NewtonOptions: kept.history", options_.kept.history, 0);
+  require_at_least("NewtonOptions: kept.steps", options_.kept.steps, 0);
   solver_->analyze(evaluator_.problem().pattern());
 }
 
 void NewtonStepper::require_curvature(const Problem& problem) const {
-  for (const TermId k : problem.terms())
-    if (!problem.term(k).supports(options_.curvature))
-      throw std::invalid_argument(fmt::format("Newton: term '{}' has no curvature model '{}'",
-                                              problem.term(k).name(),
-                                              curvature_name(options_.curvature)));
+  majorant::require_curvature("Newton", problem, options_.curvature);
 }
 
 void NewtonStepper::reset(const Problem& problem) {
@@ -90,6 +92,7 @@ void NewtonStepper::reset(const Problem& problem) {
   if (!same) require_curvature(problem);
   evaluator_.reset(problem);
   relative_decrement_ = std::numeric_limits<double>::infinity();
+  last_gradient_norm_ = 0;
   kept_->drop();
   if (!same) solver_->analyze(evaluator_.problem().pattern());
 }
@@ -108,15 +111,11 @@ void NewtonStepper::newton_step(Vec& y, double& energy, Step& step) {
   IterationRecord& r = step.record;
   kept_->drop();
   step.outcome = Outcome::Breakdown;  // whatever a step on a kept factor was
-  if (!factorize(y, r)) return;
-  Stopwatch watch;
-  Vec p;
-  rhs_ = -gradient_;
-  solver_->solve(rhs_, p);
-  r.seconds.solve += watch.restart();
+  if (!find_direction(y, r)) return;
   const double before = energy;
   const Vec from = y;
-  move_along(p, 1.0, y, energy, step);
+  move_along(p_, 1.0, y, energy, step);
+  last_gradient_norm_ = r.gradient_norm;
   if (step.outcome == Outcome::Breakdown) return;
   relative_decrement_ = relative_to(before, r.newton_decrement);
   learn_clamp(step);
@@ -147,24 +146,52 @@ bool NewtonStepper::blends() const {
          problem.supports(Curvature::Exact) && problem.supports(Curvature::Projected);
 }
 
-// Gradient and factors at y.
-bool NewtonStepper::factorize(const Vec& y, IterationRecord& record) {
+// Gradient, factors and direction at y.
+bool NewtonStepper::find_direction(const Vec& y, IterationRecord& record) {
   if (blends()) {
     if (whole_steps_ == 0) {
       for (; clamp_ < 1; raise_clamp(clamp_))
-        if (factorize_blend(y, record)) return true;
+        if (solve_blend(y, record)) return true;
     } else {
       --whole_steps_;
     }
   }
-  return factorize_whole(y, record);
+  return solve_whole(y, record);
+}
+
+// ForcingRules; the last step's are those of another point, or of none.
+double NewtonStepper::tolerance() const {
+  const ForcingRules& rules = options_.forcing;
+  if (last_gradient_norm_ == 0) return rules.largest;
+  const double ratio = gradient_.norm() / last_gradient_norm_;
+  const double safeguard = rules.part * last_tolerance_ * last_tolerance_;
+  const double eta =
+      std::max(rules.part * ratio * ratio, safeguard > rules.safeguarded ? safeguard : 0.0);
+  return std::min(rules.largest, eta);
+}
+
+// Of hessian_ and gradient_, both as they are.
+FactorStatus NewtonStepper::solve_shifted(double shift, IterationRecord& record) {
+  Stopwatch watch;
+  const FactorStatus factors = solver_->factorize(hessian_, shift);
+  record.seconds.factorize += watch.restart();
+  if (factors != FactorStatus::Ok) return factors;
+  rhs_ = -gradient_;
+  last_tolerance_ = tolerance();
+  const Solution solution = solver_->solve(rhs_, p_, last_tolerance_);
+  require_size("LinearSolver::solve: p", p_.size(), rhs_.size());
+  record.seconds.solve += watch.restart();
+  record.residual = solution.residual;
+  record.solver_iterations += solution.iterations;
+  return solution.status == SolveStatus::Indefinite ? FactorStatus::NotPositiveDefinite
+                                                    : FactorStatus::Ok;
 }
 
 // Where the energy is invariant under rotations about the origin, the exact Hessian's curvature
 // along an infinitesimal rotation is y.g / |y|^2 (differentiate the gradient along it): a shift by
 // half as much again, when it is negative, vanishes at the minimum and makes up for it. Close to
 // the minimum a small one stays, or rounding errors of the gradient would turn the map.
-bool NewtonStepper::factorize_blend(const Vec& y, IterationRecord& record) {
+bool NewtonStepper::solve_blend(const Vec& y, IterationRecord& record) {
   Stopwatch watch;
   const BlendedCurvature blend = BlendedCurvature::projected(clamp_);
   evaluator_.linearize(y, blend, gradient_, hessian_, stop_);
@@ -176,8 +203,7 @@ bool NewtonStepper::factorize_blend(const Vec& y, IterationRecord& record) {
     record.shift = std::max(record.shift,
                             kPolishShift * mean_diagonal(evaluator_.problem().pattern(), hessian_));
   stop_.poll();
-  const FactorStatus status = solver_->factorize(hessian_, record.shift);
-  record.seconds.factorize += watch.restart();
+  const FactorStatus status = solve_shifted(record.shift, record);
   record.curvature = blend.model;
   record.clamp = blend.clamp;
   ++record.factorizations;
@@ -185,7 +211,7 @@ bool NewtonStepper::factorize_blend(const Vec& y, IterationRecord& record) {
   return status == FactorStatus::Ok;
 }
 
-bool NewtonStepper::factorize_whole(const Vec& y, IterationRecord& record) {
+bool NewtonStepper::solve_whole(const Vec& y, IterationRecord& record) {
   Stopwatch watch;
   const BlendedCurvature whole = options_.curvature;
   evaluator_.linearize(y, whole, gradient_, hessian_, stop_);
@@ -194,11 +220,11 @@ bool NewtonStepper::factorize_whole(const Vec& y, IterationRecord& record) {
   record.seconds.assemble += watch.restart();
   if (!gradient_.allFinite()) return false;
   const ShiftedFactorization f =
-      factorize_shifted(*solver_, evaluator_.problem().pattern(), hessian_, kSmallestShift, stop_);
+      try_shifts([&](double shift) { return solve_shifted(shift, record); },
+                 evaluator_.problem().pattern(), hessian_, kSmallestShift, stop_);
   record.shift = f.shift;
   record.factorizations += f.factorizations;
   record.failed_factorizations += f.failed();
-  record.seconds.factorize += watch.restart();
   return f.status == FactorStatus::Ok;
 }
 

@@ -50,8 +50,8 @@ struct KeptFactorRules {
   double below = 0;
   // Pairs of L-BFGS. Origin: bench/tune.py kept.history.
   int history = 8;
-  // Steps that a factor serves beside its own. Origin: bench/tune.py kept.steps.
-  int steps = 8;
+  // Steps that a factor serves beside its own. Origin: docs/performance.md, What was tried.
+  int steps = 5;
   // After a shorter step, or a certified bound below the next number, comes a factorization.
   // Origin: bench/tune.py kept.short_step.
   double short_step = 0.05;
@@ -59,21 +59,36 @@ struct KeptFactorRules {
   double short_bound = 0.1;
 };
 
+// How accurately H p = -g is asked for, of solvers that can save by it (LinearSolver::solve):
+//     |H p + g| <= eta |g|,  eta = min(largest, max(part (|g_k| / |g_k-1|)^2, safeguard)),
+//     safeguard = part eta_k-1^2 where that is above safeguarded, else 0
+// which keeps the convergence quadratic: [EW96], choice 2. Direct solvers do not look at it.
+struct ForcingRules {
+  // Origin: below the 0.9 of [EW96]: -g.p, which stopping rules read, is to be about right, too.
+  double largest = 0.1;
+  // Origin: [EW96].
+  double part = 0.9;
+  // Origin: [EW96].
+  double safeguarded = 0.1;
+};
+
 struct NewtonOptions {
   Curvature curvature = Curvature::Projected;
-  BlendRules blend;
-  KeptFactorRules kept;
-  StoppingRules stopping;
-  LineSearchOptions line_search;
+  BlendRules blend = {};
+  KeptFactorRules kept = {};
+  ForcingRules forcing = {};
+  StoppingRules stopping = {};
+  LineSearchOptions line_search = {};
   std::function<std::unique_ptr<LinearSolver>()> linear_solver = [] {
     return make_direct_solver();
   };
-  StopCheck stop;  // ends a step between chunks of elements, factorizations, trials
+  StopCheck stop = {};  // ends a step between chunks of elements, factorizations, trials
 };
 
 class NewtonStepper final : public Stepper {
  public:
-  // Throws std::invalid_argument, as reset() does, when a term does not support the curvature.
+  // Throws InvalidArgument, as reset() does, when a term does not support the curvature, and for
+  // options that are no rules.
   NewtonStepper(const Problem& problem, NewtonOptions options);
   ~NewtonStepper() override;
 
@@ -90,15 +105,18 @@ class NewtonStepper final : public Stepper {
   void newton_step(Vec& y, double& energy, Step& step);
   bool kept_step(Vec& y, double& energy, Step& step);
   bool blends() const;
-  bool factorize(const Vec& y, IterationRecord& record);
-  bool factorize_blend(const Vec& y, IterationRecord& record);
-  bool factorize_whole(const Vec& y, IterationRecord& record);
+  bool find_direction(const Vec& y, IterationRecord& record);
+  bool solve_blend(const Vec& y, IterationRecord& record);
+  bool solve_whole(const Vec& y, IterationRecord& record);
+  FactorStatus solve_shifted(double shift, IterationRecord& record);
+  double tolerance() const;
   void learn_clamp(const Step& step);
   void raise_clamp(double failed);
 
   NewtonOptions options_;
   std::unique_ptr<LinearSolver> solver_;
-  Vec hessian_, rhs_;
+  Vec hessian_, rhs_, p_;
+  double last_gradient_norm_ = 0, last_tolerance_ = 0;  // of the step before; 0: there is none
   double relative_decrement_ = std::numeric_limits<double>::infinity();  // of the last step
   double clamp_ = 1;                                                     // t of the next blend
   int hold_ = 0;                                                         // steps that it stays

@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
+#include <cmath>
 #include <utility>
 
+#include "majorant/framework/error.h"
+#include "majorant/framework/internal/argument_check.h"
+#include "majorant/framework/internal/curvature_name.h"
 #include "majorant/framework/internal/problem_parts.h"
 
 namespace majorant {
@@ -33,6 +36,21 @@ bool same_rules(const std::vector<RuleId>& a, const std::vector<RuleId>& b) {
   if (a.empty()) return std::all_of(b.begin(), b.end(), is_default);
   if (b.empty()) return std::all_of(a.begin(), a.end(), is_default);
   return a == b;
+}
+
+void require_fitting(const EnergyTerm& term, Index full_size) {
+  const Stencils& s = term.stencils();
+  if (s.block < 1)
+    throw InvalidArgument(
+        fmt::format("term '{}': nodes of {} unknowns, at least 1 is needed", term.name(), s.block));
+  const Index nodes = full_size / s.block;
+  for (Index e = 0; e < s.nodes.rows(); ++e)
+    for (Index k = 0; k < s.nodes.cols(); ++k)
+      if (s.nodes(e, k) < 0 || s.nodes(e, k) >= nodes)
+        throw InvalidArgument(fmt::format(
+            "term '{}': node {} of element {} is {}, a stencil leaves the {} unknowns (nodes of "
+            "{}: 0..{})",
+            term.name(), k, e, s.nodes(e, k), full_size, s.block, nodes - 1));
 }
 
 // What the first terms of a problem fill, whatever comes after them.
@@ -74,9 +92,21 @@ Index Problem::size() const { return structure_->elimination.reduced_size(); }
 
 std::span<const TermId> Problem::terms() const { return structure_->ids; }
 
-const EnergyTerm& Problem::term(TermId id) const { return *structure_->terms[number(id)]; }
+const EnergyTerm& Problem::term(TermId id) const {
+  require_term("Problem::term", id);
+  return *structure_->terms[number(id)];
+}
 
-const TermState& Problem::state(TermId id) const { return states_[number(id)]; }
+const TermState& Problem::state(TermId id) const {
+  require_term("Problem::state", id);
+  return states_[number(id)];
+}
+
+void Problem::require_term(std::string_view where, TermId id) const {
+  if (number(id) >= states_.size())
+    throw InvalidArgument(fmt::format("{}: no term of this problem has that id ({} of {})", where,
+                                      number(id), states_.size()));
+}
 
 const SparsePattern& Problem::pattern() const { return structure_->pattern; }
 
@@ -96,6 +126,39 @@ const SlotTable& ProblemParts::slots(const Problem& problem, TermId id) {
   return problem.structure_->slots[number(id)];
 }
 
+// Weights may be 0, but not negative: an energy that is turned over is unbounded below, and no
+// curvature model is definite. Which parameters a term takes is its own business.
+void require_valid(const EnergyTerm& term, const TermState& state) {
+  const auto refuse = [&](const std::string& what) {
+    throw InvalidArgument(fmt::format("term '{}': {}", term.name(), what));
+  };
+  const Index count = term.stencils().element_count();
+  const auto usable = [](double w) { return w >= 0 && std::isfinite(w); };
+  if (!usable(state.weight))
+    refuse(fmt::format("its weight is {:g}, finite and at least 0 is needed", state.weight));
+  const Vec& w = state.element_weight;
+  if (w.size() != 0 && w.size() != count)
+    refuse(fmt::format("{} weights of elements for {} elements", w.size(), count));
+  for (Index e = 0; e < w.size(); ++e)
+    if (!usable(w[e]))
+      refuse(fmt::format("the weight of element {} is {:g}, finite and at least 0 is needed", e,
+                         w[e]));
+  if (!state.element_rule.empty() && state.element_rule.size() != at(count))
+    refuse(fmt::format("{} rules of elements for {} elements", state.element_rule.size(), count));
+  for (std::size_t e = 0; e < state.element_rule.size(); ++e)
+    if (state.element_rule[e] < 0 || state.element_rule[e] >= term.rule_count())
+      refuse(fmt::format("the rule of element {} is {}, there are {}", e, state.element_rule[e],
+                         term.rule_count()));
+  if (!state.parameters.allFinite()) refuse("its parameters are not finite");
+}
+
+void require_curvature(std::string_view who, const Problem& problem, Curvature curvature) {
+  for (const TermId k : problem.terms())
+    if (!problem.term(k).supports(curvature))
+      throw InvalidArgument(fmt::format("{}: term '{}' has no curvature model '{}'", who,
+                                        problem.term(k).name(), curvature_name(curvature)));
+}
+
 bool Problem::supports(Curvature curvature) const {
   for (const auto& term : structure_->terms)
     if (!term->supports(curvature)) return false;
@@ -105,8 +168,8 @@ bool Problem::supports(Curvature curvature) const {
 Problem Problem::with(TermChanges changes) const {
   Problem other = *this;
   for (auto& [id, state] : changes) {
-    if (number(id) >= states_.size())
-      throw std::invalid_argument("Problem::with: no term of this problem has that id");
+    require_term("Problem::with", id);
+    require_valid(term(id), state);
     if (!same_rules(state.element_rule, other.states_[number(id)].element_rule))
       other.plans_[number(id)] = std::make_shared<const ChunkPlan>(
           term(id).stencils(), state.element_rule, structure_->elimination);
@@ -116,13 +179,19 @@ Problem Problem::with(TermChanges changes) const {
 }
 
 Vec Problem::expand(VecIn y) const {
+  require_size("Problem::expand: y", y.size(), size());
   Vec x;
   structure_->elimination.expand(y, x);
   return x;
 }
 
 Vec Problem::reduce(VecIn x, double* residual) const {
+  require_size("Problem::reduce: x", x.size(), full_size());
   return structure_->elimination.reduce(x, residual);
+}
+
+ProblemBuilder::ProblemBuilder(Index full_size) : full_size_(full_size) {
+  require_at_least("ProblemBuilder: the number of unknowns", full_size, 0);
 }
 
 ProblemBuilder::AddedTerm ProblemBuilder::add(std::shared_ptr<const EnergyTerm> term,
@@ -134,10 +203,9 @@ ProblemBuilder::AddedTerm ProblemBuilder::add(std::shared_ptr<const EnergyTerm> 
 
 ProblemBuilder::AddedTerm ProblemBuilder::add(std::shared_ptr<const EnergyTerm> term,
                                               TermState state) {
-  const Stencils& s = term->stencils();
-  if (s.nodes.size() && (s.nodes.minCoeff() < 0 || s.block * (s.nodes.maxCoeff() + 1) > full_size_))
-    throw std::invalid_argument(
-        fmt::format("term '{}': a stencil leaves the {} unknowns", term->name(), full_size_));
+  require_given("ProblemBuilder::add: the term", term);
+  require_fitting(*term, full_size_);
+  require_valid(*term, state);
   terms_.push_back(std::move(term));
   states_.push_back(std::move(state));
   return {*this, TermId(terms_.size() - 1)};
@@ -145,10 +213,12 @@ ProblemBuilder::AddedTerm ProblemBuilder::add(std::shared_ptr<const EnergyTerm> 
 
 ProblemBuilder& ProblemBuilder::add(const Constraint& constraint) {
   constraint.append_rows(rows_);
+  rows_.require_ended();
   return *this;
 }
 
 ProblemBuilder& ProblemBuilder::add(std::shared_ptr<const FeasibilityChecker> checker) {
+  require_given("ProblemBuilder::add: the checker", checker);
   checkers_.push_back(std::move(checker));
   return *this;
 }

@@ -14,6 +14,7 @@
 
 #include <memory>
 #include <span>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -47,12 +48,13 @@ class Problem {
   bool supports(Curvature curvature) const;
 
   // The same problem with other states of these terms, the rest kept: pattern, slots and (in a
-  // solver) the symbolic factor stay valid. Throws std::invalid_argument for a term of another
-  // problem.
+  // solver) the symbolic factor stay valid. Throws InvalidArgument for a term that the problem does
+  // not have and for what ProblemBuilder::add() would refuse.
   Problem with(TermChanges changes) const;
   // Whether a factorization analysed for `other` fits this problem.
   bool same_structure(const Problem& other) const { return structure_ == other.structure_; }
 
+  // Both throw InvalidArgument for another number of unknowns.
   Vec expand(VecIn y) const;
   // y of x; *residual (may be null) receives the largest violation of the constraints.
   Vec reduce(VecIn x, double* residual = nullptr) const;
@@ -61,6 +63,7 @@ class Problem {
   friend class ProblemBuilder;
   friend struct ProblemParts;  // what evaluators need
   struct Structure;
+  void require_term(std::string_view where, TermId id) const;
 
   std::shared_ptr<const Structure> structure_;
   std::vector<TermState> states_;
@@ -87,14 +90,16 @@ class ProblemBuilder {
     TermId id_;
   };
 
-  explicit ProblemBuilder(Index full_size) : full_size_(full_size) {}
+  // add() throws InvalidArgument for null pointers, stencils that leave the unknowns, weights that
+  // are negative or not finite, states of another size, rules that a term does not have, and
+  // constraints that leave a row open.
+  explicit ProblemBuilder(Index full_size);
   AddedTerm add(std::shared_ptr<const EnergyTerm> term, double weight);
   AddedTerm add(std::shared_ptr<const EnergyTerm> term, TermState state);
   ProblemBuilder& add(const Constraint& constraint);  // rows are copied
   ProblemBuilder& add(std::shared_ptr<const FeasibilityChecker> checker);
   // Eliminates the constraints and fixes the pattern. Throws Error(Unsupported) when the
-  // constraints contradict each other, std::invalid_argument when one leaves the unknowns (add()
-  // does so for a stencil).
+  // constraints contradict each other, InvalidArgument when one leaves the unknowns.
   Problem build() const;
   // The same problem, sooner where `before` begins with the same terms and these have the same
   // unknowns: their chunks, slots and part of the pattern are taken over. For terms that change

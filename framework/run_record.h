@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "majorant/framework/activity.h"
+#include "majorant/framework/error.h"
 #include "majorant/framework/minimizer.h"
 #include "majorant/framework/trace.h"
 
@@ -29,6 +31,8 @@ class RunRecord {
   // no such grace.
   static constexpr double kGrace = 10;
 
+  // interrupt: set by others, a signal handler say, and looked at between pieces of work; may be
+  // null. Throws InvalidArgument for a time limit that is NaN and a negative number of iterations.
   explicit RunRecord(double time_limit_seconds = std::numeric_limits<double>::infinity(),
                      int max_iterations = std::numeric_limits<int>::max(),
                      const std::atomic<bool>* interrupt = nullptr, Progress progress = {},
@@ -37,7 +41,11 @@ class RunRecord {
         stop_(limits(start_, time_limit_seconds, interrupt)),
         start_stop_(limits(start_, time_limit_seconds + kGrace, interrupt)),
         progress_(std::move(progress)),
-        announce_(std::move(announce)) {}
+        announce_(std::move(announce)) {
+    if (std::isnan(time_limit_seconds))
+      throw InvalidArgument("RunRecord: the time limit is nan; infinity is no limit");
+    if (max_iterations < 0) throw InvalidArgument("RunRecord: the iteration limit is negative");
+  }
   // Ended by `stop` alone, without grace.
   explicit RunRecord(const StopCheck& stop) : stop_(stop), start_stop_(stop) {}
   // Of one part of the run that is solved by itself, perhaps on another thread: the same limits

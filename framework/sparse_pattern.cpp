@@ -1,12 +1,21 @@
 #include "majorant/framework/sparse_pattern.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cassert>
 #include <utility>
+
+#include "majorant/framework/internal/argument_check.h"
 
 namespace majorant {
 
 void SparsePattern::append_column(const std::vector<Index>& rows_below) {
+  for (const Index row : rows_below)
+    if (row <= size)
+      throw InvalidArgument(
+          fmt::format("SparsePattern::append_column: row {} is not below the "
+                      "diagonal of column {}",
+                      row, size));
   rows.push_back(size++);
   const auto first = rows.insert(rows.end(), rows_below.begin(), rows_below.end());
   std::sort(first, rows.end());
@@ -15,12 +24,15 @@ void SparsePattern::append_column(const std::vector<Index>& rows_below) {
 }
 
 void SparsePattern::order_in_blocks(Index block) {
+  require_at_least("SparsePattern::order_in_blocks: block", block, 1);
   block_of.clear();
   for (Index i = 0; i < size; ++i) block_of.push_back(i / block);
 }
 
 SparsePattern SparsePattern::joined(const SparsePattern& more, std::vector<Index>& places) const {
-  assert(size <= more.size);
+  if (size > more.size)
+    throw InvalidArgument(
+        fmt::format("SparsePattern::joined: {} columns, at least {} are needed", more.size, size));
   SparsePattern out;
   out.size = more.size;
   out.block_of = more.block_of;
@@ -46,12 +58,39 @@ SparsePattern SparsePattern::joined(const SparsePattern& more, std::vector<Index
   return out;
 }
 
+void require_valid(const SparsePattern& p) {
+  const auto refuse = [](const std::string& what) {
+    throw InvalidArgument("sparse pattern: " + what);
+  };
+  if (p.size < 0 || p.column_starts.size() != at(p.size) + 1 || p.column_starts.front() != 0 ||
+      p.column_starts.back() != p.nonzeros())
+    refuse(fmt::format("{} starts of columns, of {} unknowns and {} entries",
+                       p.column_starts.size(), p.size, p.nonzeros()));
+  if (p.block_of.size() != at(p.size))
+    refuse(fmt::format("{} blocks for {} unknowns; order_in_blocks() makes them", p.block_of.size(),
+                       p.size));
+  for (Index c = 0, block = 0; c < p.size; ++c) {
+    const Index first = p.column_starts[at(c)], last = p.column_starts[at(c) + 1];
+    bool sound = first < last && last <= p.nonzeros() && p.rows[at(first)] == c;
+    for (Index k = first + 1; k < last && sound; ++k)
+      sound = p.rows[at(k)] > p.rows[at(k - 1)] && p.rows[at(k)] < p.size;
+    if (!sound) refuse(fmt::format("column {} is not its diagonal and sorted rows below it", c));
+    const Index next = p.block_of[at(c)];
+    if (next != block && (c == 0 || next != block + 1))
+      refuse(fmt::format("block {} of unknown {} follows block {}", next, c, block));
+    block = next;
+  }
+}
+
 Index SparsePattern::slot(Index row, Index column) const {
   if (row < column) std::swap(row, column);
+  require_index("SparsePattern::slot: column", column, size);
   const auto first = rows.begin() + column_starts[at(column)];
   const auto last = rows.begin() + column_starts[at(column) + 1];
   const auto found = std::lower_bound(first, last, row);
-  assert(found != last && *found == row);
+  if (found == last || *found != row)
+    throw InvalidArgument(
+        fmt::format("SparsePattern::slot: there is no entry ({}, {})", row, column));
   return static_cast<Index>(found - rows.begin());
 }
 

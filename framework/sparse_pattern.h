@@ -33,9 +33,14 @@ struct SparsePattern {
   // blocks. places: where this pattern's entries are in the result.
   SparsePattern joined(const SparsePattern& more, std::vector<Index>& places) const;
 
-  // Where the value of an entry is: parallel to `rows`. The entry must be there; either triangle.
+  // Where the value of an entry is: parallel to `rows`; either triangle. Throws InvalidArgument for
+  // an entry that is not there.
   Index slot(Index row, Index column) const;
   Index diagonal_slot(Index column) const { return column_starts[at(column)]; }
 };
+
+// Throws InvalidArgument unless a pattern is what the head of this file says, with a block for
+// every unknown, equal numbers next to each other, counted from 0.
+void require_valid(const SparsePattern& pattern);
 
 }  // namespace majorant

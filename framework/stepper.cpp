@@ -3,11 +3,24 @@
 #include <cmath>
 #include <utility>
 
+#include "majorant/framework/internal/argument_check.h"
+#include "majorant/framework/internal/diagnosis.h"
+#include "majorant/framework/internal/option_check.h"
 #include "majorant/framework/internal/stopwatch.h"
 
 namespace majorant {
 
+Stepper::Stepper(const Problem& problem, const LineSearchOptions& line_search,
+                 double decrement_rule, StopCheck stop)
+    : evaluator_(problem),
+      stop_(std::move(stop)),
+      line_search_(line_search),
+      decrement_rule_(decrement_rule) {
+  require_valid(line_search_);
+}
+
 Stepper::Step Stepper::step(Vec& y, double& energy) {
+  require_size("Stepper::step: y", y.size(), evaluator_.problem().size());
   Step step;
   step.record.energy = step.energy_before = energy;
   if (y.size() == 0) {
@@ -55,6 +68,10 @@ void Stepper::move_along(const Vec& p, double first, Vec& y, double& energy, Ste
 bool check_start(Evaluator& evaluator, SolveResult& result) {
   result.status = Status::Infeasible;
   const Problem& problem = evaluator.problem();
+  require_size("the start y", result.y.size(), problem.size());
+  require_finite("the start y", result.y);
+  if (problem.terms().empty())
+    throw InvalidArgument("the problem has no terms, nothing to minimize");
   const Vec x = problem.expand(result.y);
   if (auto violation = evaluator.violation(x)) {
     result.blocking = std::move(violation->verdict.blocking);
@@ -63,7 +80,7 @@ bool check_start(Evaluator& evaluator, SolveResult& result) {
   }
   result.energy = evaluator.value(result.y);
   if (std::isfinite(result.energy)) return true;
-  result.message = "the start lies outside the energy's domain";
+  result.message = "the start lies outside the energy's domain: " + why_not_finite(problem, x);
   return false;
 }
 
@@ -76,6 +93,7 @@ SolveResult Stepper::minimize(Vec y0, const StoppingRules& rules, const Observer
 
 SolveResult Stepper::descend_from(Vec y, double energy, const StoppingRules& rules,
                                   const Observer& observer) {
+  require_size("the start y", y.size(), evaluator_.problem().size());
   SolveResult result;
   result.y = std::move(y);
   result.energy = energy;
@@ -91,6 +109,8 @@ SolveResult Stepper::descend_from(Vec y, double energy, const StoppingRules& rul
       result.iterations.push_back(step.record);
       if (observer) directive = observer(step.record, result.y);
     }
+    if (step.outcome == Outcome::Breakdown && step.why_none.empty())
+      step.why_none = why_no_direction(evaluator_, result.y, result.energy);
     const Advice advice = test.after(step);
     if (step.outcome != Outcome::Stopped) {
       result.newton_decrement = step.record.newton_decrement;

@@ -25,11 +25,12 @@ class Stepper {
   using Outcome = StepResult::Outcome;
   using Step = StepResult;
   // One step from y, which must be feasible; energy of y in, energy of the new y out. A step that
-  // its stop check ends is abandoned.
+  // its stop check ends is abandoned. Throws InvalidArgument for another number of unknowns.
   Step step(Vec& y, double& energy);
 
   // Steps from y0 until a stopping rule, the observer or the stop check says so. An infeasible y0
   // is Status::Infeasible; outer loops that change the state of the problem call this repeatedly.
+  // Throws as check_start().
   SolveResult minimize(Vec y0, const StoppingRules& rules, const Observer& observer = {});
   // The same from a point that is known to be feasible, `energy` its value.
   SolveResult descend_from(Vec y, double energy, const StoppingRules& rules,
@@ -44,12 +45,9 @@ class Stepper {
 
  protected:
   // decrement_rule: StoppingRules::decrement. stop: polled in every piece of a step.
+  // Throws InvalidArgument for options that are no rules.
   Stepper(const Problem& problem, const LineSearchOptions& line_search, double decrement_rule,
-          StopCheck stop)
-      : evaluator_(problem),
-        stop_(std::move(stop)),
-        line_search_(line_search),
-        decrement_rule_(decrement_rule) {}
+          StopCheck stop);
 
   // The step of a problem that has unknowns. step.record.energy is that of y. May throw Stopped as
   // long as y and energy are as they were.
@@ -69,7 +67,8 @@ class Stepper {
 };
 
 // Whether result.y may be a start: fills result.energy there, else status Infeasible, message and
-// blocking elements. For loops of one's own around step().
+// blocking elements. For loops of one's own around step(). Throws InvalidArgument for another
+// number of unknowns, one that is not finite, and a problem without terms.
 bool check_start(Evaluator& evaluator, SolveResult& result);
 
 }  // namespace majorant

@@ -5,12 +5,18 @@
 #include <limits>
 #include <numeric>
 
+#include "majorant/framework/internal/diagnosis.h"
+#include "majorant/framework/internal/option_check.h"
+
 namespace majorant {
 namespace {
 
 // Of the start's energy: about what is left of it after cancellation of terms of its size. Origin:
 // 100 unit roundoffs.
 constexpr double kSmallestScale = 1e-14;
+// Times the start's energy, or 1: an energy so far below 0 has no minimum. Origin: no sum of terms
+// that has one begins to cancel there; the squares of what is below leave the range of doubles.
+constexpr double kUnbounded = 1e100;
 
 }  // namespace
 
@@ -41,7 +47,9 @@ StoppingRules brief_rules(int steps, double relative_decrease) {
 }
 
 StoppingTest::StoppingTest(const StoppingRules& rules, double energy)
-    : rules_(rules), smallest_scale_(kSmallestScale * std::abs(energy)) {}
+    : rules_(rules), smallest_scale_(kSmallestScale * std::abs(energy)) {
+  require_valid(rules_);
+}
 
 std::optional<Stop> StoppingTest::before_step() const {
   if (steps_ < rules_.max_iterations) return {};
@@ -61,17 +69,21 @@ Advice StoppingTest::after(const StepResult& step, Since since) {
       advice.stop = no_step(step, near_minimum);
     return advice;
   }
+  if (r.energy < -kUnbounded * std::max(1.0, smallest_scale_ / kSmallestScale)) {
+    advice.stop = Stop{Status::Failed, unbounded_below(r.energy)};
+    return advice;
+  }
   remember(step, since);
   const bool plateau = on_plateau();
   const bool small = r.relative_decrease <= rules_.relative_decrease;
   const bool in_tail = small && since == Since::Same && r.curvature != Curvature::Exact &&
                        r.newton_decrement <= rules_.tail_factor * rules_.relative_decrease * scale;
-  if (in_tail && polished_ && !plateau) {
+  in_tail_ += in_tail;
+  if (in_tail && in_tail_ >= rules_.tail_steps && !plateau) {
     advice.stop = Stop{Status::Converged, "relative decrease"};
     return advice;
   }
-  advice.polish = in_tail && !polished_;
-  polished_ = polished_ || in_tail;
+  advice.polish = in_tail && in_tail_ == 1;
   const bool held = r.step_bound < rules_.stall_step;
   idle_ = small || held ? idle_ + 1 : 0;
   held_ = idle_ == 0 ? 0 : held_ + held;
@@ -113,7 +125,8 @@ double StoppingTest::remaining(std::ptrdiff_t window) const {
 Stop StoppingTest::no_step(const StepResult& step, bool near_minimum) const {
   using Outcome = StepResult::Outcome;
   if (step.outcome == Outcome::Stopped) return {stopped_status(step.why), Stopped(step.why).what()};
-  if (step.outcome == Outcome::Breakdown) return {Status::Failed, "no finite direction"};
+  if (step.outcome == Outcome::Breakdown)
+    return {Status::Failed, step.why_none.empty() ? "no finite direction" : step.why_none};
   if (step.outcome == Outcome::AtMinimum) return {Status::Converged, "decrement"};
   return {near_minimum ? Status::Converged : Status::Stalled, "no further decrease"};
 }

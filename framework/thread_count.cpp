@@ -4,15 +4,16 @@
 #include <omp.h>
 
 #include <algorithm>
-#include <stdexcept>
 
+#include "majorant/framework/error.h"
 #include "majorant/framework/internal/parallel_errors.h"
 
 namespace majorant {
 
 ThreadCount::ThreadCount(int count)
     : threads_(omp_get_max_threads()), levels_(omp_get_max_active_levels()) {
-  if (count < 0) throw std::invalid_argument(fmt::format("ThreadCount: {}", count));
+  if (count < 0)
+    throw InvalidArgument(fmt::format("ThreadCount: {} threads, at least 0 are needed", count));
   if (count == 0) return;
   omp_set_num_threads(count);
   // num_threads(4) of somebody else counts for nothing where no level may be active.

@@ -17,7 +17,7 @@ namespace majorant {
 class ThreadCount {
  public:
   // 0: as it is. 1: nothing that the calling thread calls starts an OpenMP team, not even libraries
-  // that ask for threads of their own. Throws std::invalid_argument where count < 0.
+  // that ask for threads of their own. Throws InvalidArgument where count < 0.
   explicit ThreadCount(int count);
   ~ThreadCount();  // on the same thread: as before
   ThreadCount(const ThreadCount&) = delete;

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <numeric>
-#include <stdexcept>
+
+#include "majorant/framework/error.h"
 
 namespace majorant {
 namespace {
@@ -33,11 +34,11 @@ void reorder(Array& array, const std::vector<Index>& order) {
 }  // namespace
 
 MapFile joined(const std::vector<MapFile>& charts) {
-  if (charts.empty()) throw std::invalid_argument("joined: no charts");
+  if (charts.empty()) throw InvalidArgument("joined: no charts");
   MapFile all;
   all.degree = charts.front().degree;
   for (const MapFile& chart : charts)
-    if (chart.degree != all.degree) throw std::invalid_argument("joined: different degrees");
+    if (chart.degree != all.degree) throw InvalidArgument("joined: different degrees");
   all.points = stacked(charts, &MapFile::points);
   all.uv = stacked(charts, &MapFile::uv);
   all.cells = stacked(charts, &MapFile::cells);

@@ -13,7 +13,7 @@ namespace majorant {
 
 // charts: of one degree; each with all of the optional arrays or none, as every other. Points in
 // the order of the charts; cells in the order of their input_face, as a mesh of the input's faces
-// has them; `chart` says which cell belongs to which. No claims. Throws std::invalid_argument for
+// has them; `chart` says which cell belongs to which. No claims. Throws InvalidArgument for
 // different degrees, or none.
 MapFile joined(const std::vector<MapFile>& charts);
 

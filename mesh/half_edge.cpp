@@ -5,13 +5,16 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <stdexcept>
 
+#include "majorant/framework/error.h"
 #include "majorant/mesh/internal/union_find.h"
 
 namespace majorant {
 
 std::vector<Index> opposite_half_edges(const Cells& faces) {
+  if (faces.rows() > 0 && faces.cols() != 3)
+    throw InvalidArgument(
+        fmt::format("opposite_half_edges: faces have {} columns, 3 are needed", faces.cols()));
   const Index count = 3 * static_cast<Index>(faces.rows());
   std::vector<std::array<Index, 3>> edges;  // smaller vertex, larger vertex, half-edge
   for (Index h = 0; h < count; ++h) {
@@ -27,7 +30,7 @@ std::vector<Index> opposite_half_edges(const Cells& faces) {
     if (!same(k, k + 1)) continue;
     const Index h = edges[k][2], o = edges[k + 1][2];
     if (same(k, k + 2) || from_vertex(faces, h) == from_vertex(faces, o))
-      throw std::invalid_argument(
+      throw InvalidArgument(
           fmt::format("opposite_half_edges: edge ({}, {}) has more than two faces, or two that run "
                       "the same way",
                       edges[k][0], edges[k][1]));

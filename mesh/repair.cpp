@@ -9,7 +9,10 @@
 #include <utility>
 
 #include "majorant/framework/error.h"
+#include "majorant/framework/internal/argument_check.h"
 #include "majorant/mesh/half_edge.h"
+#include "majorant/mesh/internal/mesh_validation.h"
+#include "majorant/mesh/internal/mesh_words.h"
 #include "majorant/mesh/internal/place_text.h"
 #include "majorant/mesh/internal/regularize.h"
 #include "majorant/mesh/internal/sheets.h"
@@ -117,8 +120,8 @@ class Repairing {
       : input_(input), options_(options), stop_(stop) {}
 
   RepairedSurface run() {
-    if (input_.polygons.empty())
-      throw Error(ErrorKind::Unsupported, input_.file + ": the mesh has no faces");
+    require_sound_lists(input_);
+    if (options_.weld) require_at_least("repair: RepairOptions::weld", *options_.weld, 0);
     weld_vertices();
     stop_.poll();
     list_ = triangulate(input_, Crossing::Fanned, stop_);

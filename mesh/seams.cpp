@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "majorant/framework/internal/argument_check.h"
 #include "majorant/mesh/half_edge.h"
 
 namespace majorant {
@@ -30,6 +31,16 @@ Seams::Seams(const Cells& cut_faces, std::vector<Index> surface_vertex, std::vec
     : surface_vertex_(std::move(surface_vertex)),
       edges_(std::move(edges)),
       quarter_turns_(std::move(quarter_turns)) {
+  const Index half_edges = 3 * static_cast<Index>(cut_faces.rows());
+  for (const SeamEdge& edge : edges_) {
+    for (const Index h : {edge.side, edge.opposite})
+      require_index("Seams: half-edge", h, half_edges);
+    require_index("Seams: turns", edge.turns, 4);
+  }
+  if (!edges_.empty() && cut_faces.maxCoeff() >= static_cast<Index>(surface_vertex_.size()))
+    throw InvalidArgument("Seams: surface_vertex has fewer numbers than the cut surface vertices");
+  for (const Index v : surface_vertex_)
+    require_index("Seams: vertex", v, static_cast<Index>(quarter_turns_.size()));
   find_chains(cut_faces);
 }
 

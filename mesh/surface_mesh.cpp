@@ -10,14 +10,43 @@
 #include <utility>
 
 #include "majorant/framework/error.h"
+#include "majorant/framework/internal/argument_check.h"
 #include "majorant/mesh/internal/length_of.h"
 #include "majorant/mesh/internal/mesh_validation.h"
+#include "majorant/mesh/internal/mesh_words.h"
 #include "majorant/mesh/internal/triangle_list.h"
 
 namespace majorant {
+namespace {
+
+void require_sound(const SurfaceParts& parts) {
+  const Index vertices = static_cast<Index>(parts.positions.rows());
+  const Index count = static_cast<Index>(parts.faces.rows());
+  if (parts.faces.cols() != 3)
+    throw InvalidArgument(
+        fmt::format("SurfaceMesh: faces have {} columns, 3 are needed", parts.faces.cols()));
+  for (Index f = 0; f < count; ++f)
+    for (const Index v : parts.faces.row(f))
+      if (v < 0 || v >= vertices)
+        throw InvalidArgument(
+            fmt::format("SurfaceMesh: face {} has vertex {}, there are {}", f, v, vertices));
+  require_finite_rows("the positions of a SurfaceMesh", parts.positions);
+  require_size("SurfaceMesh: input_vertex", static_cast<Index>(parts.input_vertex.size()),
+               vertices);
+  require_size("SurfaceMesh: input_face", static_cast<Index>(parts.input_face.size()), count);
+  if (parts.corner_texcoords.rows() > 0 || parts.texcoord_ids.rows() > 0) {
+    require_size("SurfaceMesh: corner_texcoords", parts.corner_texcoords.rows(), count);
+    require_size("SurfaceMesh: texcoord_ids", parts.texcoord_ids.rows(), count);
+  }
+  for (const RestTriangle& t : parts.rest_triangles)
+    require_index("SurfaceMesh: the face of a rest triangle", t.face, count);
+}
+
+}  // namespace
 
 SurfaceMesh SurfaceMesh::from_polygons(const PolygonMesh& input, const StopCheck& stop,
                                        Components components, Shapes shapes) {
+  require_sound_lists(input);
   const TriangleList list = triangulate(input, Crossing::Refused, stop);
   require_proper_faces(input, list, shapes, stop);
   if (shapes == Shapes::Proper) require_usable_coordinates(input);
@@ -48,7 +77,21 @@ SurfaceMesh SurfaceMesh::from_polygons(const PolygonMesh& input, const StopCheck
   return from_parts(std::move(parts), stop);
 }
 
+SurfaceMesh SurfaceMesh::from_arrays(const Eigen::Ref<const RowMatrix>& positions,
+                                     const Eigen::Ref<const Cells>& faces, const StopCheck& stop) {
+  if (positions.cols() != 3)
+    throw InvalidArgument(
+        fmt::format("SurfaceMesh::from_arrays: positions have {} columns, 3 are "
+                    "needed",
+                    positions.cols()));
+  PolygonMesh input;
+  for (const auto& p : positions.rowwise()) input.positions.push_back(p.transpose());
+  for (const auto& f : faces.rowwise()) input.polygons.emplace_back(f.begin(), f.end());
+  return from_polygons(input, stop);
+}
+
 SurfaceMesh SurfaceMesh::from_parts(SurfaceParts parts, const StopCheck& stop) {
+  require_sound(parts);
   SurfaceMesh mesh;
   mesh.file_ = std::move(parts.file);
   mesh.origin_ = parts.origin;
@@ -71,8 +114,8 @@ void SurfaceMesh::build_connectivity(const StopCheck& stop) {
   stop.poll();
   if (const Index v = find_touching_vertex(faces_, opposite_); v >= 0)
     throw Error(ErrorKind::Unsupported,
-                fmt::format("{}: vertex {}: sheets of the surface touch there (non-manifold)",
-                            file_, input_vertex(v) + 1) +
+                fmt::format("{}vertex {}: sheets of the surface touch there (non-manifold)",
+                            opening(file_), told(file_, input_vertex(v))) +
                     unwrap_remedy(file_, "duplicates the vertex"));
   Index boundary_edges = 0;
   for (const std::vector<Index>& half_edges : boundary_half_edges(faces_, opposite_)) {
@@ -108,6 +151,14 @@ std::vector<char> SurfaceMesh::boundary_flags() const {
 
 SurfaceMesh SurfaceMesh::cut_along(const std::vector<char>& is_cut,
                                    std::vector<Index>* surface_vertex) const {
+  require_size("SurfaceMesh::cut_along: is_cut", static_cast<Index>(is_cut.size()),
+               half_edge_count());
+  for (Index h = 0; h < half_edge_count(); ++h)
+    if (const Index o = opposite(h); o >= 0 && !is_cut[at(h)] != !is_cut[at(o)])
+      throw InvalidArgument(
+          fmt::format("SurfaceMesh::cut_along: half-edge {} is cut, its opposite "
+                      "{} is not",
+                      is_cut[at(h)] ? h : o, is_cut[at(h)] ? o : h));
   SurfaceParts out;
   out.file = file_;
   out.origin = origin_;
@@ -208,21 +259,24 @@ Vector3 SurfaceMesh::input_position(Index v) const {
 }
 
 void SurfaceMesh::require_disk() const {
-  const auto refuse = [&](const std::string& what, std::string_view does) {
-    throw Error(ErrorKind::Unsupported, file_ + ": " + what + unwrap_remedy(file_, does));
+  const auto refuse = [&](const std::string& what, std::string_view does, std::string_view call) {
+    throw Error(ErrorKind::Unsupported, file_.empty()
+                                            ? fmt::format("{}; {}", what, call)
+                                            : opening(file_) + what + unwrap_remedy(file_, does));
   };
   const Index genus_twice = 2 - topology_.boundary_loops - topology_.euler_characteristic();
   if (topology_.boundary_loops == 0)
     refuse(fmt::format("the surface is closed (genus {}, no boundary)", genus_twice / 2),
-           "cuts it open, along --seams auto");
+           "cuts it open, along --seams auto", "unwrap() cuts it open");
   if (topology_.boundary_loops > 1)
     refuse(fmt::format("the surface has {} boundary loops (a second one passes vertex {})",
-                       topology_.boundary_loops, input_vertex(boundary_loops_[1].front()) + 1),
-           "maps it with its holes");
+                       topology_.boundary_loops,
+                       told(file_, input_vertex(boundary_loops_[1].front()))),
+           "maps it with its holes", "parametrize() maps it with its holes");
   if (topology_.euler_characteristic() != 1)
     refuse(fmt::format("the surface has genus {} (one boundary loop, Euler characteristic {})",
                        genus_twice / 2, topology_.euler_characteristic()),
-           "cuts it open, along --seams auto");
+           "cuts it open, along --seams auto", "unwrap() cuts it open");
 }
 
 void SurfaceMesh::require_planar() const {

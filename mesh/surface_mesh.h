@@ -3,6 +3,10 @@
 //   SurfaceMesh mesh = SurfaceMesh::from_polygons(read_mesh("bunny.obj"));
 //   mesh.require_disk();
 //
+//   RowMatrix V(4, 3);
+//   V << 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0;
+//   SurfaceMesh square = SurfaceMesh::from_arrays(V, (Cells(2, 3) << 0, 1, 2, 0, 2, 3).finished());
+//
 // Edge- and vertex-manifold, consistently oriented, connected unless the caller says otherwise, no
 // degenerate or duplicate faces.
 // Polygons are triangulated, unreferenced vertices left out; input_vertex() and input_face() lead
@@ -69,14 +73,19 @@ struct SurfacePiece;
 
 class SurfaceMesh {
  public:
-  // Throws Error(Unsupported) naming file, place and the command that works for the first defect
-  // found; Stopped.
+  // Throws Error(Unsupported) naming place and remedy for the first defect found - where the mesh
+  // has a file: its name, numbers from 1 and the command that works -, InvalidArgument for lists
+  // that do not fit together, indices that do not exist and positions that are not finite; Stopped.
   static SurfaceMesh from_polygons(const PolygonMesh& input, const StopCheck& stop = {},
                                    Components components = Components::One,
                                    Shapes shapes = Shapes::Proper);
-  // Any number of components, every vertex used. Throws std::invalid_argument where an edge has
-  // more than two faces or two that run the same way, Error(Unsupported) where sheets touch in a
-  // vertex.
+  // The same from arrays: positions #V by 3, faces #F by 3 (or k, polygons of k corners) vertices
+  // from 0. Copied; memory of others is seen through Eigen::Map, by rows without another copy.
+  static SurfaceMesh from_arrays(const Eigen::Ref<const RowMatrix>& positions,
+                                 const Eigen::Ref<const Cells>& faces, const StopCheck& stop = {});
+  // Any number of components, every vertex used. Throws InvalidArgument where an edge has
+  // more than two faces or two that run the same way, sizes do not fit or vertices do not exist,
+  // Error(Unsupported) where sheets touch in a vertex.
   static SurfaceMesh from_parts(SurfaceParts parts, const StopCheck& stop = {});
 
   // Throws Error(Unsupported) unless the surface is a disk (connected, one boundary loop, Euler

@@ -37,12 +37,12 @@ struct PngOptions {
   static constexpr int kSmallest = 16, kLargest = 8192;  // pixels on a side
 
   int width = 1000, height = 800;
-  std::optional<Vector3> view;       // none: the layout
-  std::optional<Quantity> quantity;  // none: see image
+  std::optional<Vector3> view = {};       // none: the layout
+  std::optional<Quantity> quantity = {};  // none: see image
   // A PNG file that is laid on; none: a checkerboard on a surface, the density (grey where the
   // claims name no energy) on a layout.
-  std::optional<std::string> image;
-  std::optional<ColorRange> color_range;  // none: that of the fixed scale
+  std::optional<std::string> image = {};
+  std::optional<ColorRange> color_range = {};  // none: that of the fixed scale
   Alignment alignment = Alignment::Automatic;
 };
 

@@ -24,6 +24,7 @@ FLOORS = [
     ['parametrization/injectivity', 'parametrization/starts', 'parametrization/scaffold'],
     ['parametrization/packing', 'parametrization/drive', 'io'],
     ['parametrization/atlas', 'pictures'],
+    ['results'],
     ['apps/arguments'],
     ['apps'],
     ['apps/compare', 'apps/check'],

@@ -4,10 +4,10 @@
 
 #include <Eigen/Dense>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 #include "majorant/elements/internal/bernstein.h"
+#include "majorant/framework/error.h"
 #include "majorant/framework/evaluator.h"
 #include "majorant/framework/internal/problem_parts.h"
 #include "majorant/framework/stepper.h"
@@ -71,7 +71,7 @@ std::vector<char> fixed_unknowns(const Problem& problem) {
     const auto entries = z.end(i) - z.begin(i);
     if (entries > 1 || (entries == 1 && (z.begin(i)->coefficient != 1.0 || z.offset(i) != 0.0 ||
                                          z.full_index(z.begin(i)->reduced) != i)))
-      throw std::invalid_argument("LeastSquaresMinimizer: only fixed points can be held");
+      throw InvalidArgument("LeastSquaresMinimizer: only fixed points can be held");
     fixed[at(i)] = entries == 0;
   }
   return fixed;
@@ -162,7 +162,7 @@ LeastSquaresMinimizer::LeastSquaresMinimizer(std::shared_ptr<const BezierTriangl
                                              RestShapes rest, Quadrature rule,
                                              LeastSquaresOptions options)
     : space_(std::move(space)), rest_(std::move(rest)), rule_(std::move(rule)), options_(options) {
-  if (rest_.curved()) throw std::invalid_argument("LeastSquaresMinimizer: curved rest shapes");
+  if (rest_.curved()) throw InvalidArgument("LeastSquaresMinimizer: curved rest shapes");
 }
 
 SolveResult LeastSquaresMinimizer::minimize(const Problem& problem, Vec y0,

@@ -26,14 +26,14 @@ struct LeastSquaresOptions {
 
 class LeastSquaresMinimizer final : public Minimizer {
  public:
-  // rest: constant shapes. Throws std::invalid_argument where they are curved.
+  // rest: constant shapes. Throws InvalidArgument where they are curved.
   LeastSquaresMinimizer(std::shared_ptr<const BezierTriangleSpace> space, RestShapes rest,
                         Quadrature rule, LeastSquaresOptions options);
 
   // Minimizes the mean symmetric Dirichlet energy on the rule, whatever the terms of `problem` are;
   // of the problem it takes the fixed unknowns and the checkers. Ceres does not certify paths: a
   // step that leaves the feasible set ends the solve with Stalled, at the last feasible point.
-  // Throws std::invalid_argument when the constraints do more than fix unknowns.
+  // Throws InvalidArgument when the constraints do more than fix unknowns.
   SolveResult minimize(const Problem& problem, Vec y0, const Observer& observer) const override;
 
  private:

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <type_traits>
 
 #include "majorant/elements/internal/rounding.h"
 #include "majorant/elements/internal/small_buffer.h"
+#include "majorant/framework/error.h"
 
 namespace majorant {
 namespace {
@@ -135,7 +135,7 @@ ProductTable::ProductTable(const BernsteinBasis& a, const BernsteinBasis& b,
       const int t = product.find(e);
       const double numerator = scale * a.weight(r) * b.weight(s), denominator = product.weight(t);
       if (!(std::max(numerator, denominator) < kExactIntegers))
-        throw std::invalid_argument("det J: degree too high for exact Bernstein weights");
+        throw InvalidArgument("det J: degree too high for exact Bernstein weights");
       entries_.push_back({t, numerator / denominator});
       fractions_.push_back({numerator, denominator});
     }

@@ -30,7 +30,7 @@ class ProductTable {
     double numerator, denominator;  // integers
   };
   ProductTable() = default;
-  // Throws std::invalid_argument where a numerator or denominator does not fit a double exactly.
+  // Throws InvalidArgument where a numerator or denominator does not fit a double exactly.
   ProductTable(const BernsteinBasis& a, const BernsteinBasis& b, const BernsteinBasis& product,
                double scale);
   int rows() const { return rows_; }
@@ -47,7 +47,7 @@ class ProductTable {
 
 class DetCoefficients {
  public:
-  // element: one that check_description() accepts (element_check.h). Throws std::invalid_argument
+  // element: one that check_description() accepts (element_check.h). Throws InvalidArgument
   // for what BernsteinElement::basis() and ProductTable refuse.
   explicit DetCoefficients(const BernsteinElement& element);
 

@@ -6,7 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
-#include <stdexcept>
+
+#include "majorant/framework/error.h"
 
 namespace majorant {
 namespace {
@@ -16,7 +17,7 @@ namespace {
 constexpr double kTolerance = 1e-9;
 
 [[noreturn]] void refuse(const BernsteinElement& element, const std::string& what) {
-  throw std::invalid_argument(fmt::format("{}: {}", element.name, what));
+  throw InvalidArgument(fmt::format("{}: {}", element.name, what));
 }
 
 bool same_factor(const BernsteinElement& element, int a, int b) {

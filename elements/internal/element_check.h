@@ -8,12 +8,12 @@
 namespace majorant {
 
 // Before tables are built: the degree, factors that span 2 or 3 dimensions, derivatives and cuts
-// inside one factor, corners that come first. Throws std::invalid_argument with what is wrong.
+// inside one factor, corners that come first. Throws InvalidArgument with what is wrong.
 // BernsteinElement::basis() checks the rest, that node orders name every function once.
 void check_description(const BernsteinElement& element);
 
 // Of the tables: the identity and an affine map must give their determinant in every coefficient,
-// a curved map its own at a point inside. Throws std::invalid_argument with what it gives instead.
+// a curved map its own at a point inside. Throws InvalidArgument with what it gives instead.
 void check_determinants(const BernsteinElement& element, const DetCoefficients& det);
 
 }  // namespace majorant

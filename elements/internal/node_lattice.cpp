@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <stdexcept>
 #include <tuple>
+
+#include "majorant/framework/error.h"
+#include "majorant/framework/internal/argument_check.h"
 
 namespace majorant {
 namespace {
@@ -68,17 +70,17 @@ std::vector<int> ordered_nodes(const NodeLattice& lattice, const Cells& cells, c
 void check_cells(const NodeLattice& lattice, const Cells& cells, Index vertex_count,
                  std::string_view name) {
   if (cells.cols() != lattice.corner_count())
-    throw std::invalid_argument(fmt::format("{}: cells have {} columns, expected {}", name,
-                                            cells.cols(), lattice.corner_count()));
+    throw InvalidArgument(fmt::format("{}: cells have {} columns, expected {}", name, cells.cols(),
+                                      lattice.corner_count()));
   for (Index e = 0; e < cells.rows(); ++e)
     for (int k = 0; k < lattice.corner_count(); ++k) {
       const Index v = cells(e, k);
       if (v < 0 || v >= vertex_count)
-        throw std::invalid_argument(fmt::format("{}: cell {} has vertex {}, there are {} vertices",
-                                                name, e, v, vertex_count));
+        throw InvalidArgument(fmt::format("{}: cell {} has vertex {}, there are {} vertices", name,
+                                          e, v, vertex_count));
       for (int j = 0; j < k; ++j)
         if (cells(e, j) == v)
-          throw std::invalid_argument(fmt::format("{}: cell {} has vertex {} twice", name, e, v));
+          throw InvalidArgument(fmt::format("{}: cell {} has vertex {} twice", name, e, v));
     }
 }
 
@@ -120,6 +122,7 @@ NodeLattice::Part& NodeLattice::part_of(const std::vector<int>& corners) {
 
 NodeNumbering number_nodes(const NodeLattice& lattice, const Cells& cells, Index vertex_count,
                            std::string_view name) {
+  require_at_least(fmt::format("{}: the number of vertices", name), vertex_count, 0);
   check_cells(lattice, cells, vertex_count, name);
   NodeNumbering out;
   out.cells.resize(cells.rows(), lattice.node_count());
@@ -133,7 +136,7 @@ NodeNumbering number_nodes(const NodeLattice& lattice, const Cells& cells, Index
     const NodeLattice::Part& part = lattice.parts()[first->part];
     const bool facet = !part.closure.empty();
     if (facet && last - first > 2)
-      throw std::invalid_argument(
+      throw InvalidArgument(
           fmt::format("{}: facet ({}) has {} cells, at most 2 are possible", name,
                       fmt::join(first->vertices.begin(),
                                 first->vertices.begin() + static_cast<long>(first->corners), ", "),

@@ -39,7 +39,7 @@ class NodeLattice {
   std::vector<int> interior_;
 };
 
-// cells: #E by corners. `name` opens the messages. Throws std::invalid_argument for a wrong number
+// cells: #E by corners. `name` opens the messages. Throws InvalidArgument for a wrong number
 // of columns, vertex numbers outside 0..vertex_count-1, a vertex twice in a cell and facets of more
 // than two cells.
 NodeNumbering number_nodes(const NodeLattice& lattice, const Cells& cells, Index vertex_count,

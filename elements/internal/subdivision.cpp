@@ -1,7 +1,8 @@
 #include "majorant/elements/internal/subdivision.h"
 
 #include <algorithm>
-#include <stdexcept>
+
+#include "majorant/framework/error.h"
 
 namespace majorant {
 
@@ -29,7 +30,7 @@ Subdivision::Plan Subdivision::plan(const BernsteinBasis& basis, const EdgeBisec
     Exponents e = basis.exponents(k);
     if (e[b] != 0) continue;  // one line for each function at end a
     const int n = e[a];
-    if (n > kMaxDegree) throw std::invalid_argument("Subdivision: degree above 31");
+    if (n > kMaxDegree) throw InvalidArgument("Subdivision: degree above 31");
     out.levels = std::max(out.levels, n);
     out.lines.push_back(n);
     for (int l = 0; l <= n; ++l) {

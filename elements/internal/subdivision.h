@@ -19,7 +19,7 @@ class Subdivision {
   // not tuned.
   static constexpr int kMaxDegree = 31;
 
-  // Steps are cycled by depth. Throws std::invalid_argument beyond kMaxDegree.
+  // Steps are cycled by depth. Throws InvalidArgument beyond kMaxDegree.
   Subdivision(const BernsteinBasis& basis, const std::vector<EdgeBisection>& steps);
 
   int count() const { return count_; }                          // coefficients

@@ -1,8 +1,8 @@
 #include <limits>
-#include <stdexcept>
 
 #include "majorant/energies/internal/instruction_sets.h"
 #include "majorant/energies/internal/point_densities.h"
+#include "majorant/framework/error.h"
 #include "majorant/framework/packed_symmetric.h"
 
 namespace majorant {
@@ -75,7 +75,7 @@ void clamp_packed_blocks(int n, int count, double clamp, double* k) {
 
 DensityKernels jacobian_kernels(int rows, int dims) {
   if (rows < 1 || rows > 3 || dims < 1 || dims > 3)
-    throw std::invalid_argument("jacobian_kernels: a Jacobian has 1 to 3 rows and columns");
+    throw InvalidArgument("jacobian_kernels: a Jacobian has 1 to 3 rows and columns");
   return point_kernels(3 * (rows - 1) + dims - 1);
 }
 

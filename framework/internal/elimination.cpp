@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 #include "majorant/framework/internal/row_reduction.h"
@@ -13,11 +12,14 @@ namespace majorant {
 
 Elimination::Elimination(Index full_size, const ConstraintRows& rows)
     : auxiliary_size_(rows.auxiliary_count()) {
+  rows.require_ended();
   for (std::size_t r = 0; r < rows.size(); ++r)
     for (auto e = rows.begin(r); e != rows.end(r); ++e)
       if (e->unknown < -auxiliary_size_ || e->unknown >= full_size)
-        throw std::invalid_argument(fmt::format("constraint row '{}': unknown {} of {}",
-                                                rows.label(r), e->unknown, full_size));
+        throw InvalidArgument(
+            fmt::format("constraint row '{}': unknown {} does not exist, there "
+                        "are {} and {} auxiliary ones",
+                        rows.label(r), e->unknown, full_size, auxiliary_size_));
   const SolvedUnknowns solved = solve_rows(full_size, rows);
   const Index all = full_size + auxiliary_size_;
   std::vector<Index> reduced(at(all), -1);

@@ -1,9 +1,10 @@
 #include "majorant/framework/internal/metric.h"
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
+#include "majorant/framework/error.h"
+#include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/internal/problem_parts.h"
 #include "majorant/framework/internal/stopwatch.h"
 #include "majorant/framework/stepper.h"
@@ -29,8 +30,8 @@ bool same_z(const Elimination& a, const Elimination& b) {
 
 Metric::Metric(const Problem& problem, Curvature curvature, std::unique_ptr<LinearSolver> solver)
     : evaluator_(problem), curvature_(curvature), solver_(std::move(solver)) {
-  if (!problem.supports(curvature))
-    throw std::invalid_argument("Metric: a term does not support the curvature model");
+  require_given("the metric's linear solver", solver_);
+  require_curvature("the metric", problem, curvature);
   solver_->analyze(evaluator_.problem().pattern());
 }
 
@@ -50,7 +51,7 @@ bool Metric::factorize(VecIn y, const StopCheck& stop) {
 const Problem& metric_problem(const Problem& problem, const std::optional<Problem>& metric) {
   if (!metric) return problem;
   if (!same_z(ProblemParts::elimination(problem), ProblemParts::elimination(*metric)))
-    throw std::invalid_argument("the metric's problem has other unknowns or constraints");
+    throw InvalidArgument("the metric's problem has other unknowns or constraints");
   return *metric;
 }
 

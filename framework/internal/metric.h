@@ -20,14 +20,14 @@ namespace majorant {
 class Metric {
  public:
   // Analyses the pattern of `problem`, which has to support `curvature`, else
-  // std::invalid_argument.
+  // InvalidArgument.
   Metric(const Problem& problem, Curvature curvature, std::unique_ptr<LinearSolver> solver);
 
   // Assembles the Hessian at y, size() entries, and factorizes it, shifted as little as it takes
   // (factorize_shifted). false when that fails, then solve() must not be called. Stopped.
   bool factorize(VecIn y, const StopCheck& stop = {});
   // p = M^-1 r, size() entries each; only after factorize() returned true.
-  void solve(const Vec& r, Vec& p) { solver_->solve(r, p); }
+  void solve(const Vec& r, Vec& p) { solver_->solve(r, p, kMetricTolerance); }
 
   Curvature curvature() const { return curvature_; }
   double shift() const { return shift_; }  // in M = H + shift I
@@ -50,7 +50,7 @@ class Metric {
 };
 
 // The problem whose Hessian is the metric: `metric` if there is one, else `problem`. Throws
-// std::invalid_argument unless both have the same full unknowns and the same Z of x = Z y + c.
+// InvalidArgument unless both have the same full unknowns and the same Z of x = Z y + c.
 const Problem& metric_problem(const Problem& problem, const std::optional<Problem>& metric);
 
 }  // namespace majorant

@@ -18,4 +18,11 @@ struct ProblemParts {
   static const SlotTable& slots(const Problem& problem, TermId id);
 };
 
+// Throws InvalidArgument naming the term unless the state is one of it: weights finite and not
+// negative, lists empty or as long as there are elements, rules that exist.
+void require_valid(const EnergyTerm& term, const TermState& state);
+
+// Throws InvalidArgument, opened by `who`, naming a term without that model.
+void require_curvature(std::string_view who, const Problem& problem, Curvature curvature);
+
 }  // namespace majorant

@@ -11,6 +11,7 @@
 #include <set>
 
 #include "majorant/framework/error.h"
+#include "majorant/mesh/internal/mesh_words.h"
 #include "majorant/mesh/internal/union_find.h"
 
 namespace majorant {
@@ -19,7 +20,29 @@ namespace {
 // With what unwrap does about it.
 [[noreturn]] void refuse(const PolygonMesh& input, const std::string& place,
                          const std::string& what, std::string_view does) {
-  throw Error(ErrorKind::Unsupported, place + ": " + what + unwrap_remedy(input.file, does));
+  throw Error(ErrorKind::Unsupported, place + what + unwrap_remedy(input.file, does));
+}
+
+[[noreturn]] void refuse_list(const PolygonMesh& input, const std::string& what) {
+  throw InvalidArgument(opening(input.file) + what);
+}
+
+// of_polygon: empty, or for each polygon nothing or an index below `count` for every corner.
+void require_parallel(const PolygonMesh& input, const char* name,
+                      const std::vector<std::vector<Index>>& of_polygon, std::size_t count) {
+  if (of_polygon.empty()) return;
+  if (of_polygon.size() != input.polygons.size())
+    refuse_list(input, fmt::format("{} of {} polygons, there are {}", name, of_polygon.size(),
+                                   input.polygons.size()));
+  for (std::size_t p = 0; p < of_polygon.size(); ++p) {
+    if (!of_polygon[p].empty() && of_polygon[p].size() != input.polygons[p].size())
+      refuse_list(input, fmt::format("polygon {} has {} corners, but {} {}", p,
+                                     input.polygons[p].size(), of_polygon[p].size(), name));
+    for (const Index i : of_polygon[p])
+      if (i < 0 || at(i) >= count)
+        refuse_list(input,
+                    fmt::format("polygon {}: {} have index {}, there are {}", p, name, i, count));
+  }
 }
 
 // Shortest edges must span this many units in the last place of the largest coordinate. Origin:
@@ -65,8 +88,31 @@ bool orientable(const TriangleList& list, const std::vector<HalfEdge>& edges) {
 
 }  // namespace
 
-std::string unwrap_remedy(const std::string& file, std::string_view does) {
-  return fmt::format("; `majorant unwrap {} -o OUT.obj` {}", file.empty() ? "FILE" : file, does);
+void require_sound_lists(const PolygonMesh& input) {
+  for (std::size_t v = 0; v < input.positions.size(); ++v)
+    if (const Vector3& p = input.positions[v]; !p.allFinite())
+      refuse_list(input,
+                  fmt::format("vertex {} is at ({:g}, {:g}, {:g}), finite numbers are needed", v,
+                              p.x(), p.y(), p.z()));
+  for (std::size_t p = 0; p < input.polygons.size(); ++p) {
+    if (input.polygons[p].size() < 3)
+      refuse_list(input, fmt::format("polygon {} has {} corners, at least 3 are needed", p,
+                                     input.polygons[p].size()));
+    for (const Index v : input.polygons[p])
+      if (v < 0 || at(v) >= input.positions.size())
+        refuse_list(input, fmt::format("polygon {} has vertex {}, there are {}", p, v,
+                                       input.positions.size()));
+  }
+  if (!input.polygon_lines.empty() && input.polygon_lines.size() != input.polygons.size())
+    refuse_list(input, fmt::format("lines of {} polygons, there are {}", input.polygon_lines.size(),
+                                   input.polygons.size()));
+  require_parallel(input, "texture coordinates", input.polygon_texcoords, input.texcoords.size());
+  require_parallel(input, "normals", input.polygon_normals, input.normals.size());
+  for (std::size_t t = 0; t < input.texcoords.size(); ++t)
+    if (!input.texcoords[t].allFinite())
+      refuse_list(input, fmt::format("texture coordinates {} are not finite", t));
+  if (input.polygons.empty())
+    throw Error(ErrorKind::Unsupported, opening(input.file) + "the mesh has no faces");
 }
 
 bool has_area(const Vector3& a, const Vector3& b, const Vector3& c) {
@@ -111,7 +157,9 @@ void require_proper_faces(const PolygonMesh& input, const TriangleList& list, Sh
     if (shapes == Shapes::Proper &&
         !has_area(position(input, f[0]), position(input, f[1]), position(input, f[2])))
       refuse(input, place,
-             fmt::format("zero area (vertices {}, {}, {})", f[0] + 1, f[1] + 1, f[2] + 1),
+             fmt::format("zero area (vertices {}, {}, {})", told(input.file, list.triangles[t][0]),
+                         told(input.file, list.triangles[t][1]),
+                         told(input.file, list.triangles[t][2])),
              "measures it against a needle");
     std::sort(f.begin(), f.end());
     if (!seen.insert(f).second)
@@ -124,8 +172,8 @@ void require_manifold_edges(const PolygonMesh& input, const TriangleList& list) 
   for (std::size_t k = 0; k + 2 < edges.size(); ++k)
     if (edges[k].low == edges[k + 2].low && edges[k].high == edges[k + 2].high)
       refuse(input, face_place(input, list.polygon[at(edges[k + 2].triangle)]),
-             fmt::format("edge ({}, {}) has more than two faces (non-manifold)", edges[k].low + 1,
-                         edges[k].high + 1),
+             fmt::format("edge ({}, {}) has more than two faces (non-manifold)",
+                         told(input.file, edges[k].low), told(input.file, edges[k].high)),
              "splits the surface there");
   for (std::size_t k = 0; k + 1 < edges.size(); ++k) {
     const HalfEdge &a = edges[k], &b = edges[k + 1];
@@ -135,11 +183,11 @@ void require_manifold_edges(const PolygonMesh& input, const TriangleList& list) 
       refuse(input, place,
              fmt::format("faces on both sides of edge ({}, {}) run against each other "
                          "(inconsistent orientation)",
-                         a.low + 1, a.high + 1),
+                         told(input.file, a.low), told(input.file, a.high)),
              "turns the faces that disagree");
     refuse(input, place,
            fmt::format("the surface is not orientable (a Moebius strip passes edge ({}, {}))",
-                       a.low + 1, a.high + 1),
+                       told(input.file, a.low), told(input.file, a.high)),
            "cuts it");
   }
 }
@@ -155,7 +203,7 @@ void require_one_component(const PolygonMesh& input, const TriangleList& list) {
     first.emplace(components.find(list.triangles[t][0]), static_cast<Index>(t));
   if (first.size() <= 1) return;
   if (first.size() == list.triangles.size())
-    refuse(input, input.file,
+    refuse(input, opening(input.file),
            fmt::format("none of the {} faces shares a vertex with another (unwelded soup)",
                        first.size()),
            "merges coincident vertices");

@@ -15,11 +15,13 @@ namespace majorant {
 // Origin: angles of thinner ones have fewer than four digits left.
 inline constexpr double kDegenerateHeight = 1e-12;
 
-// "; `majorant unwrap mesh.obj -o OUT.obj DOES": the end of a refusal by those who solve.
-std::string unwrap_remedy(const std::string& file, std::string_view does);
-
 // Whether a triangle has a height over its longest edge that is more than rounding.
 bool has_area(const Vector3& a, const Vector3& b, const Vector3& c);
+
+// Throws InvalidArgument unless indices exist, polygons have three corners and more, positions are
+// finite, and lists are parallel to polygons where they are not empty; Error(Unsupported) for a
+// mesh without faces. What readers guarantee and programs may get wrong.
+void require_sound_lists(const PolygonMesh& input);
 
 // Each throws Error(Unsupported) with "file: place: what; remedy", the command that works.
 void require_usable_coordinates(const PolygonMesh& input);  // precision

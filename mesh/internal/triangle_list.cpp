@@ -7,6 +7,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/mesh/internal/exact_predicates.h"
+#include "majorant/mesh/internal/mesh_words.h"
 #include "majorant/mesh/internal/triangulate_polygon.h"
 
 namespace majorant {
@@ -45,8 +46,7 @@ Triangles triangles_of(const PolygonMesh& input, Index p, Crossing crossing,
   try {
     of_shape = triangulate_polygon(in_space, stop);
   } catch (const Error& e) {
-    if (crossing == Crossing::Refused)
-      throw Error(e.kind(), fmt::format("{}: {}", face_place(input, p), e.what()));
+    if (crossing == Crossing::Refused) throw Error(e.kind(), face_place(input, p) + e.what());
     of_shape = fan(polygon.size());
   }
   if (!is_textured(input, p)) return of_shape;
@@ -100,9 +100,9 @@ void place_texcoords(const PolygonMesh& input, const TriangleList& list, Surface
 
 std::string face_place(const PolygonMesh& input, Index polygon) {
   const auto p = at(polygon);
-  if (p < input.polygon_lines.size())
-    return fmt::format("{}:{}: face {}", input.file, input.polygon_lines[p], polygon + 1);
-  return fmt::format("{}: face {}", input.file, polygon + 1);
+  if (p < input.polygon_lines.size() && !input.file.empty())
+    return fmt::format("{}:{}: face {}: ", input.file, input.polygon_lines[p], polygon + 1);
+  return fmt::format("{}face {}: ", opening(input.file), told(input.file, polygon));
 }
 
 }  // namespace majorant

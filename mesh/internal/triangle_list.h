@@ -34,7 +34,7 @@ TriangleList triangulate(const PolygonMesh& input, Crossing crossing, const Stop
 // unless every corner of the file has one.
 void place_texcoords(const PolygonMesh& input, const TriangleList& list, SurfaceParts& parts);
 
-// "mesh.obj:12: face 7" (line known) or "mesh.obj: face 7"; counts from 1 as files do.
+// "mesh.obj:12: face 7: " (line known), "mesh.obj: face 7: ", or "face 6: " of arrays.
 std::string face_place(const PolygonMesh& input, Index polygon);
 
 }  // namespace majorant

@@ -14,7 +14,9 @@
 #include <utility>
 
 #include "majorant/framework/error.h"
+#include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/thread_count.h"
+#include "majorant/mesh/internal/mesh_words.h"
 #include "majorant/mesh/internal/model_unit.h"
 #include "majorant/mesh/internal/texture_borders.h"
 #include "majorant/parametrization/atlas/internal/chart_solver.h"
@@ -96,13 +98,15 @@ class Unwrapping {
       if (!p.target || places.at(name) == 1) continue;
       const bool is_split = copies[at(p.vertex)] == 1;
       const bool is_automatic = options_.cuts.method == CutMethod::Automatic;
-      throw Error(
-          ErrorKind::Infeasible,
-          fmt::format("{}: vertex {} has a target, but {} places in the layout: {}; take "
-                      "another{}",
-                      surface_.file(), name, places.at(name),
-                      is_split ? "sheets were split there" : "it lies on a seam",
-                      is_split || is_automatic ? "" : ", or --seams auto, which keeps off it"));
+      throw Error(ErrorKind::Infeasible,
+                  fmt::format("{}vertex {} has a target, but {} places in the layout: {}; take "
+                              "another{}",
+                              opening(surface_), name, places.at(name),
+                              is_split ? "sheets were split there" : "it lies on a seam",
+                              is_split || is_automatic
+                                  ? ""
+                                  : either(surface_, ", or --seams auto, which keeps off it",
+                                           ", or CutMethod::Automatic, which keeps off it")));
     }
   }
 
@@ -178,9 +182,9 @@ class Unwrapping {
           return chart.map->mesh().input_vertex(chart.pins.front().vertex);
         };
         throw Error(ErrorKind::Infeasible,
-                    fmt::format("{}: the charts of the pinned vertices {} and {} meet; move their "
+                    fmt::format("{}the charts of the pinned vertices {} and {} meet; move their "
                                 "targets apart",
-                                surface_.file(), name(j), name(i)));
+                                opening(surface_), name(j), name(i)));
       }
   }
 
@@ -239,9 +243,9 @@ void to_model_units(const SurfaceMesh& surface, double unit, Atlas& atlas) {
   const double side = atlas.packing ? atlas.packing->side : std::sqrt(all.image_area);
   if (!is_in_range(all.surface_area) || !is_in_range(all.image_area) || !is_in_range(side))
     throw Error(ErrorKind::Unsupported,
-                fmt::format("{}: of some {:.0e} units, its areas or the side of its layout leave "
+                fmt::format("{}of some {:.0e} units, its areas or the side of its layout leave "
                             "the range of doubles; scale the mesh",
-                            surface.file(), unit));
+                            opening(surface), unit));
 }
 
 }  // namespace
@@ -286,6 +290,7 @@ Stretch Atlas::stretch() const {
 
 Atlas unwrap(const std::shared_ptr<const SurfaceMesh>& surface, const UnwrapOptions& options,
              RunRecord& record) {
+  require_given("unwrap: the surface", surface);
   require_face_data(*surface, options.chart.map);
   const double unit = model_unit(*surface);
   if (unit == 1) return Unwrapping(surface, options, record).solve();

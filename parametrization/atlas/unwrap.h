@@ -54,8 +54,8 @@ struct UnwrapOptions {
   //     mean density + handle_weight * (sum of squared distances of its handles) / its area
   // so that all charts together, weighted by area, minimize the same of the whole surface: a weight
   // means the same in every chart.
-  ParametrizationOptions chart;
-  CutOptions cuts;
+  ParametrizationOptions chart = {};
+  CutOptions cuts = {};
   std::optional<PackOptions> packing =
       PackOptions();  // none: charts stay where the solver has them
 };

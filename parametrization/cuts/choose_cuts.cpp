@@ -8,10 +8,10 @@
 #include <limits>
 #include <optional>
 #include <set>
-#include <stdexcept>
 
 #include "majorant/framework/error.h"
 #include "majorant/mesh/internal/mesh_validation.h"
+#include "majorant/mesh/internal/mesh_words.h"
 #include "majorant/mesh/internal/model_unit.h"
 #include "majorant/mesh/internal/texture_borders.h"
 #include "majorant/parametrization/cuts/internal/automatic_cut.h"
@@ -39,14 +39,15 @@ void require_valid(const SurfaceMesh& mesh, const CutOptions& options) {
   for (const Index v : options.whole)
     if (v < 0 || v >= mesh.vertex_count())
       throw Error(ErrorKind::Usage,
-                  fmt::format("{}: vertex {}, to be left whole, does not exist", mesh.file(), v));
+                  fmt::format("{}vertex {}, to be left whole, does not exist", opening(mesh), v));
   if (!options.given.empty() && options.given.size() != at(mesh.half_edge_count()))
-    throw std::invalid_argument("choose_cuts: one flag per half-edge is needed");
+    throw InvalidArgument(fmt::format("choose_cuts: {} flags for {} half-edges",
+                                      options.given.size(), mesh.half_edge_count()));
   if (options.method == CutMethod::Texture && mesh.corner_texcoords().rows() == 0)
-    throw Error(ErrorKind::Unsupported,
-                mesh.file() +
-                    ": no face has texture coordinates, along which it could be cut; use --seams "
-                    "auto");
+    throw Error(
+        ErrorKind::Unsupported,
+        fmt::format("{}no face has texture coordinates, along which it could be cut; use {}",
+                    opening(mesh), either(mesh, "--seams auto", "CutMethod::Automatic")));
 }
 
 // What is asked for: flags of both sides.
@@ -67,18 +68,19 @@ void require_area_in_range(const SurfaceMesh& surface, double unit) {
   const double area = surface.area() * unit * unit;
   if (area >= std::numeric_limits<double>::min() && std::isfinite(area)) return;
   throw Error(ErrorKind::Unsupported,
-              fmt::format("{}: of some {:.0e} units, its area leaves the range of doubles; scale "
+              fmt::format("{}of some {:.0e} units, its area leaves the range of doubles; scale "
                           "the mesh",
-                          surface.file(), unit));
+                          opening(surface), unit));
 }
 
 void require_usable_size(const SurfacePiece& part, double whole) {
   const double area = part.mesh->area();
   if (area > kLeastArea * whole) return;
   throw Error(ErrorKind::Unsupported,
-              fmt::format("{}: the piece of face {} has {:.3g} of the area of all, too little for "
-                          "lengths in double precision; remove it or put it in a file of its own",
-                          part.mesh->file(), part.mesh->input_face(0) + 1, area / whole));
+              fmt::format("{}the piece of face {} has {:.3g} of the area of all, too little for "
+                          "lengths in double precision; remove it or {}",
+                          opening(*part.mesh), told_face(*part.mesh, 0), area / whole,
+                          either(*part.mesh, "put it in a file of its own", "map it by itself")));
 }
 
 // Twice the largest area of a face, where all have none but for rounding.

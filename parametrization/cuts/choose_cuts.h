@@ -35,12 +35,12 @@ struct CutOptions {
   double max_stretch = 1.015;
   double sharp_angle = 40;  // Sharp: degrees between the normals of two faces
   // Given: vertices of the file from 0, two for every edge.
-  std::vector<std::array<Index, 2>> edges;
-  std::string edges_source;  // for messages: where they come from
+  std::vector<std::array<Index, 2>> edges = {};
+  std::string edges_source = {};  // for messages: where they come from
   // Vertices that get one place in the layout where that is possible: no cut that these rules
   // choose passes them, unless every way does. What Texture, Sharp and Given ask for is cut anyway.
-  std::vector<Index> whole;
-  std::vector<char> given;  // 3 #F flags, one side is enough, or empty: cut in any case
+  std::vector<Index> whole = {};
+  std::vector<char> given = {};  // 3 #F flags, one side is enough, or empty: cut in any case
 };
 
 // Of one component of the surface.
@@ -73,7 +73,7 @@ struct SurfaceCuts {
 // Throws Error(Usage) for a stretch or an angle out of range, a vertex that does not exist, and for
 // a pair of `edges` that is no edge of the file, naming it; Error(Unsupported) for a component of
 // less than 1e-160 of the area of all, for areas that are no doubles, and for Texture where no face
-// has texture coordinates; std::invalid_argument for flags of the wrong size; Stopped.
+// has texture coordinates; InvalidArgument for flags of the wrong size; Stopped.
 SurfaceCuts choose_cuts(const SurfaceMesh& mesh, const CutOptions& options,
                         const StopCheck& stop = {});
 

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "majorant/framework/error.h"
+#include "majorant/framework/internal/argument_check.h"
+#include "majorant/mesh/internal/mesh_words.h"
 #include "majorant/parametrization/drive/internal/free_scale.h"
 #include "majorant/parametrization/drive/internal/reach_pins.h"
 
@@ -20,13 +22,14 @@ constexpr int kSteps = 10;
 }  // namespace
 
 BezierMap planar_map(std::shared_ptr<const SurfaceMesh> mesh) {
+  require_given("planar_map: the mesh", mesh);
   const Points3& p = mesh->positions();
   const double size = (p.colwise().maxCoeff() - p.colwise().minCoeff()).maxCoeff();
   for (Index v = 0; v < mesh->vertex_count(); ++v)
     if (!(std::abs(p(v, 2) - p(0, 2)) <= kFlat * size))
       throw Error(ErrorKind::Unsupported,
-                  fmt::format("{}: vertex {} is off the plane z = {:g}; deform needs a planar mesh",
-                              mesh->file(), mesh->input_vertex(v) + 1, p(0, 2)));
+                  fmt::format("{}vertex {} is off the plane z = {:g}; deform needs a planar mesh",
+                              opening(*mesh), told_vertex(*mesh, v), p(0, 2)));
   Vec twice_area(mesh->face_count());
   for (Index f = 0; f < mesh->face_count(); ++f) {
     const Eigen::RowVector2d a = p.row(mesh->faces()(f, 0)).head<2>();
@@ -38,8 +41,8 @@ BezierMap planar_map(std::shared_ptr<const SurfaceMesh> mesh) {
   for (Index f = 0; f < mesh->face_count(); ++f)
     if (!(side * twice_area[f] > 0))
       throw Error(ErrorKind::Unsupported,
-                  fmt::format("{}: face {} is turned over in the plane; repair the mesh",
-                              mesh->file(), mesh->input_face(f) + 1));
+                  fmt::format("{}face {} is turned over in the plane; repair the mesh",
+                              opening(*mesh), told_face(*mesh, f)));
   Vec uv(2 * mesh->vertex_count());
   for (Index v = 0; v < mesh->vertex_count(); ++v) uv.segment<2>(2 * v) << side * p(v, 0), p(v, 1);
   return BezierMap::linear(std::move(mesh), std::move(uv));

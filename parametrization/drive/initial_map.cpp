@@ -1,7 +1,11 @@
 // initial_map() of parametrize.h: which start is taken, and made.
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "majorant/framework/error.h"
+#include "majorant/framework/internal/argument_check.h"
+#include "majorant/mesh/internal/mesh_words.h"
 #include "majorant/parametrization/drive/internal/normalized_start.h"
 #include "majorant/parametrization/drive/parametrize.h"
 #include "majorant/parametrization/starts/multiresolution.h"
@@ -51,7 +55,10 @@ Vec initial_map(const SurfaceMesh& mesh, const MapOptions& asked, RunRecord& rec
   mesh.require_planar();
   require_face_data(mesh, asked);
   if (asked.initial && asked.initial->size() != 2 * mesh.vertex_count())
-    throw Error(ErrorKind::Usage, mesh.file() + ": the initial map needs 2 numbers per vertex");
+    throw Error(ErrorKind::Usage,
+                fmt::format("{}the initial map has {} numbers, it needs 2 numbers per vertex, {}",
+                            opening(mesh), asked.initial->size(), 2 * mesh.vertex_count()));
+  if (asked.initial) require_finite("the initial map", *asked.initial);
   StartMethod unused;
   StartMethod& method = taken ? *taken : unused;
   method = StartMethod::Given;

@@ -29,17 +29,17 @@ enum class StartMethod { Automatic, Tutte, Multiresolution, Given };
 std::string_view start_name(StartMethod method);  // "auto", "tutte", "multiresolution", "input"
 
 struct Pin {
-  Index vertex;                   // of the mesh
-  std::optional<Vector2> target;  // model units; none: where the initial map has the vertex
+  Index vertex;                        // of the mesh
+  std::optional<Vector2> target = {};  // model units; none: where the initial map has the vertex
 };
 
 struct MapOptions : MapObjective {
   int degree = 3;  // 1..8
   MapInjectivity injectivity = MapInjectivity::Local;
-  std::vector<Pin> pins;       // hard
-  std::vector<Pin> handles;    // soft, with handle_weight
-  std::vector<Index> aligned;  // half-edges that stay parallel to an axis
-  std::optional<Vec> initial;  // u, v per vertex; none: made by `start`
+  std::vector<Pin> pins = {};       // hard
+  std::vector<Pin> handles = {};    // soft, with handle_weight
+  std::vector<Index> aligned = {};  // half-edges that stay parallel to an axis
+  std::optional<Vec> initial = {};  // u, v per vertex; none: made by `start`
   StartMethod start = StartMethod::Automatic;
 };
 

@@ -8,9 +8,11 @@
 #include <utility>
 
 #include "majorant/framework/error.h"
+#include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/internal/curvature_name.h"
 #include "majorant/framework/internal/element_values.h"
 #include "majorant/framework/thread_count.h"
+#include "majorant/mesh/internal/mesh_words.h"
 #include "majorant/parametrization/drive/internal/degree_solver.h"
 #include "majorant/parametrization/drive/internal/free_scale.h"
 #include "majorant/parametrization/drive/internal/normalized_start.h"
@@ -35,6 +37,11 @@ void require_valid(const MapOptions& asked) {
   if (!is_usable_weight(asked.handle_weight))
     refuse(fmt::format("the weight {:g} of soft handles is not in {:g}..{:g}", asked.handle_weight,
                        1 / kLargestFactor, kLargestFactor));
+  for (const auto* points : {&asked.pins, &asked.handles})
+    for (const Pin& p : *points)
+      if (p.target && !p.target->allFinite())
+        refuse(fmt::format("the target of vertex {} is ({:g}, {:g}), finite numbers are needed",
+                           p.vertex, p.target->x(), p.target->y()));
 }
 
 void require_valid(const ParametrizationOptions& o) {
@@ -179,12 +186,18 @@ class Run {
     try {
       return std::make_unique<ScaffoldedDomain>(map_, options_.solve.scaffold_flips, setup_.rules);
     } catch (const Error& e) {
-      throw Error(e.kind(),
-                  fmt::format("{}: the start overlaps itself ({}); leave out --bijective{}, or use "
-                              "`majorant unwrap`",
-                              map_.mesh().file(), e.what(),
-                              options_.map.initial ? " or --init input" : ""));
+      throw Error(e.kind(), fmt::format("{}the start overlaps itself ({}); {}",
+                                        opening(map_.mesh()), e.what(), remedy_for_overlaps()));
     }
+  }
+
+  std::string remedy_for_overlaps() const {
+    const bool given = options_.map.initial.has_value();
+    if (map_.mesh().file().empty())
+      return fmt::format("ask for MapInjectivity::Local{}, or use unwrap()",
+                         given ? " or for another start" : "");
+    return fmt::format("leave out --bijective{}, or use `majorant unwrap`",
+                       given ? " or --init input" : "");
   }
 
   void elevate() {
@@ -292,8 +305,7 @@ class Run {
     const double least = result_.measures.min_det.minCoeff(&face);
     if (!(least > 0))
       return fmt::format("face {} ({} in all) is not proven to be positively oriented",
-                         mesh.input_face(face) + 1,
-                         (result_.measures.min_det.array() <= 0).count());
+                         told_face(mesh, face), (result_.measures.min_det.array() <= 0).count());
     return "angle sums at inner vertices are not full turns";
   }
 
@@ -326,7 +338,10 @@ class Run {
 ParametrizationResult parametrize_by(const SolverRules& rules, const BezierMap& start,
                                      const ParametrizationOptions& options, RunRecord& record) {
   require_valid(options);
-  if (start.degree() != 1) throw Error(ErrorKind::Usage, "a start must have degree 1");
+  if (start.degree() != 1)
+    throw InvalidArgument(
+        fmt::format("a start must have degree 1, this one has {}", start.degree()));
+  require_finite("the start", start.control_points());
   const ThreadCount threads(options.solve.threads);
   const ParametrizationOptions resolved = with_targets(start, options);
   // Edges that stay parallel to an axis leave a start no way to turn.
@@ -348,6 +363,7 @@ ParametrizationResult parametrize(const BezierMap& start, const ParametrizationO
 
 ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,
                                   const ParametrizationOptions& options, RunRecord& record) {
+  require_given("parametrize: the mesh", mesh);
   require_valid(options);
   const double started = record.seconds();
   const ThreadCount threads(options.solve.threads);

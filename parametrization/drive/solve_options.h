@@ -41,8 +41,8 @@ struct SolveOptions {
   ScaffoldFlips scaffold_flips = ScaffoldFlips::Performed;  // of MapInjectivity::Global
   Triangles triangles = Triangles::Kept;
   FactorCost factor_cost = FactorCost::IfKnown;
-  MapWatcher watch;  // may be empty
-  int threads = 0;   // 0: as many as the caller has (thread_count.h); results do not depend on it
+  MapWatcher watch = {};  // may be empty
+  int threads = 0;  // 0: as many as the caller has (thread_count.h); results do not depend on it
 };
 
 }  // namespace majorant

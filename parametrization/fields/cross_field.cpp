@@ -7,9 +7,9 @@
 #include <complex>
 #include <limits>
 #include <optional>
-#include <stdexcept>
 
 #include "majorant/framework/error.h"
+#include "majorant/mesh/internal/mesh_words.h"
 #include "majorant/parametrization/fields/internal/cone_cleanup.h"
 #include "majorant/parametrization/fields/internal/curvature_field.h"
 #include "majorant/parametrization/fields/internal/trivial_connection.h"
@@ -165,11 +165,11 @@ std::vector<Complex> smallest_eigenvector(const PowerSystem& system, std::vector
 
 void require_valid(const SurfaceMesh& mesh, const CrossFieldOptions& options) {
   if (!(options.curvature_weight >= 0) || !std::isfinite(options.curvature_weight))
-    throw std::invalid_argument("smoothest_cross_field: curvature_weight must be >= 0");
+    throw InvalidArgument("smoothest_cross_field: curvature_weight must be >= 0");
   if (!(options.cone_cost >= 0) || !std::isfinite(options.cone_cost))
-    throw std::invalid_argument("smoothest_cross_field: cone_cost must be >= 0");
+    throw InvalidArgument("smoothest_cross_field: cone_cost must be >= 0");
   if (!options.aligned.empty() && options.aligned.size() != at(mesh.half_edge_count()))
-    throw std::invalid_argument("smoothest_cross_field: aligned must have 3 #F entries");
+    throw InvalidArgument("smoothest_cross_field: aligned must have 3 #F entries");
 }
 
 }  // namespace
@@ -222,7 +222,7 @@ std::vector<Index> cone_vertices(const CrossField& field) {
 
 void comb(const SurfaceMesh& mesh, const std::vector<char>& is_cut, CrossField& field) {
   if (is_cut.size() != at(mesh.half_edge_count()) || field.turns.size() != is_cut.size())
-    throw std::invalid_argument("comb: is_cut and field.turns must have 3 #F entries");
+    throw InvalidArgument("comb: is_cut and field.turns must have 3 #F entries");
   const auto turn = [&](Index f, int quarters) {  // the branch of f becomes the one `quarters` on
     field.angle[f] = std::remainder(field.angle[f] + quarters * kQuarter, 4 * kQuarter);
     for (Index h = 3 * f; h < 3 * f + 3; ++h) {
@@ -249,10 +249,10 @@ void comb(const SurfaceMesh& mesh, const std::vector<char>& is_cut, CrossField& 
   for (Index h = 0; h < mesh.half_edge_count(); ++h)
     if (mesh.opposite(h) >= 0 && !is_cut[at(h)] && field.turns[at(h)] != 0)
       throw Error(ErrorKind::Usage,
-                  fmt::format("{}: edge ({}, {}): the field cannot be combed, the cut surface has "
+                  fmt::format("{}edge ({}, {}): the field cannot be combed, the cut surface has "
                               "a cone inside or is not simply connected",
-                              mesh.file(), mesh.input_vertex(mesh.from_vertex(h)) + 1,
-                              mesh.input_vertex(mesh.to_vertex(h)) + 1));
+                              opening(mesh), told_vertex(mesh, mesh.from_vertex(h)),
+                              told_vertex(mesh, mesh.to_vertex(h))));
 }
 
 }  // namespace majorant

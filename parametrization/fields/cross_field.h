@@ -38,19 +38,19 @@ struct CrossFieldOptions {
   double curvature_weight = 0;
   // 3 #F or empty: half-edges that the field follows, one branch along the edge, on both of its
   // sides (flagging one is enough). A face with several follows the longest.
-  std::vector<char> aligned;
+  std::vector<char> aligned = {};
   // Without curvature and alignment, cones are cancelled and moved as long as that lowers
   //     1/2 int |rotation of the branches|^2 + cone_cost * sum |quarter_turns - 4|.
   // The first is also 1/2 int |grad log scale|^2 of a conformal map with these cones: the
   // distortion they leave. 0: cancels only what makes the field smoother.
   double cone_cost = 0.1;
-  StopCheck stop;  // polled between steps: Stopped
+  StopCheck stop = {};  // polled between steps: Stopped
 };
 
 // The field of least sum weight |z_f e^{4 i transport} - z_g|^2 over interior edges with
 // sum area |z|^2 = 1 [KCPS13], or with the constraints of `options`; its cones then cleaned up as
 // CrossFieldOptions::cone_cost says and the branches relaxed to them. Throws Error(Infeasible) when
-// the mesh is too coarse to hold the cones, std::invalid_argument for sizes or weights that are not
+// the mesh is too coarse to hold the cones, InvalidArgument for sizes or weights that are not
 // valid.
 CrossField smoothest_cross_field(const SurfaceMesh& mesh, const CrossFieldOptions& options = {});
 

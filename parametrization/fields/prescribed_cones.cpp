@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "majorant/framework/error.h"
+#include "majorant/mesh/internal/mesh_words.h"
 #include "majorant/parametrization/fields/cross_field.h"
 #include "majorant/parametrization/fields/internal/trivial_connection.h"
 
@@ -9,7 +10,7 @@ namespace majorant {
 namespace {
 
 [[noreturn]] void refuse(const SurfaceMesh& mesh, const std::string& what) {
-  throw Error(ErrorKind::Usage, fmt::format("{}: cones: {}", mesh.file(), what));
+  throw Error(ErrorKind::Usage, fmt::format("{}cones: {}", opening(mesh), what));
 }
 
 // Per vertex the quarter turns asked for; 0 at the boundary.

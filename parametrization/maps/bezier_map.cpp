@@ -1,10 +1,13 @@
 #include "majorant/parametrization/maps/bezier_map.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 #include "majorant/elements/internal/bernstein.h"
+#include "majorant/framework/error.h"
+#include "majorant/framework/internal/argument_check.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 
 namespace majorant {
@@ -12,16 +15,19 @@ namespace majorant {
 BezierMap::BezierMap(std::shared_ptr<const SurfaceMesh> mesh,
                      std::shared_ptr<const BezierTriangleSpace> space, Vec control_points,
                      std::shared_ptr<const Seams> seams)
-    : mesh_(std::move(mesh)),
-      space_(std::move(space)),
+    : mesh_(given("BezierMap: the mesh", std::move(mesh))),
+      space_(given("BezierMap: the space", std::move(space))),
       seams_(seams ? std::move(seams) : std::make_shared<const Seams>()),
       x_(std::move(control_points)) {
-  if (x_.size() != 2 * space_->node_count() || space_->element_count() != mesh_->face_count())
-    throw std::invalid_argument("BezierMap: sizes do not fit");
+  require_size("BezierMap: the control points", x_.size(), 2 * space_->node_count());
+  if (space_->element_count() != mesh_->face_count())
+    throw InvalidArgument(fmt::format("BezierMap: a space over {} faces for a mesh of {}",
+                                      space_->element_count(), mesh_->face_count()));
 }
 
 BezierMap BezierMap::linear(std::shared_ptr<const SurfaceMesh> mesh, Vec uv,
                             std::shared_ptr<const Seams> seams) {
+  require_given("BezierMap: the mesh", mesh);
   auto space = std::make_shared<const BezierTriangleSpace>(mesh->faces(), mesh->vertex_count(), 1);
   return BezierMap(std::move(mesh), std::move(space), std::move(uv), std::move(seams));
 }
@@ -32,6 +38,7 @@ BezierMap BezierMap::with(std::shared_ptr<const BezierTriangleSpace> space,
 }
 
 Vector2 BezierMap::evaluate(Index face, const Barycentric& xi) const {
+  require_index("BezierMap: face", face, mesh_->face_count());
   const Vec b = bernstein_values(degree(), xi);
   Vector2 uv = Vector2::Zero();
   for (Index k = 0; k < b.size(); ++k) uv += b[k] * x_.segment<2>(2 * space_->cells()(face, k));
@@ -39,6 +46,7 @@ Vector2 BezierMap::evaluate(Index face, const Barycentric& xi) const {
 }
 
 Eigen::Matrix2d BezierMap::jacobian(Index face, const Barycentric& xi) const {
+  require_index("BezierMap: face", face, mesh_->face_count());
   const Eigen::MatrixX2d g = bernstein_gradients(degree(), xi);
   Eigen::Matrix2d j = Eigen::Matrix2d::Zero();
   for (Index k = 0; k < g.rows(); ++k) j += x_.segment<2>(2 * space_->cells()(face, k)) * g.row(k);
@@ -50,6 +58,13 @@ std::pair<double, double> BezierMap::singular_values(Index face, const Barycentr
   const double alpha = 0.5 * std::hypot(j(0, 0) + j(1, 1), j(1, 0) - j(0, 1));
   const double beta = 0.5 * std::hypot(j(0, 0) - j(1, 1), j(1, 0) + j(0, 1));
   return {alpha + beta, alpha - beta};
+}
+
+Points2 BezierMap::corner_uv() const {
+  Points2 uv(3 * mesh_->face_count(), 2);
+  for (Index f = 0; f < mesh_->face_count(); ++f)
+    for (Index k = 0; k < 3; ++k) uv.row(3 * f + k) = control_uv().row(space_->cells()(f, k));
+  return uv;
 }
 
 Points2 BezierMap::sample(const std::vector<Barycentric>& points) const {
@@ -76,7 +91,8 @@ BezierMap BezierMap::elevated() const {
 // The numbering of a Bezier space of degree K is that of the K-fold subdivision's points.
 BezierMap::Refinement BezierMap::refine(int k) const {
   if (k < 1 || k > TriangleIndices::kMaxDegree)
-    throw std::invalid_argument("BezierMap::refine: K must be 1..20");
+    throw InvalidArgument(fmt::format("BezierMap::refine: K is {}, 1..{} are possible", k,
+                                      TriangleIndices::kMaxDegree));
   const TriangleIndices& ix = TriangleIndices::of_degree(k);
   const LatticeNumbering numbering = number_lattice(mesh_->faces(), mesh_->vertex_count(), k);
   Refinement r;

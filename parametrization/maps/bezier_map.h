@@ -20,7 +20,7 @@ namespace majorant {
 class BezierMap {
  public:
   // control_points: u, v per node of `space`, a space over the faces of `mesh`. seams: null, or
-  // those of `mesh`.
+  // those of `mesh`. Throws InvalidArgument for null pointers and sizes that do not fit.
   BezierMap(std::shared_ptr<const SurfaceMesh> mesh,
             std::shared_ptr<const BezierTriangleSpace> space, Vec control_points,
             std::shared_ptr<const Seams> seams = nullptr);
@@ -37,8 +37,14 @@ class BezierMap {
   const std::shared_ptr<const Seams>& shared_seams() const { return seams_; }
   const Seams& seams() const { return *seams_; }  // empty where the surface is not cut
   const Vec& control_points() const { return x_; }
+  // The same as rows, u and v of every node: #N by 2, a view that lives as long as the map.
+  Eigen::Map<const Points2> control_uv() const { return {x_.data(), x_.size() / 2, 2}; }
+  // uv of the corners of the faces, row 3 face + corner: 3 #F by 2. What meshes with texture
+  // coordinates have; where the surface is cut, the corners of a vertex differ.
+  Points2 corner_uv() const;
   int degree() const { return space_->degree(); }
 
+  // These throw InvalidArgument for a face that does not exist.
   Vector2 evaluate(Index face, const Barycentric& xi) const;
   // Derivative in the face's orthonormal frame of RestShapes (e0 = p0 - p2 along the first axis).
   Eigen::Matrix2d jacobian(Index face, const Barycentric& xi) const;

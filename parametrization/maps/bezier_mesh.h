@@ -27,7 +27,7 @@ struct BezierMesh {
 };
 
 // faces: #F by 3, consistently oriented; cells: #F by nodes of a face, x: 2 numbers per node.
-// Throws std::invalid_argument when an edge has more than two faces.
+// Throws InvalidArgument when an edge has more than two faces.
 BezierMesh bezier_mesh(int degree, const Cells& faces, const Cells& cells, VecIn x);
 
 // Flips of edges that a criterion asked for, each time it was tried, and those that were done.

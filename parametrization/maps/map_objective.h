@@ -24,7 +24,7 @@ struct MapObjective {
   // #F positive factors of the whole energy, empty = all 1: where it matters. What is measured of a
   // map leaves them out, unlike those of single summands (WeightedEnergy::face_weight), which say
   // what the energy is.
-  Vec face_weight;
+  Vec face_weight = {};
   BoundaryCondition boundary = BoundaryCondition::Free;
   BoundaryAngles boundary_angles = BoundaryAngles::Free;
   double handle_weight = 1e3;  // w of the soft handles: + w * sum |x - target|^2 / area

@@ -5,6 +5,7 @@
 #include "majorant/constraints/seamless_constraint.h"
 #include "majorant/energies/quadratic_penalty.h"
 #include "majorant/framework/evaluator.h"
+#include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/internal/element_values.h"
 #include "majorant/mesh/half_edge.h"
 #include "majorant/mesh/internal/union_find.h"
@@ -42,6 +43,9 @@ std::vector<Index> vertex_components(const BezierTriangleSpace& space) {
 }
 
 std::vector<Index> gauge_vertices(const MapSpecification& spec, const BezierTriangleSpace& space) {
+  for (const auto* points : {&spec.pins, &spec.handles})
+    for (const FixedPoint& p : *points)
+      require_index("MapSpecification: the node of a pin or handle", p.node, space.vertex_count());
   const std::vector<Index> component = vertex_components(space);
   std::vector<char> is_held(at(space.vertex_count()), 0);
   std::vector<char> on_seam = is_held;
@@ -78,6 +82,10 @@ DensityTerms energy_terms(const MapSpecification& spec,
 EnergyIds add_map(ProblemBuilder& builder, const MapSpecification& spec,
                   const std::shared_ptr<const BezierTriangleSpace>& space, VecIn start,
                   const DensityTerms& terms) {
+  require_given("add_map: the space", space);
+  require_enough("add_map: the start", start.size(), 2 * space->node_count());
+  require_size("add_map: the list of terms", static_cast<Index>(terms.size()),
+               static_cast<Index>(spec.energy.size()));
   const double area = spec.rest.measure.sum();
   EnergyIds energies;
   for (std::size_t k = 0; k < terms.size(); ++k) {
@@ -104,6 +112,7 @@ MapProblem map_problem(const MapSpecification& spec,
                        const std::shared_ptr<const BezierTriangleSpace>& space, VecIn start,
                        const DensityTerms& terms,
                        std::shared_ptr<const FeasibilityChecker> injectivity) {
+  require_given("map_problem: the space", space);
   ProblemBuilder builder(2 * space->node_count());
   EnergyIds energies = add_map(builder, spec, space, start, terms);
   if (injectivity) builder.add(std::move(injectivity));

@@ -31,7 +31,7 @@ struct MapSpecification : MapObjective {
 
 using DensityTerms = std::vector<std::shared_ptr<const DensityTerm>>;
 
-// One term per summand of spec.energy. Throws std::invalid_argument for a summand that has data or
+// One term per summand of spec.energy. Throws InvalidArgument for a summand that has data or
 // weights for another number of faces.
 DensityTerms energy_terms(const MapSpecification& spec,
                           const std::shared_ptr<const BezierTriangleSpace>& space,

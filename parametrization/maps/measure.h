@@ -32,7 +32,7 @@ double mean_density(const BezierMap& map, const RestShapes& rest, const EnergySu
                     Vec& face_value);
 
 // After a stop, or when it comes meanwhile, only what is needed to judge the map. Throws
-// std::invalid_argument for energies of another number of faces.
+// InvalidArgument for energies of another number of faces.
 MapMeasures measure_map(const BezierMap& map, const EnergySum& energy, const StopCheck& stop = {});
 // Of a map whose control points were divided by `scale` after it was made, in the units of before.
 // What is proven (min_det, angles, local injectivity) is proven of the control points as they are.

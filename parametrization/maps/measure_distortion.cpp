@@ -1,5 +1,7 @@
 #include "majorant/parametrization/maps/measure_distortion.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
 #include <bit>
@@ -9,6 +11,7 @@
 
 #include "majorant/elements/internal/bernstein.h"
 #include "majorant/elements/quadrature.h"
+#include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/thread_count.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 
@@ -278,6 +281,16 @@ Spread spread(const std::vector<const MapDistortion*>& parts, Index column,
 
 MapDistortion measure_distortion(int degree, const Cells& cells, VecIn x, const RestShapes& rest,
                                  double scale) {
+  const int nodes = (degree + 1) * (degree + 2) / 2;
+  if (degree < 1 || cells.cols() != nodes || cells.rows() != rest.measure.size())
+    throw InvalidArgument(
+        fmt::format("measure_distortion: degree {}, cells of {} nodes, {} cells, "
+                    "{} rest shapes",
+                    degree, cells.cols(), cells.rows(), rest.measure.size()));
+  for (const Index node : cells.reshaped())
+    require_index("measure_distortion: node", node, x.size() / 2);
+  if (!(scale > 0) || !std::isfinite(scale))
+    throw InvalidArgument(fmt::format("measure_distortion: the scale is {:g}", scale));
   return Measurement(degree, cells, x, rest, scale).run();
 }
 

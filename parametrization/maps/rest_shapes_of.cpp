@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
 #include <vector>
 
 #include "majorant/elements/internal/tangent_part.h"
+#include "majorant/framework/error.h"
 
 namespace majorant {
 namespace {
@@ -23,8 +23,8 @@ RestShapes shape_of(const RestTriangle& triangle, double scale) {
 
 RowMatrix in_frames(const SurfaceMesh& mesh, const Points3& vectors) {
   if (vectors.rows() != mesh.face_count())
-    throw std::invalid_argument(fmt::format("in_frames: {} vectors for {} faces of {}",
-                                            vectors.rows(), mesh.face_count(), mesh.file()));
+    throw InvalidArgument(
+        fmt::format("in_frames: {} vectors for {} faces", vectors.rows(), mesh.face_count()));
   std::vector<char> has_plane(at(mesh.face_count()), 1);
   for (const RestTriangle& triangle : mesh.rest_triangles()) has_plane[at(triangle.face)] = 0;
   RowMatrix out(mesh.face_count(), 2);
@@ -33,8 +33,7 @@ RowMatrix in_frames(const SurfaceMesh& mesh, const Points3& vectors) {
     if (!has_plane[at(f)]) continue;
     const auto part = tangent_part(mesh.positions(), mesh.faces(), f, vectors.row(f));
     if (!part)
-      throw std::invalid_argument(
-          fmt::format("in_frames: the vector of face {} has no tangent part", f));
+      throw InvalidArgument(fmt::format("in_frames: the vector of face {} has no tangent part", f));
     out.row(f) = *part;
   }
   return out;

@@ -23,7 +23,7 @@ RestShapes rest_shape(const SurfaceMesh& mesh, Index face);
 
 // Vectors in space, one a face (#F by 3), in the frames of these rest shapes: in_frames() of
 // elements/rest_shapes.h; along() of energies/energy_factory.h takes them. (1, 0) where a rest
-// triangle stands for the face: it has no plane in space. Throws std::invalid_argument for
+// triangle stands for the face: it has no plane in space. Throws InvalidArgument for
 // another number of vectors, and for one that has no part tangent to its face.
 RowMatrix in_frames(const SurfaceMesh& mesh, const Points3& vectors);
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <stdexcept>
 #include <tuple>
 #include <utility>
 
@@ -182,9 +181,13 @@ Packing pack(const std::vector<BezierMap>& charts, const PackOptions& options,
              const StopCheck& stop) {
   if (!(options.padding_pixels >= 0) || !std::isfinite(options.padding_pixels) ||
       !(options.resolution > 0))
-    throw std::invalid_argument("pack: padding must not be negative, resolution be positive");
+    throw InvalidArgument(
+        fmt::format("pack: padding_pixels is {:g}, at least 0 is needed, resolution "
+                    "{:g}, more than 0",
+                    options.padding_pixels, options.resolution));
   if (!options.fixed.empty() && options.fixed.size() != charts.size())
-    throw std::invalid_argument("pack: one flag a chart");
+    throw InvalidArgument(
+        fmt::format("pack: {} flags for {} charts", options.fixed.size(), charts.size()));
   if (charts.empty()) return {};
   return Packer(charts, options, stop).pack();
 }

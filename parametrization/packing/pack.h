@@ -58,7 +58,7 @@ struct Packing {
 
 // The same bits for any number of threads; no clock is asked. charts: each one component with a
 // boundary, det J > 0. Throws Error(Unsupported) where the padding leaves no room for that many
-// charts, or fixed ones none for what cannot be moved; std::invalid_argument for options out of
+// charts, or fixed ones none for what cannot be moved; InvalidArgument for options out of
 // range; Stopped.
 Packing pack(const std::vector<BezierMap>& charts, const PackOptions& options = {},
              const StopCheck& stop = {});

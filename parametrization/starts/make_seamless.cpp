@@ -12,6 +12,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/framework/thread_count.h"
 #include "majorant/mesh/internal/cut_graph.h"
+#include "majorant/mesh/internal/mesh_words.h"
 #include "majorant/parametrization/fields/internal/conformal_metric.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 #include "majorant/parametrization/starts/internal/field_integration.h"
@@ -123,9 +124,9 @@ class Maker {
             ? fmt::format("{} vertices are covered several times", defects_.vertices.size())
             : fmt::format("{} triangles stay inverted", defects_.faces.size());
     throw Error(ErrorKind::Invalid,
-                fmt::format("{}: no injective seamless map found: {} {}; choose other cones with "
-                            "--cones, or refine the mesh there",
-                            mesh_.file(), what, place()));
+                fmt::format("{}no injective seamless map found: {} {}; choose other cones{}, or "
+                            "refine the mesh there",
+                            opening(mesh_), what, place(), either(mesh_, " with --cones", "")));
   }
 
  private:
@@ -200,9 +201,10 @@ Start make_seamless(const SurfaceMesh& mesh, const SeamlessOptions& options,
   const bool conformal_exists = is_sphere_or_disk(mesh);
   if (options.method == SeamlessMethod::Conformal && !conformal_exists)
     throw Error(ErrorKind::Usage,
-                mesh.file() +
-                    ": a conformal start needs a sphere or a disk, where cones alone "
-                    "determine the transitions; use --start scaled-field");
+                fmt::format("{}a conformal start needs a sphere or a disk, where cones alone "
+                            "determine the transitions; use {}",
+                            opening(mesh),
+                            either(mesh, "--start scaled-field", "SeamlessMethod::ScaledField")));
   if (options.threads < 0)
     throw Error(ErrorKind::Usage, "the number of threads must not be negative");
   const ThreadCount threads(options.threads);

@@ -21,9 +21,9 @@ namespace majorant {
 
 struct SeamlessOptions {
   SeamlessMethod method = SeamlessMethod::Automatic;
-  CrossFieldOptions field;
+  CrossFieldOptions field = {};
   // Vertices of the mesh; all others are regular, an empty list has no cones. Nothing: the field's.
-  std::optional<std::vector<Cone>> cones;
+  std::optional<std::vector<Cone>> cones = {};
   int threads = 0;  // as SolveOptions has it
 };
 

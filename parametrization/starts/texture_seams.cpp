@@ -9,6 +9,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/mesh/half_edge.h"
+#include "majorant/mesh/internal/mesh_words.h"
 #include "majorant/mesh/internal/texture_borders.h"
 #include "majorant/parametrization/starts/internal/cut_surface.h"
 
@@ -57,9 +58,10 @@ void require_oriented(const SurfaceMesh& mesh, const CornerView& view) {
   for (Index f = 0; f < mesh.face_count(); ++f)
     if (!(view.signed_area(f) > 0))
       throw Error(ErrorKind::Infeasible,
-                  fmt::format("{}: the texture coordinates are not injective: face {} is not "
-                              "positively oriented; repair them or use `majorant seamless`",
-                              mesh.file(), mesh.input_face(f) + 1));
+                  fmt::format("{}the texture coordinates are not injective: face {} is not "
+                              "positively oriented; repair them or use {}",
+                              opening(mesh), told_face(mesh, f),
+                              either(mesh, "`majorant seamless`", "make_seamless()")));
 }
 
 struct Transitions {
@@ -85,12 +87,12 @@ Transitions snap_rotations(const SurfaceMesh& mesh, const std::vector<char>& is_
   if (!(out.residual <= kSeamTolerance * view.mean_length()))
     throw Error(
         ErrorKind::Unsupported,
-        fmt::format("{}: the seam at edge ({}, {}) is not seamless: its sides differ by {:.3g} "
+        fmt::format("{}the seam at edge ({}, {}) is not seamless: its sides differ by {:.3g} "
                     "edge lengths after the best rotation by a multiple of 90 degrees (tolerance "
-                    "{:g}); repair the coordinates or use `majorant seamless`",
-                    mesh.file(), mesh.input_vertex(mesh.from_vertex(worst)) + 1,
-                    mesh.input_vertex(mesh.to_vertex(worst)) + 1, out.residual / view.mean_length(),
-                    kSeamTolerance));
+                    "{:g}); repair the coordinates or use {}",
+                    opening(mesh), told_vertex(mesh, mesh.from_vertex(worst)),
+                    told_vertex(mesh, mesh.to_vertex(worst)), out.residual / view.mean_length(),
+                    kSeamTolerance, either(mesh, "`majorant seamless`", "make_seamless()")));
   return out;
 }
 
@@ -107,10 +109,10 @@ std::vector<int> measure_quarter_turns(const SurfaceMesh& mesh, const CornerView
       continue;
     throw Error(
         ErrorKind::Unsupported,
-        fmt::format("{}: vertex {}: the angles around it add up to {:.4g} degrees in the "
-                    "texture, no multiple of 90; repair the coordinates or use `majorant "
-                    "seamless`",
-                    mesh.file(), mesh.input_vertex(v) + 1, sum[at(v)] * 180 / std::numbers::pi));
+        fmt::format("{}vertex {}: the angles around it add up to {:.4g} degrees in the "
+                    "texture, no multiple of 90; repair the coordinates or use {}",
+                    opening(mesh), told_vertex(mesh, v), sum[at(v)] * 180 / std::numbers::pi,
+                    either(mesh, "`majorant seamless`", "make_seamless()")));
   }
   return quarter_turns;
 }
@@ -131,9 +133,9 @@ Start assemble(const SurfaceMesh& mesh, const std::vector<char>& is_cut, const C
 
 Vec texture_map(const SurfaceMesh& mesh) {
   if (untextured_polygons(mesh) > 0)
-    throw Error(
-        ErrorKind::Unsupported,
-        mesh.file() + ": not every face corner has texture coordinates; leave out --init input");
+    throw Error(ErrorKind::Unsupported,
+                fmt::format("{}not every face corner has texture coordinates; {}", opening(mesh),
+                            either(mesh, "leave out --init input", "take another start")));
   Vec x = Vec::Zero(2 * mesh.vertex_count());
   std::vector<char> seen(at(mesh.vertex_count()), 0);
   for (Index f = 0; f < mesh.face_count(); ++f)
@@ -142,10 +144,12 @@ Vec texture_map(const SurfaceMesh& mesh) {
       const Vector2 uv = mesh.corner_texcoords().row(f).segment<2>(2 * k);
       if (seen[at(v)] && uv != x.segment<2>(2 * v))
         throw Error(ErrorKind::Unsupported,
-                    fmt::format("{}: vertex {} has several texture coordinates (a seam); use "
-                                "--seamless or `majorant unwrap --seams uv`, or leave out --init "
-                                "input",
-                                mesh.file(), mesh.input_vertex(v) + 1));
+                    fmt::format("{}vertex {} has several texture coordinates (a seam); {}",
+                                opening(mesh), told_vertex(mesh, v),
+                                either(mesh,
+                                       "use --seamless or `majorant unwrap --seams uv`, or leave "
+                                       "out --init input",
+                                       "use texture_cuts(), or take another start")));
       seen[at(v)] = 1;
       x.segment<2>(2 * v) = uv;
     }
@@ -155,9 +159,9 @@ Vec texture_map(const SurfaceMesh& mesh) {
 std::vector<char> texture_cuts(const SurfaceMesh& mesh) {
   if (untextured_polygons(mesh) > 0)
     throw Error(ErrorKind::Unsupported,
-                mesh.file() +
-                    ": not every face corner has texture coordinates; use `majorant "
-                    "seamless` to make a seamless map");
+                fmt::format("{}not every face corner has texture coordinates; use {} to make a "
+                            "seamless map",
+                            opening(mesh), either(mesh, "`majorant seamless`", "make_seamless()")));
   return texture_borders(mesh);
 }
 

@@ -8,6 +8,7 @@
 
 #include "majorant/framework/internal/sparse_spd.h"
 #include "majorant/mesh/half_edge.h"
+#include "majorant/mesh/internal/mesh_words.h"
 #include "majorant/parametrization/fields/internal/edge_laplacian.h"
 #include "majorant/parametrization/starts/internal/leaning_map.h"
 #include "majorant/parametrization/starts/internal/room.h"
@@ -70,9 +71,9 @@ Cells filled_faces(const SurfaceMesh& mesh) {
 }
 
 std::string no_solution(const std::string& file) {
-  return file +
-         ": the Laplacian of the initial map cannot be factorized; check the mesh with `majorant "
-         "info`";
+  return opening(file) +
+         "the Laplacian of the initial map cannot be factorized; check the mesh with " +
+         std::string(either(file, "`majorant info`", "find_defects()"));
 }
 
 // Every vertex but those of the outer loop, whose places are known, is the mean of its neighbours.
@@ -161,12 +162,14 @@ Vec map_with_room(const SurfaceMesh& mesh, Vec best, const StopCheck& stop) {
 }  // namespace
 
 Vec tutte_boundary(const SurfaceMesh& mesh) {
+  mesh.require_planar();
   Vec x = Vec::Zero(2 * mesh.vertex_count());
   place_boundary(mesh, Spacing::ArcLength, x);
   return x;
 }
 
 Vec tutte_map(const SurfaceMesh& mesh, const StopCheck& stop) {
+  mesh.require_planar();
   return map_with_room(mesh, mean_map(mesh, stop), stop);
 }
 

@@ -22,7 +22,7 @@ ColorScale picture_scale(const MapFile& map, Quantity quantity,
   try {
     return fixed.with_range(range->low, range->high);
   } catch (const Error& e) {
-    throw Error(e.kind(), fmt::format("--color-range: {}", e.what()));
+    throw Error(e.kind(), fmt::format("the color range: {}", e.what()));
   }
 }
 

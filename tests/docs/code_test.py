@@ -90,7 +90,8 @@ def programs(page):
                              '[[maybe_unused]] char** argv) {', *numbered(body), '}', ''])
 
 
-COMPILER = [os.environ.get('CXX', 'c++'), '-std=c++20', '-Wall', '-Wno-unused',
+COMPILER = [os.environ.get('CXX', 'c++'), '-std=c++20', '-Wall', '-Wextra', '-Werror',
+            '-Wno-unused', '-Wno-unused-parameter',
             '-DEIGEN_MAX_ALIGN_BYTES=16', '-DEIGEN_MALLOC_ALREADY_ALIGNED=0',
             '-isystem', '/usr/include/eigen3']
 # Eigen, which every header includes, is precompiled: half of the time of a page.

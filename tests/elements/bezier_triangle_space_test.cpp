@@ -5,9 +5,9 @@
 
 #include <map>
 #include <set>
-#include <stdexcept>
 
 #include "majorant/elements/rest_shapes.h"
+#include "majorant/framework/error.h"
 #include "support.h"
 
 namespace majorant {
@@ -156,11 +156,11 @@ INSTANTIATE_TEST_SUITE_P(Degrees, SpaceBelowAnother,
 
 TEST(SpaceErrors, DegreesAndNonManifoldEdges) {
   const Cells faces = tetrahedron();
-  EXPECT_THROW(BezierTriangleSpace(faces, 4, 0), std::invalid_argument);
-  EXPECT_THROW(BezierTriangleSpace(faces, 4, 9), std::invalid_argument);
+  EXPECT_THROW(BezierTriangleSpace(faces, 4, 0), InvalidArgument);
+  EXPECT_THROW(BezierTriangleSpace(faces, 4, 9), InvalidArgument);
   Cells fan(3, 3);
   fan << 0, 1, 2, 0, 1, 3, 1, 0, 4;
-  EXPECT_THROW(BezierTriangleSpace(fan, 5, 2), std::invalid_argument);
+  EXPECT_THROW(BezierTriangleSpace(fan, 5, 2), InvalidArgument);
 }
 
 TEST(FlatTriangles, FrameAndMeasure) {

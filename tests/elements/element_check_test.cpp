@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <functional>
-#include <stdexcept>
 #include <string>
 
 #include "element_maps.h"
+#include "majorant/framework/error.h"
 
 namespace majorant {
 namespace {
@@ -28,7 +28,7 @@ Cells one_cell(const BernsteinElement& element) {
 std::string refusal(const BernsteinElement& element, const Cells& cells) {
   try {
     const AnySpace space(element, cells);
-  } catch (const std::invalid_argument& e) {
+  } catch (const InvalidArgument& e) {
     return e.what();
   }
   return "";
@@ -120,7 +120,7 @@ TEST(ElementCheck, DeterminantsThatDisagree) {
   try {
     check_determinants(test::wedge(2), DetCoefficients(other));
     ADD_FAILURE() << "not refused";
-  } catch (const std::invalid_argument& e) {
+  } catch (const InvalidArgument& e) {
     EXPECT_NE(std::string(e.what()).find("det J of the identity is 8, but"), std::string::npos)
         << e.what();
   }
@@ -131,7 +131,7 @@ TEST(ElementCheck, DeterminantsThatDisagree) {
 TEST(ElementCheck, DegreesBeyondExactWeights) {
   expect_refused([](auto& e) { e.degree = e.max_degree = 9; }, "too high for exact",
                  test::hexahedron(2));
-  EXPECT_THROW(BernsteinBasis({2, 2, 2}, {{12, 12, 12, 12, 12, 12}}), std::invalid_argument);
+  EXPECT_THROW(BernsteinBasis({2, 2, 2}, {{12, 12, 12, 12, 12, 12}}), InvalidArgument);
   EXPECT_NO_THROW(BernsteinBasis({2, 2, 2}, {{8, 8, 8, 8, 8, 8}}));
 }
 

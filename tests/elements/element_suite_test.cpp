@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <set>
-#include <stdexcept>
 
 #include "element_maps.h"
 #include "majorant/elements/rest_shapes.h"
+#include "majorant/framework/error.h"
 
 namespace majorant {
 namespace {
@@ -116,9 +116,9 @@ TEST_P(Element, RulesOfOtherCellsAreRefused) {
     if (other.rule.cell == sample().rule.cell)
       EXPECT_NO_THROW(space().tabulate(other.rule));
     else
-      EXPECT_THROW(space().tabulate(other.rule), std::invalid_argument) << other.name;
+      EXPECT_THROW(space().tabulate(other.rule), InvalidArgument) << other.name;
   }
-  EXPECT_THROW(curved_shapes(space(), straight(), gauss_rule(2)), std::invalid_argument);
+  EXPECT_THROW(curved_shapes(space(), straight(), gauss_rule(2)), InvalidArgument);
 }
 
 // Each space of functions adds to 1 everywhere.
@@ -326,7 +326,7 @@ TEST_P(Element, BadInputIsRefused) {
   const Cells& cells = sample().mesh.cells;
   const auto vertices = static_cast<Index>(sample().mesh.vertices.rows());
   const auto refused = [&](const Cells& c, Index v, int degree) {
-    EXPECT_THROW(sample().make(c, v, degree), std::invalid_argument);
+    EXPECT_THROW(sample().make(c, v, degree), InvalidArgument);
   };
   refused(cells, vertices, 0);
   refused(cells, vertices, space().element().max_degree + 1);
@@ -340,7 +340,7 @@ TEST_P(Element, BadInputIsRefused) {
   Cells three(3, cells.cols());
   for (Index e = 0; e < 3; ++e) three.row(e) = cells.row(0);
   refused(three, vertices, n());
-  EXPECT_THROW(space().node_positions(sample().mesh.vertices.topRows(3)), std::invalid_argument);
+  EXPECT_THROW(space().node_positions(sample().mesh.vertices.topRows(3)), InvalidArgument);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Element, testing::ValuesIn(test::all_elements()), test::case_name);

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 
 #include "majorant/elements/rest_shapes.h"
+#include "majorant/framework/error.h"
 #include "support.h"
 
 namespace majorant {
@@ -53,19 +54,19 @@ TEST(Frames, RefusesWhatHasNoDirection) {
   Points3 v = Points3::Zero(4, 3);
   v.col(0).setOnes();
   EXPECT_NO_THROW(in_frames(m.positions, m.faces, v));
-  EXPECT_THROW(in_frames(m.positions, m.faces, Points3(v.topRows(3))), std::invalid_argument);
+  EXPECT_THROW(in_frames(m.positions, m.faces, Points3(v.topRows(3))), InvalidArgument);
   for (const Vector3& bad : {Vector3(0, 0, 0), Vector3(0, 0, 2), Vector3(1, NAN, 0)}) {
     Points3 w = v;
     w.row(2) = bad.transpose();
     try {
       in_frames(m.positions, m.faces, w);
       ADD_FAILURE() << bad.transpose();
-    } catch (const std::invalid_argument& error) {
+    } catch (const InvalidArgument& error) {
       EXPECT_NE(std::string(error.what()).find("triangle 2"), std::string::npos) << error.what();
     }
   }
   m.positions.row(m.faces(1, 0)) = m.positions.row(m.faces(1, 1));
-  EXPECT_THROW(in_frames(m.positions, m.faces, v), std::invalid_argument);
+  EXPECT_THROW(in_frames(m.positions, m.faces, v), InvalidArgument);
 }
 
 TEST(Frames, TurnedShapesHaveTheDirectionFirst) {
@@ -101,15 +102,15 @@ TEST(Frames, TurnedTetrahedra) {
 TEST(Frames, TurnedRefusesWhatDoesNotFit) {
   const test::Mesh m = test::grid(2, 1);
   const RestShapes rest = flat_triangles(m.positions, m.faces);
-  EXPECT_THROW(turned(rest, RowMatrix::Ones(3, 2)), std::invalid_argument);
-  EXPECT_THROW(turned(rest, RowMatrix::Ones(4, 3)), std::invalid_argument);
-  EXPECT_THROW(turned(rest, RowMatrix::Zero(4, 2)), std::invalid_argument);
+  EXPECT_THROW(turned(rest, RowMatrix::Ones(3, 2)), InvalidArgument);
+  EXPECT_THROW(turned(rest, RowMatrix::Ones(4, 3)), InvalidArgument);
+  EXPECT_THROW(turned(rest, RowMatrix::Zero(4, 2)), InvalidArgument);
   RowMatrix axes = RowMatrix::Ones(4, 2);
   axes(1, 1) = NAN;
-  EXPECT_THROW(turned(rest, axes), std::invalid_argument);
+  EXPECT_THROW(turned(rest, axes), InvalidArgument);
   RestShapes curved = rest;
   curved.nodes = RowMatrix::Ones(6, 2);
-  EXPECT_THROW(turned(curved, RowMatrix::Ones(4, 2)), std::invalid_argument);
+  EXPECT_THROW(turned(curved, RowMatrix::Ones(4, 2)), InvalidArgument);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <Eigen/SVD>
 
+#include "majorant/framework/error.h"
 #include "random.h"
 
 namespace majorant {
@@ -114,7 +115,7 @@ TEST(JacobianNet, TrianglesShareTheMeasureOfTheirFace) {
   EXPECT_NEAR(net.rest.measure.sum(), c.rest.measure.sum(), 1e-14);
   RestShapes other = c.rest;
   other.inverse.conservativeResize(1, 4);
-  EXPECT_THROW(jacobian_net(*c.space, other), std::invalid_argument);
+  EXPECT_THROW(jacobian_net(*c.space, other), InvalidArgument);
 }
 
 }  // namespace

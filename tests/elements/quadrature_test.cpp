@@ -7,9 +7,9 @@
 #include <array>
 #include <functional>
 #include <numeric>
-#include <stdexcept>
 
 #include "exact_polynomials.h"
+#include "majorant/framework/error.h"
 #include "support.h"
 
 namespace majorant {
@@ -199,7 +199,7 @@ TEST(Quadrature, CompositeTetrahedraKeepExactnessAndSymmetry) {
 std::string refusal(const Quadrature& rule, const Factors& cell) {
   try {
     require_cell(rule, cell, "space");
-  } catch (const std::invalid_argument& e) {
+  } catch (const InvalidArgument& e) {
     return e.what();
   }
   return "";
@@ -234,10 +234,10 @@ TEST(Quadrature, ThatIsNoneIsRefused) {
   refused([](auto& q) { q.points(2, 0) += 0.01; }, "point 2 is outside");
   refused([](auto& q) { q.points(4, 3) = 1.01; }, "point 4 is outside");
   refused([](auto& q) { q.points(4, 3) = std::nan(""); }, "point 4 is outside");
-  EXPECT_THROW(corner_graded_rule(tensor_gauss_rule(2), 2, 1), std::invalid_argument);
-  EXPECT_THROW(composite_rule(Quadrature{}, 2), std::invalid_argument);
+  EXPECT_THROW(corner_graded_rule(tensor_gauss_rule(2), 2, 1), InvalidArgument);
+  EXPECT_THROW(composite_rule(Quadrature{}, 2), InvalidArgument);
   EXPECT_THROW(guarded_rule(Quadrature{{5}, RowMatrix::Constant(1, 5, 0.2), Vec::Ones(1)}, 1, 0.1),
-               std::invalid_argument);
+               InvalidArgument);
 }
 
 // ---- Products: a wedge. ----

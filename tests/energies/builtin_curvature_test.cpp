@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "energies/builtin_formulas.h"
+#include "majorant/framework/error.h"
 #include "majorant/framework/newton.h"
 
 namespace majorant {
@@ -342,7 +343,7 @@ TEST(BuiltinCurvature, NewtonRefusesWhatATermDoesNotSupport) {
     builder.add(find_energy(energy)->make(t.space, t.rest, {lattice_rule(1)}), 1.0);
     NewtonOptions options;
     options.curvature = curvature;
-    EXPECT_THROW(NewtonStepper(builder.build(), options), std::invalid_argument) << energy;
+    EXPECT_THROW(NewtonStepper(builder.build(), options), InvalidArgument) << energy;
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include "energies/density_fixture.h"
 #include "majorant/framework/derivative_check.h"
+#include "majorant/framework/error.h"
 
 namespace majorant {
 namespace {
@@ -225,14 +226,14 @@ TEST(CurvedRest, ManyElements) {
 
 TEST(CurvedRest, SetUpErrors) {
   const Curved s(2, 2);
-  EXPECT_THROW(curved_shapes(*s.space, s.nodes.topRows(4), s.rule), std::invalid_argument);
-  EXPECT_THROW(curved_shapes(*s.space, s.nodes.leftCols(1), s.rule), std::invalid_argument);
+  EXPECT_THROW(curved_shapes(*s.space, s.nodes.topRows(4), s.rule), InvalidArgument);
+  EXPECT_THROW(curved_shapes(*s.space, s.nodes.leftCols(1), s.rule), InvalidArgument);
   RestShapes fewer = s.rest;
   fewer.nodes.conservativeResize(5, Eigen::NoChange);
-  EXPECT_THROW(symmetric_dirichlet()(s.space, fewer, {s.rule}), std::invalid_argument);
+  EXPECT_THROW(symmetric_dirichlet()(s.space, fewer, {s.rule}), InvalidArgument);
   RestShapes narrow = s.rest;
   narrow.nodes.conservativeResize(Eigen::NoChange, 1);
-  EXPECT_THROW(symmetric_dirichlet()(s.space, narrow, {s.rule}), std::invalid_argument);
+  EXPECT_THROW(symmetric_dirichlet()(s.space, narrow, {s.rule}), InvalidArgument);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "energies/density_fixture.h"
 #include "majorant/elements/bezier_tetrahedron_space.h"
 #include "majorant/framework/derivative_check.h"
+#include "majorant/framework/error.h"
 
 namespace majorant {
 namespace {
@@ -170,7 +171,7 @@ template <class Action>
 std::string invalid_argument_of(const Action& action) {
   try {
     action();
-  } catch (const std::invalid_argument& error) {
+  } catch (const InvalidArgument& error) {
     return error.what();
   }
   ADD_FAILURE() << "nothing was thrown";
@@ -230,7 +231,7 @@ TEST(ElementData, FactoriesOfPartsHaveTheirRows) {
             all[2]);
   EXPECT_FALSE(symmetric_dirichlet().for_elements(chosen).traits().elements);
   const std::vector<Index> none{s.count()};
-  EXPECT_THROW(whole.for_elements(none), std::out_of_range);
+  EXPECT_THROW(whole.for_elements(none), InvalidArgument);
 }
 
 TEST(ElementData, SumsKnowWhatTheyAreFor) {
@@ -257,7 +258,7 @@ TEST(ElementData, StarsAreRefused) {
   const auto mine = density<2, 2>(
       "mine", [](const auto& J, double c) { return c * J.squaredNorm(); }, Vec(Vec::Ones(1)));
   const auto term = make_energy(t.space, t.rest, mine, {lattice_rule(1)});
-  EXPECT_THROW(term->star(StarView{}, Vector2(0, 0)), std::invalid_argument);
+  EXPECT_THROW(term->star(StarView{}, Vector2(0, 0)), InvalidArgument);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "energies/density_fixture.h"
+#include "majorant/framework/error.h"
 #include "majorant/framework/evaluator.h"
 #include "majorant/framework/internal/element_values.h"
 #include "majorant/framework/thread_count.h"
@@ -211,10 +212,10 @@ INSTANTIATE_TEST_SUITE_P(Degrees, Assembled, testing::Range(1, 5));
 
 TEST(EnergyAssembly, SetUpErrors) {
   const Fixture s(1);
-  EXPECT_THROW(symmetric_dirichlet()(s.space, s.rest, {}), std::invalid_argument);
+  EXPECT_THROW(symmetric_dirichlet()(s.space, s.rest, {}), InvalidArgument);
   RestShapes fewer = s.rest;
   fewer.measure.conservativeResize(3);
-  EXPECT_THROW(symmetric_dirichlet()(s.space, fewer, {radon_rule()}), std::invalid_argument);
+  EXPECT_THROW(symmetric_dirichlet()(s.space, fewer, {radon_rule()}), InvalidArgument);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "energies/builtin_formulas.h"
 #include "energies/linear_tetrahedra.h"
 #include "majorant/framework/derivative_check.h"
+#include "majorant/framework/error.h"
 
 namespace majorant {
 namespace {
@@ -245,20 +246,18 @@ TEST(GeneralDensity, DimensionsMustFit) {
   const std::shared_ptr<const ElementSpace> volume = t.space;
   const std::vector<Quadrature> planar{lattice_rule(1)}, solid{test::tetrahedron_centroid()};
   EXPECT_THROW(make_energy(triangles.space, triangles.rest, volume_symmetric_dirichlet(), planar),
-               std::invalid_argument);
+               InvalidArgument);
   EXPECT_THROW(make_energy(triangles.space, t.rest, volume_symmetric_dirichlet(), planar),
-               std::invalid_argument);
-  EXPECT_THROW(make_energy(volume, t.rest, general_mips(), solid), std::invalid_argument);
-  EXPECT_THROW(symmetric_dirichlet()(volume, t.rest, solid), std::invalid_argument);
+               InvalidArgument);
+  EXPECT_THROW(make_energy(volume, t.rest, general_mips(), solid), InvalidArgument);
+  EXPECT_THROW(symmetric_dirichlet()(volume, t.rest, solid), InvalidArgument);
   EXPECT_NO_THROW(make_energy(volume, t.rest, volume_symmetric_dirichlet(), solid));
   RestShapes wrong = t.rest;
   wrong.dim = 2;
-  EXPECT_THROW(make_energy(volume, wrong, volume_symmetric_dirichlet(), solid),
-               std::invalid_argument);
+  EXPECT_THROW(make_energy(volume, wrong, volume_symmetric_dirichlet(), solid), InvalidArgument);
   RestShapes narrow = t.rest;  // 4 numbers where 9 will be read
   narrow.inverse.conservativeResize(Eigen::NoChange, 4);
-  EXPECT_THROW(make_energy(volume, narrow, volume_symmetric_dirichlet(), solid),
-               std::invalid_argument);
+  EXPECT_THROW(make_energy(volume, narrow, volume_symmetric_dirichlet(), solid), InvalidArgument);
 }
 
 // ---- Surfaces in space ----

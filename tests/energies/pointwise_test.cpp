@@ -5,6 +5,7 @@
 #include "energies/density_fixture.h"
 #include "majorant/energies/internal/builtin_densities.h"
 #include "majorant/energies/vectorized.h"
+#include "majorant/framework/error.h"
 
 namespace majorant {
 namespace {
@@ -131,8 +132,8 @@ TEST(Pointwise, GradientsAloneAreTheSame) {
 }
 
 TEST(Pointwise, JacobiansOfOtherSizesHaveNoKernels) {
-  EXPECT_THROW(jacobian_kernels(0, 2), std::invalid_argument);
-  EXPECT_THROW(jacobian_kernels(2, 4), std::invalid_argument);
+  EXPECT_THROW(jacobian_kernels(0, 2), InvalidArgument);
+  EXPECT_THROW(jacobian_kernels(2, 4), InvalidArgument);
   for (int rows = 1; rows <= 3; ++rows)
     for (int dims = 1; dims <= 3; ++dims) {
       EXPECT_EQ(jacobian_kernels(rows, dims).rows, rows);

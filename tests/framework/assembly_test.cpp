@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <limits>
-#include <stdexcept>
 
 #include "framework/quadratic_term.h"
+#include "majorant/framework/error.h"
 #include "majorant/framework/evaluator.h"
 #include "majorant/framework/internal/problem_parts.h"
 
@@ -210,7 +210,7 @@ TEST_P(Assembly, SeveralTermsWeightsAndRules) {
   EXPECT_EQ(changed.state(first).element_rule, state.element_rule);
   EXPECT_TRUE(changed.same_structure(problem));
   expect_matches_dense(changed, {a, b}, random);
-  EXPECT_THROW(problem.with({{TermId(2), other}}), std::invalid_argument);
+  EXPECT_THROW(problem.with({{TermId(2), other}}), InvalidArgument);
   expect_matches_dense(problem, {a, b}, random);  // unchanged
 }
 
@@ -233,7 +233,7 @@ TEST(Assembly, BlocksHoldTheUnknownsOfOneNode) {
 TEST(Assembly, StencilsOutsideTheUnknownsAreRefused) {
   Random random(6);
   const auto term = std::make_shared<const QuadraticTerm>(test::band_stencils(6, 2, 2), random);
-  EXPECT_THROW(ProblemBuilder(13).add(term, 1).build(), std::invalid_argument);
+  EXPECT_THROW(ProblemBuilder(13).add(term, 1).build(), InvalidArgument);
   EXPECT_NO_THROW(ProblemBuilder(14).add(term, 1).build());
 }
 

@@ -4,6 +4,7 @@
 #include <glog/logging.h>
 
 #include "framework/minimizer_cases.h"
+#include "majorant/framework/error.h"
 
 namespace majorant {
 
@@ -93,7 +94,7 @@ TEST(Ceres, BadOptionsThrow) {
   const ChainProblem chain(3);
   for (const CeresOptions& o : {CeresOptions{.max_iterations = -1}, CeresOptions{.history = 0},
                                 CeresOptions{.scale = 0}, CeresOptions{.scale = -1}})
-    EXPECT_THROW(CeresMinimizer(o).minimize(chain.problem, chain.start, {}), std::invalid_argument);
+    EXPECT_THROW(CeresMinimizer(o).minimize(chain.problem, chain.start, {}), InvalidArgument);
 }
 
 }  // namespace

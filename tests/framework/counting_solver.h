@@ -30,9 +30,9 @@ class CountingSolver final : public LinearSolver {
     counts_->failed += status != FactorStatus::Ok;
     return status;
   }
-  void solve(const Vec& r, Vec& p) override {
+  Solution solve(const Vec& r, Vec& p, double tolerance) override {
     ++counts_->solves;
-    solver_->solve(r, p);
+    return solver_->solve(r, p, tolerance);
   }
   std::string description() const override { return solver_->description(); }
 

@@ -3,6 +3,7 @@
 
 #include "framework/counting_solver.h"
 #include "framework/minimizer_cases.h"
+#include "majorant/framework/error.h"
 
 namespace majorant {
 namespace {
@@ -167,8 +168,7 @@ TEST(GradientFlow, RefusesForeignMetrics) {
   const ChainProblem chain(5);
   GradientFlowOptions o;
   o.metric = test::chain_of(6, test::parabola(0, 0));
-  EXPECT_THROW(GradientFlowMinimizer(o).minimize(chain.problem, chain.start, {}),
-               std::invalid_argument);
+  EXPECT_THROW(GradientFlowMinimizer(o).minimize(chain.problem, chain.start, {}), InvalidArgument);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include "framework/counting_solver.h"
 #include "framework/minimizer_cases.h"
+#include "majorant/framework/error.h"
 #include "majorant/framework/internal/metric.h"
 #include "majorant/framework/newton.h"
 
@@ -138,10 +139,10 @@ TEST(Lbfgs, RefusesForeignMetrics) {
   const ChainProblem chain(5);
   LbfgsOptions o;
   o.metric = test::chain_of(6, test::parabola(0, 0));  // no constraint
-  EXPECT_THROW(LbfgsMinimizer(o).minimize(chain.problem, chain.start, {}), std::invalid_argument);
+  EXPECT_THROW(LbfgsMinimizer(o).minimize(chain.problem, chain.start, {}), InvalidArgument);
   o.metric.reset();
   o.curvature = Curvature::Reweighted;
-  EXPECT_THROW(LbfgsMinimizer(o).minimize(chain.problem, chain.start, {}), std::invalid_argument);
+  EXPECT_THROW(LbfgsMinimizer(o).minimize(chain.problem, chain.start, {}), InvalidArgument);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "framework/barrier_chain.h"
 #include "framework/random_matrix.h"
 #include "framework/scalar_terms.h"
+#include "majorant/framework/error.h"
 
 namespace majorant {
 namespace {
@@ -85,8 +86,7 @@ TEST(Metric, NonFiniteHessiansAreNoMetric) {
 
 TEST(Metric, UnsupportedCurvatureIsRefused) {
   const test::ChainProblem chain(3);
-  EXPECT_THROW(Metric(chain.problem, Curvature::Majorizer, make_direct_solver()),
-               std::invalid_argument);
+  EXPECT_THROW(Metric(chain.problem, Curvature::Majorizer, make_direct_solver()), InvalidArgument);
 }
 
 TEST(Metric, ProblemsMustShareUnknownsAndConstraints) {
@@ -106,8 +106,8 @@ TEST(Metric, ProblemsMustShareUnknownsAndConstraints) {
   const std::optional<Problem> same = build(7, other_value);
   EXPECT_EQ(&metric_problem(a, same), &*same) << "right-hand sides do not matter";
   for (const Problem& b : {build(8, pin_first), build(7, {}), build(7, pin_last), build(7, both)})
-    EXPECT_THROW(metric_problem(a, b), std::invalid_argument);
-  EXPECT_THROW(metric_problem(build(7, both), build(7, flipped)), std::invalid_argument);
+    EXPECT_THROW(metric_problem(a, b), InvalidArgument);
+  EXPECT_THROW(metric_problem(build(7, both), build(7, flipped)), InvalidArgument);
 }
 
 }  // namespace

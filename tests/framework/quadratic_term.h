@@ -27,6 +27,7 @@ class QuadraticTerm final : public EnergyTerm {
   std::string_view name() const override { return "random quadratics"; }
   const Stencils& stencils() const override { return stencils_; }
   bool supports(Curvature c) const override { return c != Curvature::Reweighted; }
+  RuleId rule_count() const override { return 4; }
 
   Index full(Index e, int i) const {
     return stencils_.block * stencils_.nodes(e, i / stencils_.block) + i % stencils_.block;

@@ -6,6 +6,7 @@
 
 #include <set>
 
+#include "majorant/framework/error.h"
 #include "mesh/test_meshes.h"
 
 namespace majorant {
@@ -72,9 +73,9 @@ TEST(HalfEdge, OppositesRunAgainstEachOther) {
 
 TEST(HalfEdge, RefusesEdgesThatAreNotManifold) {
   const Cells three = cells_of({{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});
-  EXPECT_THROW(opposite_half_edges(three), std::invalid_argument);
+  EXPECT_THROW(opposite_half_edges(three), InvalidArgument);
   const Cells same_way = cells_of({{0, 1, 2}, {0, 1, 3}});
-  EXPECT_THROW(opposite_half_edges(same_way), std::invalid_argument);
+  EXPECT_THROW(opposite_half_edges(same_way), InvalidArgument);
 }
 
 TEST(HalfEdge, BoundaryIsWalkedOnceFromTheSmallestVertices) {

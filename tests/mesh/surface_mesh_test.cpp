@@ -317,5 +317,43 @@ TEST(SurfaceMesh, KeepsTextureCoordinatesByCorner) {
   EXPECT_EQ(SurfaceMesh::from_polygons(input).corner_texcoords().rows(), 0);
 }
 
+// Arrays of any order and stride give the mesh that polygons give, whatever memory they lie in.
+TEST(SurfaceMesh, FromArraysIsFromPolygons) {
+  const PolygonMesh input = grid(3, bumpy);
+  const SurfaceMesh expected = SurfaceMesh::from_polygons(input);
+  const auto vertices = static_cast<Index>(input.positions.size());
+  Eigen::MatrixXd v(vertices, 3);  // by columns
+  for (Index k = 0; k < vertices; ++k) v.row(k) = input.positions[at(k)];
+  Eigen::MatrixXi f(static_cast<Index>(input.polygons.size()), 3);
+  for (Index k = 0; k < f.rows(); ++k)
+    for (Index c = 0; c < 3; ++c) f(k, c) = input.polygons[at(k)][at(c)];
+  const RowMatrix rows = v;
+  RowMatrix wide = RowMatrix::Constant(vertices, 5, 7);
+  wide.middleCols(1, 3) = v;
+  const Points3 points = v;
+  for (const SurfaceMesh& mesh :
+       {SurfaceMesh::from_arrays(v, f), SurfaceMesh::from_arrays(rows, f),
+        SurfaceMesh::from_arrays(wide.middleCols(1, 3), f), SurfaceMesh::from_arrays(points, f),
+        SurfaceMesh::from_arrays(Eigen::Map<const RowMatrix>(rows.data(), vertices, 3), f)}) {
+    EXPECT_EQ(mesh.positions(), expected.positions());
+    EXPECT_EQ(mesh.faces(), expected.faces());
+    EXPECT_EQ(mesh.opposites(), expected.opposites());
+    EXPECT_TRUE(mesh.file().empty());
+  }
+}
+
+TEST(SurfaceMesh, FromArraysOfQuadsLeadsBackToRows) {
+  RowMatrix v(7, 3);
+  v << 9, 9, 9, 0, 0, 0, 1, 0, 0, 2, 0, 0, 0, 1, 0, 1, 1, 0, 2, 1, 0;
+  const Cells quads = (Cells(2, 4) << 1, 2, 5, 4, 2, 3, 6, 5).finished();
+  const SurfaceMesh mesh = SurfaceMesh::from_arrays(v, quads);
+  EXPECT_EQ(mesh.face_count(), 4);
+  EXPECT_EQ(mesh.vertex_count(), 6) << "vertex 0 is used by no face";
+  for (Index k = 0; k < mesh.vertex_count(); ++k)
+    EXPECT_EQ(mesh.positions().row(k), v.row(mesh.input_vertex(k)));
+  for (Index f = 0; f < 4; ++f) EXPECT_EQ(mesh.input_face(f), f / 2);
+  EXPECT_EQ(mesh.find_input_vertex(0), -1);
+}
+
 }  // namespace
 }  // namespace majorant

@@ -130,7 +130,7 @@ TEST(WriteSvg, ADensityHasOneColourInAllMaps) {
                                 [] {
                                   drawing_of(two_triangles(4), {.color_range = ColorRange{3, 5}});
                                 }),
-                  {"--color-range: ", "4 at isometry"});
+                  {"the color range: ", "4 at isometry"});
 }
 
 TEST(WriteSvg, EveryQuantityHasItsScale) {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "majorant/framework/error.h"
+#include "majorant/mesh/internal/mesh_words.h"
 #include "majorant/parametrization/atlas/internal/texture_start.h"
 #include "majorant/parametrization/injectivity/global_injectivity.h"
 #include "majorant/parametrization/starts/internal/room.h"
@@ -119,7 +120,7 @@ bool ChartSolver::attempt(const Vec& start, MapInjectivity injectivity, RunRecor
 void ChartSolver::keep_start(const RunRecord& record) {
   if (!chart_.pins.empty())
     throw Error(ErrorKind::Infeasible,
-                mesh_->file() + ": no map without overlaps that meets the pins was found");
+                opening(*mesh_) + "no map without overlaps that meets the pins was found");
   BezierMap map = BezierMap::linear(mesh_, tutte());
   while (map.degree() < options_.map.degree) map = map.elevated();
   chart_.measures = measure_map(map, options_.map.energy, record.stop());

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "majorant/framework/error.h"
+#include "majorant/mesh/internal/mesh_words.h"
 
 namespace majorant {
 namespace {
@@ -43,7 +44,9 @@ std::vector<char> flags_of_edges(const SurfaceMesh& mesh,
     }
   }
   for (const auto& [edge, found] : wanted) {
-    if (found == Found::Nothing) refuse(source, edge, "by no edge of " + mesh.file());
+    if (found == Found::Nothing)
+      refuse(source, edge,
+             std::string("by no edge of ").append(either(mesh, mesh.file(), "the mesh")));
     if (found == Found::InnerEdge)
       refuse(source, edge, "inside a polygon only, along whose edges one can cut");
   }

@@ -7,6 +7,7 @@
 
 #include "majorant/constraints/seamless_constraint.h"
 #include "majorant/framework/error.h"
+#include "majorant/mesh/internal/mesh_words.h"
 #include "majorant/parametrization/maps/map_problem.h"
 
 namespace majorant {
@@ -52,10 +53,10 @@ void require_scale(const MapOptions& asked, const BezierMap& start) {
       p.target = p.target.value_or(start.control_points().segment<2>(2 * p.vertex));
   if (!collapses(placed, start.space(), start.seams())) return;
   throw Error(ErrorKind::Usage,
-              fmt::format("{}: the energy {} is smallest for a map shrunk to a point, and nothing "
+              fmt::format("{}the energy {} is smallest for a map shrunk to a point, and nothing "
                           "holds the scale; fix the boundary, hold two points at different places, "
                           "or add an energy that has a scale, such as symmetric Dirichlet",
-                          start.mesh().file(), names_of(asked.energy)));
+                          opening(start.mesh()), names_of(asked.energy)));
 }
 
 }  // namespace majorant

@@ -19,7 +19,9 @@ class KeptSolver final : public LinearSolver {
   FactorStatus factorize(const Vec& values, double shift) override {
     return solver_->factorize(values, shift);
   }
-  void solve(const Vec& r, Vec& p) override { solver_->solve(r, p); }
+  Solution solve(const Vec& r, Vec& p, double tolerance) override {
+    return solver_->solve(r, p, tolerance);
+  }
   std::string description() const override { return solver_->description(); }
 
  private:
@@ -130,6 +132,12 @@ bool ScaffoldedDomain::strengthen(double weight) {
   const double share = std::max(rules_.share, weight);
   lambda_.reset();
   return std::exchange(share_, share) != share;
+}
+
+StoppingRules ScaffoldedDomain::final_rules(StoppingRules usual) const {
+  usual.relative_decrease *= rules_.part_of_tolerance;
+  usual.tail_steps = rules_.tail_steps;
+  return usual;
 }
 
 void ScaffoldedDomain::elevate(const std::shared_ptr<const BezierTriangleSpace>& higher) {

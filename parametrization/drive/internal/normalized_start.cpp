@@ -9,6 +9,7 @@
 #include "majorant/constraints/seamless_constraint.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/elimination.h"
+#include "majorant/mesh/internal/mesh_words.h"
 #include "majorant/parametrization/drive/internal/free_scale.h"
 #include "majorant/parametrization/drive/internal/reach_pins.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
@@ -35,14 +36,14 @@ void require_face_weights(const SurfaceMesh& mesh, const Vec& weights) {
   if (weights.size() != mesh.face_count() ||
       !std::all_of(weights.begin(), weights.end(), is_usable_weight))
     throw Error(ErrorKind::Usage,
-                fmt::format("{}: face weights must be one number in {:g}..{:g} for each face",
-                            mesh.file(), 1 / kLargestFactor, kLargestFactor));
+                fmt::format("{}face weights must be one number in {:g}..{:g} for each face",
+                            opening(mesh), 1 / kLargestFactor, kLargestFactor));
 }
 
 void require_vertex(const SurfaceMesh& mesh, const Pin& pin) {
   if (pin.vertex < 0 || pin.vertex >= mesh.vertex_count())
     throw Error(ErrorKind::Usage,
-                fmt::format("{}: pinned vertex {} does not exist", mesh.file(), pin.vertex));
+                fmt::format("{}pinned vertex {} does not exist", opening(mesh), pin.vertex));
 }
 
 bool contains(const std::vector<FixedPoint>& points, Index node) {
@@ -65,16 +66,16 @@ std::vector<FixedPoint> place_handles(const SurfaceMesh& mesh, const std::vector
     require_vertex(mesh, handle);
     if (contains(points, handle.vertex) || contains(pins, handle.vertex))
       throw Error(ErrorKind::Unsupported,
-                  fmt::format("{}: vertex {} has two handles, or a pin and a handle; keep one",
-                              mesh.file(), mesh.input_vertex(handle.vertex)));
+                  fmt::format("{}vertex {} has two handles, or a pin and a handle; keep one",
+                              opening(mesh), mesh.input_vertex(handle.vertex)));
     const Vector2 here = start.segment<2>(2 * handle.vertex);
     points.push_back({handle.vertex, handle.target.value_or(here)});
     const double distance = ((points.back().position - here) * scale).stableNorm();
     if (!(distance <= kLargestFactor))
       throw Error(ErrorKind::Unsupported,
-                  fmt::format("{}: the target of vertex {} is {:.3g} sizes of the model away from "
+                  fmt::format("{}the target of vertex {} is {:.3g} sizes of the model away from "
                               "it, too far to compute with; give a nearer one",
-                              mesh.file(), mesh.input_vertex(handle.vertex), distance));
+                              opening(mesh), mesh.input_vertex(handle.vertex), distance));
   }
   return points;
 }
@@ -93,10 +94,13 @@ std::vector<FixedPoint> place_pins(const SurfaceMesh& mesh, const Seams& seams,
     if (distance > tolerance)
       throw Error(
           ErrorKind::Infeasible,
-          fmt::format("{}: the pin of vertex {} is {:.6g} away from the initial map ({}, {}); "
-                      "hold it there with \"target\": \"initial\", start from a map that "
-                      "meets the pins with --init input, or use soft handles",
-                      mesh.file(), mesh.input_vertex(pin.vertex), distance, here.x(), here.y()));
+          fmt::format("{}the pin of vertex {} is {:.6g} away from the initial map ({}, {}); "
+                      "{}, or use soft handles",
+                      opening(mesh), mesh.input_vertex(pin.vertex), distance, here.x(), here.y(),
+                      either(mesh,
+                             "hold it there with \"target\": \"initial\", start from a map that "
+                             "meets the pins with --init input",
+                             "leave out its target, start from a map that meets the pins")));
     // A fixed boundary, a seam or an aligned edge may already say the same, up to rounding.
     const bool held = !seams.empty() || !asked.aligned.empty() ||
                       (asked.boundary == BoundaryCondition::Fixed && on_boundary(mesh, pin.vertex));
@@ -109,26 +113,28 @@ std::vector<FixedPoint> place_pins(const SurfaceMesh& mesh, const Seams& seams,
 // Of the normalized map: as it is solved, whatever the size of the mesh. asked: what the map would
 // have started from says what helps.
 void require_injective(const BezierMap& map, const RestShapes& rest, const MapOptions& asked) {
-  const char* remedy =
-      asked.initial ? "leave out --init input, or use `majorant unwrap`" : "use `majorant unwrap`";
+  const std::string_view remedy =
+      asked.initial ? either(map.mesh(), "leave out --init input, or use `majorant unwrap`",
+                             "leave out MapOptions::initial, or use unwrap()")
+                    : either(map.mesh(), "use `majorant unwrap`", "use unwrap()");
   const Verdict faces =
       LocalInjectivity(map.shared_space(), 2 * rest.measure).check(map.control_points());
   if (!faces.feasible)
     throw Error(
         ErrorKind::Infeasible,
-        fmt::format("{}: the initial map is not injective: face {} ({} in all) is not positively "
+        fmt::format("{}the initial map is not injective: face {} ({} in all) is not positively "
                     "oriented; {}",
-                    map.mesh().file(), map.mesh().input_face(faces.blocking.front()) + 1,
+                    opening(map.mesh()), told_face(map.mesh(), faces.blocking.front()),
                     faces.blocking.size(), remedy));
   const Verdict vertices =
       AngleSums(map.shared_space(), AngleSums::Vertices::Interior, map.shared_seams())
           .check(map.control_points());
   if (!vertices.feasible)
     throw Error(ErrorKind::Infeasible,
-                fmt::format("{}: the initial map is not injective: it covers the neighbourhood of "
+                fmt::format("{}the initial map is not injective: it covers the neighbourhood of "
                             "vertex {} more than once; {}",
-                            map.mesh().file(),
-                            map.mesh().input_vertex(vertices.blocking.front()) + 1, remedy));
+                            opening(map.mesh()), told_vertex(map.mesh(), vertices.blocking.front()),
+                            remedy));
 }
 
 // The axis that each edge is nearer to: u is constant along it, or v.
@@ -145,17 +151,17 @@ std::vector<AlignedEdge> nearest_axes(const BezierMap& start, const std::vector<
   for (const Index h : edges) {
     if (h < 0 || h >= mesh.half_edge_count())
       throw Error(ErrorKind::Usage,
-                  fmt::format("{}: aligned half-edge {} does not exist", mesh.file(), h));
+                  fmt::format("{}aligned half-edge {} does not exist", opening(mesh), h));
     const Vector2 off = edge(h).cwiseAbs();
     aligned.push_back({h, off.x() <= off.y() ? 0 : 1});
     if (!(off.minCoeff() <= kSeamTolerance * mean))
-      throw Error(ErrorKind::Infeasible,
-                  fmt::format("{}: edge ({}, {}) cannot stay parallel to an axis: the initial map "
-                              "has it {:.3g} edge lengths off (tolerance {:g}); give another start "
-                              "or do not align it",
-                              mesh.file(), mesh.input_vertex(mesh.from_vertex(h)) + 1,
-                              mesh.input_vertex(mesh.to_vertex(h)) + 1, off.minCoeff() / mean,
-                              kSeamTolerance));
+      throw Error(
+          ErrorKind::Infeasible,
+          fmt::format("{}edge ({}, {}) cannot stay parallel to an axis: the initial map "
+                      "has it {:.3g} edge lengths off (tolerance {:g}); give another start "
+                      "or do not align it",
+                      opening(mesh), told_vertex(mesh, mesh.from_vertex(h)),
+                      told_vertex(mesh, mesh.to_vertex(h)), off.minCoeff() / mean, kSeamTolerance));
   }
   return aligned;
 }
@@ -193,8 +199,8 @@ void require_face_data(const SurfaceMesh& mesh, const MapObjective& asked) {
     const DensityTraits& traits = e.make.traits();
     if (traits.elements.value_or(mesh.face_count()) != mesh.face_count())
       throw Error(ErrorKind::Usage,
-                  fmt::format("{}: the energy '{}' has data for {} faces, the mesh has {}",
-                              mesh.file(), traits.name, *traits.elements, mesh.face_count()));
+                  fmt::format("{}the energy '{}' has data for {} faces, the mesh has {}",
+                              opening(mesh), traits.name, *traits.elements, mesh.face_count()));
   }
 }
 

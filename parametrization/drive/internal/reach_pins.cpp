@@ -11,6 +11,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/elimination.h"
 #include "majorant/mesh/internal/exact_predicates.h"
+#include "majorant/mesh/internal/mesh_words.h"
 #include "majorant/parametrization/injectivity/global_injectivity.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 #include "majorant/parametrization/starts/internal/untangle.h"
@@ -47,8 +48,8 @@ Vector2 place_of(const BezierMap& map, Index vertex) {
 Index name_of(const BezierMap& map, Index vertex) { return map.mesh().input_vertex(vertex); }
 
 [[noreturn]] void refuse_pins(const BezierMap& map, const std::string& why) {
-  throw Error(ErrorKind::Infeasible, fmt::format("{}: no valid way to the pins' targets found: {}",
-                                                 map.mesh().file(), why));
+  throw Error(ErrorKind::Infeasible, fmt::format("{}no valid way to the pins' targets found: {}",
+                                                 opening(map.mesh()), why));
 }
 
 // Nothing but pins holds the map: it may be turned, and is worth optimizing before.
@@ -112,8 +113,8 @@ ParametrizationOptions with_targets(const BezierMap& start, ParametrizationOptio
   for (auto* points : {&options.map.pins, &options.map.handles})
     for (Pin& p : *points) {
       if (p.vertex < 0 || p.vertex >= start.mesh().vertex_count())
-        throw Error(ErrorKind::Usage, fmt::format("{}: pinned vertex {} does not exist",
-                                                  start.mesh().file(), p.vertex));
+        throw Error(ErrorKind::Usage, fmt::format("{}pinned vertex {} does not exist",
+                                                  opening(start.mesh()), p.vertex));
       if (!p.target) p.target = place_of(start, p.vertex);
     }
   return options;
@@ -132,8 +133,8 @@ void require_pinned_once(const SurfaceMesh& mesh, const std::vector<Pin>& pins) 
   std::vector<char> is_pinned(at(mesh.vertex_count()), 0);
   for (const Pin& p : pins)
     if (std::exchange(is_pinned[at(p.vertex)], 1))
-      throw Error(ErrorKind::Unsupported, fmt::format("{}: vertex {} is pinned twice; pin it once",
-                                                      mesh.file(), mesh.input_vertex(p.vertex)));
+      throw Error(ErrorKind::Unsupported, fmt::format("{}vertex {} is pinned twice; pin it once",
+                                                      opening(mesh), mesh.input_vertex(p.vertex)));
 }
 
 void require_no_contradiction(const BezierMap& start, const MapOptions& asked) {
@@ -143,11 +144,10 @@ void require_no_contradiction(const BezierMap& start, const MapOptions& asked) {
   for (const Pin& p : asked.pins) {
     const double distance = (*p.target - place_of(start, p.vertex)).stableNorm();
     if (!(distance <= kFarthest * size))
-      throw Error(
-          ErrorKind::Unsupported,
-          fmt::format("{}: the target of vertex {} is {:.3g} sizes of the map away from it, "
-                      "too far to compute with; give a nearer one",
-                      start.mesh().file(), name_of(start, p.vertex), distance / size));
+      throw Error(ErrorKind::Unsupported,
+                  fmt::format("{}the target of vertex {} is {:.3g} sizes of the map away from it, "
+                              "too far to compute with; give a nearer one",
+                              opening(start.mesh()), name_of(start, p.vertex), distance / size));
     pin_of[at(p.vertex)] = &p;
     if (!start.seams().empty()) continue;  // layouts with seams may cover a place several times
     for (const Pin& q : asked.pins)
@@ -167,15 +167,17 @@ void require_no_contradiction(const BezierMap& start, const MapOptions& asked) {
       refuse_pins(start, fmt::format("those of vertex {}, vertex {} and vertex {} turn face {} "
                                      "over; leave one out",
                                      name_of(start, a->vertex), name_of(start, b->vertex),
-                                     name_of(start, c->vertex), start.mesh().input_face(f) + 1));
+                                     name_of(start, c->vertex), told_face(start.mesh(), f)));
   }
   if (asked.boundary != BoundaryCondition::Fixed) return;
   for (const auto& loop : start.mesh().boundary_loops())
     for (const Index v : loop)
       if (pin_of[at(v)] && !meets_pins(start, {*pin_of[at(v)]}))
-        refuse_pins(start, fmt::format("vertex {} is on the fixed boundary; leave out --boundary "
-                                       "fixed, or the pin",
-                                       name_of(start, v)));
+        refuse_pins(start, fmt::format("vertex {} is on the fixed boundary; leave out {}, or the "
+                                       "pin",
+                                       name_of(start, v),
+                                       either(start.mesh(), "--boundary fixed",
+                                              "BoundaryCondition::Fixed")));
 }
 
 bool PinPull::going_on() const {
@@ -290,9 +292,10 @@ bool PinPull::untangle_with_pins() {
 void PinPull::refuse() const {
   if (!going_on())
     throw Error(ErrorKind::Infeasible,
-                start_.mesh().file() +
-                    ": stopped by a limit or Ctrl-C before the pins' targets were reached; raise "
-                    "--max-iterations or --time-limit");
+                opening(start_.mesh()) +
+                    "stopped by a limit or Ctrl-C before the pins' targets were reached; raise " +
+                    std::string(either(start_.mesh(), "--max-iterations or --time-limit",
+                                       "the limits of the RunRecord")));
   Index farthest = -1;
   double distance = -1;
   for (const Pin& p : options_.map.pins)

@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "majorant/framework/error.h"
+#include "majorant/mesh/internal/mesh_words.h"
 #include "majorant/parametrization/fields/internal/cone_potential.h"
 
 namespace majorant {
@@ -159,9 +160,9 @@ class Cleanup {
     });
     if (!found)
       throw Error(ErrorKind::Infeasible,
-                  fmt::format("{}: vertex {}: the mesh is too coarse for the cones of a cross "
+                  fmt::format("{}vertex {}: the mesh is too coarse for the cones of a cross "
                               "field; refine it or align fewer edges",
-                              mesh_.file(), mesh_.input_vertex(v) + 1));
+                              opening(mesh_), told_vertex(mesh_, v)));
   }
 
   // Moves a quarter turn from v to the nearest vertex that is a goal (step = 1), or from there to v

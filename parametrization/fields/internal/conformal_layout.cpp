@@ -7,6 +7,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/framework/linear_solver.h"
+#include "majorant/mesh/internal/mesh_words.h"
 #include "majorant/parametrization/fields/internal/conformal_metric.h"
 #include "majorant/parametrization/fields/internal/edge_laplacian.h"
 
@@ -16,7 +17,7 @@ namespace {
 SurfaceMesh disk_of(const SurfaceMesh& mesh, const ConformalMetric& metric,
                     const std::vector<char>& is_cut) {
   const auto refuse = [&](const std::string& what) {
-    throw Error(ErrorKind::Usage, fmt::format("{}: {}", mesh.file(), what));
+    throw Error(ErrorKind::Usage, fmt::format("{}{}", opening(mesh), what));
   };
   if (is_cut.size() != at(mesh.half_edge_count()))
     refuse(fmt::format("{} cut flags for {} half-edges; give 3 per face", is_cut.size(),
@@ -24,8 +25,8 @@ SurfaceMesh disk_of(const SurfaceMesh& mesh, const ConformalMetric& metric,
   for (Index h = 0; h < mesh.half_edge_count(); ++h)
     if (mesh.opposite(h) >= 0 && !is_cut[at(h)] != !is_cut[at(mesh.opposite(h))])
       refuse(fmt::format("edge ({}, {}) is cut on one side only; flag both half-edges",
-                         mesh.input_vertex(mesh.from_vertex(h)) + 1,
-                         mesh.input_vertex(mesh.to_vertex(h)) + 1));
+                         told_vertex(mesh, mesh.from_vertex(h)),
+                         told_vertex(mesh, mesh.to_vertex(h))));
   if (metric.edge_vectors.rows() != mesh.half_edge_count())
     refuse("the conformal metric belongs to another surface");
   SurfaceMesh disk = mesh.cut_along(is_cut, nullptr);

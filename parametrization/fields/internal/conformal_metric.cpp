@@ -12,6 +12,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/backtracking.h"
 #include "majorant/framework/linear_solver.h"
+#include "majorant/mesh/internal/mesh_words.h"
 #include "majorant/parametrization/fields/internal/conformal_energy.h"
 #include "majorant/parametrization/fields/internal/edge_laplacian.h"
 
@@ -44,7 +45,7 @@ constexpr double kClosingTolerance = 1e-6;
 
 void require_angle_sums(const SurfaceMesh& mesh, const std::vector<int>& quarter_turns) {
   const auto refuse = [&](const std::string& what) {
-    throw Error(ErrorKind::Usage, fmt::format("{}: {}", mesh.file(), what));
+    throw Error(ErrorKind::Usage, fmt::format("{}{}", opening(mesh), what));
   };
   if (quarter_turns.size() != at(mesh.vertex_count()))
     refuse(fmt::format("{} quarter turns for {} vertices; give one number per vertex",
@@ -55,7 +56,7 @@ void require_angle_sums(const SurfaceMesh& mesh, const std::vector<int>& quarter
     if (is_boundary[at(v)]) continue;
     if (quarter_turns[at(v)] < 1)
       refuse(fmt::format("vertex {}: {} quarter turns; an angle sum must be positive",
-                         mesh.input_vertex(v) + 1, quarter_turns[at(v)]));
+                         told_vertex(mesh, v), quarter_turns[at(v)]));
     missing += 4 - quarter_turns[at(v)];
   }
   const long long wanted = 4LL * mesh.topology().euler_characteristic();

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "majorant/framework/error.h"
+#include "majorant/mesh/internal/mesh_words.h"
 
 namespace majorant {
 namespace {
@@ -17,9 +18,9 @@ double nearest_integer(const SurfaceMesh& mesh, double value) {
   const double n = std::round(value);
   if (!(std::abs(value - n) <= kIntegerTolerance))
     throw Error(ErrorKind::Invalid,
-                fmt::format("{}: a cross field has {} quarter turns, not an integer; check the "
+                fmt::format("{}a cross field has {} quarter turns, not an integer; check the "
                             "mesh for nearly degenerate faces",
-                            mesh.file(), value));
+                            opening(mesh), value));
   return n;
 }
 

@@ -62,8 +62,8 @@ Vector3 edge_vector(const SurfaceMesh& mesh, Index half_edge) {
 
 SparseSpd field_system(Index size, Index block, const std::vector<SparseSpd::Entry>& entries) {
   return SparseSpd(size, block, entries,
-                   "the matrix of a cross field cannot be factorized; check the mesh with "
-                   "`majorant info`");
+                   "the matrix of a cross field cannot be factorized; check the mesh for nearly "
+                   "degenerate faces");
 }
 
 }  // namespace majorant

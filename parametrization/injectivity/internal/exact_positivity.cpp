@@ -6,8 +6,9 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <stdexcept>
 #include <vector>
+
+#include "majorant/framework/error.h"
 
 namespace majorant {
 namespace {
@@ -137,7 +138,7 @@ std::array<Piece, 2> halves(const Piece& p) {
 ExactPositivity exact_positivity(const Points2& control_points, const StopCheck& stop) {
   const int degree = degree_from_control_points(static_cast<int>(control_points.rows()));
   if (degree < 1 || degree > TriangleIndices::kMaxDegree)
-    throw std::invalid_argument("exact_positivity: no Bezier triangle of degree 1..20");
+    throw InvalidArgument("exact_positivity: no Bezier triangle of degree 1..20");
   std::vector<Piece> open{
       determinant(TriangleIndices::of_degree(degree), to_integers(control_points))};
   bool is_left = false;

@@ -26,7 +26,7 @@ struct ExactPositivity {
 };
 
 // control_points: finite, in VTK's order (elements/internal/bernstein.h). Throws
-// std::invalid_argument when their number is not triangular or the degree is over 20; Stopped.
+// InvalidArgument when their number is not triangular or the degree is over 20; Stopped.
 ExactPositivity exact_positivity(const Points2& control_points, const StopCheck& stop = {});
 
 }  // namespace majorant

@@ -5,11 +5,11 @@
 #include <array>
 #include <deque>
 #include <limits>
-#include <stdexcept>
 
 #include "majorant/elements/bezier_triangle_space.h"
 #include "majorant/elements/element_space.h"
 #include "majorant/elements/internal/bernstein.h"
+#include "majorant/framework/error.h"
 #include "majorant/parametrization/scaffold/internal/moving_barrier.h"
 #include "majorant/parametrization/scaffold/internal/quadrilateral.h"
 
@@ -62,8 +62,8 @@ class FlipTables {
 
 void require_degree(const BezierMesh& mesh) {
   if (mesh.degree < 1 || mesh.degree > BezierTriangleSpace::kMaxDegree)
-    throw std::invalid_argument(fmt::format("edge flips: degree must be 1..{}, is {}",
-                                            BezierTriangleSpace::kMaxDegree, mesh.degree));
+    throw InvalidArgument(fmt::format("edge flips: degree must be 1..{}, is {}",
+                                      BezierTriangleSpace::kMaxDegree, mesh.degree));
 }
 
 // Whether an edge joins these vertices, by going around v from the half-edge that leaves it.
@@ -149,7 +149,7 @@ FlipCounts flip_while(BezierMesh& mesh, std::vector<char>& is_fixed, long most,
   require_degree(mesh);
   const std::size_t count = mesh.opposite.size();
   if (!is_fixed.empty() && is_fixed.size() != count)
-    throw std::invalid_argument(
+    throw InvalidArgument(
         fmt::format("edge flips: {} flags for {} half-edges", is_fixed.size(), count));
   std::deque<Index> queue;
   std::vector<char> queued(count, 0), failed(count, 0);
@@ -200,7 +200,7 @@ FlippedSides flipped_sides(Index half_edge, Index opposite) {
 bool flip_edge(BezierMesh& mesh, Index half_edge) {
   require_degree(mesh);
   if (half_edge < 0 || at(half_edge) >= mesh.opposite.size())
-    throw std::invalid_argument(fmt::format("flip_edge: no half-edge {}", half_edge));
+    throw InvalidArgument(fmt::format("flip_edge: no half-edge {}", half_edge));
   if (!has_free_diagonal(mesh, half_edge)) return false;
   if (!corners(mesh, half_edge).flips_to_positive(kSine)) return false;
 

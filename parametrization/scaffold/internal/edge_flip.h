@@ -28,7 +28,7 @@ namespace majorant {
 // `half_edge` and its opposite are the new edge afterwards, turned counterclockwise. With a, b its
 // ends and c, d the third corners, h1 = next(h), h2 = next(h1): before h: ab, bc, ca and o: ba, ad,
 // db; after h: dc, ca, ad and o: cd, db, bc. The faces around a vertex must be one fan. Throws
-// std::invalid_argument for a degree outside 1..8 or a half-edge that does not exist.
+// InvalidArgument for a degree outside 1..8 or a half-edge that does not exist.
 bool flip_edge(BezierMesh& mesh, Index half_edge);
 
 // The numbers of a quadrilateral's sides before and after flip_edge(half_edge), in the same order:
@@ -42,7 +42,7 @@ FlippedSides flipped_sides(Index half_edge, Index opposite);
 // fixed anyway), until the triangulation of the corner points is locally Delaunay; flips of
 // quadrilaterals that are not strictly convex are not intended, nor are those of four points on a
 // circle up to rounding. An edge whose flip failed is tried again only when its quadrilateral
-// changed. The flags follow their edges. Throws std::invalid_argument for another size of is_fixed
+// changed. The flags follow their edges. Throws InvalidArgument for another size of is_fixed
 // or a degree outside 1..8.
 FlipCounts make_delaunay(BezierMesh& mesh, std::vector<char>& is_fixed);
 

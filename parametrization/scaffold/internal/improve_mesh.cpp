@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <map>
 #include <optional>
-#include <stdexcept>
 
 #include "majorant/elements/element_space.h"
 #include "majorant/elements/rest_shapes.h"
+#include "majorant/framework/error.h"
 #include "majorant/parametrization/maps/internal/quadrature_ladder.h"
 #include "majorant/parametrization/scaffold/internal/pair_energy.h"
 #include "majorant/parametrization/scaffold/internal/quadrilateral.h"
@@ -58,8 +58,7 @@ class Improver {
       input_face_.push_back(map.mesh().input_face(f));
       if (map.space().certify(f, map.control_points(), ProofDepth::kFinal).result !=
           Positivity::Certified)
-        throw std::invalid_argument(
-            fmt::format("improve_mesh: face {} of the map is not injective", f));
+        throw InvalidArgument(fmt::format("improve_mesh: face {} of the map is not injective", f));
     }
     for (Index h = 0; h < 3 * mesh_.face_count(); ++h)
       if (mesh_.opposite[at(h)] > h) push(h);
@@ -258,9 +257,9 @@ class Improver {
 }  // namespace
 
 ImprovedMap improve_mesh(const BezierMap& map, const EnergySum& energy, const StopCheck& stop) {
-  if (energy.empty()) throw std::invalid_argument("improve_mesh: no energy");
+  if (energy.empty()) throw InvalidArgument("improve_mesh: no energy");
   if (knows_elements(energy))
-    throw std::invalid_argument("improve_mesh: the energy has data or weights of faces");
+    throw InvalidArgument("improve_mesh: the energy has data or weights of faces");
   return Improver(map, energy).run(stop);
 }
 

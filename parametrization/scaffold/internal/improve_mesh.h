@@ -35,7 +35,7 @@ struct ImprovedMap {
 // The result's mesh has the same vertices in the same order and as many faces; both faces of a
 // flipped pair count as the smaller of the two polygons of the file that they were part of
 // (SurfaceMesh::input_face). It has no texture coordinates. The map itself is returned when nothing
-// was flipped. energy: of the map as it is, in model units. Throws std::invalid_argument when it is
+// was flipped. energy: of the map as it is, in model units. Throws InvalidArgument when it is
 // empty or when a face of the map is not certified to be injective.
 // After a stop no further pair is tried.
 ImprovedMap improve_mesh(const BezierMap& map, const EnergySum& energy, const StopCheck& stop = {});

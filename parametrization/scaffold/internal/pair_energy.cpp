@@ -3,9 +3,9 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "majorant/elements/element_space.h"
+#include "majorant/framework/error.h"
 #include "majorant/framework/evaluator.h"
 #include "majorant/framework/internal/backtracking.h"
 #include "majorant/framework/internal/element_values.h"
@@ -37,7 +37,7 @@ struct PairEnergy::Pair {
 PairEnergy::PairEnergy(std::shared_ptr<const BezierTriangleSpace> space, const RestShapes& rest,
                        const EnergySum& energy, const Quadrature& rule)
     : space_(std::move(space)), energy_(energy) {
-  if (energy.empty()) throw std::invalid_argument("PairEnergy: no energy");
+  if (energy.empty()) throw InvalidArgument("PairEnergy: no energy");
   for (const WeightedEnergy& e : energy) terms_.push_back(e.make(space_, rest, {rule}));
   for (const Curvature c : kPreferred)
     if (!curvature_ && std::all_of(terms_.begin(), terms_.end(),

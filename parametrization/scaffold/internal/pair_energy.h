@@ -22,7 +22,7 @@ namespace majorant {
 class PairEnergy {
  public:
   // Faces 2p and 2p + 1 of the space share an edge and no node with other pairs; `rest` has a shape
-  // per face. Throws std::invalid_argument when there is no energy.
+  // per face. Throws InvalidArgument when there is no energy.
   PairEnergy(std::shared_ptr<const BezierTriangleSpace> space, const RestShapes& rest,
              const EnergySum& energy, const Quadrature& rule);
 

@@ -350,11 +350,11 @@ ScaffoldTriangulation ScaffoldBuilder::result() const {
 ScaffoldTriangulation triangulate_scaffold(const std::vector<Points2>& loops,
                                            const ScaffoldOptions& options) {
   if (!(options.margin > 0 && std::isfinite(options.margin)) || !(options.quality >= 1))
-    throw std::invalid_argument("triangulate_scaffold: margin > 0 and quality >= 1 are needed");
-  if (loops.empty()) throw std::invalid_argument("triangulate_scaffold: no loops");
+    throw InvalidArgument("triangulate_scaffold: margin > 0 and quality >= 1 are needed");
+  if (loops.empty()) throw InvalidArgument("triangulate_scaffold: no loops");
   for (std::size_t l = 0; l < loops.size(); ++l)
     if (loops[l].rows() < 3 || !loops[l].allFinite())
-      throw std::invalid_argument(
+      throw InvalidArgument(
           fmt::format("triangulate_scaffold: loop {} needs 3 or more points, all finite", l));
   ScaffoldBuilder builder(loops, options.margin);
   builder.refine(options.quality);

@@ -43,7 +43,7 @@ struct ScaffoldTriangulation {
 // insides of holes. The image's boundary edges are never split, so triangles at corners and in
 // corridors that are narrow compared to them may stay bad.
 // Throws Error(Infeasible) naming the two edges where boundary edges intersect or touch, or naming
-// the loop when one has the image on its right; std::invalid_argument for no loops, loops with
+// the loop when one has the image on its right; InvalidArgument for no loops, loops with
 // fewer than 3 points, positions that are not finite, and options out of range.
 ScaffoldTriangulation triangulate_scaffold(const std::vector<Points2>& loops,
                                            const ScaffoldOptions& = {});

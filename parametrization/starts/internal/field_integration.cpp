@@ -9,6 +9,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/framework/newton.h"
 #include "majorant/mesh/internal/length_of.h"
+#include "majorant/mesh/internal/mesh_words.h"
 #include "majorant/parametrization/maps/map_problem.h"
 #include "majorant/parametrization/starts/internal/cut_surface.h"
 
@@ -111,9 +112,8 @@ BezierMap integrate_field(const SurfaceMesh& mesh, const std::vector<char>& is_c
   const SolveResult solved = stepper.minimize(Vec::Zero(problem.size()), brief_rules(2, 0));
   if (solved.status == Status::Failed || solved.status == Status::Infeasible)
     throw Error(ErrorKind::Infeasible,
-                mesh.file() +
-                    ": the field's linear system is singular; check the mesh with "
-                    "`majorant info`");
+                fmt::format("{}the field's linear system is singular; check the mesh with {}",
+                            opening(mesh), either(mesh, "`majorant info`", "find_defects()")));
   return map.with(map.shared_space(), problem.expand(solved.y));
 }
 

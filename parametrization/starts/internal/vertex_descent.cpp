@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 #include "majorant/elements/bezier_triangle_space.h"
 #include "majorant/elements/quadrature.h"
+#include "majorant/framework/error.h"
 
 namespace majorant {
 namespace {
@@ -51,7 +51,7 @@ VertexDescent::VertexDescent(const CollapsingMesh& mesh, const Points3& position
                              const EnergySum& energy, Vec& uv)
     : mesh_(mesh), positions_(positions), uv_(uv), shape_(at(mesh.face_slots())) {
   if (knows_elements(energy))
-    throw std::invalid_argument("VertexDescent: the energy has data or weights of faces");
+    throw InvalidArgument("VertexDescent: the energy has data or weights of faces");
   for (const WeightedEnergy& e : energy) {
     terms_.push_back(density_of(e.make));
     term_weight_.push_back(e.weight);

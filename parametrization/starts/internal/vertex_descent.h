@@ -20,7 +20,7 @@ namespace majorant {
 class VertexDescent {
  public:
   // mesh, positions (#V by 3) and uv (2 numbers per vertex) outlive this and are what it works on;
-  // uv in the units of positions. Throws std::invalid_argument for energies of other than planar
+  // uv in the units of positions. Throws InvalidArgument for energies of other than planar
   // maps, and for those that know single faces.
   VertexDescent(const CollapsingMesh& mesh, const Points3& positions, const EnergySum& energy,
                 Vec& uv);

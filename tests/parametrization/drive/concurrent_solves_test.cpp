@@ -9,6 +9,7 @@
 
 #include "framework/barrier_chain.h"
 #include "majorant/framework/ceres_minimizer.h"
+#include "majorant/framework/error.h"
 #include "majorant/framework/thread_count.h"
 #include "majorant/parametrization/starts/make_seamless.h"
 #include "mesh/obj_file.h"
@@ -139,7 +140,7 @@ TEST(ThreadCount, LastsAsLongAsItsBlock) {
     EXPECT_EQ(ThreadCount::current(), 2);
   }
   EXPECT_EQ(Settings(), before);
-  EXPECT_THROW(ThreadCount(-1), std::invalid_argument);
+  EXPECT_THROW(ThreadCount(-1), InvalidArgument);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "expected_error.h"
 #include "majorant/energies/make_energy.h"
+#include "majorant/framework/error.h"
 #include "majorant/framework/evaluator.h"
 #include "majorant/framework/internal/element_values.h"
 #include "majorant/parametrization/maps/internal/quadrature_ladder.h"
@@ -201,7 +202,7 @@ TEST(FaceData, FibresAndDataTogetherOnParts) {
       "pulled", [](const auto& J, double c) { return c * J(0, 0) * J(0, 0); }, k);
   const EnergyFactory both = along(fibres, energy_factory(pulled));
   EXPECT_EQ(both.traits().elements, mesh->face_count());
-  EXPECT_THROW(along(RowMatrix(fibres.topRows(3)), energy_factory(pulled)), std::invalid_argument);
+  EXPECT_THROW(along(RowMatrix(fibres.topRows(3)), energy_factory(pulled)), InvalidArgument);
   const BezierMap map = BezierMap::linear(mesh, tutte_map(*mesh));
   const std::vector<Index> chosen{9, 0, 33};
   const auto space = std::make_shared<const BezierTriangleSpace>(
@@ -272,7 +273,7 @@ TEST(FaceData, WhatIsNotForTheFacesIsRefused) {
                   {"flipping", "data"});
   EXPECT_THROW(measure_map(BezierMap::linear(mesh, tutte_map(*mesh)),
                            {{energy_factory(stiff(Vec::Ones(faces - 1)))}}),
-               std::invalid_argument);
+               InvalidArgument);
 }
 
 }  // namespace

@@ -255,8 +255,8 @@ TEST(ImproveMesh, RefusesMapsWithFolds) {
   EXPECT_THROW(
       improve_mesh(mapped(mesh, t, 2, [](const Vector2& p) { return Vector2(p[0], -p[1]); }),
                    kEnergy),
-      std::invalid_argument);
-  EXPECT_THROW(improve_mesh(mapped(mesh, t, 2, unchanged), {}), std::invalid_argument);
+      InvalidArgument);
+  EXPECT_THROW(improve_mesh(mapped(mesh, t, 2, unchanged), {}), InvalidArgument);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "expected_error.h"
+#include "majorant/framework/error.h"
 #include "majorant/mesh/internal/cut_graph.h"
 #include "mesh/surfaces_of_any_genus.h"
 
@@ -293,10 +294,10 @@ TEST(CrossField, RefusesOptionsThatAreNotValid) {
   const SurfaceMesh mesh = SurfaceMesh::from_polygons(grid(2));
   CrossFieldOptions options;
   options.curvature_weight = -1;
-  EXPECT_THROW(smoothest_cross_field(mesh, options), std::invalid_argument);
+  EXPECT_THROW(smoothest_cross_field(mesh, options), InvalidArgument);
   options.curvature_weight = 0;
   options.aligned = {1, 0};
-  EXPECT_THROW(smoothest_cross_field(mesh, options), std::invalid_argument);
+  EXPECT_THROW(smoothest_cross_field(mesh, options), InvalidArgument);
 }
 
 TEST(PrescribedCones, AreExactlyThose) {

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "majorant/elements/bezier_triangle_space.h"
+#include "majorant/framework/error.h"
 
 namespace majorant {
 namespace {
@@ -120,8 +121,8 @@ TEST(ExactPositivity, Valleys) {
 }
 
 TEST(ExactPositivity, RefusesOtherCounts) {
-  EXPECT_THROW(exact_positivity(Points2::Zero(5, 2)), std::invalid_argument);
-  EXPECT_THROW(exact_positivity(Points2::Zero(1, 2)), std::invalid_argument);
+  EXPECT_THROW(exact_positivity(Points2::Zero(5, 2)), InvalidArgument);
+  EXPECT_THROW(exact_positivity(Points2::Zero(1, 2)), InvalidArgument);
 }
 
 }  // namespace

@@ -233,5 +233,22 @@ TEST(BezierMap, RefusesControlPointsThatDoNotFit) {
   EXPECT_ANY_THROW(BezierMap::linear(mesh, Vec::Zero(2 * mesh->vertex_count() - 2)));
 }
 
+TEST(BezierMap, GivesArrays) {
+  for (const int degree : {1, 3}) {
+    const BezierMap map = wild(degree);
+    const Points2 corners = map.corner_uv();
+    ASSERT_EQ(corners.rows(), 3 * map.mesh().face_count());
+    for (Index f = 0; f < map.mesh().face_count(); ++f)
+      for (int k = 0; k < 3; ++k) {
+        const Vector2 uv = map.evaluate(f, Barycentric::Unit(k));
+        EXPECT_LT((corners.row(3 * f + k).transpose() - uv).norm(), 1e-14);
+      }
+    const auto rows = map.control_uv();
+    ASSERT_EQ(rows.rows(), map.space().node_count());
+    EXPECT_EQ(rows.data(), map.control_points().data()) << "a view";
+    EXPECT_EQ(Vector2(rows.row(5)), Vector2(map.control_points().segment<2>(10)));
+  }
+}
+
 }  // namespace
 }  // namespace majorant

@@ -6,6 +6,7 @@
 #include "energies/density_fixture.h"
 #include "majorant/constraints/fixed_points.h"
 #include "majorant/framework/derivative_check.h"
+#include "majorant/framework/error.h"
 #include "majorant/framework/newton.h"
 #include "majorant/parametrization/maps/map_problem.h"
 
@@ -142,13 +143,13 @@ TEST(QuadraticPenalty, WithElimination) {
 }
 
 TEST(QuadraticPenalty, Refusals) {
-  EXPECT_THROW(QuadraticPenalty(Rows({{{}, 1}})), std::invalid_argument);
-  EXPECT_THROW(QuadraticPenalty(Rows({{{{0, 1}}, 1}, {{}, 0}})), std::invalid_argument);
+  EXPECT_THROW(QuadraticPenalty(Rows({{{}, 1}})), InvalidArgument);
+  EXPECT_THROW(QuadraticPenalty(Rows({{{{0, 1}}, 1}, {{}, 0}})), InvalidArgument);
   EXPECT_NO_THROW(QuadraticPenalty(FixedPoints({{3, Vector2(1, 2)}})));
   // A row that leaves the unknowns is found when the problem is built.
   EXPECT_THROW(
       ProblemBuilder(4).add(std::make_shared<QuadraticPenalty>(Rows({{{{4, 1}}, 0}})), 1).build(),
-      std::invalid_argument);
+      InvalidArgument);
 }
 
 // No rows, no energy.
@@ -167,8 +168,8 @@ TEST(QuadraticPenalty, AnyLinearExpression) {
   EXPECT_TRUE(check_derivatives(penalty, x).ok());
   LinearExpression longest;
   for (Index k = 0; k < 513; ++k) longest.terms.emplace_back(k, 1.0);
-  EXPECT_THROW(QuadraticPenalty(std::vector<LinearExpression>{longest}), std::invalid_argument);
-  EXPECT_THROW(QuadraticPenalty(std::vector<LinearExpression>{{{}, 1.0}}), std::invalid_argument);
+  EXPECT_THROW(QuadraticPenalty(std::vector<LinearExpression>{longest}), InvalidArgument);
+  EXPECT_THROW(QuadraticPenalty(std::vector<LinearExpression>{{{}, 1.0}}), InvalidArgument);
 }
 
 TEST(QuadraticPenalty, NothingToPullAt) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "expected_error.h"
+#include "majorant/framework/error.h"
 #include "majorant/mesh/internal/exact_predicates.h"
 #include "parametrization/packing/chart_cases.h"
 
@@ -134,7 +135,7 @@ TEST(Pack, padding_that_leaves_no_room_is_refused) {
   const std::string message = error_message(
       ErrorKind::Unsupported, [&] { pack(charts, {.padding_pixels = 1024, .resolution = 1024}); });
   expect_contains(message, {"5 charts", "padding"});
-  EXPECT_THROW(pack(charts, {.padding_pixels = -1}), std::invalid_argument);
+  EXPECT_THROW(pack(charts, {.padding_pixels = -1}), InvalidArgument);
 }
 
 }  // namespace

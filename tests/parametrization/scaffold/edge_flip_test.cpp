@@ -7,6 +7,7 @@
 #include <set>
 
 #include "majorant/elements/internal/bernstein.h"
+#include "majorant/framework/error.h"
 #include "parametrization/scaffold/bezier_mesh_helpers.h"
 
 namespace majorant {
@@ -163,13 +164,13 @@ TEST(FlipEdge, RefusesBoundariesAndEdgesThatExist) {
   const BezierMesh before = mesh;
   for (Index h = 0; h < 9; ++h) EXPECT_FALSE(flip_edge(mesh, h));
   EXPECT_TRUE(same_bits(mesh, before));
-  EXPECT_THROW(flip_edge(mesh, 9), std::invalid_argument);
-  EXPECT_THROW(flip_edge(mesh, -1), std::invalid_argument);
+  EXPECT_THROW(flip_edge(mesh, 9), InvalidArgument);
+  EXPECT_THROW(flip_edge(mesh, -1), InvalidArgument);
   mesh.degree = 9;
-  EXPECT_THROW(flip_edge(mesh, 0), std::invalid_argument);
+  EXPECT_THROW(flip_edge(mesh, 0), InvalidArgument);
   mesh.degree = 2;
   std::vector<char> wrong(8, 0);
-  EXPECT_THROW(make_delaunay(mesh, wrong), std::invalid_argument);
+  EXPECT_THROW(make_delaunay(mesh, wrong), InvalidArgument);
   // Two triangles glued along two edges; a tetrahedron, where every flip's edge exists. Points lie
   // such that nothing else could forbid the flip.
   for (const Cells& faces :

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "expected_error.h"
+#include "majorant/framework/error.h"
 #include "parametrization/scaffold/scaffold_checks.h"
 
 namespace majorant {
@@ -163,8 +164,8 @@ TEST(Scaffold, OptionsKeepTheirPromise) {
       }
       EXPECT_LE(scaffold.faces.rows(), 1000);
     }
-  EXPECT_THROW(triangulate_scaffold({square()}, {.margin = 0}), std::invalid_argument);
-  EXPECT_THROW(triangulate_scaffold({square()}, {.quality = 0.9}), std::invalid_argument);
+  EXPECT_THROW(triangulate_scaffold({square()}, {.margin = 0}), InvalidArgument);
+  EXPECT_THROW(triangulate_scaffold({square()}, {.quality = 0.9}), InvalidArgument);
 }
 
 void expect_refused(const Loops& loops, const std::string& first, const std::string& second) {
@@ -248,7 +249,7 @@ TEST(Scaffold, RefusesWhatIsNotAnImage) {
   Points2 infinite = square();
   infinite(2, 1) = std::numeric_limits<double>::infinity();
   for (const Loops& loops : {Loops{}, Loops{square(), polygon({{0, 0}, {1, 0}})}, Loops{infinite}})
-    EXPECT_THROW(triangulate_scaffold(loops), std::invalid_argument);
+    EXPECT_THROW(triangulate_scaffold(loops), InvalidArgument);
   Points2 far = square(64);
   far.array() += 1e16;
   expect_contains(

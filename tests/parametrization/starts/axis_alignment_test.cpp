@@ -3,10 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <stdexcept>
-
 #include "expected_error.h"
 #include "majorant/constraints/fixed_points.h"
+#include "majorant/framework/error.h"
 #include "majorant/framework/internal/elimination.h"
 #include "parametrization/starts/seamless_cases.h"
 #include "support.h"
@@ -132,7 +131,7 @@ TEST(AxisAlignment, RefusesWhatDoesNotExist) {
   const auto space =
       std::make_shared<const BezierTriangleSpace>(mesh->faces(), mesh->vertex_count(), 1);
   for (const AlignedEdge& e : {AlignedEdge{-1, 0}, AlignedEdge{24, 0}, AlignedEdge{0, 2}})
-    EXPECT_THROW(AxisAlignment(space, {e}), std::invalid_argument);
+    EXPECT_THROW(AxisAlignment(space, {e}), InvalidArgument);
   const AxisAlignment none(space, {});
   EXPECT_EQ(eliminated(space, {&none}).rank(), 0);
 }

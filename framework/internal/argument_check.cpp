@@ -1,0 +1,44 @@
+#include "majorant/framework/internal/argument_check.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace majorant {
+
+void require_size(std::string_view what, Eigen::Index has, Eigen::Index needs) {
+  if (has != needs)
+    throw InvalidArgument(fmt::format("{} has {} numbers, {} are needed", what, has, needs));
+}
+
+void require_enough(std::string_view what, Eigen::Index has, Eigen::Index needs) {
+  if (has < needs) require_size(what, has, needs);
+}
+
+void require_finite(std::string_view what, VecIn numbers) {
+  if (numbers.allFinite()) return;
+  Eigen::Index k = 0;
+  while (std::isfinite(numbers[k])) ++k;
+  throw InvalidArgument(fmt::format("{}[{}] is {}, finite is needed", what, k, numbers[k]));
+}
+
+void require_finite_rows(std::string_view what, const Eigen::Ref<const RowMatrix>& rows) {
+  if (rows.allFinite()) return;
+  Eigen::Index k = 0;
+  while (rows.row(k).allFinite()) ++k;
+  throw InvalidArgument(fmt::format("row {} of {} is not finite", k, what));
+}
+
+void require_index(std::string_view what, Eigen::Index index, Eigen::Index count) {
+  if (index < 0 || index >= count)
+    throw InvalidArgument(fmt::format("{} {} does not exist, there are {}", what, index, count));
+}
+
+void require_at_least(std::string_view what, double value, double least) {
+  if (!(value >= least))
+    throw InvalidArgument(fmt::format("{} is {:g}, at least {:g} is needed", what, value, least));
+}
+
+void refuse_null(std::string_view what) { throw InvalidArgument(fmt::format("{} is null", what)); }
+
+}  // namespace majorant

@@ -1,0 +1,124 @@
+#include "majorant/framework/internal/diagnosis.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "majorant/framework/internal/problem_parts.h"
+
+namespace majorant {
+namespace {
+
+// Distances along the negative gradient, of the size of the point, at which an energy is looked at.
+// Origin: chosen; the last one is where doubles still tell a linear energy from its start.
+constexpr double kProbes[] = {1, 1e4, 1e8, 1e12};
+
+bool counts(const TermState& state, Index e) {
+  return state.weight != 0 && (state.element_weight.size() == 0 || state.element_weight[e] != 0);
+}
+
+std::string number(double v) { return std::isnan(v) ? "NaN" : fmt::format("{}", v); }
+
+std::string place(std::string_view what, double v, Index element, std::string_view term) {
+  return fmt::format("{} is {} in element {} of term '{}'", what, number(v), element, term);
+}
+
+// The first entry that is not finite of `count` values of the element at position p; null: none.
+const double* not_finite(const double* values, std::size_t count, std::size_t p) {
+  for (std::size_t k = 0; k < count; ++k)
+    if (const double* v = values + k * LocalSystem::stride + p; !std::isfinite(*v)) return v;
+  return nullptr;
+}
+
+// Of a term's gradients and Hessians at x, "" where all are finite.
+std::string not_finite_derivative(const Problem& problem, TermId id, VecIn x) {
+  const EnergyTerm& term = problem.term(id);
+  const TermState& state = problem.state(id);
+  const ChunkPlan& plan = ProblemParts::plan(problem, id);
+  const auto n = at(term.stencils().local_size());
+  const Curvature model = *std::find_if(std::begin(kCurvatures), std::end(kCurvatures) - 1,
+                                        [&](Curvature c) { return term.supports(c); });
+  Workspace kernel, memory;
+  LocalSystem local;
+  local.value = memory.reserve((1 + n + n * (n + 1) / 2) * at(LocalSystem::stride));
+  local.gradient = local.value + LocalSystem::stride;
+  local.hessian = local.gradient + n * LocalSystem::stride;
+  for (Index c = 0; c < plan.chunk_count(); ++c) {
+    const Chunk chunk = plan.chunk(c);
+    term.local(x, chunk, model, state, kernel, local);
+    for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
+      if (!counts(state, chunk.elements[p])) continue;
+      if (const double* v = not_finite(local.gradient, n, p))
+        return place("gradient", *v, chunk.elements[p], term.name());
+      if (const double* v = not_finite(local.hessian, n * (n + 1) / 2, p))
+        return place("Hessian", *v, chunk.elements[p], term.name());
+    }
+  }
+  return {};
+}
+
+// Whether the energy falls along p, faster and faster, as far as can be seen and no checker
+// objects; then where to.
+std::optional<double> falls_forever(Evaluator& evaluator, VecIn y, double energy, const Vec& p) {
+  const double length = std::max(1.0, y.norm()) / p.norm();
+  double before = energy, fallen = 0;
+  for (const double probe : kProbes) {
+    const Vec there = y + probe * length * p;
+    if (!there.allFinite() || evaluator.violation(evaluator.problem().expand(there))) return {};
+    const double value = evaluator.value(there);
+    if (!(before - value > 2 * fallen)) return {};
+    fallen = before - value;
+    before = value;
+    if (!std::isfinite(value)) break;
+  }
+  return before;
+}
+
+}  // namespace
+
+std::string why_not_finite(const Problem& problem, VecIn x) {
+  for (const TermId id : problem.terms()) {
+    const std::string_view name = problem.term(id).name();
+    const Vec f = element_values(problem, id, x);
+    Index first = -1, count = 0, used = 0;
+    for (Index e = 0; e < f.size(); ++e) {
+      if (!counts(problem.state(id), e)) continue;
+      ++used;
+      if (std::isfinite(f[e])) continue;
+      if (++count == 1 || (std::isnan(f[e]) && !std::isnan(f[first]))) first = e;
+    }
+    if (count == 0) continue;
+    if (count == used && !std::isnan(f[first]) && count > 1)
+      return fmt::format("value is infinite, or was NaN, in all {} elements of term '{}'", count,
+                         name);
+    return fmt::format("{} ({} of {} elements are not finite)",
+                       place("value", f[first], first, name), count, used);
+  }
+  return "the sum of its elements leaves the range of doubles";
+}
+
+std::string why_no_direction(Evaluator& evaluator, VecIn y, double energy) {
+  const Problem& problem = evaluator.problem();
+  const Vec x = problem.expand(y);
+  for (const TermId id : problem.terms())
+    if (std::string where = not_finite_derivative(problem, id, x); !where.empty())
+      return "no finite direction: " + where;
+  if (std::string text = unbounded_along_gradient(evaluator, y, energy); !text.empty()) return text;
+  return "no finite direction: no shift makes the Hessian positive definite";
+}
+
+std::string unbounded_along_gradient(Evaluator& evaluator, VecIn y, double energy) {
+  Vec gradient;
+  evaluator.gradient(y, gradient);
+  if (gradient.isZero(0) || !gradient.allFinite()) return {};
+  const auto value = falls_forever(evaluator, y, energy, -gradient);
+  return value ? unbounded_below(*value) + " along its negative gradient" : "";
+}
+
+std::string unbounded_below(double energy) {
+  return fmt::format("unbounded below: the energy falls to {:.3g}", energy);
+}
+
+}  // namespace majorant

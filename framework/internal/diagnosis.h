@@ -1,0 +1,25 @@
+// Why there is no start or no step, in words: asked only once that is known, so it may take as long
+// as an iteration, on one thread.
+#pragma once
+
+#include <string>
+
+#include "majorant/framework/evaluator.h"
+
+namespace majorant {
+
+// Of a point (full unknowns) where the energy is not finite: "value is NaN in element 7 of term
+// 'mine'".
+std::string why_not_finite(const Problem& problem, VecIn x);
+
+// Of a point of finite energy where no Hessian gave a direction.
+std::string why_no_direction(Evaluator& evaluator, VecIn y, double energy);
+
+// "unbounded below: ..." where the energy falls faster and faster along its negative gradient, as
+// far as can be seen and no checker objects; else nothing.
+std::string unbounded_along_gradient(Evaluator& evaluator, VecIn y, double energy);
+
+// "unbounded below: the energy falls to -1e+101".
+std::string unbounded_below(double energy);
+
+}  // namespace majorant

@@ -1,0 +1,24 @@
+// What minimizers ask of their options. Each throws InvalidArgument with the name of the option.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string_view>
+
+#include "majorant/framework/internal/argument_check.h"
+#include "majorant/framework/line_search.h"
+#include "majorant/framework/linear_solver.h"
+#include "majorant/framework/stopping.h"
+
+namespace majorant {
+
+// least <= value < limit.
+void require_in(std::string_view what, double value, double least, double limit);
+void require_valid(const LineSearchOptions& options);
+void require_valid(const StoppingRules& rules);
+
+// Of the options of `who`, where a function must be given and must give a solver.
+std::unique_ptr<LinearSolver> make_solver(
+    std::string_view who, const std::function<std::unique_ptr<LinearSolver>()>& linear_solver);
+
+}  // namespace majorant

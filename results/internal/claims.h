@@ -1,0 +1,56 @@
+// What a result says of itself: the FieldData array majorant_claims of a .vtu, parsed once and
+// strictly. Claims describe a map; whether they are true is for `check` to find out.
+//
+//   const Claims claims = parse_claims(file.claims, "bunny.vtu");
+//   if (claims.bijective.value_or(false)) ...
+//
+// Every key that majorant writes is optional, and null says nothing. One that is there has the type
+// and the range written below; keys not listed here are ignored.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "majorant/framework/types.h"
+#include "majorant/mesh/seams.h"
+
+namespace majorant {
+
+struct ClaimedPin {
+  Index vertex = 0;  // of the input, >= 0; may be beyond what the file maps
+  Vector2 target;    // uv, finite
+};
+
+// uv in the file = (uv - origin) / size, of uv that have been turned, if they were.
+struct ClaimedNormalization {
+  Vector2 origin;
+  double size = 1;  // positive
+};
+
+struct ClaimedOptions {
+  std::optional<bool> seamless;        // the run kept the seams of its input's texture coordinates
+  std::optional<std::string> handles;  // the file of what pulled at it, or empty
+};
+
+struct Claims {
+  std::optional<std::string> version, energy;
+  std::optional<int> degree;            // >= 1
+  std::optional<double> value;          // mean energy
+  std::optional<std::string> boundary;  // "free" or "fixed"
+  std::optional<std::string> init;      // what the start was made from
+  std::optional<bool> seams, bijective;
+  std::optional<bool> other_triangles;  // edges were flipped inside flat parts
+  std::optional<Vector2> aligned;       // the direction, of length 1, that was turned to (1, 0)
+  std::optional<ClaimedNormalization> normalized;
+  std::optional<std::vector<ClaimedPin>> pins;
+  std::optional<std::vector<Cone>> cones;  // vertices of the input, quarter turns >= 1
+  std::optional<ClaimedOptions> options;
+};
+
+// text: the array's content, empty for a file without claims, which claims nothing. Throws
+// Error(Unreadable) naming `file` and the claim: for text that is no JSON object or nests too
+// deeply, and for claims of the wrong type, out of their range or not finite.
+Claims parse_claims(const std::string& text, const std::string& file);
+
+}  // namespace majorant

@@ -1,0 +1,202 @@
+#include "majorant/results/internal/report.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "majorant/framework/internal/curvature_name.h"
+#include "majorant/io/internal/atomic_file.h"
+
+namespace majorant {
+
+Json input_section(const PolygonMesh& polygons, const SurfaceMesh& mesh) {
+  const Topology& t = mesh.topology();
+  Json repairs = Json::array();
+  const auto unused = static_cast<Index>(polygons.positions.size()) - mesh.vertex_count();
+  if (unused > 0) repairs.push_back(fmt::format("{} unreferenced vertices left out", unused));
+  if (mesh.face_count() != static_cast<Index>(polygons.polygons.size()))
+    repairs.push_back(fmt::format("{} polygons triangulated into {} faces",
+                                  polygons.polygons.size(), mesh.face_count()));
+  return {{"file", polygons.file},
+          {"vertices", t.vertices},
+          {"faces", t.faces},
+          {"components", t.components},
+          {"boundary_loops", t.boundary_loops},
+          {"euler_characteristic", t.euler_characteristic()},
+          {"area", mesh.area()},
+          {"repairs", repairs},
+          {"warnings", polygons.warnings}};
+}
+
+Json cones_section(const BezierMap& map) {
+  Json list = Json::array();
+  for (const Cone& cone : map.seams().cones())  // a vertex keeps its number on the cut surface
+    list.push_back({{"vertex", map.mesh().input_vertex(cone.vertex)},
+                    {"quarter_turns", cone.quarter_turns},
+                    {"index", (4 - cone.quarter_turns) / 4.0}});
+  return list;
+}
+
+namespace {
+
+// In units of what doubles of the layout's size can tell apart.
+double seam_residual_ulp(const BezierMap& map, double seam_residual) {
+  const auto uv = map.control_points().reshaped(2, map.space().node_count());
+  const double size = (uv.rowwise().maxCoeff() - uv.rowwise().minCoeff()).maxCoeff();
+  return seam_residual / (std::numeric_limits<double>::epsilon() * size);
+}
+
+}  // namespace
+
+Json measures_section(const BezierMap& map, const MapMeasures& m, const std::string& energy) {
+  Json section{{"degree", map.degree()},
+               {"control_points", map.space().node_count()},
+               {"energy", energy},
+               {"value", m.value},
+               {"measuring_cut_short", m.cut_short},
+               {"max_density", m.max_density},
+               {"sigma_max", m.sigma_max},
+               {"sigma_min", m.sigma_min},
+               {"locally_injective", m.locally_injective},
+               {"min_det_bound", m.min_det.minCoeff()},
+               {"globally_injective", nullptr},
+               {"seam_residual", map.seams().trivial() ? Json() : Json(m.seam_residual)},
+               {"max_boundary_angle_degrees", m.max_boundary_angle * 180 / std::numbers::pi},
+               {"boundary_vertices_over_360_degrees", m.boundary_over_full_turn}};
+  if (map.seams().trivial()) return section;
+  section["seam_residual_ulp"] = seam_residual_ulp(map, m.seam_residual);
+  section["cones"] = cones_section(map);
+  return section;
+}
+
+namespace {
+
+Json spread_section(const Spread& spread) {
+  Json section{{"mean", spread.mean}};
+  for (std::size_t k = 0; k < kPercentiles.size(); ++k)
+    section[fmt::format("p{}", kPercentiles[k])] = spread.percentile[k];
+  return section;
+}
+
+}  // namespace
+
+Json distortion_section(const std::vector<const MapDistortion*>& parts, double scale) {
+  const DistortionSummary all = summary(parts);
+  return {{"scale", scale},
+          {"stretch_l2", all.stretch_l2},
+          {"stretch_linf", all.stretch_linf},
+          {"sigma_1", spread_section(all.sigma_1)},
+          {"sigma_2", spread_section(all.sigma_2)},
+          {"area", spread_section(all.area)},
+          {"angle", spread_section(all.angle)}};
+}
+
+Json cuts_section(const SurfaceCuts& cuts, double area) {
+  return {{"seam_length", cuts.length},
+          {"seam_length_relative", cuts.length / std::sqrt(area)},
+          {"seam_edges", cuts.edges},
+          {"added_seam_length", cuts.added_length},
+          {"added_seam_edges", cuts.added_edges},
+          {"untextured_faces", cuts.untextured_faces}};
+}
+
+Json cuts_section(const SurfaceCuts& cuts, const RepairedSurface& surface) {
+  const double area = surface.mesh->area();
+  Json section = cuts_section(cuts, area);
+  section["seam_length"] = cuts.length + surface.cut_length;
+  section["seam_length_relative"] = (cuts.length + surface.cut_length) / std::sqrt(area);
+  section["seam_edges"] = cuts.edges + surface.cut_edges;
+  section["repair_seam_length"] = surface.cut_length;
+  section["repair_seam_edges"] = surface.cut_edges;
+  return section;
+}
+
+std::string seam_summary(const Json& measures_section) {
+  if (!measures_section.contains("cones")) return {};
+  return fmt::format(", {} cones, seams fit to {:.1g} ({:.1f} ulp of the layout)",
+                     measures_section["cones"].size(),
+                     measures_section["seam_residual"].get<double>(),
+                     measures_section["seam_residual_ulp"].get<double>());
+}
+
+Json remedies_section(const RemedyUses& uses) {
+  Json section = Json::object();
+  for (std::size_t k = 0; k < kRemedies.size(); ++k)
+    section[remedy_name(kRemedies[k])] = {{"runs", uses[k].runs}, {"gained", uses[k].gained}};
+  return section;
+}
+
+namespace {
+
+std::string_view remedy_of(const TraceEntry& entry) {
+  return entry.remedy ? remedy_name(*entry.remedy) : std::string_view();
+}
+
+}  // namespace
+
+Json iterations_section(const std::vector<TraceEntry>& trace) {
+  Json list = Json::array();
+  for (const TraceEntry& e : trace) {
+    const IterationRecord& r = e.record;
+    list.push_back({{"iteration", r.iteration},
+                    {"degree", e.degree},
+                    {"phase", phase_name(e.phase)},
+                    {"remedy", e.remedy ? Json(remedy_of(e)) : Json()},
+                    {"level", e.level},
+                    {"outcome", outcome_name(e.outcome)},
+                    {"energy", e.energy},
+                    {"minimized", r.energy},
+                    {"relative_decrease", r.relative_decrease},
+                    {"step", r.step},
+                    {"step_bound", r.step_bound},
+                    {"gradient_norm", r.gradient_norm},
+                    {"newton_decrement", r.newton_decrement},
+                    {"curvature", curvature_name(r.curvature)},
+                    {"shift", r.shift},
+                    {"factorizations", r.factorizations},
+                    {"failed_factorizations", r.failed_factorizations},
+                    {"trials", r.trials},
+                    {"elapsed", e.elapsed},
+                    {"seconds",
+                     {{"assemble", r.seconds.assemble},
+                      {"factorize", r.seconds.factorize},
+                      {"solve", r.seconds.solve},
+                      {"line_search", r.seconds.line_search},
+                      {"other", e.other_seconds}}}});
+  }
+  return list;
+}
+
+long peak_memory_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss * 1024L;
+}
+
+std::string json_text(const Json& json, int indent) {
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
+void write_trace(const std::string& path, const std::vector<TraceEntry>& trace) {
+  std::string out =
+      "iteration,degree,energy,relative_decrease,step,step_bound,gradient_norm,newton_decrement,"
+      "shift,trials,assemble,factorize,solve,line_search,phase,remedy,level,outcome,minimized,"
+      "curvature,factorizations,failed_factorizations,other,elapsed\n";
+  for (const TraceEntry& e : trace) {
+    const IterationRecord& r = e.record;
+    out += fmt::format("{},{},{},{},{},{},{},{},{},{},", r.iteration, e.degree, e.energy,
+                       r.relative_decrease, r.step, r.step_bound, r.gradient_norm,
+                       r.newton_decrement, r.shift, r.trials);
+    out += fmt::format("{},{},{},{},{},{},", r.seconds.assemble, r.seconds.factorize,
+                       r.seconds.solve, r.seconds.line_search, phase_name(e.phase), remedy_of(e));
+    out += fmt::format("{},{},{},{},{},{},{},{}\n", e.level, outcome_name(e.outcome), r.energy,
+                       curvature_name(r.curvature), r.factorizations, r.failed_factorizations,
+                       e.other_seconds, e.elapsed);
+  }
+  write_file_atomically(path, out);
+}
+
+}  // namespace majorant
