@@ -2,17 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "apps/page_content.h"
 #include "apps/seam_request.h"
 #include "apps/streams.h"
-#include "majorant/framework/linear_solver.h"
-#include "majorant/framework/thread_count.h"
-#include "majorant/io/atlas_file.h"
 #include "majorant/io/map_distortion.h"
-#include "majorant/io/map_proof.h"
 
 namespace majorant::app {
 namespace {
@@ -21,171 +16,13 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-bool is_cut_short(const Atlas& atlas) {
-  return std::any_of(atlas.charts.begin(), atlas.charts.end(),
-                     [](const Chart& chart) { return chart.measures.cut_short; });
-}
-
-// Faces without an area are measured against a shape that the file does not tell.
-bool is_measured_anew(const FinishedAtlas& run) {
-  return !is_cut_short(run.atlas) && run.surface.mesh->rest_triangles().empty();
-}
-
-Json normalized_section(const std::optional<AtlasSquare>& square) {
-  if (!square) return nullptr;
-  return {{"origin", {square->origin.x(), square->origin.y()}}, {"size", square->size}};
-}
-
-Json pins_section(const FinishedAtlas& run) {
-  Json pins = Json::array();
-  for (const Chart& chart : run.atlas.charts)
-    for (const Pin& pin : chart.pins) {
-      const Vector2 uv = chart.map->control_points().segment<2>(2 * pin.vertex);
-      pins.push_back(
-          {{"vertex", chart.map->mesh().input_vertex(pin.vertex)}, {"target", {uv.x(), uv.y()}}});
-    }
-  return pins;
-}
-
-std::string claims(const FinishedAtlas& run) {
-  Json claims{{"version", MAJORANT_VERSION},
-              {"degree", run.map.degree},
-              {"energy", run.map.energy},
-              {"value", run.atlas.value()},
-              {"boundary", "free"},
-              {"seams", false},
-              {"bijective", run.atlas.packing.has_value()},
-              {"normalized", normalized_section(run.square)},
-              {"pins", pins_section(run)},
-              {"other_triangles", false},
-              {"options", run.options}};
-  if (!is_measured_anew(run)) claims.erase("value");
-  return json_text(claims);
-}
-
-double scale_of(const FinishedAtlas& run) { return run.square ? run.square->size : 1; }
-
-MapFile layout(const FinishedAtlas& run) {
-  std::vector<MapFile> charts;
-  for (const Chart& chart : run.atlas.charts) {
-    MapFile& file = charts.emplace_back(to_map_file(*chart.map));
-    if (is_measured_anew(run)) file.distortion = chart.measures.face_value;
-    if (is_measured_anew(run)) file.min_det = chart.measures.min_det;
-    file.face_distortion = chart.measures.cut_short
-                               ? measure_distortion(*chart.map, scale_of(run)).faces
-                               : chart.measures.distortion.faces;
-  }
-  MapFile file = joined(charts);
-  file.claims = claims(run);
-  return file;
-}
-
-Json charts_section(const Atlas& atlas) {
-  Json list = Json::array();
-  for (const Chart& chart : atlas.charts)
-    list.push_back({{"faces", chart.faces.size()},
-                    {"area", chart.stretch.surface_area},
-                    {"boundary_loops", chart.map->mesh().topology().boundary_loops},
-                    {"start", start_name(chart.start)},
-                    {"status", status_name(chart.status)},
-                    {"message", chart.message},
-                    {"iterations", steps_taken(chart.trace)},
-                    {"value", chart.measures.value},
-                    {"stretch_l2", chart.stretch.l2},
-                    {"stretch_max", chart.stretch.max},
-                    {"pinned", !chart.pins.empty()}});
-  return list;
-}
-
-Json repairs_section(const RepairedSurface& surface) {
-  Json list = Json::array();
-  for (const Repair& r : surface.repairs) {
-    Json places = Json::array();
-    for (const auto& [a, b] : r.places) places.push_back(b < 0 ? Json(a) : Json{a, b});
-    list.push_back({{"kind", name_of(r.kind)},
-                    {"count", r.count},
-                    {"places", places},
-                    {"message", describe(r)}});
-  }
-  return list;
-}
-
-double seam_length(const FinishedAtlas& run) {
-  return run.atlas.cuts.length + run.surface.cut_length;
-}
-
-Json result_section(const FinishedAtlas& run) {
-  const Atlas& atlas = run.atlas;
-  const Stretch stretch = atlas.stretch();
-  double max_density = 0, sigma_max = 0, sigma_min = INFINITY, min_det = INFINITY;
-  bool is_injective = true;
-  Index points = 0;
-  std::vector<const MapDistortion*> distortions;
-  for (const Chart& chart : atlas.charts) {
-    max_density = std::max(max_density, chart.measures.max_density);
-    sigma_max = std::max(sigma_max, chart.measures.sigma_max);
-    sigma_min = std::min(sigma_min, chart.measures.sigma_min);
-    min_det = std::min(min_det, chart.measures.min_det.minCoeff());
-    is_injective = is_injective && chart.measures.locally_injective;
-    points += chart.map->space().node_count();
-    distortions.push_back(&chart.measures.distortion);
-  }
-  Json result{{"degree", run.map.degree},
-              {"control_points", points},
-              {"energy", run.map.energy},
-              {"value", atlas.value()},
-              {"measuring_cut_short", is_cut_short(atlas)},
-              {"max_density", max_density},
-              {"sigma_max", sigma_max},
-              {"sigma_min", sigma_min},
-              {"locally_injective", is_injective},
-              {"globally_injective", atlas.packing ? Json(true) : Json()},
-              {"min_det_bound", min_det},
-              {"charts", atlas.charts.size()},
-              {"stretch_l2", stretch.l2},
-              {"stretch_max", stretch.max}};
-  if (!is_cut_short(atlas)) result["distortion"] = distortion_section(distortions, scale_of(run));
-  result.update(cuts_section(atlas.cuts, run.surface));
-  if (!atlas.packing) return result;
-  result["fill"] = atlas.packing->fill;
-  result["side"] = atlas.packing->side;
-  result["distance"] = atlas.packing->distance;
-  result["packing"] = name_of(atlas.packing->method);
-  return result;
-}
-
-Json report(const FinishedAtlas& run, double write_seconds, const WrittenFiles& written) {
-  const Atlas& atlas = run.atlas;
-  return {{"schema_version", 1},
-          {"version", MAJORANT_VERSION},
-          {"command", "unwrap"},
-          {"status", status_name(atlas.status())},
-          {"message", ""},
-          {"input", input_section(run.polygons, *run.surface.mesh)},
-          {"repairs", repairs_section(run.surface)},
-          {"options", run.options},
-          {"result", result_section(run)},
-          {"charts", charts_section(atlas)},
-          {"outputs", written.to_json()},
-          {"seconds",
-           {{"read", run.read_seconds},
-            {"initialize", atlas.initialize_seconds},
-            {"optimize", atlas.optimize_seconds},
-            {"pack", atlas.packing_seconds},
-            {"write", write_seconds},
-            {"total", seconds_since(run.start)}}},
-          {"peak_memory_bytes", peak_memory_bytes()},
-          {"threads", ThreadCount::current()},
-          {"vector_instructions", vector_instructions()}};
-}
-
 // Points with targets keep their charts where they put them.
-MapPage page_of(const FinishedAtlas& run) {
+MapPage page_of(const FinishedUnwrap& run) {
   MapPage page;
   page.title = page_title(run.map.input);
-  page.facts = page_facts(report(run, 0, {}));
-  page.points = pulled_points(run.handles, *run.surface.mesh);
-  for (const Chart& chart : run.atlas.charts)
+  page.facts = page_facts(atlas_report(run.finished));
+  page.points = pulled_points(run.handles, *run.finished.surface.mesh);
+  for (const Chart& chart : run.finished.atlas.charts)
     for (const Pin& pin : chart.pins)
       page.points.push_back({chart.map->mesh().input_vertex(pin.vertex),
                              chart.map->control_points().segment<2>(2 * pin.vertex),
@@ -193,60 +30,61 @@ MapPage page_of(const FinishedAtlas& run) {
   return page;
 }
 
-void write_maps(const FinishedAtlas& run, WrittenFiles& written) {
-  MapFile file = layout(run);
+void write_maps(const FinishedUnwrap& run, WrittenFiles& written) {
+  FaceDistortion table;
+  const MapFile file = atlas_file(run.finished, &table);
   if (const std::string& path = run.outputs.distortion; !path.empty())
-    written.write(path, [&] { write_distortion(path, file, file.face_distortion); });
-  file.face_distortion =
-      is_measured_anew(run) ? finite_or_none(file.face_distortion) : FaceDistortion();
+    written.write(path, [&] { write_distortion(path, file, table); });
   FormatOptions formats = run.outputs.formats;
   if (has_page(run.outputs.files)) formats.page = page_of(run);
-  ProofRequest promise;
-  promise.cuts = CutRule::Free;
-  if (run.atlas.packing) {
-    formats.tessellation.overlap = Overlap::Excluded;
-    promise.overlap = ProofRequest::Overlap::Forbidden;
-  }
+  if (run.finished.atlas.packing) formats.tessellation.overlap = Overlap::Excluded;
   for (const std::string& path : run.outputs.files)
     if (extension(path) != ".json")
       written.write(path, [&] {
-        write_map(path, file, &run.polygons, formats, certification(path, promise, &file));
+        write_map(path, file, &run.finished.polygons, formats,
+                  certification(path, promise(run.finished), &file));
       });
 }
 
-void write_reports(const FinishedAtlas& run, double write_seconds, WrittenFiles& written) {
+void write_reports(const FinishedUnwrap& run, double write_seconds, WrittenFiles& written) {
   std::vector<std::string> paths;
   if (!run.common.report.empty()) paths.push_back(run.common.report);
   for (const std::string& path : run.outputs.files)
     if (extension(path) == ".json") paths.push_back(path);
-  for (const std::string& path : paths)
-    written.write(path, [&] { write_json(path, report(run, write_seconds, written)); });
+  if (paths.empty()) return;
+  Json report = atlas_report(run.finished);
+  for (const std::string& path : paths) {
+    report["outputs"] = written.to_json();
+    report["seconds"]["write"] = write_seconds;
+    report["seconds"]["total"] = seconds_since(run.start);
+    written.write(path, [&] { write_json(path, report); });
+  }
 }
 
 // Charts that did not converge, by their first faces.
-void name_charts(const FinishedAtlas& run) {
-  for (std::size_t k = 0; k < run.atlas.charts.size(); ++k) {
-    const Chart& chart = run.atlas.charts[k];
+void name_charts(const FinishedUnwrap& run) {
+  for (std::size_t k = 0; k < run.finished.atlas.charts.size(); ++k) {
+    const Chart& chart = run.finished.atlas.charts[k];
     if (chart.status == Status::Converged) continue;
     say("majorant: {}: chart {} (face {} and {} more): {}{}\n", run.map.input, k + 1,
-        run.surface.mesh->input_face(chart.faces.front()) + 1, chart.faces.size() - 1,
+        run.finished.surface.mesh->input_face(chart.faces.front()) + 1, chart.faces.size() - 1,
         status_name(chart.status), chart.message.empty() ? "" : ": " + chart.message);
   }
 }
 
-void summarize(const FinishedAtlas& run, const WrittenFiles& written) {
-  const Atlas& atlas = run.atlas;
+void summarize(const FinishedUnwrap& run, const WrittenFiles& written) {
+  const Atlas& atlas = run.finished.atlas;
   name_charts(run);
   if (run.common.quiet || atlas.status() == Status::Failed) return;
-  for (const Repair& r : run.surface.repairs) say("{}: {}\n", run.map.input, describe(r));
+  for (const Repair& r : run.finished.surface.repairs) say("{}: {}\n", run.map.input, describe(r));
   say_untextured(run.map.input, atlas.cuts);
   const std::string fill = atlas.packing ? fmt::format(", fill {:.2f}", atlas.packing->fill) : "";
   say("{}: {}, {} chart{}, {} {:.6f}, seams {:.4g} ({:.3g} sqrt(area)), stretch {:.4f}{}, "
       "degree {}, {:.2f} s\n",
       run.map.input, status_name(atlas.status()), atlas.charts.size(),
-      atlas.charts.size() == 1 ? "" : "s", run.map.energy, atlas.value(), seam_length(run),
-      seam_length(run) / std::sqrt(run.surface.mesh->area()), atlas.stretch().l2, fill,
-      run.map.degree, seconds_since(run.start));
+      atlas.charts.size() == 1 ? "" : "s", run.map.energy, atlas.value(), seam_length(run.finished),
+      seam_length(run.finished) / std::sqrt(run.finished.surface.mesh->area()), atlas.stretch().l2,
+      fill, run.map.degree, seconds_since(run.start));
   for (const std::string& path : run.outputs.files)
     if (is_map_data(path) && written.has(path))
       say("proof: majorant check {} --cuts free{}\n", path, atlas.packing ? " --certify" : "");
@@ -254,15 +92,15 @@ void summarize(const FinishedAtlas& run, const WrittenFiles& written) {
 
 }  // namespace
 
-int write_atlas(const FinishedAtlas& run) {
+int write_atlas(const FinishedUnwrap& run) {
   const double before = seconds_since(run.start);
   WrittenFiles written;
-  run.record.begin(Activity::Writing);
-  if (run.atlas.status() != Status::Failed) write_maps(run, written);
+  run.finished.record.begin(Activity::Writing);
+  if (run.finished.atlas.status() != Status::Failed) write_maps(run, written);
   write_reports(run, seconds_since(run.start) - before, written);
   run.progress.finish();
   summarize(run, written);
-  return written.conclude(exit_code(run.atlas.status()));
+  return written.conclude(exit_code(run.finished.atlas.status()));
 }
 
 }  // namespace majorant::app

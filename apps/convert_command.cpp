@@ -4,21 +4,20 @@
 #include <CLI/App.hpp>
 #include <memory>
 
-#include "apps/claims.h"
 #include "apps/command.h"
 #include "apps/outputs.h"
 #include "apps/page_content.h"
 #include "apps/process.h"
-#include "apps/report.h"
 #include "apps/streams.h"
 #include "majorant/framework/thread_count.h"
 #include "majorant/io/internal/cut_map.h"
 #include "majorant/io/layout_scale.h"
 #include "majorant/io/map_distortion.h"
 #include "majorant/io/map_file.h"
-#include "majorant/io/map_proof.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/parametrization/maps/internal/principal_axes.h"
+#include "majorant/results/internal/claims.h"
+#include "majorant/results/internal/report.h"
 
 namespace majorant::app {
 namespace {
@@ -46,26 +45,6 @@ void mark_seams(MapFile& map, const std::string& name) {
     map.seam_edges.resize(0, 3);
     map.cone.resize(0);
   }
-}
-
-// A map that is said to be injective as a whole stays so in formats without curves.
-Overlap allowed_overlap(const MapFile& map, const std::string& name) {
-  const bool is_bijective = parse_claims(map.claims, name).bijective.value_or(false);
-  return is_bijective ? Overlap::Excluded : Overlap::Allowed;
-}
-
-// A map of the same surface, as cut and as free of overlaps as this one is or claims to be.
-ProofRequest promise_of(const MapFile& map, const PolygonMesh& surface, const std::string& name) {
-  ProofRequest question;
-  question.cuts = CutRule::SeamsOrFree;
-  const CutCount cuts = MapProof(map, name, question).cuts;
-  ProofRequest promise;
-  promise.surface = &surface;
-  if (cuts.seams > 0) promise.cuts = CutRule::Seams;
-  if (cuts.others > 0) promise.cuts = CutRule::SeamsOrFree;
-  if (allowed_overlap(map, name) == Overlap::Excluded)
-    promise.overlap = ProofRequest::Overlap::Forbidden;
-  return promise;
 }
 
 // What would not be true any more of a map that is turned, or empty.
@@ -139,9 +118,9 @@ int convert(Request request) {
   say_warnings(map.warnings);
   mark_seams(map, request.input);
   if (request.formats.turns_map(request.outputs)) align(map, request.input);
-  request.formats.tessellation.overlap = allowed_overlap(map, request.input);
   const PolygonMesh surface = mesh_from_map(map, request.input);
   const ProofRequest promise = promise_of(map, surface, request.input);
+  request.formats.tessellation.overlap = allowed_overlap(promise);
   if (has_page(request.outputs)) request.formats.page = page_of(map, request.input);
   WrittenFiles written;
   measure(request, map, written);

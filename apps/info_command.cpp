@@ -7,7 +7,6 @@
 
 #include "apps/command.h"
 #include "apps/outputs.h"
-#include "apps/report.h"
 #include "apps/seam_request.h"
 #include "apps/streams.h"
 #include "majorant/io/read_mesh.h"
@@ -16,6 +15,7 @@
 #include "majorant/parametrization/drive/internal/normalized_start.h"
 #include "majorant/parametrization/drive/parametrize.h"
 #include "majorant/parametrization/starts/texture_seams.h"
+#include "majorant/results/internal/report.h"
 
 namespace majorant::app {
 namespace {

@@ -17,6 +17,7 @@
 #include "majorant/io/read_mesh.h"
 #include "majorant/parametrization/drive/internal/free_scale.h"
 #include "majorant/parametrization/starts/texture_seams.h"
+#include "majorant/results/internal/input_points.h"
 
 namespace majorant::app {
 namespace {
@@ -27,20 +28,9 @@ Curvature find_curvature(const std::string& wanted) {
   throw Error(ErrorKind::Usage, "no curvature model is called '" + wanted + "'");
 }
 
-// Of a vertex with several copies, on a cut or where sheets were split, every one is held.
 std::vector<Pin> read_points(const std::string& path, const PolygonMesh& polygons,
                              const SurfaceMesh& mesh) {
-  std::vector<std::pair<Index, Index>> vertices;  // of the input, of the mesh
-  for (Index v = 0; v < mesh.vertex_count(); ++v) vertices.emplace_back(mesh.input_vertex(v), v);
-  std::sort(vertices.begin(), vertices.end());
-  std::vector<Pin> points;
-  for (const Handle& h : read_handles(path, static_cast<Index>(polygons.positions.size()))) {
-    used_vertex(path, mesh, h.vertex);
-    for (auto copy = std::lower_bound(vertices.begin(), vertices.end(), std::pair(h.vertex, 0));
-         copy != vertices.end() && copy->first == h.vertex; ++copy)
-      points.push_back({copy->second, h.target});
-  }
-  return points;
+  return points_of(mesh, read_handles(path, static_cast<Index>(polygons.positions.size())), path);
 }
 
 Vec read_weights(const std::string& path, const PolygonMesh& polygons, const SurfaceMesh& mesh) {
@@ -62,14 +52,6 @@ void require_scale(const MapRequest& request, const MapInput& in) {
 }
 
 }  // namespace
-
-Index used_vertex(const std::string& path, const SurfaceMesh& mesh, Index input_vertex) {
-  const Index vertex = mesh.find_input_vertex(input_vertex);
-  if (vertex < 0)
-    throw Error(ErrorKind::Unsupported,
-                fmt::format("{}: vertex {} belongs to no face; take another", path, input_vertex));
-  return vertex;
-}
 
 void MapRequest::add_to(CLI::App& verb) {
   verb.add_option("input", input, "mesh: .obj .off .ply .stl .vtu .msh, also .gz")->required();

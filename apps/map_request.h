@@ -8,10 +8,10 @@
 #include <optional>
 #include <string>
 
-#include "apps/report.h"
 #include "majorant/parametrization/cuts/choose_cuts.h"
 #include "majorant/parametrization/drive/parametrize.h"
 #include "majorant/parametrization/starts/start.h"
+#include "majorant/results/internal/report.h"
 
 namespace majorant::app {
 
@@ -41,10 +41,6 @@ struct MapInput {
   std::optional<Start> start;               // of seamless maps, and of surfaces cut open
   std::optional<SurfaceCuts> cuts;          // of the latter
 };
-
-// Vertex of the mesh for one of its file that `path` names. Throws Error(Unsupported) when no face
-// uses it.
-Index used_vertex(const std::string& path, const SurfaceMesh& mesh, Index input_vertex);
 
 // The options alone, of any surface of the file, cut or not: energy, degree, curvature, points and
 // weights. Throws Error as the readers do.

@@ -63,11 +63,20 @@ int MapRun::finish(ParametrizationResult result, const Json& extra) {
   std::optional<LayoutPlacement> placement;
   if (has_result(result) && (request_.outputs.normalize || request_.outputs.turns_map()))
     placement = place(result);
-  Json options = request_.solve.to_json();
+  Json options = request_.map.to_json();
+  options.update(request_.solve.to_json());
   options.update(extra);
-  return write_result({verb_, request_.common, request_.outputs, request_.map, in_, result, record_,
-                       options, start_, read_seconds_, request_.solve.scaffold_file, placement,
-                       progress_, film_ ? &*film_ : nullptr});
+  FinishedMap finished{verb_,   in_.polygons,        *in_.mesh,         in_.options.map,   result,
+                       record_, request_.map.energy, request_.map.init, std::move(options)};
+  finished.read_seconds = read_seconds_;
+  if (in_.cuts) finished.cuts = &*in_.cuts;
+  if (in_.start) finished.start = &*in_.start;
+  if (placement) finished.placement = &*placement;
+  finished.is_aligned = request_.outputs.turns_map();
+  finished.is_normalized = request_.outputs.normalize;
+  if (film_) finished.film = &*film_;
+  return write_result({request_.common, request_.outputs, request_.map, in_, finished, start_,
+                       request_.solve.scaffold_file, progress_});
 }
 
 // What is moved must be proven anew; where that fails there is no result.

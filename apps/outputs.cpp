@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <new>
@@ -12,9 +11,6 @@
 #include "apps/arguments/suggestion.h"
 #include "apps/streams.h"
 #include "majorant/framework/error.h"
-#include "majorant/io/write_obj.h"
-#include "majorant/io/write_ply.h"
-#include "majorant/pictures/internal/first_view.h"
 #include "majorant/pictures/internal/png_file.h"
 
 namespace majorant::app {
@@ -130,12 +126,6 @@ void require_no_input(const NamedFile& output, const std::vector<std::string>& i
 }
 
 }  // namespace
-
-std::string extension(const std::string& path) {
-  std::string e = std::filesystem::path(path).extension().string();
-  std::transform(e.begin(), e.end(), e.begin(), [](unsigned char c) { return std::tolower(c); });
-  return e;
-}
 
 std::vector<std::string> map_extensions(std::vector<std::string> also) {
   also.insert(also.begin(), {".vtu", ".obj", ".ply", ".msh", ".svg", ".png", ".html"});
@@ -298,32 +288,12 @@ void FormatOptions::add_pictures_to(CLI::App& verb) {
       ->check(CLI::ExistingFile);
 }
 
-bool is_straight_map_data(const std::string& path) {
-  return extension(path) == ".obj" || extension(path) == ".ply";
-}
-
-bool is_map_data(const std::string& path) {
-  return is_straight_map_data(path) || extension(path) == ".vtu" || extension(path) == ".msh";
-}
-
-void write_map(const std::string& path, const MapFile& map, const PolygonMesh* input,
-               const FormatOptions& options, const FileVerification& verify) {
-  const std::string e = extension(path);
-  if (e == ".vtu") write_vtu(path, map, options.vtu, verify);
-  if (e == ".msh") write_msh(path, map, options.msh, verify);
-  if (e == ".obj") write_obj(path, map, input, options.tessellation, verify);
-  if (e == ".ply") write_ply(path, map, input, options.tessellation, verify);
-  if (e == ".svg") write_svg(path, map, options.svg);
-  if (e == ".png") {
-    PngOptions png = options.png;
-    if (options.view_is_chosen) png.view = first_view(map);
-    write_png(path, map, png);
-  }
-  if (e == ".html") {
-    MapPage page = options.page;
-    page.map = map;
-    write_page(path, page);
-  }
+void write_json(const std::string& path, const Json& json) {
+  const std::string text = json_text(json, 1) + "\n";
+  if (path == kStandardOutput)
+    print_text(text);
+  else
+    write_file_atomically(path, text);
 }
 
 }  // namespace majorant::app

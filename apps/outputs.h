@@ -15,21 +15,11 @@
 #include <vector>
 
 #include "apps/command.h"
-#include "apps/report.h"
 #include "majorant/io/internal/atomic_file.h"
-#include "majorant/io/internal/tessellate_map.h"
-#include "majorant/io/map_file.h"
-#include "majorant/io/msh.h"
-#include "majorant/io/vtu.h"
-#include "majorant/mesh/polygon_mesh.h"
-#include "majorant/pictures/write_page.h"
-#include "majorant/pictures/write_png.h"
-#include "majorant/pictures/write_svg.h"
+#include "majorant/results/internal/report.h"
+#include "majorant/results/internal/write_map.h"
 
 namespace majorant::app {
-
-// Lower case, with the dot.
-std::string extension(const std::string& path);
 
 // Of the formats that hold a map or show one, in the order of messages, and then `also`: the one
 // list behind help, refusals and require_writable().
@@ -72,15 +62,7 @@ class WrittenFiles {
 };
 
 // How single formats are written, as said.
-struct FormatOptions {
-  TessellationOptions tessellation;  // of OBJ and PLY
-  VtuCells vtu = VtuCells::Bezier;
-  MshContent msh = MshContent::Image;
-  SvgOptions svg;
-  PngOptions png;
-  bool view_is_chosen = false;  // --view without a value: first_view()
-  MapPage page;                 // but for its map
-
+struct FormatOptions : MapFormats {
   // The file that --image names, or empty. Throws Error(Unreadable) where it is no picture.
   std::string readable_image() const;
 
@@ -93,13 +75,7 @@ struct FormatOptions {
   void add_pictures_to(CLI::App& verb);
 };
 
-// The formats that hold a map as data, and of these those without curves.
-bool is_map_data(const std::string& path);
-bool is_straight_map_data(const std::string& path);
-
-// Writes one of the map formats. input may be null. verify: of formats that hold data; pictures
-// (.svg, .png, .html) have nothing to verify.
-void write_map(const std::string& path, const MapFile& map, const PolygonMesh* input,
-               const FormatOptions& options, const FileVerification& verify = {});
+// Written atomically; to stdout where the name is kStandardOutput.
+void write_json(const std::string& path, const Json& json);
 
 }  // namespace majorant::app

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "apps/claims.h"
-#include "apps/report.h"
 #include "apps/result_files.h"
 #include "majorant/pictures/film.h"
+#include "majorant/results/internal/claims.h"
+#include "majorant/results/internal/report.h"
 
 namespace majorant::app {
 

@@ -11,7 +11,6 @@
 
 #include <CLI/App.hpp>
 #include <chrono>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,10 +18,7 @@
 #include "apps/map_request.h"
 #include "apps/outputs.h"
 #include "apps/progress.h"
-#include "apps/report.h"
-#include "majorant/parametrization/drive/internal/placement.h"
-#include "majorant/parametrization/drive/parametrize.h"
-#include "majorant/pictures/film.h"
+#include "majorant/results/internal/finished_map.h"
 
 namespace majorant::app {
 
@@ -48,24 +44,15 @@ struct OutputRequest {
 
 // A run that has ended. Only refers: all must outlive it.
 struct FinishedRun {
-  std::string command;  // the verb
   const CommonOptions& common;
   const OutputRequest& outputs;
   const MapRequest& map;
   const MapInput& in;
-  const ParametrizationResult& result;
-  const RunRecord& record;
-  Json options;                                 // what the verb adds to map.to_json()
+  const FinishedMap& finished;
   std::chrono::steady_clock::time_point start;  // of the run
-  double read_seconds = 0;
-  std::string scaffold_file;                        // or empty
-  const std::optional<LayoutPlacement>& placement;  // how result.map was moved
+  std::string scaffold_file;                    // or empty
   Progress& progress;
-  const Film* film = nullptr;  // of the run, if asked for
 };
-
-// Whether there is a map to write: the run did not fail, and was feasible.
-bool has_result(const ParametrizationResult& result);
 
 // Writes the maps if there is a result, each certified as the run promised (io/map_proof.h),
 // then the reports, each file on its own, then the line on stderr; returns the exit code.

@@ -75,24 +75,4 @@ void say_untextured(const std::string& file, const SurfaceCuts& cuts) {
       cuts.untextured_faces, cuts.untextured_faces == 1 ? "" : "s");
 }
 
-Json cuts_section(const SurfaceCuts& cuts, double area) {
-  return {{"seam_length", cuts.length},
-          {"seam_length_relative", cuts.length / std::sqrt(area)},
-          {"seam_edges", cuts.edges},
-          {"added_seam_length", cuts.added_length},
-          {"added_seam_edges", cuts.added_edges},
-          {"untextured_faces", cuts.untextured_faces}};
-}
-
-Json cuts_section(const SurfaceCuts& cuts, const RepairedSurface& surface) {
-  const double area = surface.mesh->area();
-  Json section = cuts_section(cuts, area);
-  section["seam_length"] = cuts.length + surface.cut_length;
-  section["seam_length_relative"] = (cuts.length + surface.cut_length) / std::sqrt(area);
-  section["seam_edges"] = cuts.edges + surface.cut_edges;
-  section["repair_seam_length"] = surface.cut_length;
-  section["repair_seam_edges"] = surface.cut_edges;
-  return section;
-}
-
 }  // namespace majorant::app

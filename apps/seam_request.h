@@ -9,9 +9,8 @@
 #include <optional>
 #include <string>
 
-#include "apps/report.h"
-#include "majorant/mesh/repair.h"
 #include "majorant/parametrization/cuts/choose_cuts.h"
+#include "majorant/results/internal/report.h"
 
 namespace majorant::app {
 
@@ -29,10 +28,5 @@ struct SeamRequest {
 
 // On stderr, where faces had no texture coordinates to be cut along.
 void say_untextured(const std::string& file, const SurfaceCuts& cuts);
-
-// {"seam_length": ..., ...}: what reports say of cuts. area: of the surface.
-Json cuts_section(const SurfaceCuts& cuts, double area);
-// Of a repaired surface: with the edges that repair cut, which are in the sums.
-Json cuts_section(const SurfaceCuts& cuts, const RepairedSurface& surface);
 
 }  // namespace majorant::app

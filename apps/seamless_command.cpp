@@ -9,6 +9,7 @@
 #include "majorant/io/internal/read_vertex_lists.h"
 #include "majorant/parametrization/drive/parametrize.h"
 #include "majorant/parametrization/starts/make_seamless.h"
+#include "majorant/results/internal/input_points.h"
 
 namespace majorant::app {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "apps/command.h"
 #include "apps/progress.h"
-#include "apps/report.h"
 #include "apps/result_files.h"
 #include "majorant/parametrization/drive/parametrize.h"
+#include "majorant/results/internal/report.h"
 
 namespace majorant::app {
 

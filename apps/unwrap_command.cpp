@@ -79,9 +79,14 @@ int unwrap_file(Request request) {
                 request.map.input +
                     ": in the unit square its smallest triangles are too small for doubles; leave "
                     "out --normalize");
-  return write_atlas({request.common, request.outputs, request.map, polygons, surface, atlas,
-                      square, record, options.chart.map.handles, options_of(request), start,
-                      progress, read_seconds});
+  FinishedAtlas finished{polygons, surface, atlas, record};
+  if (square) finished.square = &*square;
+  finished.degree = request.map.degree;
+  finished.energy = request.map.energy;
+  finished.options = options_of(request);
+  finished.read_seconds = read_seconds;
+  return write_atlas({request.common, request.outputs, request.map, finished,
+                      options.chart.map.handles, start, progress});
 }
 
 }  // namespace

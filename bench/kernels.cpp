@@ -6,6 +6,8 @@
 #include <benchmark/benchmark.h>
 
 #include "bench_problem.h"
+#include "majorant/energies/make_energy.h"
+#include "majorant/energies/vectorized.h"
 #include "majorant/framework/internal/problem_parts.h"
 
 namespace majorant {
@@ -60,12 +62,38 @@ void factorize_and_solve(benchmark::State& state) {
   }
 }
 
+// Second derivatives of the same energy: built in, and as formulas of a user.
+void formula(benchmark::State& state, const EnergyFactory& energy) {
+  const BenchProblem& b = creature(static_cast<int>(state.range(0)));
+  ProblemBuilder builder(2 * b.space->node_count());
+  builder.add(energy(b.space, flat_triangles(b.mesh->positions(), b.mesh->faces()),
+                     optimizer_ladder(b.space->degree(), 0).guarded),
+              1.0);
+  const Problem problem = builder.build();
+  Evaluator evaluator(problem);
+  const Vec y = problem.reduce(b.x);
+  Vec g, h;
+  for (auto _ : state) benchmark::DoNotOptimize(evaluator.linearize(y, Curvature::Projected, g, h));
+}
+
+const auto kSpectral = spectral(
+    "spectral", [](auto S, auto s) { return S * S + s * s + 1.0 / (S * S) + 1.0 / (s * s); },
+    {.convexity = Convexity::Convex});
+const auto kOfJacobian = density<2, 2>(
+    "of J", [](const auto& J) { return J.squaredNorm() + J.inverse().squaredNorm(); });
+
 #define MAJORANT_BENCH(f) BENCHMARK(f)->DenseRange(1, 4)->Unit(benchmark::kMillisecond)
 MAJORANT_BENCH(value);
 MAJORANT_BENCH(linearize);
 MAJORANT_BENCH(certify);
 MAJORANT_BENCH(max_step);
 MAJORANT_BENCH(factorize_and_solve);
+#define MAJORANT_FORMULA(name, energy) \
+  BENCHMARK_CAPTURE(formula, name, energy)->DenseRange(1, 3)->Unit(benchmark::kMillisecond)
+MAJORANT_FORMULA(built_in, symmetric_dirichlet());
+MAJORANT_FORMULA(spectral, energy_factory(kSpectral));
+MAJORANT_FORMULA(vectorized, energy_factory(kSpectral, vectorized(kSpectral)));
+MAJORANT_FORMULA(of_jacobian, energy_factory(kOfJacobian));
 
 }  // namespace
 }  // namespace majorant

@@ -90,6 +90,7 @@ const std::vector<Rule>& all_rules() {
       {"scaffold.same_lambda", [](Settings& s) { return &s.rules.scaffold.same_lambda; }},
       {"scaffold.share", [](Settings& s) { return &s.rules.scaffold.share; }},
       {"scaffold.still_moving", [](Settings& s) { return &s.rules.scaffold.still_moving; }},
+      {"scaffold.tail_steps", [](Settings& s) { return &s.rules.scaffold.tail_steps; }},
       {"soft_start", [](Settings& s) { return &s.rules.soft_start; }},
       {"stopping.anchor_step", [](Settings& s) { return &s.rules.stopping.anchor_step; }},
       {"stopping.decrement", [](Settings& s) { return &s.rules.stopping.decrement; }},

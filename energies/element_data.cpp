@@ -21,6 +21,8 @@ ElementRows ElementRows::of(std::span<const Index> elements) const {
   return ElementRows(std::move(part));
 }
 
+template class ElementValues<double>;
+
 namespace detail {
 
 ElementValues<double> element_data(const std::string& name, const Vec& numbers) {

@@ -58,6 +58,8 @@ class ElementRows {
   std::shared_ptr<const RowMatrix> rows_;
 };
 
+extern template class ElementValues<double>;
+
 namespace detail {
 // Throws InvalidArgument for numbers that are not finite; name: of the density.
 ElementValues<double> element_data(const std::string& name, const Vec& numbers);

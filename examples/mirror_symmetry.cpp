@@ -33,8 +33,10 @@ struct Mirrored final : Constraint {
 
 // Pairs of nodes whose places on the surface are mirror images in the plane x = 0.
 std::vector<std::pair<Index, Index>> mirrored_nodes(const RowMatrix& places) {
-  const auto key = [](double x, double y, double z) {  // files have few digits
-    return std::array<long, 3>{std::lround(1e6 * x), std::lround(1e6 * y), std::lround(1e6 * z)};
+  // Files have nine digits: cells of 1e-6 that begin where no mean of such numbers lies.
+  const auto cell = [](double x) { return std::lround(1e6 * x + 0.1234567); };
+  const auto key = [&](double x, double y, double z) {
+    return std::array<long, 3>{cell(x), cell(y), cell(z)};
   };
   std::map<std::array<long, 3>, Index> node_at;
   for (Index k = 0; k < places.rows(); ++k)

@@ -14,10 +14,11 @@
 // to a FeasibilityChecker of the problem. With E the other terms and B the barriers, each with the
 // weight it has in the problem, phases minimize E + mu B for falling mu by Newton's method. The
 // last one has
-//     m mu <= tolerance max(1, |E|),      m: the sum of the weights of all elements of the barriers,
-// which for convex problems and -log g bounds what E is above its constrained minimum. A constraint
-// with multiplier l ends at the distance mu / l from its boundary. Not for equality constraints:
-// eliminate them (constraint.h); nor for starts on the boundary: they must be inside.
+//     m mu <= tolerance max(1, |E|)
+// with m the sum of the weights of all elements of the barriers, which for convex problems and -log
+// g bounds what E is above its constrained minimum. A constraint with multiplier l ends at the
+// distance mu / l from its boundary. Not for equality constraints: eliminate them (constraint.h);
+// nor for starts on the boundary: they must be inside.
 #pragma once
 
 #include <vector>

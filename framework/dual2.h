@@ -98,9 +98,19 @@ struct Dual2 {
   Dual2& operator/=(const Dual2& o) { return *this = *this / o; }
 
   friend const Dual2& operator+(const Dual2& a) { return a; }
-  friend Dual2 operator-(Dual2 a) { return a *= -1.0; }
-  friend Dual2 operator+(Dual2 a, const Dual2& b) { return a += b; }
-  friend Dual2 operator-(Dual2 a, const Dual2& b) { return a -= b; }
+  friend Dual2 operator-(const Dual2& a) { return a * -1.0; }
+  friend Dual2 operator+(const Dual2& a, const Dual2& b) {
+    Dual2 r(T(a.v + b.v), Unset{});
+    for (std::size_t i = 0; i < r.d.size(); ++i) r.d[i] = a.d[i] + b.d[i];
+    for (std::size_t k = 0; k < r.h.size(); ++k) r.h[k] = a.h[k] + b.h[k];
+    return r;
+  }
+  friend Dual2 operator-(const Dual2& a, const Dual2& b) {
+    Dual2 r(T(a.v - b.v), Unset{});
+    for (std::size_t i = 0; i < r.d.size(); ++i) r.d[i] = a.d[i] - b.d[i];
+    for (std::size_t k = 0; k < r.h.size(); ++k) r.h[k] = a.h[k] - b.h[k];
+    return r;
+  }
   friend Dual2 operator*(const Dual2& a, const Dual2& b) {
     Dual2 r(T(a.v * b.v), Unset{});
     for (std::size_t i = 0, k = 0; i < N; ++i) {
@@ -119,9 +129,15 @@ struct Dual2 {
   friend Dual2 operator+(double b, Dual2 a) { return a += b; }
   friend Dual2 operator-(Dual2 a, double b) { return a -= b; }
   friend Dual2 operator-(double b, const Dual2& a) { return -a + b; }
-  friend Dual2 operator*(Dual2 a, double b) { return a *= b; }
-  friend Dual2 operator*(double b, Dual2 a) { return a *= b; }
-  friend Dual2 operator/(Dual2 a, double b) { return a /= b; }
+  friend Dual2 operator*(const Dual2& a, double b) {
+    const T factor(b);
+    Dual2 r(T(a.v * factor), Unset{});
+    for (std::size_t i = 0; i < r.d.size(); ++i) r.d[i] = a.d[i] * factor;
+    for (std::size_t k = 0; k < r.h.size(); ++k) r.h[k] = a.h[k] * factor;
+    return r;
+  }
+  friend Dual2 operator*(double b, const Dual2& a) { return a * b; }
+  friend Dual2 operator/(const Dual2& a, double b) { return a * (1.0 / b); }
   friend Dual2 operator/(double b, const Dual2& a) { return inverse(a) * b; }
 
   // Of the values alone.

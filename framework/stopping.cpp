@@ -78,12 +78,12 @@ Advice StoppingTest::after(const StepResult& step, Since since) {
   const bool small = r.relative_decrease <= rules_.relative_decrease;
   const bool in_tail = small && since == Since::Same && r.curvature != Curvature::Exact &&
                        r.newton_decrement <= rules_.tail_factor * rules_.relative_decrease * scale;
-  if (in_tail && polished_ && !plateau) {
+  in_tail_ += in_tail;
+  if (in_tail && in_tail_ >= rules_.tail_steps && !plateau) {
     advice.stop = Stop{Status::Converged, "relative decrease"};
     return advice;
   }
-  advice.polish = in_tail && !polished_;
-  polished_ = polished_ || in_tail;
+  advice.polish = in_tail && in_tail_ == 1;
   const bool held = r.step_bound < rules_.stall_step;
   idle_ = small || held ? idle_ + 1 : 0;
   held_ = idle_ == 0 ? 0 : held_ + held;

@@ -28,8 +28,9 @@ namespace majorant {
 //     decrement:   -g.p <= decrement |E_{k-1}|                                Converged, no step
 //     taken small step:  E_{k-1} - E_k <= relative_decrease |E_{k-1}|
 //       and -g.p <= tail_factor relative_decrease |E_{k-1}| and no plateau    Converged
-//       for a second time, the exact Hessian having been given another chance in between; steps
-//       with the exact Hessian do not count, they converge quadratically to the decrement rule
+//       for the tail_steps-th time, the exact Hessian having been given another chance after the
+//       first; steps with the exact Hessian do not count, they converge quadratically to the
+//       decrement rule
 //     idle: small step, or a certified step below stall_step, in stall_iterations successive
 //       iterations: Converged if -g.p <= stall_decrement |E_{k-1}| - unless this is a plateau and
 //       the certificate lets all these steps pass: then it goes on -, else Stalled, and the result
@@ -52,6 +53,9 @@ struct StoppingRules {
   double relative_decrease = 1e-6;
   // Origin: -g.p is twice what is left, and that is 5 decreases where each step leaves 5/6.
   double tail_factor = 10;
+  // Such small steps that end a run. Origin: the first is followed by a step with the exact
+  // Hessian; 1 where Hessians never become exact.
+  int tail_steps = 2;
   // Of relative_decrease, that may be left. Origin: docs/performance.md, Plateaus.
   double plateau_factor = 2;
   // Of that, where Hessians are indefinite. Origin: hand_500 passes a saddle with decreases of
@@ -123,7 +127,7 @@ class StoppingTest {
   int held_ = 0;                  // of idle_: a certified step below stall_step
   std::deque<double> decreases_;  // relative, since the problem has changed, the last ones
   int definite_ = std::numeric_limits<int>::max() / 2;  // steps since a factorization failed
-  bool polished_ = false;
+  int in_tail_ = 0;                                     // small steps with a small decrement
 };
 
 }  // namespace majorant

@@ -138,14 +138,19 @@ std::string draw(const MapFile& map, const SvgOptions& options) {
 
 }  // namespace
 
-void write_svg(const std::string& path, const MapFile& map, const SvgOptions& options) {
-  require_sound(path, map);
-  if (options.scaffold) require_sound(path, *options.scaffold);
+std::string svg_text(const MapFile& map, const SvgOptions& options) {
+  require_sound("layout", map);
+  if (options.scaffold) require_sound("scaffold", *options.scaffold);
   const Alignment alignment = options.grid ? Alignment::Never : options.alignment;
   const Vector2 direction = picture_direction(map, alignment);
   SvgOptions shown = options;
   if (options.scaffold) shown.scaffold = turned(*options.scaffold, direction);
-  write_file_atomically(path, draw(turned(map, direction), shown));
+  return draw(turned(map, direction), shown);
+}
+
+void write_svg(const std::string& path, const MapFile& map, const SvgOptions& options) {
+  require_sound(path, map);
+  write_file_atomically(path, svg_text(map, options));
 }
 
 }  // namespace majorant

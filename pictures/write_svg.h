@@ -42,5 +42,7 @@ struct SvgOptions {
 // inconsistent or not finite, Error(Usage) if the file cannot be written, the grid cannot be drawn
 // or the range of colours leaves out the isometry.
 void write_svg(const std::string& path, const MapFile& map, const SvgOptions& options = {});
+// The drawing as text, for who has a place for it already. Throws Error(Invalid) likewise.
+std::string svg_text(const MapFile& map, const SvgOptions& options = {});
 
 }  // namespace majorant

@@ -3,7 +3,8 @@
 //
 //   Cells ends(2, 2);
 //   ends << 0, 1, 1, 2;
-//   auto springs = make_term<2, 3>("springs", ends, [rest = Vec{{1.0, 1.5}}](Index e, const auto& z) {
+//   const Vec rest{{1.0, 1.5}};
+//   auto springs = make_term<2, 3>("springs", ends, [rest](Index e, const auto& z) {
 //     const auto stretch = (z.col(1) - z.col(0)).norm() - rest[e];
 //     return stretch * stretch;
 //   });
@@ -45,8 +46,8 @@ struct LocalFunction {
   Variable model(Index e, const NodeValues<Variable, Block, N>& z, BlendedCurvature curvature,
                  bool second) const {
     Variable result = f(e, z);
-    if (second && curvature.clamp > 0 && !is_semidefinite<N * Block>(result.h.data()))
-      clamp_eigenvalues<N * Block>(curvature.clamp, result.h.data());
+    if (second && curvature.clamp > 0)
+      make_semidefinite<N * Block>(curvature.clamp, result.h.data());
     return result;
   }
 };

@@ -1,6 +1,7 @@
 // Losses that bound what an outlier may cost, for make_least_squares().
 //
-//   auto fit = make_least_squares<1>("fit", unknowns, residual, cauchy_loss(0.1));
+//   const RobustLoss loss = cauchy_loss(0.1);
+//   const auto [rho, slope, bend] = loss(9.0);   // of |r| = 3
 //
 // A loss is rho(s) with its first and second derivative, s = |r|^2 the squared residual of one
 // element, rho(s) = s where s is small; the energy is rho(|r|^2) / 2. `width` is the |r| from which

@@ -10,23 +10,20 @@
 
 #include "apps/arguments/number_check.h"
 #include "apps/arguments/suggestion.h"
-#include "apps/check/check_claims.h"
 #include "apps/command.h"
-#include "apps/energy_option.h"
-#include "apps/global_verdict.h"
 #include "apps/outputs.h"
 #include "apps/page_content.h"
 #include "apps/process.h"
 #include "apps/progress.h"
-#include "apps/report.h"
 #include "apps/streams.h"
 #include "apps/unless_stopped.h"
 #include "majorant/framework/thread_count.h"
-#include "majorant/io/layout_scale.h"
 #include "majorant/io/map_distortion.h"
 #include "majorant/io/map_file.h"
 #include "majorant/io/map_proof.h"
 #include "majorant/io/read_mesh.h"
+#include "majorant/results/internal/check_claims.h"
+#include "majorant/results/internal/check_map.h"
 
 namespace majorant::app {
 namespace {
@@ -40,92 +37,9 @@ struct Request {
   bool certify = false, seamless = false;
 };
 
-// Without a surface nothing says where a file that claims nothing should be continuous: its cuts
-// are counted and named then.
-CutRule cut_rule(const Request& request, const Claims& claims, bool is_seamless) {
-  const bool says_nothing = !claims.version && !claims.seams;
-  const bool free =
-      request.cuts == "free" || (request.cuts.empty() && request.surface.empty() && says_nothing);
-  if (free) return is_seamless ? CutRule::SeamsOrFree : CutRule::Free;
-  return is_seamless ? CutRule::Seams : CutRule::Nothing;
-}
-
-struct Check {
-  const Request& request;
-  const MapFile& file;
-  const Claims& claims;
-  const std::optional<PolygonMesh>& surface;
-  Findings findings = {};
-  Json report = {};
-  std::optional<MapMeasures> measures = {};
-  std::optional<MapProof> proof = {};
-};
-
-// At the scale of its claims, or a scale of its own.
-Json measured_distortion(const MapFile& file) {
-  const MapDistortion measured = measure_distortion(file);
-  Json section = distortion_section({&measured}, layout_scale(file));
-  section["scale_is_assumed"] = has_assumed_scale(file);
-  return section;
-}
-
-// Whether the file is what a map makes of the plane, as `.msh` has it: the identity of itself.
-bool is_image(const MapFile& file) {
-  const auto corners = file.cells.leftCols(3).reshaped();
-  return file.points(corners, 2).isZero(0) &&
-         file.points(corners, Eigen::seqN(0, 2)) == file.uv(corners, Eigen::all);
-}
-
-void prove(Check& check, const StopCheck& stop) {
-  const bool is_seamless = check.request.seamless || check.claims.seams.value_or(false);
-  ProofRequest wanted;
-  if (check.surface) wanted.surface = &*check.surface;
-  wanted.cuts = cut_rule(check.request, check.claims, is_seamless);
-  if (check.request.certify || check.claims.bijective.value_or(false))
-    wanted.overlap = ProofRequest::Overlap::Forbidden;
-  else if (!check.request.common.report.empty() || !check.request.outputs.empty())
-    wanted.overlap = ProofRequest::Overlap::Reported;
-  if (extension(check.request.result) == ".vtu") wanted.labels = ProofRequest::FaceLabels::Compared;
-  wanted.stop = stop;
-  check.proof.emplace(check.file, check.request.result, wanted);
-  if (check.proof->surface.answer == Answer::Violated &&
-      extension(check.request.result) == ".msh" && is_image(check.file))
-    throw Error(
-        ErrorKind::Unsupported,
-        fmt::format("{}: this is the image of a map, in the plane: there is no surface in it "
-                    "to compare with {}; write it with --msh surface, or leave --surface out",
-                    check.request.result, check.request.surface));
-  for (const auto& [question, finding] : check.proof->findings()) {
-    if (finding->answer == Answer::Violated)
-      check.findings.add_violation(fmt::format("{}: {}", question, finding->detail));
-    if (finding->answer == Answer::Undecided)
-      check.findings.add_open(
-          fmt::format("{}: could not be decided: {}", question, finding->detail));
-    check.report["proofs"][question] = {{"answer", answer_name(finding->answer)},
-                                        {"detail", finding->detail}};
-  }
-  const CutCount& cuts = check.proof->cuts;
-  check.report["cuts"] = {{"seam_edges", cuts.seams},
-                          {"other_edges", cuts.others},
-                          {"length", cuts.length},
-                          {"charts", cuts.charts}};
-}
-
-// What there is a map of, and what is claimed of that.
-void measure(Check& check, const StopCheck& stop) {
-  if (!check.proof->map()) return;
-  const BezierMap& map = *check.proof->map();
-  check.measures = measure_as_claimed(map, check.claims, stop, check.findings);
-  Json result = measures_section(map, *check.measures, claimed_energy(check.claims));
-  if (check.proof->global)
-    add_global_injectivity(result, map, *check.measures, *check.proof->global);
-  if (!check.measures->cut_short && !check.request.common.report.empty())
-    result["distortion"] = measured_distortion(check.file);
-  check.report["result"] = result;
-  if (check.proof->surface.answer == Answer::Violated) return;  // claims are about another mesh
-  check_claims({check.file, map, *check.measures, check.claims,
-                check.surface ? &*check.surface : nullptr, check.proof->cuts},
-               check.findings);
+CheckRequest::Cuts cuts_of(const std::string& said) {
+  if (said == "free") return CheckRequest::Cuts::Free;
+  return said.empty() ? CheckRequest::Cuts::AsClaimed : CheckRequest::Cuts::None;
 }
 
 // "positive (486 cells), continuous (no cuts), ...; not asked: surface (--surface)".
@@ -159,40 +73,34 @@ std::string describe_fault(const MapProof& proof, Index cell) {
              : fmt::format("turned over: det J is {:.3g} at a point of it", least);
 }
 
-MapPage page_of(const Check& check) {
+MapPage page_of(const std::string& name, const MapFile& file, const MapCheck& check) {
   MapPage page;
-  page.title = page_title(check.request.result);
-  page.map = check.file;
+  page.title = page_title(name);
+  page.map = file;
   page.facts = page_facts(check.report);
-  for (const Index cell : check.proof->not_positive)
-    page.faults.push_back({cell, describe_fault(*check.proof, cell)});
-  page.points = claimed_points(check.claims, check.file);
+  for (const Index cell : check.proof.not_positive)
+    page.faults.push_back({cell, describe_fault(check.proof, cell)});
+  page.points = claimed_points(check.claims, file);
   return page;
 }
 
-int conclude(Check& check) {
-  const Request& request = check.request;
+int conclude(const Request& request, const MapFile& file, const MapCheck& check) {
   const std::vector<std::string>& list = check.findings.list();
-  const char* status = list.empty() ? "valid" : check.findings.violated() ? "invalid" : "undecided";
-  check.report["status"] = status;
-  check.report["message"] = list.empty() ? "" : list.front();
-  check.report["findings"] = list;
   if (!list.empty()) {
-    const bool is_torn = check.proof && check.proof->continuous.answer == Answer::Violated;
-    say("majorant: {}: {}: {}{}\n", request.result, status, fmt::join(list, "; "),
+    const bool is_torn = check.proof.continuous.answer == Answer::Violated;
+    say("majorant: {}: {}: {}{}\n", request.result, check.status(), fmt::join(list, "; "),
         is_torn ? "; if the map is meant to be cut there, add --cuts free" : "");
   } else if (!request.common.quiet) {
-    say("{}: valid, degree {}: {}; {} {:.9g}{}\n", request.result, check.file.degree,
-        in_words(*check.proof), claimed_energy(check.claims), check.measures->value,
+    say("{}: valid, degree {}: {}; {} {:.9g}{}\n", request.result, file.degree,
+        in_words(check.proof), claimed_energy(check.claims), check.measures->value,
         seam_summary(check.report["result"]));
   }
   WrittenFiles written;
   const std::string& report = request.common.report;
   for (const std::string& path : request.outputs)
-    written.write(path, [&] { write_page(path, page_of(check)); });
+    written.write(path, [&] { write_page(path, page_of(request.result, file, check)); });
   if (const std::string& path = request.distortion; !path.empty())
-    written.write(
-        path, [&] { write_distortion(path, check.file, measure_distortion(check.file).faces); });
+    written.write(path, [&] { write_distortion(path, file, measure_distortion(file).faces); });
   if (!report.empty()) written.write(report, [&] { write_json(report, check.report); });
   return written.conclude(list.empty() ? kSuccess : kInvalid);
 }
@@ -210,20 +118,21 @@ int check(const Request& request) {
   record.begin(Activity::Reading);
   const MapFile file = read(request.result, read_map);
   say_warnings(file.warnings);
-  const Claims claims = parse_claims(file.claims, request.result);
   std::optional<PolygonMesh> surface;
   if (!request.surface.empty()) {
     surface = read(request.surface, read_mesh);
     say_warnings(surface->warnings);
   }
-  Check check{request, file, claims, surface};
-  check.report = {{"schema_version", 1}, {"version", MAJORANT_VERSION}, {"command", "check"}};
-  record.begin(Activity::Proving);
-  prove(check, stop);
-  record.begin(Activity::Measuring);
-  measure(check, stop);
+  const MapCheck check(file,
+                       {.name = request.result,
+                        .surface = surface ? &*surface : nullptr,
+                        .cuts = cuts_of(request.cuts),
+                        .certify = request.certify,
+                        .seamless = request.seamless,
+                        .reported = !request.common.report.empty() || !request.outputs.empty()},
+                       record);
   if (check.findings.list().empty()) progress.finish();
-  return conclude(check);
+  return conclude(request, file, check);
 }
 
 }  // namespace

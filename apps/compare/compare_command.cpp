@@ -24,13 +24,13 @@
 #include "apps/map_request.h"
 #include "apps/outputs.h"
 #include "apps/process.h"
-#include "apps/report.h"
 #include "apps/streams.h"
 #include "apps/unless_stopped.h"
 #include "majorant/framework/evaluator.h"
 #include "majorant/framework/thread_count.h"
 #include "majorant/parametrization/drive/internal/normalized_start.h"
 #include "majorant/parametrization/maps/internal/quadrature_ladder.h"
+#include "majorant/results/internal/report.h"
 
 namespace majorant::app {
 namespace {

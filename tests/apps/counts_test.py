@@ -32,6 +32,8 @@ PUBLIC = {
     'hand_500, degree 1': ['hand_500', '--degree', '1'],
     'hand_500, degree 2': ['hand_500', '--degree', '2'],
     'scorpion_500, degree 1': ['scorpion_500', '--degree', '1'],
+    'helix_500, degree 1, bijective': ['helix_500', '--degree', '1', '--bijective'],
+    'koala_500, degree 2, bijective': ['koala_500', '--degree', '2', '--bijective'],
     'koala_500, degree 3': ['koala_500', '--degree', '3'],
     'spot_10000, degree 1': ['spot_10000', '--degree', '1'],
     'scorpion_10000, degree 1': ['scorpion_10000', '--degree', '1'],

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "random.h"
@@ -26,7 +27,10 @@ void clamp_random_matrices() {
       double k[N * (N + 1) / 2];
       for (double& entry : k) entry = random.uniform();
       const auto before = unpacked<N>(k);
+      double rotated[N * (N + 1) / 2];
+      std::copy(std::begin(k), std::end(k), rotated);
       clamp_eigenvalues<N>(clamp, k);
+      make_semidefinite<N>(clamp, rotated);
       const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, N, N>> eigen(before);
       Eigen::Matrix<double, N, N> expected = before;
       for (int i = 0; i < N; ++i)
@@ -34,6 +38,7 @@ void clamp_random_matrices() {
           expected -=
               clamp * l * eigen.eigenvectors().col(i) * eigen.eigenvectors().col(i).transpose();
       EXPECT_LE((unpacked<N>(k) - expected).norm(), 1e-13 * (1 + before.norm())) << N;
+      EXPECT_LE((unpacked<N>(rotated) - expected).norm(), 1e-13 * (1 + before.norm())) << N;
     }
 }
 
@@ -59,7 +64,7 @@ void judge_random_matrices() {
   test::Random random(N);
   for (int trial = 0; trial < 50; ++trial) {
     Matrix half = Matrix::NullaryExpr([&] { return random.uniform(); });
-    half.rightCols(random.integer(0, N)).setZero();
+    half.rightCols(random.integer(0, N - 1)).setZero();
     const Vec direction = random.vector(N).normalized();
     const auto judged = [&](double part) {
       const Matrix m =
@@ -68,12 +73,11 @@ void judge_random_matrices() {
       for (int i = 0, p = 0; i < N; ++i)
         for (int j = 0; j <= i; ++j, ++p) k[p] = m(i, j);
       const double lowest = Eigen::SelfAdjointEigenSolver<Matrix>(m).eigenvalues()[0];
-      return std::pair(is_semidefinite<N>(k), lowest >= -1e-12 * half.squaredNorm());
+      return std::pair(is_semidefinite<N>(k), lowest / half.squaredNorm());
     };
-    EXPECT_TRUE(judged(0.01).first) << N;
-    for (const double part : {-0.001, -0.1, -1.0}) {
-      const auto [said, is] = judged(part);
-      EXPECT_TRUE(is || !said) << N << " " << part;
+    for (const double part : {0.1, 0.01, -0.001, -0.1, -1.0}) {
+      const auto [said, lowest] = judged(part);
+      EXPECT_TRUE(said ? lowest >= -1e-12 : lowest < 1e-6) << N << " " << part << " " << lowest;
     }
   }
 }
@@ -90,11 +94,24 @@ TEST(PackedSymmetric, Semidefinite) {
   EXPECT_FALSE(is_semidefinite<2>(nan));
 }
 
+TEST(PackedSymmetric, RotationsOfAnySize) {
+  for (const double size : {1e-300, 1e-20, 1e100, 1e150}) {
+    double k[] = {size, 3 * size, -size, 0.1 * size, -2 * size, 5 * size};
+    const auto before = unpacked<3>(k);
+    make_semidefinite<3>(1, k);
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(before);
+    const Eigen::Matrix3d expected = eigen.eigenvectors() *
+                                     eigen.eigenvalues().cwiseMax(0.0).asDiagonal() *
+                                     eigen.eigenvectors().transpose();
+    EXPECT_LE((unpacked<3>(k) - expected).cwiseAbs().maxCoeff(), 1e-13 * size);
+  }
+}
+
 TEST(PackedSymmetric, NotFinite) {
   for (const double bad :
        {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
     double k[] = {2, bad, 3};
-    clamp_eigenvalues<2>(1, k);
+    make_semidefinite<2>(1, k);
     for (const double entry : k) EXPECT_EQ(entry, 0);
   }
 }

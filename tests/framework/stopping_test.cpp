@@ -84,6 +84,22 @@ TEST(Stopping, ASmallStepNearAMinimumIsPolishedOnceThenConverged) {
   expect_stop(test.after(moved(9e-7, 9e-6)), Status::Converged, "relative decrease");
 }
 
+TEST(Stopping, TheTailHasAsManySmallStepsAsAsked) {
+  for (const int steps : {1, 2, 4}) {
+    StoppingRules patient = rules();
+    patient.tail_steps = steps;
+    patient.stall_iterations = 100;
+    StoppingTest test(patient, 100);
+    for (int k = 1; k < steps; ++k) {
+      const Advice advice = test.after(moved(9e-7, 9e-6));
+      expect_goes_on(advice);
+      EXPECT_EQ(advice.polish, k == 1);
+      expect_goes_on(test.after(moved(0.1, 0.2)));
+    }
+    expect_stop(test.after(moved(9e-7, 9e-6)), Status::Converged, "relative decrease");
+  }
+}
+
 TEST(Stopping, TheTailNeedsASmallDecrementAndAModelThatIsNotExact) {
   {
     StoppingTest test(rules(), 100);

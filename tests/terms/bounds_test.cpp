@@ -4,6 +4,7 @@
 #include <ceres/ceres.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "majorant/framework/barrier_minimizer.h"
@@ -63,7 +64,16 @@ TEST(Bounds, WithoutRoom) {
   EXPECT_THROW(Bounds(Vec::Zero(1), Vec::Constant(1, std::nan(""))), Error);
 }
 
-// sum (x_i - a_i)^2 / 2 in a box: the minimum is a, clamped.
+struct Pull {
+  double target;
+  template <class T>
+  bool operator()(const T* x, T* r) const {
+    r[0] = x[0] - target;
+    return true;
+  }
+};
+
+// sum (x_i - a_i)^2 / 2 in a box: the minimum is a, clamped, and Ceres finds it.
 TEST(Bounds, ProjectionOntoABox) {
   test::Random random(1);
   const Index n = 300;
@@ -87,19 +97,22 @@ TEST(Bounds, ProjectionOntoABox) {
   EXPECT_LE((result.y - expected).lpNorm<Eigen::Infinity>(), 1e-6);
   EXPECT_NEAR(result.energy, 0.5 * (expected - target).squaredNorm(), 1e-6);
   EXPECT_LE(result.iterations.size(), 60);
+  ceres::Problem theirs;
+  Vec x = Vec::Zero(n);
+  for (Index i = 0; i < n; ++i) {
+    theirs.AddResidualBlock(new ceres::AutoDiffCostFunction<Pull, 1, 1>(new Pull{target[i]}),
+                            nullptr, &x[i]);
+    theirs.SetParameterLowerBound(&x[i], 0, lower[i]);
+    theirs.SetParameterUpperBound(&x[i], 0, upper[i]);
+  }
+  ceres::Solver::Summary summary;
+  ceres::Solve(test::tight_options(), &theirs, &summary);
+  EXPECT_LE((result.y - x).lpNorm<Eigen::Infinity>(), 1e-6);
+  EXPECT_NEAR(result.energy, summary.final_cost, 1e-6);
 }
 
-struct Plane {
-  Vec a;
-  double b;
-  bool operator()(double const* const* x, double* r) const {
-    r[0] = a.dot(Eigen::Map<const Vec>(x[0], a.size())) - b;
-    return true;
-  }
-};
-
-// Dense linear least squares in a box, against Ceres' bounds.
-TEST(Bounds, LeastSquaresAgainstCeres) {
+// Dense linear least squares in a box, against coordinate descent.
+TEST(Bounds, LeastSquaresInABox) {
   constexpr int n = 12;
   test::Random random(2);
   const Eigen::MatrixXd A = Eigen::MatrixXd::NullaryExpr(30, n, [&] { return random.uniform(); });
@@ -117,27 +130,15 @@ TEST(Bounds, LeastSquaresAgainstCeres) {
   const TermId barrier = builder.add(bounds.barrier(), 1);
   builder.add(bounds.checker());
   const BarrierResult result = BarrierMinimizer({barrier}).run(builder.build(), Vec::Zero(n));
-  ceres::Problem theirs;
+  const Eigen::MatrixXd H = A.transpose() * A;
+  const Vec c = A.transpose() * b;
   Vec x = Vec::Zero(n);
-  for (Index e = 0; e < A.rows(); ++e) {
-    auto* cost = new ceres::DynamicNumericDiffCostFunction<Plane>(new Plane{A.row(e), b[e]});
-    cost->AddParameterBlock(n);
-    cost->SetNumResiduals(1);
-    theirs.AddResidualBlock(cost, nullptr, x.data());
-  }
-  for (int k = 0; k < n; ++k) {
-    theirs.SetParameterLowerBound(x.data(), k, -0.5);
-    theirs.SetParameterUpperBound(x.data(), k, 0.7);
-  }
-  ceres::Solver::Summary summary;
-  ceres::Solve(test::tight_options(), &theirs, &summary);
-  const auto active = [](const Vec& v) {
-    return ((v.array() < -0.5 + 1e-5) || (v.array() > 0.7 - 1e-5)).count();
-  };
+  for (int sweep = 0; sweep < 3000; ++sweep)
+    for (int k = 0; k < n; ++k)
+      x[k] = std::clamp(x[k] + (c[k] - H.row(k).dot(x)) / H(k, k), -0.5, 0.7);
   EXPECT_EQ(result.status, Status::Converged) << result.message;
-  EXPECT_GE(active(x), 4);
-  EXPECT_EQ(active(result.y), active(x));
-  EXPECT_NEAR(result.energy, summary.final_cost, 1e-7 * summary.final_cost);
+  EXPECT_GE(((x.array() == -0.5) || (x.array() == 0.7)).count(), 4);
+  EXPECT_NEAR(result.energy, 0.5 * (A * x - b).squaredNorm(), 1e-6);
   EXPECT_LE((result.y - x).lpNorm<Eigen::Infinity>(), 1e-6);
 }
 
@@ -173,7 +174,7 @@ TEST(Bounds, RosenbrockInABox) {
     Evaluator(free).gradient(result.y, g);
     for (int k = 0; k < 2; ++k) {
       const bool low = result.y[k] - lower[k] < 1e-6, high = upper[k] - result.y[k] < 1e-6;
-      EXPECT_TRUE(low ? g[k] > 0 : high ? g[k] < 0 : std::abs(g[k]) < 1e-6) << g[k];
+      EXPECT_TRUE(low ? g[k] > 0 : high ? g[k] < 0 : std::abs(g[k]) < 1e-5) << g[k];
     }
     ceres::Problem theirs;
     double x[] = {start[0], start[1]};

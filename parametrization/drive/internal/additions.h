@@ -2,7 +2,7 @@
 // left out, relaxed or held, as the solver goes along (bounds.cpp).
 //
 //     Additions added(extension);
-//     const Additions::Ids ids = added.add_to(builder);
+//     const std::vector<TermId> barriers = added.add_to(builder);
 //     builder.add(added.gauge(spec, *space, start));
 #pragma once
 
@@ -22,8 +22,8 @@ class Additions {
   explicit Additions(std::shared_ptr<const MapExtension> extension);
 
   bool constrained() const { return extension_ && !extension_->constraints().empty(); }
-  // Terms, constraints and checkers; the map's nodes are the builder's first. What it returns are
-  // the ids of the barriers of the bounds that are held.
+  // Terms, constraints, checkers and the bounds that are held; the map's nodes are the builder's
+  // first. Returns the ids of the barriers.
   std::vector<TermId> add_to(ProblemBuilder& builder) const;
   // What must be held so that the gauge vertices' pieces cannot be translated where nothing that
   // was added withstands: both coordinates of each, or fewer. A term withstands where a translation

@@ -271,9 +271,9 @@ StoppingRules DegreeSolver::unlimited(double relative_decrease) const {
 }
 
 StoppingRules DegreeSolver::final_rules() const {
-  StoppingRules rules = unlimited(domain_.part_of_tolerance() * setup_.solve.tolerance);
+  StoppingRules rules = unlimited(setup_.solve.tolerance);
   rules.plateau_factor = setup_.rules.stopping.plateau_factor;
-  return rules;
+  return domain_.final_rules(rules);
 }
 
 IterationRecord DegreeSolver::try_step() {

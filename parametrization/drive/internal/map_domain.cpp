@@ -134,6 +134,12 @@ bool ScaffoldedDomain::strengthen(double weight) {
   return std::exchange(share_, share) != share;
 }
 
+StoppingRules ScaffoldedDomain::final_rules(StoppingRules usual) const {
+  usual.relative_decrease *= rules_.part_of_tolerance;
+  usual.tail_steps = rules_.tail_steps;
+  return usual;
+}
+
 void ScaffoldedDomain::elevate(const std::shared_ptr<const BezierTriangleSpace>& higher) {
   const AddedSeconds time(seconds_);
   scaffold_ = scaffold_.elevated(higher);

@@ -69,8 +69,8 @@ class MapDomain {
   // How unknowns are to be ordered for factorizations.
   virtual Ordering ordering() const { return Ordering::Automatic; }
 
-  // Part of the tolerance asked for at which a run may end.
-  virtual double part_of_tolerance() const { return 1; }
+  // Of the rules by which a run ends at the tolerance asked for: those that the domain needs.
+  virtual StoppingRules final_rules(StoppingRules usual) const { return usual; }
 
   virtual void elevate(const std::shared_ptr<const BezierTriangleSpace>& /*higher*/) {}
 
@@ -106,7 +106,7 @@ class ScaffoldedDomain final : public MapDomain {
   // Flips change the pattern nearly every step: METIS would cost more than it saves
   // (docs/performance.md).
   Ordering ordering() const override { return Ordering::Amd; }
-  double part_of_tolerance() const override { return rules_.part_of_tolerance; }
+  StoppingRules final_rules(StoppingRules usual) const override;
   void elevate(const std::shared_ptr<const BezierTriangleSpace>& higher) override;
   std::optional<Scaffold> surroundings() const override { return scaffold_; }
   void restore(const std::optional<Scaffold>& scaffold) override;

@@ -1,5 +1,6 @@
 // What parametrize_by() is told about its rules is what it goes by.
 #include <algorithm>
+#include <utility>
 
 #include "majorant/energies/named_energies.h"
 #include "majorant/parametrization/drive/internal/parametrize_by.h"
@@ -55,6 +56,28 @@ TEST(SolverRules, ExactHessiansWhereAllowed) {
   EXPECT_TRUE(solve_cap(rules).uses_exact_hessians());
   rules.blend.below = 0;
   EXPECT_FALSE(solve_cap(rules).uses_exact_hessians());
+}
+
+// Hessians of maps in a scaffold never become exact: another step after the first small one is of
+// no use.
+TEST(SolverRules, InAScaffoldTheFirstSmallStepEndsARun) {
+  ParametrizationOptions options = degree(1);
+  options.map.injectivity = MapInjectivity::Global;
+  const auto mesh = generated("cap");
+  const BezierMap start = BezierMap::linear(mesh, initial_map(*mesh, options.map));
+  const auto solve = [&](int tail_steps) {
+    SolverRules rules;
+    rules.scaffold.tail_steps = tail_steps;
+    RunRecord record;
+    const ParametrizationResult result = parametrize_by(rules, start, options, record);
+    EXPECT_EQ(status_name(result.status), status_name(Status::Converged));
+    return std::pair(record.trace().size(), result.measures.value);
+  };
+  EXPECT_EQ(SolverRules().scaffold.tail_steps, 1);
+  const auto [one, energy] = solve(1);
+  const auto [three, least] = solve(3);
+  EXPECT_GE(three, one + 2);
+  EXPECT_LE(energy, (1 + 1e-6) * least);
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
 // Whether a map is injective as a whole, in reports: the proof from its boundary as JSON.
 #pragma once
 
-#include "apps/report.h"
 #include "majorant/parametrization/injectivity/global_injectivity.h"
+#include "majorant/results/internal/report.h"
 
-namespace majorant::app {
+namespace majorant {
 
 // Sets "globally_injective" (true, false, or null: not decided) and "boundary" ({"pairs_tested",
 // "pairs_left", "subdivisions", "reason", "contacts"}, edges by vertices of the input). proof: of
@@ -12,4 +12,4 @@ namespace majorant::app {
 void add_global_injectivity(Json& measures_section, const BezierMap& map,
                             const MapMeasures& measures, const GlobalInjectivity& proof);
 
-}  // namespace majorant::app
+}  // namespace majorant

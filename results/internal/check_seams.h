@@ -2,9 +2,9 @@
 // claimed or given. That the seams fit is proven elsewhere (io/map_proof.h).
 #pragma once
 
-#include "apps/check/check_claims.h"
+#include "majorant/results/internal/check_claims.h"
 
-namespace majorant::app {
+namespace majorant {
 
 // Whether the cut of the map should be that of the texture coordinates of the surface: results of
 // `parametrize --seamless`, and files that do not say where they come from. Those of `seamless`
@@ -18,4 +18,4 @@ void check_seams(const CheckedMap& checked, Findings& findings);
 // one.
 void check_fixed_texture_boundary(const CheckedMap& checked, Findings& findings);
 
-}  // namespace majorant::app
+}  // namespace majorant

@@ -5,12 +5,12 @@
 #include <optional>
 #include <string>
 
-#include "apps/check/findings.h"
-#include "apps/claims.h"
 #include "majorant/io/map_proof.h"
 #include "majorant/parametrization/maps/measure.h"
+#include "majorant/results/internal/claims.h"
+#include "majorant/results/internal/findings.h"
 
-namespace majorant::app {
+namespace majorant {
 
 // A result to be checked. Only refers.
 struct CheckedMap {
@@ -33,4 +33,4 @@ Vec in_units_of_the_run(VecIn uv, const Claims& claims);
 // Energy, degree, pins, boundary, seams and cones, arrays.
 void check_claims(const CheckedMap& checked, Findings& findings);
 
-}  // namespace majorant::app
+}  // namespace majorant

@@ -1,4 +1,4 @@
-#include "apps/claims.h"
+#include "majorant/results/internal/claims.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/io/internal/json_depth.h"
 
-namespace majorant::app {
+namespace majorant {
 namespace {
 
 using nlohmann::json;
@@ -176,4 +176,4 @@ Claims parse_claims(const std::string& text, const std::string& file) {
   return claims;
 }
 
-}  // namespace majorant::app
+}  // namespace majorant

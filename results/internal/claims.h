@@ -15,7 +15,7 @@
 #include "majorant/framework/types.h"
 #include "majorant/mesh/seams.h"
 
-namespace majorant::app {
+namespace majorant {
 
 struct ClaimedPin {
   Index vertex = 0;  // of the input, >= 0; may be beyond what the file maps
@@ -53,4 +53,4 @@ struct Claims {
 // deeply, and for claims of the wrong type, out of their range or not finite.
 Claims parse_claims(const std::string& text, const std::string& file);
 
-}  // namespace majorant::app
+}  // namespace majorant

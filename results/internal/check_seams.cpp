@@ -1,4 +1,4 @@
-#include "apps/check/check_seams.h"
+#include "majorant/results/internal/check_seams.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/parametrization/starts/texture_seams.h"
 
-namespace majorant::app {
+namespace majorant {
 namespace {
 
 // From and to, vertices of the input.
@@ -155,4 +155,4 @@ void check_fixed_texture_boundary(const CheckedMap& checked, Findings& findings)
                    fmt::format("the boundary is off the initial map's by {:g}", worst));
 }
 
-}  // namespace majorant::app
+}  // namespace majorant

@@ -1,17 +1,16 @@
-#include "apps/report.h"
+#include "majorant/results/internal/report.h"
 
 #include <fmt/format.h>
 #include <sys/resource.h>
 
+#include <cmath>
 #include <limits>
 #include <numbers>
 
-#include "apps/command.h"
-#include "apps/streams.h"
 #include "majorant/framework/internal/curvature_name.h"
 #include "majorant/io/internal/atomic_file.h"
 
-namespace majorant::app {
+namespace majorant {
 
 Json input_section(const PolygonMesh& polygons, const SurfaceMesh& mesh) {
   const Topology& t = mesh.topology();
@@ -95,6 +94,26 @@ Json distortion_section(const std::vector<const MapDistortion*>& parts, double s
           {"angle", spread_section(all.angle)}};
 }
 
+Json cuts_section(const SurfaceCuts& cuts, double area) {
+  return {{"seam_length", cuts.length},
+          {"seam_length_relative", cuts.length / std::sqrt(area)},
+          {"seam_edges", cuts.edges},
+          {"added_seam_length", cuts.added_length},
+          {"added_seam_edges", cuts.added_edges},
+          {"untextured_faces", cuts.untextured_faces}};
+}
+
+Json cuts_section(const SurfaceCuts& cuts, const RepairedSurface& surface) {
+  const double area = surface.mesh->area();
+  Json section = cuts_section(cuts, area);
+  section["seam_length"] = cuts.length + surface.cut_length;
+  section["seam_length_relative"] = (cuts.length + surface.cut_length) / std::sqrt(area);
+  section["seam_edges"] = cuts.edges + surface.cut_edges;
+  section["repair_seam_length"] = surface.cut_length;
+  section["repair_seam_edges"] = surface.cut_edges;
+  return section;
+}
+
 std::string seam_summary(const Json& measures_section) {
   if (!measures_section.contains("cones")) return {};
   return fmt::format(", {} cones, seams fit to {:.1g} ({:.1f} ulp of the layout)",
@@ -161,14 +180,6 @@ std::string json_text(const Json& json, int indent) {
   return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
-void write_json(const std::string& path, const Json& json) {
-  const std::string text = json_text(json, 1) + "\n";
-  if (path == kStandardOutput)
-    print_text(text);
-  else
-    write_file_atomically(path, text);
-}
-
 void write_trace(const std::string& path, const std::vector<TraceEntry>& trace) {
   std::string out =
       "iteration,degree,energy,relative_decrease,step,step_bound,gradient_norm,newton_decrement,"
@@ -188,4 +199,4 @@ void write_trace(const std::string& path, const std::vector<TraceEntry>& trace) 
   write_file_atomically(path, out);
 }
 
-}  // namespace majorant::app
+}  // namespace majorant

@@ -1,4 +1,4 @@
-#include "apps/check/check_claims.h"
+#include "majorant/results/internal/check_claims.h"
 
 #include <fmt/format.h>
 
@@ -8,14 +8,15 @@
 #include <limits>
 #include <map>
 
-#include "apps/check/check_seams.h"
-#include "apps/energy_option.h"
+#include "majorant/energies/named_energies.h"
 #include "majorant/framework/error.h"
 #include "majorant/io/internal/lagrange_cell.h"
+#include "majorant/parametrization/maps/internal/energy_text.h"
 #include "majorant/parametrization/starts/texture_seams.h"
 #include "majorant/parametrization/starts/tutte.h"
+#include "majorant/results/internal/check_seams.h"
 
-namespace majorant::app {
+namespace majorant {
 namespace {
 
 constexpr double kEnergyClose = 1e-4;      // what reported energies are good to
@@ -183,13 +184,13 @@ Vec in_units_of_the_run(VecIn uv, const Claims& claims) {
 
 MapMeasures measure_as_claimed(const BezierMap& map, const Claims& claims, const StopCheck& stop,
                                Findings& findings) {
-  EnergySum energy{{symmetric_dirichlet(), 1.0}};
-  try {
-    energy = parse_energy(claimed_energy(claims));
-  } catch (const Error& e) {
-    findings.add_violation(fmt::format("majorant_claims: {}", e.what()));
+  std::optional<EnergySum> energy = find_energy_sum(claimed_energy(claims));
+  if (!energy) {
+    findings.add_violation(
+        fmt::format("majorant_claims: no energy is called '{}'", claimed_energy(claims)));
+    energy = EnergySum{{symmetric_dirichlet(), 1.0}};
   }
-  return measure_normalized(map, claimed_scale(claims), energy, stop);
+  return measure_normalized(map, claimed_scale(claims), *energy, stop);
 }
 
 void check_claims(const CheckedMap& checked, Findings& findings) {
@@ -211,4 +212,4 @@ void check_claims(const CheckedMap& checked, Findings& findings) {
   check_face_distortion(checked, findings);
 }
 
-}  // namespace majorant::app
+}  // namespace majorant

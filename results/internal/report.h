@@ -1,4 +1,4 @@
-// The JSON report, schema_version 1, and the CSV trace.
+// The JSON report, schema_version 1, section by section, and the CSV trace.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -6,10 +6,12 @@
 #include <vector>
 
 #include "majorant/framework/run_record.h"
+#include "majorant/mesh/repair.h"
 #include "majorant/mesh/surface_mesh.h"
+#include "majorant/parametrization/cuts/choose_cuts.h"
 #include "majorant/parametrization/maps/measure.h"
 
-namespace majorant::app {
+namespace majorant {
 
 using Json = nlohmann::ordered_json;
 
@@ -21,6 +23,10 @@ Json cones_section(const BezierMap& map);
 Json measures_section(const BezierMap& map, const MapMeasures& measures, const std::string& energy);
 // Percentiles, means and stretch of all parts as one map, measured at that scale of the layout.
 Json distortion_section(const std::vector<const MapDistortion*>& parts, double scale);
+// {"seam_length": ..., ...}: what reports say of cuts. area: of the surface.
+Json cuts_section(const SurfaceCuts& cuts, double area);
+// Of a repaired surface: with the edges that repair cut, which are in the sums.
+Json cuts_section(const SurfaceCuts& cuts, const RepairedSurface& surface);
 // What a line that sums up says of that section's seams, ", ..."; empty when there are none.
 std::string seam_summary(const Json& measures_section);
 // {"deepen": {"runs": 2, "gained": 0.01}, ...} of every remedy, energies as in the trace.
@@ -31,8 +37,6 @@ long peak_memory_bytes();
 // The text of every JSON that the command writes: numbers with 17 digits where needed; not finite
 // becomes null; bytes that are not UTF-8 (of paths) become U+FFFD. indent -1: on one line.
 std::string json_text(const Json& json, int indent = -1);
-// Written atomically; to stdout where the name is kStandardOutput.
-void write_json(const std::string& path, const Json& json);
 void write_trace(const std::string& path, const std::vector<TraceEntry>& trace);
 
-}  // namespace majorant::app
+}  // namespace majorant

@@ -8,7 +8,7 @@
 #include "majorant/framework/types.h"
 #include "majorant/mesh/polygon_mesh.h"
 
-namespace majorant::app {
+namespace majorant {
 
 inline constexpr double kClose = kTenDigits;  // relative to the size of the map or surface
 
@@ -37,4 +37,4 @@ inline double extent(const Eigen::Ref<const Eigen::MatrixXd>& points) {
   return (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff();
 }
 
-}  // namespace majorant::app
+}  // namespace majorant

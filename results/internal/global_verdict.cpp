@@ -1,8 +1,8 @@
-#include "apps/global_verdict.h"
+#include "majorant/results/internal/global_verdict.h"
 
 #include <array>
 
-namespace majorant::app {
+namespace majorant {
 
 void add_global_injectivity(Json& measures_section, const BezierMap& map,
                             const MapMeasures& measures, const GlobalInjectivity& proof) {
@@ -27,4 +27,4 @@ void add_global_injectivity(Json& measures_section, const BezierMap& map,
                                   {"contacts", contacts}};
 }
 
-}  // namespace majorant::app
+}  // namespace majorant

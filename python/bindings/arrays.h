@@ -1,0 +1,65 @@
+// What numpy arrays and the library's matrices are to each other.
+//
+//     view(self, file.uv)          an array over the matrix, which lives as long as `self` does
+//     moved(std::move(control))    an array that owns what it is given
+//     matrix<Points2>(array)       a copy, as the library wants it
+//
+// Arrays that the library gives out are float64 or int32 in C order, never copies, and read-only:
+// what they show is shared by everything that was made from it. Those that it takes were checked
+// and converted in Python (majorant/_arrays.py), where a message can name the argument.
+#pragma once
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <cstring>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "majorant/framework/types.h"
+
+namespace majorant::python {
+
+namespace py = pybind11;
+
+using Doubles = py::array_t<double, py::array::c_style>;
+using Integers = py::array_t<Index, py::array::c_style>;
+
+inline void make_read_only(py::array& array) {
+  py::detail::array_proxy(array.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
+}
+
+// matrix: row-major or a vector, owned by the object that `owner` is.
+template <class Matrix>
+py::array view(py::handle owner, const Matrix& matrix) {
+  static_assert(Matrix::IsRowMajor || Matrix::ColsAtCompileTime == 1);
+  std::vector<py::ssize_t> shape{matrix.rows()};
+  if (Matrix::ColsAtCompileTime != 1) shape.push_back(matrix.cols());
+  py::array_t<typename Matrix::Scalar, py::array::c_style> array(shape, matrix.data(), owner);
+  make_read_only(array);
+  return array;
+}
+
+template <class Matrix>
+py::array moved(Matrix matrix) {
+  auto kept = std::make_unique<Matrix>(std::move(matrix));
+  const Matrix& here = *kept;
+  const py::capsule owner(kept.get(), [](void* p) { delete static_cast<Matrix*>(p); });
+  kept.release();
+  return view(owner, here);
+}
+
+// Of one or two dimensions; a Matrix with fixed columns must fit.
+template <class Matrix>
+Matrix matrix(const py::array_t<typename Matrix::Scalar, py::array::c_style>& array) {
+  const auto columns = array.ndim() > 1 ? array.shape(1) : 1;
+  if (array.ndim() < 1 || array.ndim() > 2 ||
+      (Matrix::ColsAtCompileTime != Eigen::Dynamic && Matrix::ColsAtCompileTime != columns))
+    throw py::value_error("an array of another shape was expected");
+  using RowMajor =
+      Eigen::Matrix<typename Matrix::Scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  return Eigen::Map<const RowMajor>(array.data(), array.shape(0), columns);
+}
+
+}  // namespace majorant::python

@@ -1,0 +1,35 @@
+#include "check.h"
+
+#include <string>
+
+#include "majorant/results/internal/check_map.h"
+#include "map_file.h"
+#include "mesh.h"
+#include "run.h"
+
+namespace majorant::python {
+namespace {
+
+// The report of `majorant check`, as JSON. surface: a Mesh, or None; cuts: "", "none" or "free".
+std::string check_map(const std::string& name, const MapFile& file, const SharedPolygons& surface,
+                      const std::string& cuts, bool certify, bool seamless, double time_limit) {
+  CheckRequest request;
+  request.name = name;
+  request.surface = surface.get();
+  if (cuts == "none") request.cuts = CheckRequest::Cuts::None;
+  if (cuts == "free") request.cuts = CheckRequest::Cuts::Free;
+  request.certify = certify;
+  request.seamless = seamless;
+  request.reported = true;
+  Run run(time_limit, 0, py::none());
+  return run([&] { return json_text(MapCheck(file, request, run.record()).report); });
+}
+
+}  // namespace
+
+void bind_check(py::module_& module) {
+  module.def("check_map", &check_map, py::arg("name"), py::arg("file"), py::arg("surface"),
+             py::arg("cuts"), py::arg("certify"), py::arg("seamless"), py::arg("time_limit"));
+}
+
+}  // namespace majorant::python

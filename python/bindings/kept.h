@@ -1,0 +1,26 @@
+// A Python object that anything of the library may keep, and any thread let go of.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <utility>
+
+namespace majorant::python {
+
+class Kept {
+ public:
+  explicit Kept(pybind11::object object) : object_(std::move(object)) {}
+  Kept(const Kept&) = delete;
+  Kept& operator=(const Kept&) = delete;
+  ~Kept() {
+    const pybind11::gil_scoped_acquire lock;
+    object_.release().dec_ref();
+  }
+  // To be used with the interpreter's lock.
+  pybind11::handle get() const { return object_; }
+
+ private:
+  pybind11::object object_;
+};
+
+}  // namespace majorant::python

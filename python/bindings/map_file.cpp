@@ -1,0 +1,139 @@
+#include "map_file.h"
+
+#include <pybind11/stl.h>
+
+#include <string>
+
+#include "arrays.h"
+#include "majorant/io/internal/bezier_cell.h"
+#include "majorant/io/read_mesh.h"
+#include "majorant/pictures/write_svg.h"
+#include "majorant/results/internal/write_map.h"
+#include "mesh.h"
+#include "run.h"
+
+namespace majorant::python {
+namespace {
+
+template <class Matrix>
+void add_array(py::class_<MapFile, SharedMap>& type, const char* name, Matrix MapFile::*member) {
+  type.def_property_readonly(name, [member](const py::object& self) {
+    return view(self, self.cast<const MapFile&>().*member);
+  });
+}
+
+// Everything of a map, in the order of restored().
+py::tuple state(const MapFile& file) {
+  return py::make_tuple(file.degree, moved(file.points), moved(file.uv), moved(file.uv_rounding),
+                        moved(file.cells), moved(file.input_vertex), moved(file.input_face),
+                        moved(file.distortion), moved(file.min_det), moved(file.cone),
+                        moved(file.seam_edges), moved(file.chart),
+                        moved(RowMatrix(file.face_distortion)), file.claims, file.warnings);
+}
+
+MapFile restored(const py::tuple& state) {
+  MapFile file;
+  std::size_t k = 0;
+  const auto next = [&](auto& member) {
+    using Member = std::decay_t<decltype(member)>;
+    const py::object value = state[k++];
+    if constexpr (std::is_base_of_v<Eigen::MatrixBase<Member>, Member>)
+      member =
+          matrix<Member>(value.cast<py::array_t<typename Member::Scalar, py::array::c_style>>());
+    else
+      member = value.cast<Member>();
+  };
+  next(file.degree), next(file.points), next(file.uv), next(file.uv_rounding), next(file.cells);
+  next(file.input_vertex), next(file.input_face), next(file.distortion), next(file.min_det);
+  next(file.cone), next(file.seam_edges), next(file.chart), next(file.face_distortion);
+  next(file.claims), next(file.warnings);
+  return file;
+}
+
+ProofRequest request_from(const Promise& promise, const PolygonMesh& mesh,
+                          const std::string& path) {
+  const auto [cuts, is_injective, of_surface, has_labels] = promise;
+  ProofRequest request;
+  request.cuts = static_cast<CutRule>(cuts);
+  if (is_injective) request.overlap = ProofRequest::Overlap::Forbidden;
+  if (of_surface) request.surface = &mesh;
+  if (has_labels) request.labels = labels_in(path);
+  return request;
+}
+
+// mesh: what the map was made from. input: whether formats of meshes are written as that mesh, with
+// its vertices and polygons.
+void save(const std::string& path, const MapFile& file, const PolygonMesh& mesh,
+          const Promise& promise, bool input, int refine, bool lagrange, bool surface) {
+  const ProofRequest request = request_from(promise, mesh, path);
+  MapFormats formats;
+  formats.tessellation = {refine, allowed_overlap(request)};
+  if (lagrange) formats.vtu = VtuCells::Lagrange;
+  if (surface) formats.msh = MshContent::Surface;
+  Run run;
+  run([&] {
+    write_map(path, file, input ? &mesh : nullptr, formats, certification(path, request, &file));
+    return true;
+  });
+}
+
+struct ReadMap {
+  SharedMap file;
+  SharedPolygons mesh;
+  Promise promise;
+};
+
+py::tuple read(const std::string& path) {
+  Run run;
+  const ReadMap read = run([&] {
+    ReadMap out;
+    out.file = std::make_shared<MapFile>(read_map(path, run.stop()));
+    out.mesh = std::make_shared<PolygonMesh>(mesh_from_map(*out.file, path));
+    out.promise = promise_from(promise_of(*out.file, *out.mesh, path));
+    return out;
+  });
+  return py::make_tuple(read.file, read.mesh, read.promise);
+}
+
+// In VTK's order.
+py::array multi_indices(int degree) {
+  const auto indices = bezier_multi_indices(degree);
+  Cells rows(indices.size(), 3);
+  for (Index k = 0; k < rows.rows(); ++k)
+    for (Index corner = 0; corner < 3; ++corner) rows(k, corner) = indices[at(k)][at(corner)];
+  return moved(std::move(rows));
+}
+
+}  // namespace
+
+Promise promise_from(const ProofRequest& request) {
+  return {static_cast<int>(request.cuts), request.overlap == ProofRequest::Overlap::Forbidden,
+          request.surface != nullptr, request.labels == ProofRequest::FaceLabels::Compared};
+}
+
+void bind_map_files(py::module_& module) {
+  py::class_<MapFile, SharedMap> type(module, "MapFile");
+  type.def_readonly("degree", &MapFile::degree)
+      .def_readonly("claims", &MapFile::claims)
+      .def_readonly("warnings", &MapFile::warnings)
+      .def(py::pickle(&state, &restored));
+  add_array(type, "points", &MapFile::points);
+  add_array(type, "uv", &MapFile::uv);
+  add_array(type, "cells", &MapFile::cells);
+  add_array(type, "input_vertex", &MapFile::input_vertex);
+  add_array(type, "input_face", &MapFile::input_face);
+  add_array(type, "distortion", &MapFile::distortion);
+  add_array(type, "min_det", &MapFile::min_det);
+  add_array(type, "cone", &MapFile::cone);
+  add_array(type, "chart", &MapFile::chart);
+  add_array(type, "seam_edges", &MapFile::seam_edges);
+  module.def("read_map", &read, py::arg("path"));
+  module.def("save_map", &save, py::arg("path"), py::arg("file"), py::arg("mesh"),
+             py::arg("promise"), py::arg("input"), py::arg("refine"), py::arg("lagrange"),
+             py::arg("surface"));
+  module.def(
+      "svg_text", [](const MapFile& file) { return svg_text(file); }, py::arg("file"));
+  module.def("multi_indices", &multi_indices, py::arg("degree"));
+}
+
+}  // namespace majorant::python

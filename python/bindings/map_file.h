@@ -1,0 +1,25 @@
+// Finished maps: what files hold, as arrays.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <memory>
+#include <tuple>
+
+#include "majorant/io/map_file.h"
+#include "majorant/io/map_proof.h"
+
+namespace majorant::python {
+
+using SharedMap = std::shared_ptr<MapFile>;
+
+// What a file that is made of a map must be proven to be, in a form that can be pickled: which cuts
+// it may have (CutRule), whether it is injective as a whole, whether the surface and the labels of
+// vertices and faces are compared with those of the mesh.
+using Promise = std::tuple<int, bool, bool, bool>;
+Promise promise_from(const ProofRequest& request);
+
+// Registers MapFile, read_map, save_map, svg_text and multi_indices.
+void bind_map_files(pybind11::module_& module);
+
+}  // namespace majorant::python

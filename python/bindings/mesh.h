@@ -1,0 +1,17 @@
+// Meshes of Python: vertices and faces as they were given.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <memory>
+
+#include "majorant/mesh/polygon_mesh.h"
+
+namespace majorant::python {
+
+using SharedPolygons = std::shared_ptr<PolygonMesh>;
+
+// Registers Mesh, mesh_of_arrays and read_mesh.
+void bind_meshes(pybind11::module_& module);
+
+}  // namespace majorant::python

@@ -1,0 +1,59 @@
+// majorant._core: the library as the Python package majorant uses it. Not for others: names and
+// arguments change with the package, which checks what users pass and says what it means.
+#include <dlfcn.h>
+#include <pybind11/stl.h>
+
+#include "check.h"
+#include "errors.h"
+#include "majorant/energies/named_energies.h"
+#include "majorant/framework/linear_solver.h"
+#include "majorant/parametrization/maps/internal/energy_text.h"
+#include "map_file.h"
+#include "mesh.h"
+#include "problem.h"
+#include "run.h"
+#include "solve.h"
+#include "terms.h"
+
+namespace majorant::python {
+namespace {
+
+// The kernels that a loaded OpenBLAS has chosen; empty where none is loaded.
+std::string blas_kernels() {
+  using Name = const char* (*)();
+  const auto name = reinterpret_cast<Name>(dlsym(RTLD_DEFAULT, "openblas_get_corename"));
+  return name ? name() : "";
+}
+
+std::vector<std::pair<std::optional<std::string>, std::string>> split_energy(
+    const std::string& text) {
+  std::vector<std::pair<std::optional<std::string>, std::string>> words;
+  for (const EnergyWord& word : split_energy_text(text)) words.emplace_back(word.weight, word.name);
+  return words;
+}
+
+std::vector<std::pair<std::string, std::string>> energies() {
+  std::vector<std::pair<std::string, std::string>> list;
+  for (const NamedEnergy& energy : named_energies()) list.emplace_back(energy.name, energy.summary);
+  return list;
+}
+
+}  // namespace
+}  // namespace majorant::python
+
+PYBIND11_MODULE(_core, module) {
+  using namespace majorant::python;
+  module.attr("version") = MAJORANT_VERSION;
+  translate_errors();
+  bind_steps(module);
+  bind_meshes(module);
+  bind_map_files(module);
+  bind_solvers(module);
+  bind_check(module);
+  bind_terms(module);
+  bind_problems(module);
+  module.def("energies", &energies);
+  module.def("split_energy", &split_energy, py::arg("text"));
+  module.def("vector_instructions", &majorant::vector_instructions);
+  module.def("blas_kernels", &blas_kernels);
+}

@@ -1,0 +1,80 @@
+#include "options.h"
+
+#include <pybind11/stl.h>
+
+#include "arrays.h"
+#include "density.h"
+#include "majorant/energies/named_energies.h"
+#include "majorant/framework/internal/curvature_name.h"
+#include "majorant/results/internal/input_points.h"
+
+namespace majorant::python {
+namespace {
+
+// Rows of targets that are NaN: where the initial map has the vertex.
+std::vector<Pin> points(const py::dict& wishes, const char* name, const SurfaceMesh& mesh) {
+  if (wishes[name].is_none()) return {};
+  const auto [numbers, targets] = wish<std::pair<Integers, Doubles>>(wishes, name);
+  std::vector<Handle> handles;
+  for (py::ssize_t k = 0; k < numbers.size(); ++k) {
+    const Vector2 target(targets.at(k, 0), targets.at(k, 1));
+    handles.push_back({numbers.at(k), target.allFinite() ? std::optional(target) : std::nullopt});
+  }
+  return points_of(mesh, handles, name);
+}
+
+// One a polygon.
+Vec face_weights(const py::dict& wishes, const SurfaceMesh& mesh) {
+  if (wishes["weights"].is_none()) return {};
+  const auto of_polygon = wish<Doubles>(wishes, "weights");
+  Vec weights(mesh.face_count());
+  for (Index f = 0; f < weights.size(); ++f) weights[f] = of_polygon.at(mesh.input_face(f));
+  return weights;
+}
+
+template <class Choice>
+Choice pick(const py::dict& wishes, const char* name, std::string_view word, Choice yes,
+            Choice no) {
+  return wish<std::string>(wishes, name) == word ? yes : no;
+}
+
+}  // namespace
+
+EnergySum energy_sum(const py::handle& energies) {
+  EnergySum sum;
+  for (const py::handle summand : energies) {
+    const auto [energy, weight] = summand.cast<std::pair<py::object, double>>();
+    if (py::isinstance<py::str>(energy))
+      sum.push_back({find_energy(energy.cast<std::string>())->make, weight});
+    else
+      sum.push_back({python_energy(energy), weight});
+  }
+  return sum;
+}
+
+ParametrizationOptions read_options(const py::dict& wishes, const SurfaceMesh& mesh) {
+  ParametrizationOptions options;
+  MapOptions& map = options.map;
+  map.energy = energy_sum(wishes["energies"]);
+  map.degree = wish<int>(wishes, "degree");
+  map.boundary = pick(wishes, "boundary", "fixed", BoundaryCondition::Fixed, map.boundary);
+  if (wish<bool>(wishes, "boundary_angles")) map.boundary_angles = BoundaryAngles::AtMostFullTurn;
+  if (wish<bool>(wishes, "bijective")) map.injectivity = MapInjectivity::Global;
+  map.pins = points(wishes, "pins", mesh);
+  map.handles = points(wishes, "handles", mesh);
+  map.handle_weight = wish<double>(wishes, "soft");
+  map.face_weight = face_weights(wishes, mesh);
+  for (const StartMethod method : {StartMethod::Tutte, StartMethod::Multiresolution})
+    map.start = pick(wishes, "init", start_name(method), method, map.start);
+  SolveOptions& solve = options.solve;
+  for (const Curvature c : kCurvatures)
+    solve.curvature = pick(wishes, "curvature", curvature_name(c), c, solve.curvature);
+  solve.elevation = pick(wishes, "elevation", "direct", Elevation::Direct, solve.elevation);
+  solve.tolerance = wish<double>(wishes, "tolerance");
+  solve.quadrature_points = wish<int>(wishes, "quadrature");
+  if (wish<bool>(wishes, "improve_mesh")) solve.triangles = Triangles::Flipped;
+  solve.threads = wish<int>(wishes, "threads");
+  return options;
+}
+
+}  // namespace majorant::python

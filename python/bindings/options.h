@@ -1,0 +1,28 @@
+// What Python asks of a map, as options of the library.
+//
+// The dictionary is made by majorant/_options.py, which has checked names, types and ranges: all
+// keys are there. Only what needs the surface is checked here.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include "majorant/mesh/surface_mesh.h"
+#include "majorant/parametrization/drive/parametrize.h"
+
+namespace majorant::python {
+
+namespace py = pybind11;
+
+template <class T>
+T wish(const py::dict& wishes, const char* name) {
+  return wishes[name].cast<T>();
+}
+
+// [(name or density, weight), ...].
+EnergySum energy_sum(const py::handle& energies);
+
+// mesh: what the vertices of pins and handles, which are those of the arrays, are looked up in: the
+// surface, or the surface of a start, cut open. Throws Error(Unsupported) for a vertex of no face.
+ParametrizationOptions read_options(const py::dict& wishes, const SurfaceMesh& mesh);
+
+}  // namespace majorant::python

@@ -1,0 +1,210 @@
+#include "problem.h"
+
+#include <pybind11/stl.h>
+
+#include <optional>
+#include <string>
+
+#include "arrays.h"
+#include "majorant/constraints/local_injectivity.h"
+#include "majorant/framework/ceres_minimizer.h"
+#include "majorant/framework/evaluator.h"
+#include "majorant/framework/gradient_flow.h"
+#include "majorant/framework/internal/curvature_name.h"
+#include "majorant/framework/lbfgs.h"
+#include "majorant/framework/newton.h"
+#include "majorant/framework/thread_count.h"
+#include "majorant/parametrization/maps/rest_shapes_of.h"
+#include "options.h"
+#include "run.h"
+#include "terms.h"
+
+namespace majorant::python {
+namespace {
+
+using Coefficients = py::array_t<std::int64_t, py::array::c_style>;
+
+// Rows of A x = b.
+class Rows final : public Constraint {
+ public:
+  Rows(const Integers& starts, const Integers& columns, const Coefficients& values,
+       const Doubles& targets)
+      : starts_(starts), columns_(columns), values_(values), targets_(targets) {}
+
+  void append_rows(ConstraintRows& rows) const override {
+    for (py::ssize_t r = 0; r + 1 < starts_.size(); ++r) {
+      rows.begin_row("row " + std::to_string(r));
+      for (Index k = starts_.at(r); k < starts_.at(r + 1); ++k)
+        rows.add(columns_.at(k), static_cast<long>(values_.at(k)));
+      rows.end_row(targets_.at(r));
+    }
+  }
+
+ private:
+  const Integers &starts_, &columns_;
+  const Coefficients& values_;
+  const Doubles& targets_;
+};
+
+// What is added is eliminated and ordered when it is first needed.
+class PythonProblem {
+ public:
+  explicit PythonProblem(Index size) : builder_(size), size_(size) {}
+
+  void add(const Term& term, double weight) {
+    builder_.add(term.term, weight);
+    problem_.reset();
+  }
+  void constrain(const Integers& starts, const Integers& columns, const Coefficients& values,
+                 const Doubles& targets) {
+    builder_.add(Rows(starts, columns, values, targets));
+    problem_.reset();
+  }
+  void keep_injective(const Space& s) {
+    const RestShapes rest = rest_shapes(*s.mesh);
+    builder_.add(std::make_shared<const LocalInjectivity>(s.space, 2 * rest.measure));
+    problem_.reset();
+  }
+  const Problem& built() {
+    if (!problem_) problem_ = builder_.build();
+    return *problem_;
+  }
+  Index full_size() const { return size_; }
+
+ private:
+  ProblemBuilder builder_;
+  Index size_;
+  std::optional<Problem> problem_;
+};
+
+Curvature curvature_named(const std::string& name) {
+  for (const Curvature c : kCurvatures)
+    if (curvature_name(c) == name) return c;
+  throw py::value_error(name);
+}
+
+std::function<std::unique_ptr<LinearSolver>()> solver_named(const std::string& name) {
+  if (name == "eigen") return [] { return make_eigen_ldlt_solver(); };
+  return [] { return make_direct_solver(); };
+}
+
+std::unique_ptr<Minimizer> minimizer_named(const std::string& name, const py::dict& wishes,
+                                           const StopCheck& stop) {
+  const auto fill = [&](auto options) {
+    options.curvature = curvature_named(wish<std::string>(wishes, "curvature"));
+    options.stopping.max_iterations = wish<int>(wishes, "max_iterations");
+    if (const auto tolerance = wish<std::optional<double>>(wishes, "tolerance"))
+      options.stopping.relative_decrease = *tolerance;
+    options.linear_solver = solver_named(wish<std::string>(wishes, "linear_solver"));
+    options.stop = stop;
+    return options;
+  };
+  if (name == "newton") return std::make_unique<NewtonMinimizer>(fill(NewtonOptions()));
+  if (name == "lbfgs") return std::make_unique<LbfgsMinimizer>(fill(LbfgsOptions()));
+  if (name == "gradient-flow")
+    return std::make_unique<GradientFlowMinimizer>(fill(GradientFlowOptions()));
+  CeresOptions options;
+  if (name == "ceres-nlcg") options.method = CeresOptions::Method::NonlinearConjugateGradient;
+  options.max_iterations = wish<int>(wishes, "max_iterations");
+  options.stop = stop;
+  return std::make_unique<CeresMinimizer>(options);
+}
+
+py::dict as_dict(const IterationRecord& r) {
+  using namespace py::literals;
+  return py::dict("iteration"_a = r.iteration, "energy"_a = r.energy,
+                  "relative_decrease"_a = r.relative_decrease, "step"_a = r.step,
+                  "step_bound"_a = r.step_bound, "gradient_norm"_a = r.gradient_norm,
+                  "newton_decrement"_a = r.newton_decrement, "shift"_a = r.shift,
+                  "curvature"_a = curvature_name(r.curvature), "trials"_a = r.trials,
+                  "factorizations"_a = r.factorizations, "seconds"_a = r.seconds.sum());
+}
+
+// (x, energy, status, message, [record, ...]); callback(record, x), as Run has it.
+py::tuple minimize(PythonProblem& p, const Doubles& x0, const py::dict& wishes,
+                   const py::object& callback) {
+  Run run(wish<double>(wishes, "time_limit"), std::numeric_limits<int>::max(), py::none());
+  const Problem& problem = p.built();
+  const Vec start = matrix<Vec>(x0);
+  const auto watch = [&](const IterationRecord& record, const Vec& y) {
+    bool ends = false;
+    if (!callback.is_none() && !run.raised().guard([&] {
+          ends = static_cast<bool>(py::bool_(callback(as_dict(record), moved(problem.expand(y)))));
+        }))
+      ends = true;
+    return ends ? Directive::Interrupt : run.record().directive();
+  };
+  const auto minimizer =
+      minimizer_named(wish<std::string>(wishes, "method"), wishes, run.record().stop());
+  const int threads = wish<int>(wishes, "threads");
+  const SolveResult result = run([&] {
+    const ThreadCount count(threads);
+    return minimizer->minimize(problem, problem.reduce(start), watch);
+  });
+  py::list records;
+  for (const IterationRecord& record : result.iterations) records.append(as_dict(record));
+  return py::make_tuple(moved(problem.expand(result.y)), result.energy, status_name(result.status),
+                        result.message, records);
+}
+
+double value(PythonProblem& p, const Doubles& y) {
+  const Problem& problem = p.built();
+  const Vec at = matrix<Vec>(y);
+  Run run;
+  return run([&] { return Evaluator(problem).value(at, run.stop()); });
+}
+
+struct Linearized {
+  double energy;
+  Vec gradient, hessian;
+};
+
+// (energy, gradient, Hessian's lower triangle in compressed columns: starts, rows, values).
+py::tuple linearize(PythonProblem& p, const Doubles& y, const std::string& curvature) {
+  const Problem& problem = p.built();
+  const Vec at = matrix<Vec>(y);
+  const Curvature model = curvature_named(curvature);
+  Run run;
+  Linearized out = run([&] {
+    Linearized l;
+    l.energy = Evaluator(problem).linearize(at, model, l.gradient, l.hessian, run.stop());
+    return l;
+  });
+  const SparsePattern& pattern = problem.pattern();
+  return py::make_tuple(
+      out.energy, moved(std::move(out.gradient)),
+      Integers(static_cast<py::ssize_t>(pattern.column_starts.size()),
+               pattern.column_starts.data()),
+      Integers(static_cast<py::ssize_t>(pattern.rows.size()), pattern.rows.data()),
+      moved(std::move(out.hessian)));
+}
+
+}  // namespace
+
+void bind_problems(py::module_& module) {
+  py::class_<PythonProblem>(module, "Problem")
+      .def(py::init<Index>(), py::arg("size"))
+      .def_property_readonly("full_size", &PythonProblem::full_size)
+      .def_property_readonly("size", [](PythonProblem& p) { return p.built().size(); })
+      .def("add", &PythonProblem::add, py::arg("term"), py::arg("weight"))
+      .def("constrain", &PythonProblem::constrain, py::arg("starts"), py::arg("columns"),
+           py::arg("values"), py::arg("targets"))
+      .def("keep_injective", &PythonProblem::keep_injective, py::arg("space"))
+      .def(
+          "expand",
+          [](PythonProblem& p, const Doubles& y) {
+            return moved(p.built().expand(matrix<Vec>(y)));
+          },
+          py::arg("y"))
+      .def(
+          "reduce",
+          [](PythonProblem& p, const Doubles& x) {
+            return moved(p.built().reduce(matrix<Vec>(x)));
+          },
+          py::arg("x"))
+      .def("value", &value, py::arg("y"))
+      .def("linearize", &linearize, py::arg("y"), py::arg("curvature"))
+      .def("minimize", &minimize, py::arg("x0"), py::arg("wishes"), py::arg("callback"));
+}
+
+}  // namespace majorant::python

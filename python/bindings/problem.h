@@ -1,0 +1,11 @@
+// Optimization problems of Python's own.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace majorant::python {
+
+// Registers Problem.
+void bind_problems(pybind11::module_& module);
+
+}  // namespace majorant::python

@@ -1,0 +1,14 @@
+// Any mesh to charts side by side.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include "mesh.h"
+
+namespace majorant::python {
+
+// As the other solvers (solve.h).
+pybind11::tuple unwrap_mesh(const SharedPolygons& polygons, const pybind11::dict& wishes,
+                            const pybind11::object& callback);
+
+}  // namespace majorant::python

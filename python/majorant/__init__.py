@@ -1,0 +1,31 @@
+"""majorant: low-distortion, injective, piecewise polynomial maps of surfaces onto the plane.
+
+    import majorant
+
+    V, F = majorant.read_mesh('bunny.obj')
+    uv = majorant.flatten(V, F)                          # (#V, 2), no triangle turned over
+    r = majorant.parametrize(V, F, degree=3)             # a curved map, certified
+    r = majorant.unwrap(V, F)                            # any mesh, cut into charts
+    r.save('bunny.vtu')
+
+Arrays are float64 and int32 in C order and come without copies. Solvers let other threads run, can be
+ended by Ctrl-C, and give the same bits on any number of threads. docs/python.md tells more, with five
+examples; help(majorant.parametrize) has all options.
+"""
+from . import _core
+from ._core import Step
+from ._densities import Density
+from ._errors import (Error, InfeasibleError, InternalError, InvalidError, ReadError, StoppedError,
+                      UnsupportedError, UsageError)
+from ._framework import Problem, Solution, Space, Term, element_term, penalty
+from ._functions import (Verdict, check, deform, energies, flatten, kernels, parametrize, read, read_mesh,
+                         seamless, unwrap)
+from ._maps import Map
+
+__version__ = _core.version
+__all__ = [
+    'Density', 'Error', 'InfeasibleError', 'InternalError', 'InvalidError', 'Map', 'Problem', 'ReadError',
+    'Solution', 'Space', 'Step', 'StoppedError', 'Term', 'UnsupportedError', 'UsageError', 'Verdict', 'check',
+    'deform', 'element_term', 'energies', 'flatten', 'kernels', 'parametrize', 'penalty', 'read', 'read_mesh',
+    'seamless', 'unwrap',
+]

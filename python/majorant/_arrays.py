@@ -1,0 +1,130 @@
+"""Arguments that are arrays: what is wrong with them is said here, by the name of the argument."""
+from __future__ import annotations
+
+from typing import Any, Sequence
+
+import numpy as np
+
+from . import _core
+from ._errors import UnsupportedError, UsageError
+
+_LARGEST = np.iinfo(np.int32).max
+
+
+def floats(name: str, value: Any, shape: Sequence[int | None]) -> np.ndarray:
+    """float64 in C order, finite, of that shape (None: any length)."""
+    array = _array(name, value, 'biuf', 'numbers')
+    _require_shape(name, array, shape)
+    array = np.ascontiguousarray(array, dtype=np.float64)
+    if not np.isfinite(array).all():
+        where = tuple(int(i) for i in np.argwhere(~np.isfinite(array))[0])
+        raise UsageError(f'{name}{list(where)} is {array[where]}; all numbers must be finite')
+    return array
+
+
+def integers(name: str, value: Any, shape: Sequence[int | None], below: int, of: str) -> np.ndarray:
+    """int32 in C order, each in 0 .. below - 1, numbers of `of`."""
+    array = _array(name, value, 'iu', 'integers')
+    _require_shape(name, array, shape)
+    outside = (array < 0) | (array >= below)
+    if outside.any():
+        where = tuple(int(i) for i in np.argwhere(outside)[0])
+        raise UsageError(f'{name}{list(where)} is {array[where]}, but there are {below} {of}, from 0')
+    return np.ascontiguousarray(array, dtype=np.int32)
+
+
+def _array(name: str, value: Any, kinds: str, wanted: str) -> np.ndarray:
+    try:
+        array = np.asarray(value)
+    except ValueError:
+        raise UsageError(f'{name} is no array: its rows have different lengths') from None
+    if array.dtype.kind not in kinds or array.dtype.kind == 'b':
+        raise UsageError(f'{name} holds {_held(array)}, not {wanted}')
+    return array
+
+
+def _held(array: np.ndarray) -> str:
+    return {'c': 'complex numbers', 'f': 'floating-point numbers', 'b': 'truth values',
+            'U': 'text', 'S': 'bytes', 'O': 'Python objects (rows of different lengths?)'
+            }.get(array.dtype.kind, f'values of type {array.dtype}')
+
+
+def _require_shape(name: str, array: np.ndarray, shape: Sequence[int | None]) -> None:
+    fits = array.ndim == len(shape) and all(
+        wanted is None or wanted == found for wanted, found in zip(shape, array.shape))
+    if not fits:
+        sides = ', '.join('n' if side is None else str(side) for side in shape)
+        raise UsageError(f'{name} has shape {array.shape}, not ({sides}{"," if len(shape) == 1 else ""})')
+
+
+def positions(V: Any) -> np.ndarray:
+    """#V by 3; a mesh in the plane may leave out z."""
+    array = _array('V', V, 'biuf', 'numbers')
+    if array.ndim == 2 and array.shape[1] == 2:
+        array = np.column_stack([floats('V', array, (None, 2)), np.zeros(len(array))])
+    array = floats('V', array, (None, 3))
+    if not len(array):
+        raise UsageError('V is empty: a mesh needs vertices')
+    if len(array) > _LARGEST:
+        raise UnsupportedError(f'V has {len(array)} rows, more than {_LARGEST}')
+    return array
+
+
+def polygons(F: Any, vertices: int) -> tuple[np.ndarray, np.ndarray]:
+    """The corners of all faces, one after the other, and where each face begins."""
+    rows = F if isinstance(F, np.ndarray) else list(F)
+    mixed = not isinstance(rows, np.ndarray) and len({np.size(row) for row in rows}) > 1
+    if not mixed:
+        if np.ndim(rows) == 2 and np.shape(rows)[1] < 3:
+            raise UsageError(f'F has shape {np.shape(rows)}: faces need at least three corners')
+        array = integers('F', rows, (None, np.shape(rows)[1] if np.ndim(rows) == 2 else 3),
+                         vertices, 'vertices')
+        if not len(array):
+            raise UsageError('F is empty: a mesh needs faces')
+        starts = np.arange(len(array) + 1, dtype=np.int32) * array.shape[1]
+        return array.ravel(), starts.astype(np.int32)
+    lists = [integers(f'F[{k}]', row, (None,), vertices, 'vertices') for k, row in enumerate(rows)]
+    for k, row in enumerate(lists):
+        if len(row) < 3:
+            raise UsageError(f'F[{k}] has {len(row)} corners: faces need at least three')
+    starts = np.cumsum([0] + [len(row) for row in lists])
+    return np.concatenate(lists), starts.astype(np.int32)
+
+
+def mesh(V: Any, F: Any, uv: Any = None) -> _core.Mesh:
+    """The mesh with these vertices, faces and texture coordinates, #V by 2 or #F by corners by 2."""
+    points = positions(V)
+    corners, starts = polygons(F, len(points))
+    if uv is None:
+        return _core.mesh_of_arrays(points, (corners, starts))
+    array = _array('uv', uv, 'biuf', 'numbers')
+    if array.ndim == 2:
+        coordinates = floats('uv', array, (len(points), 2))
+        return _core.mesh_of_arrays(points, (corners, starts), coordinates, (corners, starts))
+    sides = starts[1] - starts[0]
+    if len(corners) != sides * (len(starts) - 1):
+        raise UsageError('uv by corner needs faces with equally many corners; give one row a vertex')
+    coordinates = floats('uv', array, (len(starts) - 1, int(sides), 2))
+    # Corners that agree share their coordinates: cuts are where they do not.
+    keys = np.column_stack([corners, coordinates.reshape(-1, 2)])
+    _, first, number = np.unique(keys, axis=0, return_index=True, return_inverse=True)
+    return _core.mesh_of_arrays(points, (corners, starts), coordinates.reshape(-1, 2)[first],
+                                (number.ravel().astype(np.int32), starts))
+
+
+def points(name: str, value: Any, vertices: int) -> tuple[np.ndarray, np.ndarray] | None:
+    """Vertices and where they are wanted: {vertex: (u, v)}, or None for where the start has it."""
+    if value is None:
+        return None
+    if not hasattr(value, 'items'):
+        raise UsageError(f'{name} is no dictionary {{vertex: (u, v)}}, with None for (u, v) where a '
+                         'vertex stays where the start has it')
+    numbers, targets = [], []
+    for vertex, target in value.items():
+        numbers.append(vertex)
+        if target is None:
+            targets.append([np.nan, np.nan])
+        else:
+            targets.append(floats(f'{name}[{vertex}]', target, (2,)))
+    return (integers(name, np.array(numbers, dtype=None if numbers else int), (None,), vertices,
+                     'vertices'), np.array(targets, dtype=float).reshape(-1, 2))

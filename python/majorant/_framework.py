@@ -1,0 +1,278 @@
+"""Optimization problems of one's own: sums of sparse terms, constraints that hold exactly."""
+from __future__ import annotations
+
+import math
+from typing import Any, Callable
+
+import numpy as np
+
+from . import _arrays, _core, _options
+from ._densities import _as
+from ._errors import UsageError
+
+_METHODS = ('newton', 'lbfgs', 'gradient-flow', 'ceres-lbfgs', 'ceres-nlcg')
+
+
+class Space:
+    """Piecewise polynomial maps of a surface: a Bezier triangle of degree n on every face.
+
+        space = majorant.Space(V, F, degree=2)
+        x = space.tutte()                               # unknowns: u, v of every node
+
+    A map is 2 numbers per node, x[2 k], x[2 k + 1] = u, v of node k; the first nodes are the vertices
+    of the surface (`input_vertices`: their rows of V), then come those on edges and in faces.
+    """
+
+    def __init__(self, V: Any, F: Any, degree: int = 1):
+        self._core = _core.Space(_arrays.mesh(V, F), _options.integer('degree', degree, 1, 8))
+        self.degree: int = self._core.degree
+        self.node_count: int = self._core.node_count
+        self.size: int = 2 * self.node_count  #: of x
+        self.area: float = self._core.area
+
+    @property
+    def nodes(self) -> np.ndarray:
+        """(#N, 3): the nodes on the surface."""
+        return self._core.nodes
+
+    @property
+    def cells(self) -> np.ndarray:
+        """(#F, (n+1)(n+2)/2): nodes of the faces, in VTK's order (`Map.cells`)."""
+        return self._core.cells
+
+    @property
+    def input_vertices(self) -> np.ndarray:
+        """(#vertices,): rows of V."""
+        return self._core.input_vertices
+
+    def tutte(self) -> np.ndarray:
+        """An injective map of a disk to start from: x."""
+        return self._core.tutte()
+
+    def linear(self, uv: Any) -> np.ndarray:
+        """The map that is linear on the faces, uv (#V, 2) at the rows of V: x."""
+        array = _arrays.floats('uv', uv, (None, 2))
+        if len(array) <= self.input_vertices.max():
+            raise UsageError(f'uv has {len(array)} rows; vertices go up to {self.input_vertices.max()}')
+        return self._core.elevate(array[self.input_vertices].ravel())
+
+    def energy(self, energy: Any = 'symmetric-dirichlet', quadrature: int = 0) -> 'Term':
+        """The integral of an energy over the surface, as a term: names, sums, and a `Density`, as for
+        `parametrize`. quadrature: lattice points on a face; 0: the optimizer's own rule."""
+        summands, _ = _options.energies(energy)
+        points = _options.integer('quadrature', quadrature, 0, 10000)
+        return Term(self._core.energy_terms(summands, points), self.size)
+
+
+class Term:
+    """A sum of functions of few unknowns, for `Problem.add`: see `Space.energy`, `penalty`,
+    `element_term`."""
+
+    def __init__(self, parts: list[tuple[_core.Term, float]], size: int):
+        self._parts, self._size = parts, size
+
+    @property
+    def name(self) -> str:
+        return ' + '.join(part.name for part, _ in self._parts)
+
+    def __repr__(self) -> str:
+        return f'<majorant.Term {self.name!r}>'
+
+
+def penalty(A: Any, b: Any) -> Term:
+    """|A x - b|^2: rows of a scipy.sparse matrix, or a dense one, as soft constraints.
+
+    For short rows, of 512 unknowns at most. What must hold is not for a penalty: `Problem.constrain`.
+    """
+    starts, columns, values, targets, size = _rows(A, b)
+    empty = np.flatnonzero(np.diff(starts) == 0)
+    longest = int(np.diff(starts).max(initial=0))
+    if len(empty) or longest > 512:
+        raise UsageError(f'row {empty[0]} of A is empty' if len(empty) else
+                         f'a row of A has {longest} entries, more than 512')
+    return Term([(_core.penalty(starts, columns, values, targets), 1.0)], size)
+
+
+def element_term(nodes: Any, value: Callable[..., Any], derivatives: Callable[..., Any], *,
+                 block: int = 1, name: str = 'element term') -> Term:
+    """sum over elements e of f(the unknowns of e), with f in numpy, for many elements at once.
+
+        def value(z, e):                      # z (q, k), e (q,): numbers of the elements -> (q,)
+            return ((z[:, 1] - z[:, 0]) ** 2 - rest[e]) ** 2
+
+        def derivatives(z, e): ...            # -> (q, k), (q, k, k): gradient and Hessian
+
+        springs = majorant.element_term(edges, value, derivatives)
+
+    nodes: (#E, nodes of an element); a node is `block` unknowns that follow each other, so that z has
+    k = block * nodes columns: z[:, block * i + c] = x[block * nodes[e, i] + c]. value may be inf or NaN
+    outside of its domain. The Hessian is exact; solvers make it definite where they need that.
+    """
+    block = _options.integer('block', block, 1, 64)
+    cells = _arrays.integers('nodes', nodes, (None, None), 2**31 - 1, 'nodes')
+    if not cells.size:
+        raise UsageError('nodes is empty')
+    for function in (value, derivatives):
+        if not callable(function):
+            raise UsageError(f'{function!r} cannot be called')
+    function = _ElementFunction(value, derivatives, cells.shape[1] * block)
+    return Term([(_core.element_term(str(name), cells, block, function), 1.0)],
+                (int(cells.max()) + 1) * block)
+
+
+class _ElementFunction:
+    def __init__(self, value: Callable[..., Any], derivatives: Callable[..., Any], size: int):
+        self._value, self._derivatives, self._size = value, derivatives, size
+
+    def evaluate(self, z: np.ndarray, e: np.ndarray) -> np.ndarray:
+        with np.errstate(all='ignore'):
+            return _as('value', self._value(z, e), (len(z),))
+
+    def differentiate(self, z: np.ndarray, e: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        with np.errstate(all='ignore'):
+            found = self._derivatives(z, e)
+        if not isinstance(found, tuple) or len(found) != 2:
+            raise UsageError(f'derivatives returned {type(found).__name__}, not (gradient, Hessian)')
+        n, k = z.shape
+        return _as('gradient', found[0], (n, k)), _as('Hessian', found[1], (n, k, k))
+
+
+class Solution:
+    """Where a minimization ended: x, energy, status, message, and iterations, a list of dictionaries."""
+
+    def __init__(self, x: np.ndarray, energy: float, status: str, message: str,
+                 iterations: list[dict[str, Any]]):
+        self.x, self.energy, self.status, self.message, self.iterations = x, energy, status, message, iterations
+
+    def __repr__(self) -> str:
+        return (f'<majorant.Solution: energy {self.energy!r}, {self.status} after {len(self.iterations)} '
+                'iterations>')
+
+
+class Problem:
+    """minimize sum of weight * term(x), subject to A x = b exactly, along injective maps if asked for.
+
+        space = majorant.Space(V, F, degree=2)
+        problem = majorant.Problem(space.size)
+        problem.add(space.energy('symmetric-dirichlet'), 1 / space.area)
+        problem.constrain(scipy.sparse.csr_array(...), b)
+        problem.keep_injective(space)
+        solution = problem.minimize(space.tutte())
+
+    Constraints are eliminated: solvers see reduced unknowns y with x = Z y + c. Without constraints y is
+    x. A term's Hessian is sparse by its elements; the pattern is found once.
+    """
+
+    def __init__(self, size: int):
+        self._core = _core.Problem(_options.integer('size', size, 1, 2**31 - 1))
+
+    @property
+    def full_size(self) -> int:
+        """Of x."""
+        return self._core.full_size
+
+    @property
+    def size(self) -> int:
+        """Of y."""
+        return self._core.size
+
+    def add(self, term: Term, weight: float = 1.0) -> 'Problem':
+        if not isinstance(term, Term):
+            raise UsageError(f'{term!r} is no Term')
+        if term._size > self.full_size:
+            raise UsageError(f'{term.name} has unknowns up to {term._size - 1}; the problem has {self.full_size}')
+        factor = _options.number('weight', weight, 0, _options.LARGEST, zero=True)
+        for part, own in term._parts:
+            self._core.add(part, factor * own)
+        return self
+
+    def constrain(self, A: Any, b: Any) -> 'Problem':
+        """A x = b, exactly. Coefficients are integers (multiply rows to make them so), b is any
+        number: rank and contradictions are decided exactly, the latter raise UnsupportedError."""
+        starts, columns, values, targets, size = _rows(A, b)
+        if size > self.full_size:
+            raise UsageError(f'A has {size} columns, the problem {self.full_size} unknowns')
+        rounded = np.rint(values)
+        bad = values[(rounded != values) | (np.abs(values) > 2**31)]
+        if len(bad):
+            raise UsageError(f'A has the coefficient {bad[0]!r}; constraints need integers: multiply the row, '
+                             'or use penalty()')
+        self._core.constrain(starts, columns, rounded.astype(np.int64), targets)
+        return self
+
+    def keep_injective(self, space: Space) -> 'Problem':
+        """The first unknowns are a map in this space; steps are shortened so that det J > 0, proven on
+        all of every face."""
+        if not isinstance(space, Space):
+            raise UsageError(f'{space!r} is no Space')
+        if space.size > self.full_size:
+            raise UsageError(f'the space has {space.size} unknowns, the problem {self.full_size}')
+        self._core.keep_injective(space._core)
+        return self
+
+    def reduce(self, x: Any) -> np.ndarray:
+        """y of x, which satisfies the constraints."""
+        return self._core.reduce(_arrays.floats('x', x, (self.full_size,)))
+
+    def expand(self, y: Any) -> np.ndarray:
+        """x = Z y + c."""
+        return self._core.expand(_arrays.floats('y', y, (self.size,)))
+
+    def value(self, y: Any) -> float:
+        """The energy; inf outside of its domain."""
+        return self._core.value(_arrays.floats('y', y, (self.size,)))
+
+    def gradient(self, y: Any) -> np.ndarray:
+        """By y, inside of the domain."""
+        return self._core.linearize(_arrays.floats('y', y, (self.size,)), 'projected')[1]
+
+    def hessian(self, y: Any, curvature: str = 'exact') -> Any:
+        """By y, as scipy.sparse.csc_array, both triangles. curvature: 'exact', 'projected', 'majorizer',
+        'paper-majorizer', 'reweighted', where all terms have it."""
+        import scipy.sparse
+        model = _curvature(curvature)
+        _, _, starts, rows, values = self._core.linearize(_arrays.floats('y', y, (self.size,)), model)
+        lower = scipy.sparse.csc_matrix((values, rows, starts), shape=(self.size, self.size))
+        return (lower + scipy.sparse.tril(lower, -1).T).tocsc()
+
+    def minimize(self, x0: Any, method: str = 'newton', *, curvature: str = 'projected',
+                 linear_solver: str = 'direct', tolerance: float | None = None, max_iterations: int = 1000,
+                 time_limit: float | None = None, threads: int = 0,
+                 callback: Callable[[dict[str, Any], np.ndarray], Any] | None = None) -> Solution:
+        """A local minimum near x0, which satisfies the constraints.
+
+        method: 'newton'; 'lbfgs' and 'gradient-flow', with one factorization; 'ceres-lbfgs' and
+        'ceres-nlcg', to compare with. linear_solver: 'direct' or 'eigen'. tolerance: relative decrease
+        to stop at. callback(record, x), after every iteration: something true ends the run.
+        """
+        limit = math.inf if time_limit is None else _options.number('time_limit', time_limit, 0, zero=True)
+        wishes = {
+            'method': _options.choice('method', method, _METHODS),
+            'curvature': _curvature(curvature),
+            'linear_solver': _options.choice('linear_solver', linear_solver, ('direct', 'eigen')),
+            'tolerance': None if tolerance is None else _options.number('tolerance', tolerance, 0, zero=True),
+            'max_iterations': _options.integer('max_iterations', max_iterations, 0, 2**31 - 1),
+            'time_limit': limit,
+            'threads': _options.integer('threads', threads, 0, 1024),
+        }
+        return Solution(*self._core.minimize(_arrays.floats('x0', x0, (self.full_size,)), wishes,
+                                             _options.callback(callback)))
+
+
+def _curvature(name: Any) -> str:
+    return _options.choice('curvature', name, ('projected', 'majorizer', 'paper-majorizer', 'exact',
+                                               'reweighted'))
+
+
+def _rows(A: Any, b: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, int]:
+    """Compressed rows of A, right-hand sides, columns of A."""
+    if hasattr(A, 'tocsr'):
+        rows = A.tocsr()
+        rows.sum_duplicates()
+    else:
+        import scipy.sparse
+        rows = scipy.sparse.csr_matrix(_arrays.floats('A', A, (None, None)))
+    values = _arrays.floats('A.data', rows.data, (None,))
+    targets = _arrays.floats('b', b, (rows.shape[0],))
+    return (rows.indptr.astype(np.int32), rows.indices.astype(np.int32), values, targets,
+            int(rows.indices.max(initial=-1)) + 1)

@@ -1,0 +1,271 @@
+"""Meshes in, maps out."""
+from __future__ import annotations
+
+import json
+import os
+from typing import Any, Callable, Mapping, Sequence
+
+import numpy as np
+
+from . import _arrays, _core, _options
+from ._errors import UnsupportedError, UsageError
+from ._maps import Map
+
+_Points = Mapping[int, Sequence[float] | None]
+_Callback = Callable[[_core.Step], Any]
+
+
+def flatten(V: Any, F: Any, **options: Any) -> np.ndarray:
+    """Flattens a surface with little distortion: uv of every row of V, (#V, 2).
+
+        uv = majorant.flatten(V, F)
+
+    V: (#V, 3) vertices, or (#V, 2). F: (#F, 3) triangles, or polygons; counterclockwise. The surface
+    is one piece with at least one boundary loop and no handles; it may have holes. No triangle is
+    turned over: that is proven. options: those of `parametrize`, whose degree is 1 here.
+
+    Not for closed surfaces, handles, several pieces or defects: UnsupportedError, and `unwrap` cuts
+    them into charts. Not for more than uv: `parametrize` returns the map.
+    """
+    if 'degree' in options and options['degree'] != 1:
+        raise UsageError('flatten has degree 1; parametrize makes curved maps')
+    return parametrize(V, F, **{**options, 'degree': 1}).uv
+
+
+def parametrize(V: Any, F: Any, *, degree: int = 3, energy: Any = 'symmetric-dirichlet',
+                bijective: bool = False, boundary: str = 'free', pins: _Points | None = None,
+                handles: _Points | None = None, soft: float = 1e3, weights: Any = None,
+                init: str = 'auto', uv: Any = None, seamless: bool = False,
+                boundary_angles: bool = False, improve_mesh: bool = False,
+                curvature: str = 'projected', elevation: str = 'incremental', quadrature: int = 0,
+                tolerance: float = 1e-6, max_iterations: int = 1000, time_limit: float | None = None,
+                threads: int = 0, callback: _Callback | None = None) -> Map:
+    """The map of a disk, with or without holes, that has the smallest distortion there is nearby.
+
+        r = majorant.parametrize(V, F, degree=3, energy='arap', bijective=True)
+        r.evaluate(12, [0.2, 0.3, 0.5])
+        r.save('bunny.vtu')
+
+    What:
+      V, F            as for `flatten`
+      degree          of the polynomial on every face, 1 .. 8
+      energy          a name (`energies()`), a sum such as 'symmetric-dirichlet + 0.1*asap', a `Density`
+                      of your own, or a list of (energy, weight)
+      bijective       no overlaps either, nowhere
+      boundary        'free', or 'fixed' where the start has it
+      pins            {vertex: (u, v)}, held exactly; None for (u, v): where the start has it
+      handles, soft   the same, pulled with this weight: + soft * sum |uv - target|^2 / area
+      weights         (#F,) positive factors of the energy
+      boundary_angles hold the sums of angles at boundary vertices to 360 degrees
+    From where:
+      init            'auto', 'tutte', 'multiresolution', or 'input': from uv
+      uv              (#V, 2), or (#F, 3, 2) by corner
+      seamless        hold the seams that uv has, up to quarter turns; any surface then
+    How: curvature, elevation, quadrature, improve_mesh: as the flags of the command, see
+      docs/interface.md. threads: 0 takes all; results do not depend on it.
+    How long:
+      tolerance       relative decrease of the energy at which a run has converged
+      max_iterations, time_limit (seconds): then the best map so far is returned, `status` says why
+      callback        called with a `Step` after every step; if it returns something true, the run
+                      ends like an interrupted one, if it raises, that is raised here
+
+    Raises UnsupportedError for meshes of other kinds, InfeasibleError where there is no valid start or
+    no way to the pins, InvalidError where the result cannot be proven, KeyboardInterrupt on Ctrl-C.
+    """
+    said = {k: v for k, v in locals().items() if k not in ('V', 'F')}
+    mesh = _arrays.mesh(V, F, uv)
+    if (init == 'input' or seamless is True) and uv is None:
+        raise UsageError(f'{"seamless" if seamless else "init=" + repr(init)} needs uv')
+    return _solve(_core.parametrize, mesh, said)
+
+
+def seamless(V: Any, F: Any, *, degree: int = 3, energy: Any = 'symmetric-dirichlet',
+             cones: Mapping[int, int] | None = None, start: str = 'automatic',
+             curvature_alignment: float = 0, bijective: bool = False, pins: _Points | None = None,
+             handles: _Points | None = None, soft: float = 1e3, weights: Any = None,
+             curvature: str = 'projected', elevation: str = 'incremental', quadrature: int = 0,
+             tolerance: float = 1e-6, max_iterations: int = 1000, time_limit: float | None = None,
+             threads: int = 0, callback: _Callback | None = None) -> Map:
+    """A seamless map with cones, of any connected surface: for quadrangulation and fields.
+
+        r = majorant.seamless(V, F, degree=1)
+        r.cones                              # {vertex: quarter turns}
+
+    The surface is cut open; across the cut the two images agree up to a quarter turn and a
+    translation, to the last bits. cones: {vertex: quarter turns around it}, where you know better
+    than a smooth cross field; start ('automatic', 'field', 'scaled-field', 'conformal') and
+    curvature_alignment as the flags of the command. All else as for `parametrize`.
+    """
+    said = {k: v for k, v in locals().items() if k not in ('V', 'F')}
+    mesh = _arrays.mesh(V, F)
+    extra = {
+        'cones': None if cones is None else _cones(cones, len(mesh.positions)),
+        'start': _options.choice('start', start, ('automatic', 'field', 'scaled-field', 'conformal')),
+        'curvature_alignment': _options.number('curvature_alignment', curvature_alignment, 0,
+                                               _options.LARGEST, zero=True),
+    }
+    said['seamless'] = True
+    return _solve(_core.seamless, mesh, said, extra)
+
+
+def unwrap(V: Any, F: Any, *, seams: Any = 'auto', max_stretch: float | None = None, degree: int = 1,
+           energy: Any = 'symmetric-dirichlet', uv: Any = None, pack: bool = True,
+           padding: float = 4, resolution: float = 1024, normalize: bool = False,
+           weld: float | None = None, strict: bool = False, pins: _Points | None = None,
+           handles: _Points | None = None, soft: float = 1e3, weights: Any = None,
+           curvature: str = 'projected', elevation: str = 'incremental', quadrature: int = 0,
+           tolerance: float = 1e-6, max_iterations: int = 1000, time_limit: float | None = None,
+           threads: int = 0, callback: _Callback | None = None) -> Map:
+    """Any mesh - closed, with handles, in pieces, with defects - as charts that do not overlap.
+
+        r = majorant.unwrap(V, F, normalize=True)
+        r.corner_uv                          # (#F, 3, 2), in the unit square
+        r.charts                             # (#F,)
+
+    seams: 'auto', where distortion is saved; 'uv', the islands of uv; 'sharp' or 'sharp=40', along
+    edges of that many degrees; or (#E, 2) vertices of edges. max_stretch: up to which 'auto' and
+    'sharp' leave a chart uncut. pack: into one square, padding pixels apart where it has resolution
+    pixels a side; normalize: that square is the unit square. weld: distance up to which vertices are
+    joined; strict: refuse what would be repaired (UnsupportedError). All else as for `parametrize`.
+    """
+    said = {k: v for k, v in locals().items() if k not in ('V', 'F')}
+    mesh = _arrays.mesh(V, F, uv)
+    if normalize is True and (pins or handles):
+        raise UsageError('normalize moves pins and handles; leave one of the two out')
+    extra = {
+        **_cuts(seams, uv, len(mesh.positions)),
+        'max_stretch': None if max_stretch is None else _options.number('max_stretch', max_stretch, 1),
+        'pack': _options.truth('pack', pack),
+        'padding': _options.number('padding', padding, 0, zero=True),
+        'resolution': _options.number('resolution', resolution, 0),
+        'normalize': _options.truth('normalize', normalize),
+        'weld': None if weld is None else _options.number('weld', weld, 0, zero=True),
+        'strict': _options.truth('strict', strict),
+    }
+    return _solve(_core.unwrap, mesh, said, extra)
+
+
+def deform(V: Any, F: Any, *, handles: _Points | None = None, pins: _Points | None = None,
+           degree: int = 3, energy: Any = 'symmetric-dirichlet', bijective: bool = False,
+           soft: float = 1e3, weights: Any = None, curvature: str = 'projected',
+           elevation: str = 'incremental', quadrature: int = 0, tolerance: float = 1e-6,
+           max_iterations: int = 1000, time_limit: float | None = None, threads: int = 0,
+           callback: _Callback | None = None) -> Map:
+    """Moves a planar mesh by some of its points, and bends the rest as little as it can.
+
+        r = majorant.deform(V, F, handles={0: (0, 0), 30: (1, 1)}, bijective=True)
+
+    V: (#V, 2), or (#V, 3) in a plane z = const. handles are pulled, pins are held. All else as for
+    `parametrize`.
+    """
+    said = {k: v for k, v in locals().items() if k not in ('V', 'F')}
+    if not handles and not pins:
+        raise UsageError('nothing to do: give handles (soft) or pins (hard)')
+    return _solve(_core.deform, _arrays.mesh(V, F), said)
+
+
+class Verdict:
+    """What `check` found. True where the map is valid.
+
+    status: 'valid', 'invalid' or 'undecided'; findings: sentences, empty where it is valid; proofs:
+    {question: {'answer', 'detail'}}; report: all of it, as `majorant check --report` writes it.
+    """
+
+    def __init__(self, report: dict[str, Any]):
+        self.report = report
+        self.status: str = report['status']
+        self.findings: list[str] = report['findings']
+        self.proofs: dict[str, dict[str, str]] = report.get('proofs', {})
+
+    def __bool__(self) -> bool:
+        return self.status == 'valid'
+
+    def __repr__(self) -> str:
+        return f'<majorant.Verdict: {"; ".join([self.status, *self.findings])}>'
+
+
+def check(result: Map | str | os.PathLike, V: Any = None, F: Any = None, *, cuts: str | None = None,
+          certify: bool = False, seamless: bool = False, time_limit: float | None = None) -> Verdict:
+    """Judges a map again, from its control points alone, as `majorant check` does.
+
+        verdict = majorant.check('bunny.vtu', V, F, certify=True)
+        if not verdict: print(verdict.findings)
+
+    result: a Map, or a file. V, F: the mesh that it should be a map of. cuts: 'none' - inner edges
+    whose sides differ are violations -, 'free' - they are counted -, or None: none where V is given
+    or the file claims something. certify: prove that nothing overlaps, too. seamless: the map is
+    seamless, its seams are no cuts. What is not decided within time_limit seconds is 'undecided'.
+    """
+    if (V is None) != (F is None):
+        raise UsageError('V and F go together')
+    surface = None if V is None else _arrays.mesh(V, F)
+    if isinstance(result, Map):
+        name, file = 'map.vtu', result._file
+    else:
+        name = os.fspath(result)
+        file = _core.read_map(name)[0]
+    said = '' if cuts is None else _options.choice('cuts', cuts, ('none', 'free'))
+    limit = float('inf') if time_limit is None else _options.number('time_limit', time_limit, 0, zero=True)
+    return Verdict(json.loads(_core.check_map(name, file, surface, said, _options.truth('certify', certify),
+                                              _options.truth('seamless', seamless), limit)))
+
+
+def read(path: str | os.PathLike) -> Map:
+    """A finished map: .vtu, .msh, or .obj and .ply with texture coordinates.
+
+    Nothing is believed: `check` says whether it is valid. Raises ReadError naming the place.
+    """
+    file, mesh, promise = _core.read_map(os.fspath(path))
+    return Map(file, mesh, promise, False, 'read', f'read from {os.fspath(path)}', 'null')
+
+
+def read_mesh(path: str | os.PathLike) -> tuple[np.ndarray, Any]:
+    """V and F of a mesh: .obj .off .ply .stl .vtu .msh, also .gz.
+
+    F is an array where all faces have equally many corners, else a list of arrays.
+    """
+    mesh = _core.read_mesh(os.fspath(path))
+    corners, starts = mesh.polygons
+    sizes = np.diff(starts)
+    if len(sizes) and (sizes == sizes[0]).all():
+        return mesh.positions, corners.reshape(-1, sizes[0])
+    return mesh.positions, np.split(corners, starts[1:-1])
+
+
+def energies() -> dict[str, str]:
+    """The energies with a name, and what they are."""
+    return dict(_core.energies())
+
+
+def kernels() -> dict[str, str]:
+    """What computes here: the vector instructions of our kernels, and the kernels of OpenBLAS, if it
+    is loaded ('' otherwise): OPENBLAS_CORETYPE chooses those. Runs are repeatable to the bit where
+    both are the same."""
+    return {'vector_instructions': _core.vector_instructions(), 'openblas': _core.blas_kernels()}
+
+
+def _solve(solver: Callable[..., tuple], mesh: _core.Mesh, said: dict[str, Any],
+           extra: dict[str, Any] | None = None) -> Map:
+    callback = _options.callback(said.pop('callback'))
+    return Map(*solver(mesh, {**_options.wishes(mesh, said), **(extra or {})}, callback))
+
+
+def _cones(cones: Any, vertices: int) -> list[tuple[int, int]]:
+    if not hasattr(cones, 'items'):
+        raise UsageError('cones is no dictionary {vertex: quarter turns}')
+    return [(_options.integer('vertex of a cone', v, 0, vertices - 1),
+             _options.integer(f'cones[{v}]', turns, 1, 2**20)) for v, turns in cones.items()]
+
+
+def _cuts(seams: Any, uv: Any, vertices: int) -> dict[str, Any]:
+    if not isinstance(seams, str):
+        edges = _arrays.integers('seams', seams, (None, 2), vertices, 'vertices')
+        return {'cut_method': 'edges', 'cut_edges': edges.tolist()}
+    word, equals, angle = seams.partition('=')
+    if word == 'sharp':
+        degrees = _options.number('seams', angle, 0, 180) if equals else None
+        return {'cut_method': 'sharp', 'sharp_angle': degrees}
+    _options.choice('seams', seams, ('auto', 'uv', 'sharp', 'sharp=DEGREES'))
+    if seams == 'uv' and uv is None:
+        raise UsageError("seams='uv' needs uv")
+    return {'cut_method': seams}

@@ -1,0 +1,219 @@
+"""What the solvers return."""
+from __future__ import annotations
+
+import json
+import math
+import os
+from typing import Any
+
+import numpy as np
+
+from . import _core
+from ._errors import UnsupportedError, UsageError
+
+FORMATS = ('.vtu', '.obj', '.ply', '.msh', '.svg', '.png', '.html')
+
+
+class Map:
+    """A piecewise polynomial map of a surface onto the plane, proven to be locally injective.
+
+    Every face is a Bezier triangle of degree n: its image is a polynomial of the barycentric
+    coordinates b = (b0, b1, b2) of its corners,
+
+        uv(b) = sum over |alpha| = n of  n! / alpha!  b^alpha  control_points[cells[face]][alpha].
+
+    Arrays are float64 and int32 in C order, shared with the library and read-only: copy what you
+    want to change. One unit of uv is one unit of V. Maps can be pickled.
+    """
+
+    def __init__(self, file: _core.MapFile, mesh: _core.Mesh, promise: tuple, input: bool, status: str,
+                 message: str, report: str):
+        self._file, self._mesh, self._promise, self._input = file, mesh, promise, input
+        self._report = report
+        self.status = status  #: 'converged', or the limit that ended the run: see `flatten`
+        self.message = message  #: why the run ended, one line
+
+    # ---- arrays ----------------------------------------------------------------------------------
+    @property
+    def degree(self) -> int:
+        """n of the Bezier triangles, 1 .. 8."""
+        return self._file.degree
+
+    @property
+    def control_points(self) -> np.ndarray:
+        """(#N, 2): where the map puts the nodes of all faces; neighbours share those of their edge."""
+        return self._file.uv
+
+    @property
+    def cells(self) -> np.ndarray:
+        """(#F, (n+1)(n+2)/2): nodes of every face in VTK's order - corners, then the inner nodes of
+        edges 01, 12, 20, then the inside as a triangle of degree n - 3, and so on."""
+        return self._file.cells
+
+    @property
+    def nodes(self) -> np.ndarray:
+        """(#N, 3): the nodes on the surface, whose faces are flat."""
+        return self._file.points
+
+    @property
+    def faces(self) -> np.ndarray:
+        """(#F, 3): rows of V at the corners of every face. Triangles of F as they were; polygons as
+        they were triangulated."""
+        return self._file.input_vertex[self._file.cells[:, :3]]
+
+    @property
+    def input_faces(self) -> np.ndarray:
+        """(#F,): the row of F that every face belongs to."""
+        return self._file.input_face
+
+    @property
+    def corner_uv(self) -> np.ndarray:
+        """(#F, 3, 2): the image of every corner of every face. What textures are made of: on a cut
+        the two sides differ."""
+        return self._file.uv[self._file.cells[:, :3]]
+
+    @property
+    def uv(self) -> np.ndarray:
+        """(#V, 2): the image of every row of V; NaN where no face uses it. Only of maps without
+        cuts; else UnsupportedError, and `corner_uv` is what you want."""
+        out = np.full((len(self._mesh.positions), 2), np.nan)
+        corners = self.faces
+        out[corners] = self.corner_uv
+        differs = (out[corners] != self.corner_uv).any(axis=(1, 2))
+        if differs.any():
+            vertex = corners[differs][0][0]
+            raise UnsupportedError(f'the map is cut: vertex {vertex} and others of face '
+                                   f'{int(differs.argmax())} have several images; take corner_uv')
+        return out
+
+    @property
+    def charts(self) -> np.ndarray:
+        """(#F,): the chart that every face lies in, from 0."""
+        found = self._file.chart
+        return found if len(found) else np.zeros(len(self.cells), dtype=np.int32)
+
+    @property
+    def distortion(self) -> np.ndarray:
+        """(#F,): the mean of the energy's density on every face; empty where nobody measured it."""
+        return self._file.distortion
+
+    @property
+    def cones(self) -> dict[int, int]:
+        """Of a seamless map: {vertex: quarter turns around it}, of those that have not four."""
+        found = self._file.cone
+        points = np.flatnonzero(found) if len(found) else []
+        return {int(self._file.input_vertex[p]): int(found[p]) for p in points}
+
+    @property
+    def report(self) -> dict[str, Any]:
+        """What `majorant --report` writes: docs/interface.md. A new dictionary every time."""
+        return json.loads(self._report)
+
+    # ---- points ----------------------------------------------------------------------------------
+    def evaluate(self, face: Any, bary: Any) -> np.ndarray:
+        """uv at barycentric coordinates.
+
+        face: numbers of faces, any shape S. bary: S + (3,), or one that S can be broadcast with; they
+        add to 1, and may lie outside the triangle. Returns S + (2,).
+
+            r.evaluate(12, [0.2, 0.3, 0.5])                    # (2,)
+            r.evaluate(np.arange(len(r.faces)), [1/3] * 3)     # centres of all faces: (#F, 2)
+        """
+        face, bary = self._places(face, bary)
+        basis = _bernstein(self.degree, bary)
+        return np.einsum('...k,...kd->...d', basis, self.control_points[self.cells[face]])
+
+    def jacobian(self, face: Any, bary: Any) -> np.ndarray:
+        """The derivative of the map, from an orthonormal frame of the face to the plane.
+
+        Arguments as for `evaluate`. Returns S + (2, 2); the frame's first axis points from corner 2
+        to corner 0. Singular values, determinants and energies do not depend on the frame.
+        """
+        face, bary = self._places(face, bary)
+        lower = _core.multi_indices(self.degree - 1) if self.degree > 1 else np.zeros((1, 3), int)
+        number = {tuple(a): k for k, a in enumerate(_core.multi_indices(self.degree))}
+        raised = [[number[tuple(a + unit)] for a in lower] for unit in np.eye(3, dtype=int)]
+        points = self.control_points[self.cells[face]]
+        basis = self.degree * _bernstein(self.degree - 1, bary)
+        by_bary = [np.einsum('...k,...kd->...d', basis, points[..., rows, :]) for rows in raised]
+        along = np.stack([by_bary[0] - by_bary[2], by_bary[1] - by_bary[2]], axis=-1)
+        corners = self.nodes[self.cells[face][..., :3]]
+        first, second = corners[..., 0, :] - corners[..., 2, :], corners[..., 1, :] - corners[..., 2, :]
+        length = np.linalg.norm(first, axis=-1)
+        x = (first * second).sum(-1) / length
+        height = np.linalg.norm(np.cross(first, second), axis=-1) / length
+        frame = np.zeros(along.shape)  # its inverse: columns of the tangents in the frame
+        frame[..., 0, 0], frame[..., 0, 1], frame[..., 1, 1] = 1 / length, -x / (length * height), 1 / height
+        return along @ frame
+
+    def _places(self, face: Any, bary: Any) -> tuple[np.ndarray, np.ndarray]:
+        face, bary = np.asarray(face), np.asarray(bary, dtype=float)
+        if face.dtype.kind not in 'iu':
+            raise UsageError(f'face holds {face.dtype}, not integers')
+        if bary.ndim == 0 or bary.shape[-1] != 3:
+            raise UsageError(f'bary has shape {bary.shape}; the last side must be 3')
+        if not np.allclose(bary.sum(-1), 1):
+            raise UsageError('bary does not add to 1')
+        if face.size and not (0 <= face.min() and face.max() < len(self.cells)):
+            raise UsageError(f'face is not in 0 .. {len(self.cells) - 1}')
+        try:
+            shape = np.broadcast_shapes(face.shape, bary.shape[:-1])
+        except ValueError:
+            raise UsageError(f'face of shape {face.shape} and bary of shape {bary.shape} do not fit') from None
+        return np.broadcast_to(face, shape), np.broadcast_to(bary, (*shape, 3))
+
+    # ---- files -----------------------------------------------------------------------------------
+    def save(self, path: str | os.PathLike, *, refine: int = 1, vtu: str = 'bezier', msh: str = 'image') -> None:
+        """Writes the map; the extension says how. Written means certified.
+
+        .vtu holds everything, losslessly. .obj and .ply are V and F with texture coordinates: curved
+        faces are cut into as many straight ones as it takes for these to be valid (refine: at least
+        refine * refine of every face). .msh is for gmsh (msh='image' or 'surface'). .svg, .png and
+        .html are to look at. vtu='lagrange' writes cells that more programs know.
+
+        Files that hold a map are read back and proven before they take their name: locally injective,
+        on the surface, continuous but where the map is cut, and without overlaps if that was asked
+        for. Raises InvalidError where a proof fails, UsageError where the file cannot be written; then
+        nothing is written, and a file of that name stays as it was.
+        """
+        from ._options import choice, integer
+        name = os.fspath(path)
+        extension = os.path.splitext(name)[1].lower()
+        if extension not in FORMATS:
+            raise UsageError(f'{name}: no file can be written of this name; it ends in one of '
+                             + ' '.join(FORMATS))
+        cells, content = choice('vtu', vtu, ('bezier', 'lagrange')), choice('msh', msh, ('image', 'surface'))
+        _core.save_map(name, self._file, self._mesh, self._promise, self._input,
+                       integer('refine', refine, 1, 20), cells == 'lagrange', content == 'surface')
+
+    # ---- looks -----------------------------------------------------------------------------------
+    def svg(self) -> str:
+        """The layout as a drawing, coloured by distortion."""
+        return _core.svg_text(self._file)
+
+    def _repr_html_(self) -> str:
+        """In notebooks: the layout, unless that would be too much for a page."""
+        text = f'<p>{_escaped(repr(self))}</p>'
+        if len(self.cells) > 20000:
+            return text + '<p>too many faces to be drawn here; look at save("map.html")</p>'
+        drawing = self.svg()
+        return text + f'<div style="max-width:40em">{drawing[drawing.index("<svg"):]}</div>'
+
+    def __repr__(self) -> str:
+        report = self.report
+        value = (report.get('result') or {}).get('value')
+        energy = f', {report["result"]["energy"] or "energy"} {value:.6f}' if value is not None else ''
+        return f'<majorant.Map: {len(self.cells)} faces, degree {self.degree}{energy}, {self.status}>'
+
+
+def _bernstein(degree: int, bary: np.ndarray) -> np.ndarray:
+    """Bernstein polynomials at bary, S + (3,), in VTK's order: S + (#,)."""
+    if degree == 0:
+        return np.ones(bary.shape[:-1] + (1,))
+    alpha = _core.multi_indices(degree)
+    factor = [math.factorial(degree) / math.prod(map(math.factorial, map(int, a))) for a in alpha]
+    return np.array(factor) * np.prod(bary[..., None, :] ** alpha, axis=-1)
+
+
+def _escaped(text: str) -> str:
+    return text.replace('&', '&amp;').replace('<', '&lt;').replace('>', '&gt;')

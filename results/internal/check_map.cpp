@@ -1,0 +1,124 @@
+#include "majorant/results/internal/check_map.h"
+
+#include <fmt/format.h>
+
+#include "majorant/framework/error.h"
+#include "majorant/io/layout_scale.h"
+#include "majorant/io/map_distortion.h"
+#include "majorant/results/internal/check_claims.h"
+#include "majorant/results/internal/global_verdict.h"
+#include "majorant/results/internal/write_map.h"
+
+namespace majorant {
+namespace {
+
+// Without a surface nothing says where a file that claims nothing should be continuous: its cuts
+// are counted and named then.
+CutRule cut_rule(const CheckRequest& request, const Claims& claims, bool is_seamless) {
+  const bool says_nothing = !claims.version && !claims.seams;
+  const bool free =
+      request.cuts == CheckRequest::Cuts::Free ||
+      (request.cuts == CheckRequest::Cuts::AsClaimed && !request.surface && says_nothing);
+  if (free) return is_seamless ? CutRule::SeamsOrFree : CutRule::Free;
+  return is_seamless ? CutRule::Seams : CutRule::Nothing;
+}
+
+ProofRequest questions(const CheckRequest& request, const Claims& claims, const StopCheck& stop) {
+  ProofRequest wanted;
+  wanted.surface = request.surface;
+  wanted.cuts = cut_rule(request, claims, request.seamless || claims.seams.value_or(false));
+  if (request.certify || claims.bijective.value_or(false))
+    wanted.overlap = ProofRequest::Overlap::Forbidden;
+  else if (request.reported)
+    wanted.overlap = ProofRequest::Overlap::Reported;
+  if (extension(request.name) == ".vtu") wanted.labels = ProofRequest::FaceLabels::Compared;
+  wanted.stop = stop;
+  return wanted;
+}
+
+MapProof proven(const MapFile& file, const CheckRequest& request, const Claims& claims,
+                const RunRecord& record) {
+  record.begin(Activity::Proving);
+  return {file, request.name, questions(request, claims, record.stop())};
+}
+
+// At the scale of its claims, or a scale of its own.
+Json measured_distortion(const MapFile& file) {
+  const MapDistortion measured = measure_distortion(file);
+  Json section = distortion_section({&measured}, layout_scale(file));
+  section["scale_is_assumed"] = has_assumed_scale(file);
+  return section;
+}
+
+// Whether the file is what a map makes of the plane, as `.msh` has it: the identity of itself.
+bool is_image(const MapFile& file) {
+  const auto corners = file.cells.leftCols(3).reshaped();
+  return file.points(corners, 2).isZero(0) &&
+         file.points(corners, Eigen::seqN(0, 2)) == file.uv(corners, Eigen::all);
+}
+
+void require_surface(const MapCheck& check, const MapFile& file, const CheckRequest& request) {
+  if (check.proof.surface.answer == Answer::Violated && extension(request.name) == ".msh" &&
+      is_image(file))
+    throw Error(ErrorKind::Unsupported,
+                fmt::format("{}: this is the image of a map, in the plane: there is no surface in "
+                            "it to compare with {}; write it with --msh surface, or leave "
+                            "--surface out",
+                            request.name, request.surface->file));
+}
+
+void add_proofs(MapCheck& check) {
+  for (const auto& [question, finding] : check.proof.findings()) {
+    if (finding->answer == Answer::Violated)
+      check.findings.add_violation(fmt::format("{}: {}", question, finding->detail));
+    if (finding->answer == Answer::Undecided)
+      check.findings.add_open(
+          fmt::format("{}: could not be decided: {}", question, finding->detail));
+    check.report["proofs"][question] = {{"answer", answer_name(finding->answer)},
+                                        {"detail", finding->detail}};
+  }
+  const CutCount& cuts = check.proof.cuts;
+  check.report["cuts"] = {{"seam_edges", cuts.seams},
+                          {"other_edges", cuts.others},
+                          {"length", cuts.length},
+                          {"charts", cuts.charts}};
+}
+
+// What there is a map of, and what is claimed of that.
+void add_measures(MapCheck& check, const MapFile& file, const CheckRequest& request,
+                  const StopCheck& stop) {
+  if (!check.proof.map()) return;
+  const BezierMap& map = *check.proof.map();
+  check.measures = measure_as_claimed(map, check.claims, stop, check.findings);
+  Json result = measures_section(map, *check.measures, claimed_energy(check.claims));
+  if (check.proof.global) add_global_injectivity(result, map, *check.measures, *check.proof.global);
+  if (!check.measures->cut_short && request.reported)
+    result["distortion"] = measured_distortion(file);
+  check.report["result"] = result;
+  if (check.proof.surface.answer == Answer::Violated) return;  // claims are about another mesh
+  check_claims({file, map, *check.measures, check.claims, request.surface, check.proof.cuts},
+               check.findings);
+}
+
+}  // namespace
+
+MapCheck::MapCheck(const MapFile& file, const CheckRequest& request, const RunRecord& record)
+    : claims(parse_claims(file.claims, request.name)),
+      report{{"schema_version", 1}, {"version", MAJORANT_VERSION}, {"command", "check"}},
+      proof(proven(file, request, claims, record)) {
+  require_surface(*this, file, request);
+  add_proofs(*this);
+  record.begin(Activity::Measuring);
+  add_measures(*this, file, request, record.stop());
+  const std::vector<std::string>& list = findings.list();
+  report["status"] = status();
+  report["message"] = list.empty() ? "" : list.front();
+  report["findings"] = list;
+}
+
+std::string_view MapCheck::status() const {
+  if (findings.list().empty()) return "valid";
+  return findings.violated() ? "invalid" : "undecided";
+}
+
+}  // namespace majorant

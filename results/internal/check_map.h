@@ -1,0 +1,46 @@
+// `check`: a result judged again, from what a file holds alone. Claims of the file describe; what
+// is proven is decided from points and uv (io/map_proof.h).
+//
+//   const MapFile file = read_map("bunny.vtu");
+//   const MapCheck check(file, {.name = "bunny.vtu"}, RunRecord());
+//   if (check.status() == "valid") ...
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "majorant/framework/run_record.h"
+#include "majorant/io/map_proof.h"
+#include "majorant/results/internal/claims.h"
+#include "majorant/results/internal/findings.h"
+#include "majorant/results/internal/report.h"
+
+namespace majorant {
+
+struct CheckRequest {
+  std::string name;  // of the file: for messages; its extension says what its labels mean
+  const PolygonMesh* surface = nullptr;  // that it should be a map of
+  // Whether inner edges may have sides that differ. AsClaimed: not where there is a surface, or the
+  // file claims anything.
+  enum class Cuts { AsClaimed, None, Free } cuts = Cuts::AsClaimed;
+  bool certify = false;   // overlaps are violations, also where the file claims nothing
+  bool seamless = false;  // likewise, seams are none
+  bool reported = false;  // all that reports say is found out, also what decides nothing
+};
+
+struct MapCheck {
+  // record: says when to stop; what is left is undecided then. Throws Error as parse_claims() and
+  // MapProof.
+  MapCheck(const MapFile& file, const CheckRequest& request, const RunRecord& record);
+
+  Claims claims;
+  Findings findings;  // empty: valid
+  Json report;        // schema_version 1
+  std::optional<MapMeasures> measures;
+  MapProof proof;
+
+  std::string_view status() const;  // "valid", "invalid", "undecided"
+};
+
+}  // namespace majorant

@@ -1,0 +1,188 @@
+#include "majorant/results/internal/finished_atlas.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "majorant/framework/linear_solver.h"
+#include "majorant/framework/thread_count.h"
+#include "majorant/io/atlas_file.h"
+#include "majorant/io/map_distortion.h"
+
+namespace majorant {
+namespace {
+
+bool is_cut_short(const Atlas& atlas) {
+  return std::any_of(atlas.charts.begin(), atlas.charts.end(),
+                     [](const Chart& chart) { return chart.measures.cut_short; });
+}
+
+// Faces without an area are measured against a shape that the file does not tell.
+bool is_measured_anew(const FinishedAtlas& run) {
+  return !is_cut_short(run.atlas) && run.surface.mesh->rest_triangles().empty();
+}
+
+Json normalized_section(const AtlasSquare* square) {
+  if (!square) return nullptr;
+  return {{"origin", {square->origin.x(), square->origin.y()}}, {"size", square->size}};
+}
+
+Json pins_section(const FinishedAtlas& run) {
+  Json pins = Json::array();
+  for (const Chart& chart : run.atlas.charts)
+    for (const Pin& pin : chart.pins) {
+      const Vector2 uv = chart.map->control_points().segment<2>(2 * pin.vertex);
+      pins.push_back(
+          {{"vertex", chart.map->mesh().input_vertex(pin.vertex)}, {"target", {uv.x(), uv.y()}}});
+    }
+  return pins;
+}
+
+std::string claims(const FinishedAtlas& run) {
+  Json claims{{"version", MAJORANT_VERSION},
+              {"degree", run.degree},
+              {"energy", run.energy},
+              {"value", run.atlas.value()},
+              {"boundary", "free"},
+              {"seams", false},
+              {"bijective", run.atlas.packing.has_value()},
+              {"normalized", normalized_section(run.square)},
+              {"pins", pins_section(run)},
+              {"other_triangles", false},
+              {"options", run.options}};
+  if (!is_measured_anew(run)) claims.erase("value");
+  if (run.energy.empty()) {  // nobody else could tell
+    claims.erase("energy");
+    claims.erase("value");
+  }
+  return json_text(claims);
+}
+
+Json charts_section(const Atlas& atlas) {
+  Json list = Json::array();
+  for (const Chart& chart : atlas.charts)
+    list.push_back({{"faces", chart.faces.size()},
+                    {"area", chart.stretch.surface_area},
+                    {"boundary_loops", chart.map->mesh().topology().boundary_loops},
+                    {"start", start_name(chart.start)},
+                    {"status", status_name(chart.status)},
+                    {"message", chart.message},
+                    {"iterations", steps_taken(chart.trace)},
+                    {"value", chart.measures.value},
+                    {"stretch_l2", chart.stretch.l2},
+                    {"stretch_max", chart.stretch.max},
+                    {"pinned", !chart.pins.empty()}});
+  return list;
+}
+
+Json repairs_section(const RepairedSurface& surface) {
+  Json list = Json::array();
+  for (const Repair& r : surface.repairs) {
+    Json places = Json::array();
+    for (const auto& [a, b] : r.places) places.push_back(b < 0 ? Json(a) : Json{a, b});
+    list.push_back({{"kind", name_of(r.kind)},
+                    {"count", r.count},
+                    {"places", places},
+                    {"message", describe(r)}});
+  }
+  return list;
+}
+
+Json result_section(const FinishedAtlas& run) {
+  const Atlas& atlas = run.atlas;
+  const Stretch stretch = atlas.stretch();
+  double max_density = 0, sigma_max = 0, sigma_min = INFINITY, min_det = INFINITY;
+  bool is_injective = true;
+  Index points = 0;
+  std::vector<const MapDistortion*> distortions;
+  for (const Chart& chart : atlas.charts) {
+    max_density = std::max(max_density, chart.measures.max_density);
+    sigma_max = std::max(sigma_max, chart.measures.sigma_max);
+    sigma_min = std::min(sigma_min, chart.measures.sigma_min);
+    min_det = std::min(min_det, chart.measures.min_det.minCoeff());
+    is_injective = is_injective && chart.measures.locally_injective;
+    points += chart.map->space().node_count();
+    distortions.push_back(&chart.measures.distortion);
+  }
+  Json result{{"degree", run.degree},
+              {"control_points", points},
+              {"energy", run.energy},
+              {"value", atlas.value()},
+              {"measuring_cut_short", is_cut_short(atlas)},
+              {"max_density", max_density},
+              {"sigma_max", sigma_max},
+              {"sigma_min", sigma_min},
+              {"locally_injective", is_injective},
+              {"globally_injective", atlas.packing ? Json(true) : Json()},
+              {"min_det_bound", min_det},
+              {"charts", atlas.charts.size()},
+              {"stretch_l2", stretch.l2},
+              {"stretch_max", stretch.max}};
+  if (!is_cut_short(atlas)) result["distortion"] = distortion_section(distortions, scale_of(run));
+  result.update(cuts_section(atlas.cuts, run.surface));
+  if (!atlas.packing) return result;
+  result["fill"] = atlas.packing->fill;
+  result["side"] = atlas.packing->side;
+  result["distance"] = atlas.packing->distance;
+  result["packing"] = name_of(atlas.packing->method);
+  return result;
+}
+
+}  // namespace
+
+double scale_of(const FinishedAtlas& run) { return run.square ? run.square->size : 1; }
+
+double seam_length(const FinishedAtlas& run) {
+  return run.atlas.cuts.length + run.surface.cut_length;
+}
+
+MapFile atlas_file(const FinishedAtlas& run, FaceDistortion* table) {
+  std::vector<MapFile> charts;
+  for (const Chart& chart : run.atlas.charts) {
+    MapFile& file = charts.emplace_back(to_map_file(*chart.map));
+    if (is_measured_anew(run)) file.distortion = chart.measures.face_value;
+    if (is_measured_anew(run)) file.min_det = chart.measures.min_det;
+    file.face_distortion = chart.measures.cut_short
+                               ? measure_distortion(*chart.map, scale_of(run)).faces
+                               : chart.measures.distortion.faces;
+  }
+  MapFile file = joined(charts);
+  file.claims = claims(run);
+  if (table) *table = file.face_distortion;
+  file.face_distortion =
+      is_measured_anew(run) ? finite_or_none(file.face_distortion) : FaceDistortion();
+  return file;
+}
+
+ProofRequest promise(const FinishedAtlas& run) {
+  ProofRequest promise;
+  promise.cuts = CutRule::Free;
+  if (run.atlas.packing) promise.overlap = ProofRequest::Overlap::Forbidden;
+  return promise;
+}
+
+Json atlas_report(const FinishedAtlas& run) {
+  const Atlas& atlas = run.atlas;
+  return {{"schema_version", 1},
+          {"version", MAJORANT_VERSION},
+          {"command", "unwrap"},
+          {"status", status_name(atlas.status())},
+          {"message", ""},
+          {"input", input_section(run.polygons, *run.surface.mesh)},
+          {"repairs", repairs_section(run.surface)},
+          {"options", run.options},
+          {"result", result_section(run)},
+          {"charts", charts_section(atlas)},
+          {"outputs", nullptr},
+          {"seconds",
+           {{"read", run.read_seconds},
+            {"initialize", atlas.initialize_seconds},
+            {"optimize", atlas.optimize_seconds},
+            {"pack", atlas.packing_seconds},
+            {"write", nullptr},
+            {"total", nullptr}}},
+          {"peak_memory_bytes", peak_memory_bytes()},
+          {"threads", ThreadCount::current()},
+          {"vector_instructions", vector_instructions()}};
+}
+
+}  // namespace majorant

@@ -1,0 +1,54 @@
+// A run that has made a map, as its files and its report say it: what all that solve for one map
+// (parametrize, seamless, deform) leave behind.
+//
+//   const FinishedMap run{"parametrize", polygons, *mesh, options.map, result, record};
+//   const MapFile file = map_file(run);
+//   write_map(path, file, &polygons, {}, certification(path, promise(run, path), &file));
+//   const Json report = map_report(run);
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "majorant/io/map_proof.h"
+#include "majorant/parametrization/cuts/choose_cuts.h"
+#include "majorant/parametrization/drive/internal/placement.h"
+#include "majorant/parametrization/drive/parametrize.h"
+#include "majorant/parametrization/starts/start.h"
+#include "majorant/pictures/film.h"
+#include "majorant/results/internal/report.h"
+
+namespace majorant {
+
+// Only refers: all must outlive it.
+struct FinishedMap {
+  std::string command;  // the verb
+  const PolygonMesh& polygons;
+  const SurfaceMesh& mesh;  // of these, not cut
+  const MapOptions& asked;  // vertices are those of the map
+  const ParametrizationResult& result;
+  const RunRecord& record;
+  std::string energy = {};        // as said; empty: one without a name
+  std::string init = "auto";      // likewise
+  Json options = Json::object();  // likewise, all of it
+  double read_seconds = 0;
+  const SurfaceCuts* cuts = nullptr;               // of surfaces cut open
+  const Start* start = nullptr;                    // that was made of a seamless map
+  const LayoutPlacement* placement = nullptr;      // how result.map was moved
+  bool is_aligned = false, is_normalized = false;  // of that, what was asked for
+  const Film* film = nullptr;                      // of the run, if asked for
+};
+
+// Whether there is a map to write: the run did not fail, and was feasible.
+bool has_result(const ParametrizationResult& result);
+// Units of the surface per unit of uv in the file.
+double scale_of(const FinishedMap& run);
+
+// Of a run that has a result: with what was measured, and with its claims.
+MapFile map_file(const FinishedMap& run);
+// What a data file of that name must be when it is read back.
+ProofRequest promise(const FinishedMap& run, const std::string& path);
+// Whole but for what writing adds to it: "outputs" and their seconds.
+Json map_report(const FinishedMap& run);
+
+}  // namespace majorant

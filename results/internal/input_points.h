@@ -1,0 +1,24 @@
+// Vertices that users name are those of their input; maps have others, some of them several times.
+//
+//   const std::vector<Pin> pins = points_of(*mesh, {{12, Vector2(0.5, 1)}}, "pins.json");
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "majorant/io/internal/read_vertex_lists.h"
+#include "majorant/mesh/surface_mesh.h"
+#include "majorant/parametrization/drive/map_options.h"
+
+namespace majorant {
+
+// Vertex of the mesh for one of its input. Throws Error(Unsupported) when no face uses it; source:
+// who names it, for the message.
+Index used_vertex(const std::string& source, const SurfaceMesh& mesh, Index input_vertex);
+
+// Of a vertex with several copies, on a cut or where sheets were split, every one is held. Throws
+// as used_vertex().
+std::vector<Pin> points_of(const SurfaceMesh& mesh, const std::vector<Handle>& handles,
+                           const std::string& source);
+
+}  // namespace majorant

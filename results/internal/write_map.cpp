@@ -1,0 +1,70 @@
+#include "majorant/results/internal/write_map.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include "majorant/io/write_ply.h"
+#include "majorant/pictures/internal/first_view.h"
+#include "majorant/results/internal/claims.h"
+
+namespace majorant {
+
+std::string extension(const std::string& path) {
+  std::string e = std::filesystem::path(path).extension().string();
+  std::transform(e.begin(), e.end(), e.begin(), [](unsigned char c) { return std::tolower(c); });
+  return e;
+}
+
+bool is_straight_map_data(const std::string& path) {
+  return extension(path) == ".obj" || extension(path) == ".ply";
+}
+
+bool is_map_data(const std::string& path) {
+  return is_straight_map_data(path) || extension(path) == ".vtu" || extension(path) == ".msh";
+}
+
+ProofRequest::FaceLabels labels_in(const std::string& path) {
+  const std::string e = extension(path);
+  return e == ".vtu" || e == ".msh" ? ProofRequest::FaceLabels::Compared
+                                    : ProofRequest::FaceLabels::Ignored;
+}
+
+ProofRequest promise_of(const MapFile& map, const PolygonMesh& surface, const std::string& name) {
+  ProofRequest question;
+  question.cuts = CutRule::SeamsOrFree;
+  const CutCount cuts = MapProof(map, name, question).cuts;
+  ProofRequest promise;
+  promise.surface = &surface;
+  if (cuts.seams > 0) promise.cuts = CutRule::Seams;
+  if (cuts.others > 0) promise.cuts = CutRule::SeamsOrFree;
+  if (parse_claims(map.claims, name).bijective.value_or(false))
+    promise.overlap = ProofRequest::Overlap::Forbidden;
+  return promise;
+}
+
+Overlap allowed_overlap(const ProofRequest& promise) {
+  return promise.overlap == ProofRequest::Overlap::Forbidden ? Overlap::Excluded : Overlap::Allowed;
+}
+
+void write_map(const std::string& path, const MapFile& map, const PolygonMesh* input,
+               const MapFormats& formats, const FileVerification& verify) {
+  const std::string e = extension(path);
+  if (e == ".vtu") write_vtu(path, map, formats.vtu, verify);
+  if (e == ".msh") write_msh(path, map, formats.msh, verify);
+  if (e == ".obj") write_obj(path, map, input, formats.tessellation, verify);
+  if (e == ".ply") write_ply(path, map, input, formats.tessellation, verify);
+  if (e == ".svg") write_svg(path, map, formats.svg);
+  if (e == ".png") {
+    PngOptions png = formats.png;
+    if (formats.view_is_chosen) png.view = first_view(map);
+    write_png(path, map, png);
+  }
+  if (e == ".html") {
+    MapPage page = formats.page;
+    page.map = map;
+    write_page(path, page);
+  }
+}
+
+}  // namespace majorant

@@ -1,0 +1,55 @@
+// A map as a file of any format, which the extension names.
+//
+//   MapFormats formats;
+//   formats.tessellation.refine = 2;
+//   write_map("bunny.obj", file, &polygons, formats, certification("bunny.obj", promise, &file));
+#pragma once
+
+#include <string>
+
+#include "majorant/io/map_file.h"
+#include "majorant/io/map_proof.h"
+#include "majorant/io/msh.h"
+#include "majorant/io/vtu.h"
+#include "majorant/io/write_obj.h"
+#include "majorant/mesh/polygon_mesh.h"
+#include "majorant/pictures/write_page.h"
+#include "majorant/pictures/write_png.h"
+#include "majorant/pictures/write_svg.h"
+
+namespace majorant {
+
+// Lower case, with the dot.
+std::string extension(const std::string& path);
+
+// The formats that hold a map as data, and of these those without curves.
+bool is_map_data(const std::string& path);
+bool is_straight_map_data(const std::string& path);
+
+// Whether a format says which vertices and faces of the input its own are.
+ProofRequest::FaceLabels labels_in(const std::string& path);
+
+// What data files made from a map are to be, when they are read back: maps of `surface`, as cut and
+// as free of overlaps as this one is or claims to be. Throws Error as parse_claims() and MapProof.
+ProofRequest promise_of(const MapFile& map, const PolygonMesh& surface, const std::string& name);
+// In formats without curves, a map that is injective as a whole stays so.
+Overlap allowed_overlap(const ProofRequest& promise);
+
+// How single formats are written.
+struct MapFormats {
+  TessellationOptions tessellation;  // of OBJ and PLY
+  VtuCells vtu = VtuCells::Bezier;
+  MshContent msh = MshContent::Image;
+  SvgOptions svg;
+  PngOptions png;
+  bool view_is_chosen = false;  // of PNG: first_view()
+  MapPage page;                 // but for its map
+};
+
+// .vtu .msh .obj .ply .svg .png .html; of other names nothing is written. input may be null.
+// verify: of formats that hold data; pictures (.svg, .png, .html) have nothing to verify. Throws as
+// the writers do.
+void write_map(const std::string& path, const MapFile& map, const PolygonMesh* input,
+               const MapFormats& formats, const FileVerification& verify = {});
+
+}  // namespace majorant

@@ -1,0 +1,27 @@
+#!/usr/bin/python3
+"""Every ```python block of docs/python.md is a program by itself, and ends well."""
+import re
+import subprocess
+import sys
+
+import helpers
+import pytest
+
+PAGE = (helpers.SOURCE / 'docs/python.md').read_text()
+EXAMPLES = re.findall(r'^## (\d.*?)$.*?^```python\n(.*?)^```', PAGE, re.S | re.M)
+
+
+def test_there_are_five():
+    assert len(EXAMPLES) == 5 and PAGE.count('```python') == 5
+
+
+@pytest.mark.parametrize('name, text', EXAMPLES, ids=[name for name, _ in EXAMPLES])
+def test_runs(name, text, tmp_path):
+    (tmp_path / 'meshes').symlink_to(helpers.MESHES)
+    done = subprocess.run([sys.executable, '-W', 'error', '-c', text], cwd=tmp_path, env=helpers.environment(),
+                          capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+
+
+if __name__ == '__main__':
+    helpers.main(__file__)

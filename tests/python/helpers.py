@@ -1,0 +1,62 @@
+"""What tests of the Python package share: the package of the build tree, and meshes.
+
+A test file runs under pytest, from ctest or by itself:
+
+    if __name__ == '__main__':
+        helpers.main(__file__)
+"""
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+SOURCE = Path(os.environ['MAJORANT_SOURCE_DIR'])
+BUILD = Path(os.environ['MAJORANT_BUILD_DIR'])
+BINARY = os.environ['MAJORANT_BINARY']
+PACKAGE = BUILD / 'python'
+MESHES = SOURCE / 'meshes'
+
+
+def main(file):
+    if not list(PACKAGE.glob('majorant/_core*.so')):
+        print('skipped: no Python package in this build')
+        sys.exit(77)
+    import pytest
+    sys.exit(pytest.main(['-q', '-p', 'no:cacheprovider', '--tb=short', *sys.argv[1:], file]))
+
+
+sys.path.insert(0, str(PACKAGE))
+sys.dont_write_bytecode = True
+
+
+def environment():
+    """Of a new interpreter that finds the package."""
+    return {**os.environ, 'PYTHONPATH': str(PACKAGE), 'PYTHONDONTWRITEBYTECODE': '1'}
+
+
+def command(*words, code=0):
+    done = subprocess.run([BINARY, *map(str, words)], capture_output=True, text=True)
+    assert done.returncode == code, done.stderr
+    return done
+
+
+def mesh(name):
+    import majorant
+    return majorant.read_mesh(MESHES / f'{name}.obj')
+
+
+def grid(n, bump=0.3):
+    """A bumpy square of 2 n^2 triangles."""
+    import numpy as np
+    x, y = np.meshgrid(np.linspace(0, 1, n + 1), np.linspace(0, 1, n + 1))
+    V = np.column_stack([x.ravel(), y.ravel(), bump * np.sin(3 * x.ravel()) * np.cos(4 * y.ravel())])
+    k = np.arange((n + 1) ** 2).reshape(n + 1, n + 1)
+    a, b, c, d = k[:-1, :-1].ravel(), k[:-1, 1:].ravel(), k[1:, 1:].ravel(), k[1:, :-1].ravel()
+    return V, np.concatenate([np.column_stack([a, b, c]), np.column_stack([a, c, d])])
+
+
+def octahedron():
+    import numpy as np
+    V = np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]], float)
+    F = np.array([[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]])
+    return V, F

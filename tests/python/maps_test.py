@@ -1,0 +1,312 @@
+#!/usr/bin/python3
+"""Solvers, maps, files: what comes back is what the command writes, to the bit."""
+import copy
+import json
+import pickle
+
+import helpers
+import numpy as np
+import pytest
+
+import majorant
+
+
+def curved():
+    return majorant.parametrize(*helpers.mesh('cap'), degree=3)
+
+
+@pytest.fixture(scope='module')
+def cap():
+    return curved()
+
+
+def areas(corners):
+    a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
+    return 0.5 * ((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0])
+
+
+def test_flatten_gives_uv_in_the_order_of_V():
+    V, F = helpers.grid(6)
+    uv = majorant.flatten(V, F)
+    assert uv.shape == (len(V), 2) and uv.dtype == np.float64
+    assert (areas(uv[F]) > 0).all()
+    order = np.random.default_rng(1).permutation(len(V))
+    moved = majorant.flatten(V[order], np.argsort(order)[F])
+    # Another numbering may choose another rotation: the shape is what counts.
+    distance = lambda p: np.linalg.norm(p[:, None] - p[None], axis=2)  # noqa: E731
+    assert np.allclose(distance(moved), distance(uv[order]), atol=1e-4)
+
+
+def test_unused_vertices_have_no_image():
+    V, F = helpers.grid(3)
+    uv = majorant.flatten(np.vstack([[[9, 9, 9]], V]), F + 1)
+    assert np.isnan(uv[0]).all() and np.isfinite(uv[1:]).all()
+
+
+def test_flatten_names_unwrap_for_closed_surfaces():
+    with pytest.raises(majorant.UnsupportedError, match='unwrap') as raised:
+        majorant.flatten(*helpers.octahedron())
+    assert raised.value.exit_code == 3
+
+
+def test_flatten_is_of_degree_1():
+    with pytest.raises(majorant.UsageError, match='parametrize'):
+        majorant.flatten(*helpers.grid(2), degree=2)
+
+
+def test_arrays_of_a_map(cap):
+    V, F = helpers.mesh('cap')
+    assert cap.status == 'converged' and cap.degree == 3
+    assert (cap.faces == F).all() and (cap.input_faces == np.arange(len(F))).all()
+    assert cap.corner_uv.shape == (len(F), 3, 2)
+    assert np.array_equal(cap.uv[F], cap.corner_uv)
+    assert cap.cells.shape == (len(F), 10) and cap.cells.max() + 1 == len(cap.control_points)
+    assert np.array_equal(cap.nodes[cap.cells[:, :3]], V[F])
+    assert len(cap.distortion) == len(F) and (cap.distortion >= 4 - 1e-9).all()
+    assert (cap.charts == 0).all() and cap.cones == {}
+    assert cap.report['result']['value'] == pytest.approx(4, rel=0.2)
+    assert '486 faces' in repr(cap) or f'{len(F)} faces' in repr(cap)
+
+
+def test_no_copies(cap):
+    first, second = cap.control_points, cap.control_points
+    assert np.shares_memory(first, second)
+    assert first.flags.c_contiguous and not first.flags.writeable and not first.flags.owndata
+    with pytest.raises(ValueError):
+        first[0] = 0
+    kept = curved().control_points          # outlives its map
+    assert np.array_equal(kept, first)
+
+
+def test_evaluate_at_corners_and_in_numpy_shapes(cap):
+    F = len(cap.faces)
+    for corner in range(3):
+        assert np.allclose(cap.evaluate(np.arange(F), np.eye(3)[corner]), cap.corner_uv[:, corner], atol=1e-14)
+    assert cap.evaluate(0, [1 / 3] * 3).shape == (2,)
+    assert cap.evaluate(np.arange(F)[:, None], np.full((4, 3), 1 / 3)).shape == (F, 4, 2)
+
+
+def test_jacobian_is_the_derivative(cap):
+    face, b, h = 7, np.array([0.2, 0.3, 0.5]), 1e-6
+    corners = cap.nodes[cap.cells[face, :3]]
+    J = cap.jacobian(face, b)
+    for step in (np.array([1, 0, -1]), np.array([0, 1, -1])):
+        image = (cap.evaluate(face, b + h * step) - cap.evaluate(face, b - h * step)) / (2 * h)
+        x = corners[0] - corners[2]
+        x = x / np.linalg.norm(x)
+        normal = np.cross(corners[0] - corners[2], corners[1] - corners[2])
+        y = np.cross(normal, x) / np.linalg.norm(normal)
+        tangent = step @ corners
+        assert np.allclose(J @ [tangent @ x, tangent @ y], image, atol=1e-8)
+    assert (np.linalg.det(cap.jacobian(np.arange(len(cap.faces)), b)) > 0).all()
+
+
+@pytest.mark.parametrize('call, message', [
+    (lambda r: r.evaluate(-1, [0.2, 0.3, 0.5]), 'face is not in 0 .. '),
+    (lambda r: r.evaluate(10**6, [0.2, 0.3, 0.5]), 'face is not in 0 .. '),
+    (lambda r: r.evaluate(0.5, [0.2, 0.3, 0.5]), 'not integers'),
+    (lambda r: r.evaluate(0, [0.5, 0.5]), 'the last side must be 3'),
+    (lambda r: r.evaluate(0, [0.5, 0.5, 0.5]), 'does not add to 1'),
+    (lambda r: r.jacobian([0, 1], np.full((3, 3), 1 / 3)), 'do not fit'),
+])
+def test_places_that_are_none(cap, call, message):
+    with pytest.raises(majorant.UsageError, match=message):
+        call(cap)
+
+
+def test_pickles_are_the_same_map(cap, tmp_path):
+    for other in (pickle.loads(pickle.dumps(cap)), copy.deepcopy(cap)):
+        assert np.array_equal(other.control_points, cap.control_points)
+        assert other.report == cap.report and other.status == cap.status
+        assert np.array_equal(other.evaluate(3, [0.1, 0.2, 0.7]), cap.evaluate(3, [0.1, 0.2, 0.7]))
+        other.save(tmp_path / 'other.vtu')
+        cap.save(tmp_path / 'cap.vtu')
+        assert (tmp_path / 'other.vtu').read_bytes() == (tmp_path / 'cap.vtu').read_bytes()
+
+
+@pytest.mark.parametrize('name, words, options', [
+    ('cap', ['--degree', '1'], {'degree': 1}),
+    ('cap', ['--degree', '3'], {}),
+    ('creature', ['--degree', '2', '--energy', 'arap + 0.1*mips'], {'degree': 2, 'energy': 'arap + 0.1*mips'}),
+    ('wavy_disk', ['--degree', '2', '--bijective'], {'degree': 2, 'bijective': True}),
+])
+def test_the_bits_of_the_command(tmp_path, name, words, options):
+    helpers.command('parametrize', helpers.MESHES / f'{name}.obj', '-o', tmp_path / 'command.vtu', *words, '--quiet')
+    ours = majorant.parametrize(*helpers.mesh(name), **options)
+    theirs = majorant.read(tmp_path / 'command.vtu')
+    assert np.array_equal(ours.control_points, theirs.control_points)
+    assert np.array_equal(ours.cells, theirs.cells)
+
+
+def test_the_bits_of_the_command_for_seamless_and_unwrap(tmp_path):
+    V, F = helpers.octahedron()
+    path = tmp_path / 'octahedron.obj'
+    path.write_text(''.join('v %r %r %r\n' % tuple(v) for v in V.tolist())
+                    + ''.join('f %d %d %d\n' % tuple(f) for f in (F + 1).tolist()))
+    for verb, solver, words in (('seamless', majorant.seamless, ['--degree', '2']),
+                                ('unwrap', majorant.unwrap, ['--degree', '2', '--normalize'])):
+        helpers.command(verb, path, '-o', tmp_path / 'command.vtu', '--quiet', *words)
+        ours = solver(V, F, degree=2, **({'normalize': True} if verb == 'unwrap' else {}))
+        assert np.array_equal(ours.control_points, majorant.read(tmp_path / 'command.vtu').control_points), verb
+
+
+def test_pins_and_handles_are_those_of_the_command(tmp_path):
+    pins = {'handles': [{'vertex': 0, 'target': 'initial'}, {'vertex': 5, 'target': [0.4, 0.1]}]}
+    (tmp_path / 'pins.json').write_text(json.dumps(pins))
+    helpers.command('parametrize', helpers.MESHES / 'cap.obj', '-o', tmp_path / 'c.vtu', '--degree', 1, '--handles',
+                    tmp_path / 'pins.json', '--soft', 10, '--quiet')
+    ours = majorant.parametrize(*helpers.mesh('cap'), degree=1, handles={0: None, 5: (0.4, 0.1)}, soft=10)
+    assert np.array_equal(ours.control_points, majorant.read(tmp_path / 'c.vtu').control_points)
+
+
+def test_pins_hold_exactly():
+    V, F = helpers.grid(4)
+    uv = majorant.flatten(V, F)
+    pinned = majorant.flatten(V, F, pins={3: uv[3], 20: uv[20]})
+    assert np.array_equal(pinned[[3, 20]], uv[[3, 20]])
+
+
+def test_seamless_maps_know_their_cones():
+    r = majorant.seamless(*helpers.octahedron(), degree=1)
+    assert sum(4 - turns for turns in r.cones.values()) == 8      # Gauss and Bonnet
+    with pytest.raises(majorant.UnsupportedError, match='corner_uv'):
+        r.uv
+    cones = {v: 2 for v in (0, 1, 2, 3)}
+    assert majorant.seamless(*helpers.octahedron(), degree=1, cones=cones).cones == cones
+
+
+def test_unwrap_fits_the_unit_square():
+    V, F = helpers.octahedron()
+    r = majorant.unwrap(V, F, normalize=True)
+    assert r.corner_uv.min() >= 0 and r.corner_uv.max() <= 1 and (areas(r.corner_uv) > 0).all()
+    two = majorant.unwrap(np.vstack([V, V + 5]), np.vstack([F, F + 6]))
+    assert set(two.charts) == {0, 1}
+    cut = majorant.unwrap(V, F, seams=[[0, 2], [2, 1], [1, 3]])
+    assert cut.report['result']['seam_edges'] == 3
+
+
+def test_deform_moves_what_is_pulled():
+    V, F = helpers.grid(6, bump=0)
+    r = majorant.deform(V[:, :2], F, degree=1, handles={0: (-0.2, -0.1), 48: (1, 1)}, soft=1e5)
+    assert np.allclose(r.uv[0], (-0.2, -0.1), atol=0.02)
+    with pytest.raises(majorant.UsageError, match='nothing to do'):
+        majorant.deform(V, F)
+
+
+def test_start_from_uv_and_seams_from_uv():
+    V, F = helpers.grid(4)
+    uv = majorant.flatten(V, F)
+    again = majorant.parametrize(V, F, degree=1, uv=uv, init='input')
+    assert again.report['result']['start'] == 'input'
+    assert again.report['result']['initial_value'] == pytest.approx(again.report['result']['value'], rel=1e-5)
+    closed = majorant.unwrap(*helpers.octahedron())
+    islands = majorant.unwrap(*helpers.octahedron(), uv=closed.corner_uv, seams='uv')
+    assert islands.report['result']['seam_edges'] == closed.report['result']['seam_edges']
+    with pytest.raises(majorant.UsageError, match='needs uv'):
+        majorant.parametrize(V, F, init='input')
+
+
+def test_polygons_stay(tmp_path):
+    V = [[0, 0, 0], [1, 0, 0], [2, 0, 0], [0, 1, 0], [1, 1, 0.2], [2, 1, 0]]
+    r = majorant.parametrize(V, [[0, 1, 4, 3], [1, 2, 5, 4]], degree=1)
+    assert list(r.input_faces) == [0, 0, 1, 1]
+    r.save(tmp_path / 'quads.obj')
+    assert [len(f) for f in majorant.read_mesh(tmp_path / 'quads.obj')[1]] == [4, 4]
+    mixed = majorant.parametrize(V, [[0, 1, 4, 3], [1, 2, 5], [1, 5, 4]], degree=1)
+    assert list(mixed.input_faces) == [0, 0, 1, 2]
+
+
+@pytest.mark.parametrize('extension', ['.vtu', '.obj', '.ply', '.msh', '.svg', '.png', '.html'])
+def test_saved_files_pass_check(cap, tmp_path, extension):
+    path = tmp_path / f'cap{extension}'
+    cap.save(path)
+    assert path.stat().st_size > 1000
+    if extension in ('.vtu', '.obj', '.ply'):
+        helpers.command('check', path, '--surface', helpers.MESHES / 'cap.obj', '--quiet')
+
+
+def test_what_cannot_be_written(cap, tmp_path):
+    for path, message in ((tmp_path / 'cap.stl', 'ends in one of'), (tmp_path / 'none' / 'cap.vtu', 'cannot write'),
+                          (tmp_path / 'cap', 'ends in one of')):
+        with pytest.raises(majorant.UsageError, match=message):
+            cap.save(path)
+    assert list(tmp_path.iterdir()) == []
+
+
+def damaged(r, face):
+    """The map with a face turned over."""
+    state = list(r._file.__getstate__())
+    uv = np.array(state[2])
+    corners = r.cells[face, :3]
+    uv[corners[[0, 1]]] = uv[corners[[1, 0]]]
+    state[2] = uv
+    out = copy.copy(r)
+    out._file = r._file.__class__.__new__(r._file.__class__)
+    out._file.__setstate__(tuple(state))
+    return out
+
+
+def test_written_means_certified(cap, tmp_path):
+    wrong = damaged(cap, 5)
+    (tmp_path / 'wrong.vtu').write_text('as it was')
+    with pytest.raises(majorant.InvalidError, match='positive') as raised:
+        wrong.save(tmp_path / 'wrong.vtu')
+    assert raised.value.exit_code == 5
+    assert (tmp_path / 'wrong.vtu').read_text() == 'as it was'
+    verdict = majorant.check(wrong)
+    assert not verdict and verdict.status == 'invalid' and 'positive' in verdict.findings[0]
+
+
+def test_check_agrees_with_the_command(cap, tmp_path):
+    V, F = helpers.mesh('cap')
+    cap.save(tmp_path / 'cap.vtu')
+    for certify in (False, True):
+        helpers.command('check', tmp_path / 'cap.vtu', '--surface', helpers.MESHES / 'cap.obj', '--quiet',
+                        '--report', tmp_path / 'r.json', *(['--certify'] if certify else []))
+        theirs = json.loads((tmp_path / 'r.json').read_text())
+        ours = majorant.check(tmp_path / 'cap.vtu', V, F, certify=certify)
+        assert ours and ours.report == theirs
+        assert majorant.check(cap, V, F, certify=certify).proofs == theirs['proofs']
+    other = majorant.check(cap, *helpers.grid(3))
+    assert other.status == 'invalid' and other.proofs['surface']['answer'] == 'violated'
+    assert majorant.check(cap, time_limit=0).status == 'undecided'
+    with pytest.raises(majorant.UsageError, match='go together'):
+        majorant.check(cap, V)
+
+
+def test_read_gives_what_was_saved(cap, tmp_path):
+    cap.save(tmp_path / 'cap.vtu')
+    r = majorant.read(tmp_path / 'cap.vtu')
+    assert r.status == 'read' and np.array_equal(r.control_points, cap.control_points)
+    assert r.report is None and '(read' not in repr(r)
+    r.save(tmp_path / 'again.obj')
+    helpers.command('check', tmp_path / 'again.obj', '--surface', helpers.MESHES / 'cap.obj', '--quiet')
+    with pytest.raises(majorant.ReadError) as raised:
+        majorant.read(tmp_path / 'none.vtu')
+    assert raised.value.exit_code == 2
+    (tmp_path / 'broken.obj').write_text('v 0 0\nf 1 2 3\n')
+    with pytest.raises(majorant.ReadError, match='broken.obj:1'):
+        majorant.read_mesh(tmp_path / 'broken.obj')
+
+
+def test_notebooks_see_the_layout(cap):
+    html = cap._repr_html_()
+    assert html.count('<svg') == 1 and html.count('<path') >= len(cap.faces) and '&lt;majorant.Map' in html
+    assert cap.svg().startswith('<?xml')
+
+
+def test_lists_of_what_there_is():
+    assert 'symmetric-dirichlet' in majorant.energies() and all(majorant.energies().values())
+    assert majorant.kernels()['vector_instructions'] in ('AVX-512', 'AVX2', 'baseline')
+    assert helpers.command('--version').stdout.split()[1] == majorant.__version__
+
+
+def test_help_teaches():
+    for name in majorant.__all__:
+        assert (getattr(majorant, name).__doc__ or '').strip(), name
+    for name in ('flatten', 'parametrize', 'seamless', 'unwrap', 'deform', 'check'):
+        assert f'majorant.{name}(' in getattr(majorant, name).__doc__, name
+
+
+if __name__ == '__main__':
+    helpers.main(__file__)

@@ -1,0 +1,75 @@
+#!/usr/bin/python3
+"""majorant/_core.pyi against the module: the same names, the same arguments; the package is annotated."""
+import ast
+import inspect
+import re
+
+import helpers
+import pytest
+
+import majorant
+from majorant import _core
+
+STUB = ast.parse((helpers.SOURCE / 'python/majorant/_core.pyi').read_text())
+ALIASES = {target.id for node in STUB.body if isinstance(node, ast.Assign) for target in node.targets}
+
+
+def functions(body):
+    return {node.name: [a.arg for a in node.args.args] for node in body if isinstance(node, ast.FunctionDef)}
+
+
+def public(thing):
+    return {name for name in vars(thing) if not name.startswith('_')}
+
+
+def arguments(function):
+    """Of the first line of what pybind11 writes as the docstring: "name(self: ..., x: int = 3) -> ..."."""
+    return re.findall(r'(\w+):', re.sub(r'\[[^]]*\]', '', function.__doc__.split(') ->')[0].replace('::', '')))
+
+
+def test_the_module_has_what_the_stub_says():
+    classes = {node.name for node in STUB.body if isinstance(node, ast.ClassDef)}
+    variables = {node.target.id for node in STUB.body if isinstance(node, ast.AnnAssign)}
+    assert public(_core) == classes | set(functions(STUB.body)) | variables
+    assert not ALIASES & public(_core)
+
+
+@pytest.mark.parametrize('node', [n for n in STUB.body if isinstance(n, ast.ClassDef)], ids=lambda n: n.name)
+def test_classes(node):
+    found = getattr(_core, node.name)
+    said = functions(node.body)
+    assert public(found) == set(said) - {'__init__'}
+    for name, names in said.items():
+        member = vars(found)[name]
+        if isinstance(member, property):
+            assert names == ['self'], name
+        else:
+            assert arguments(member) == names, name
+
+
+@pytest.mark.parametrize('name, names', functions(STUB.body).items())
+def test_functions(name, names):
+    assert arguments(getattr(_core, name)) == names
+
+
+@pytest.mark.parametrize('name', majorant.__all__)
+def test_the_package_is_annotated(name):
+    thing = getattr(majorant, name)
+    members = [thing]
+    if inspect.isclass(thing) and thing.__module__ != 'majorant._core':
+        members = [m for n, m in vars(thing).items() if inspect.isfunction(m) and not n.startswith('_')]
+        members += [m.fget for m in vars(thing).values() if isinstance(m, property)]
+    for member in members:
+        if inspect.isfunction(member):
+            signature = inspect.signature(member)
+            assert signature.return_annotation is not inspect.Signature.empty, member
+            for parameter in signature.parameters.values():
+                assert parameter.name == 'self' or parameter.annotation is not inspect.Parameter.empty, member
+
+
+def test_marked_as_typed():
+    assert (helpers.PACKAGE / 'majorant/py.typed').exists() and (helpers.PACKAGE / 'majorant/_core.pyi').exists()
+
+
+if __name__ == '__main__':
+    helpers.main(__file__)
