@@ -19,7 +19,6 @@ class LbfgsStepper final : public Stepper {
                 make_solver("LbfgsOptions", options.linear_solver)),
         history_(options.history, options.cautious) {
     require_at_least("LbfgsOptions: history", options.history, 0);
-    require_at_least("LbfgsOptions: cautious", options.cautious, 0);
   }
 
  private:

@@ -179,12 +179,12 @@ FactorStatus NewtonStepper::solve_shifted(double shift, IterationRecord& record)
   rhs_ = -gradient_;
   last_tolerance_ = tolerance();
   const Solution solution = solver_->solve(rhs_, p_, last_tolerance_);
-  require_size("LinearSolver::solve: p", p_.size(), rhs_.size());
   record.seconds.solve += watch.restart();
   record.residual = solution.residual;
   record.solver_iterations += solution.iterations;
-  return solution.status == SolveStatus::Indefinite ? FactorStatus::NotPositiveDefinite
-                                                    : FactorStatus::Ok;
+  if (solution.status == SolveStatus::Indefinite) return FactorStatus::NotPositiveDefinite;
+  require_size("LinearSolver::solve: p", p_.size(), rhs_.size());
+  return FactorStatus::Ok;
 }
 
 // Where the energy is invariant under rotations about the origin, the exact Hessian's curvature

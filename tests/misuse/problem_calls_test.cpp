@@ -177,7 +177,7 @@ const std::vector<Call> kCalls{
      [] { build([](ConstraintRows& r) { r.begin_row("a"), r.add(5, 1), r.end_row(0); }); }},
     {"unknown_auxiliary", "InvalidArgument: constraint row 'a': unknown -1 does not exist",
      [] { build([](ConstraintRows& r) { r.begin_row("a"), r.add(-1, 1), r.end_row(0); }); }},
-    {"contradiction", "Error Unsupported: constraints contradict each other: row 'b' is off by 1",
+    {"contradiction", "Error Unsupported: constraints contradict each other: row 'b' is off by",
      [] {
        build([](ConstraintRows& r) {
          r.begin_row("a"), r.add(0, 1), r.end_row(1);
@@ -225,7 +225,8 @@ const std::vector<Call> kCalls{
        Evaluator(problem()).linearize(Vec::Zero(1), Curvature::Exact, g, h);
      }},
     {"linearize_without_model",
-     "InvalidArgument: Evaluator::linearize: term 'quadratic' has no curvature model 'reweighted'",
+     "InvalidArgument: Evaluator::linearize: term 'random quadratics' has no curvature model "
+     "'reweighted'",
      [] {
        test::Random random(1);
        ProblemBuilder builder(5);
@@ -243,7 +244,7 @@ const std::vector<Call> kCalls{
      [] { Evaluator(problem()).violation(Vec::Zero(2)); }},
     {"element_values_short", "InvalidArgument: element_values: x has 2 numbers",
      [] { element_values(problem(), TermId(0), Vec::Zero(2)); }},
-    {"term_energy_unknown_term", "InvalidArgument: Problem::term: no term",
+    {"term_energy_unknown_term", "InvalidArgument: Problem::state: no term",
      [] { term_energy(problem(), TermId(9), Vec::Zero(5)); }},
     {"derivatives_of_short_x", "InvalidArgument: check_derivatives: x has 3 numbers",
      [] { check_derivatives(*term(), Vec::Zero(3)); }},

@@ -1,5 +1,7 @@
 #include "majorant/parametrization/starts/internal/field_integration.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <array>
 #include <cmath>
