@@ -60,7 +60,9 @@ py::tuple finish(Job& job, const ParametrizationResult& result) {
   finished.read_seconds = job.read_seconds;
   if (job.start) {
     finished.start = &*job.start;
-    if (job.verb == "seamless") finished.init = method_name(job.start->method);
+    finished.init = job.verb == "seamless" ? method_name(job.start->method)
+                    : job.verb == "deform" ? std::string_view("planar")
+                                           : start_name(StartMethod::Given);
   }
   struct Files {
     SharedMap file;
