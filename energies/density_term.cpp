@@ -40,7 +40,7 @@ DensityTerm::DensityTerm(DensityTraits traits, std::shared_ptr<const ElementSpac
     if (!(rest.measure[e] > 0) || !std::isfinite(rest.measure[e]) ||
         (!rest.curved() && !rest.inverse.row(e).allFinite()))
       refuse(fmt::format("the rest shape of element {} is degenerate (measure {:g})", e,
-                         rest.measure[e]));
+                         rest.measure[e] + 0.0));  // no -0
   if (traits_.elements.value_or(space_->element_count()) != space_->element_count())
     refuse(fmt::format("data for {} elements, the space has {}", *traits_.elements,
                        space_->element_count()));

@@ -4,6 +4,7 @@
 //   auto soft = density<2, 2>("soft", [](const auto& J, double k) { return k * J.squaredNorm(); },
 //                             stiffness);
 //   RowMatrix fibre(mesh->face_count(), 2);                        // a std::span<const double>
+//   struct Material { double stiffness, limit; };
 //   std::vector<Material> material(at(mesh->face_count()));        // a const Material&
 //
 // Rows are those of the elements: for parametrize(), the faces of the mesh. They follow the faces

@@ -183,61 +183,12 @@ struct Dual2 {
     return chain(a, p, {f, pq, l * f, (p.v - T(1.0)) * pq / a.v, q + l * pq, l * l * f});
   }
 
-  friend Dual2 sin(const Dual2& a) {
-    using std::cos;
-    using std::sin;
-    const T s = sin(a.v);
-    return a.chain(s, cos(a.v), -s);
-  }
-  friend Dual2 cos(const Dual2& a) {
-    using std::cos;
-    using std::sin;
-    const T c = cos(a.v);
-    return a.chain(c, -sin(a.v), -c);
-  }
-  friend Dual2 tan(const Dual2& a) {
-    using std::tan;
-    const T t = tan(a.v), slope = T(1.0) + t * t;
-    return a.chain(t, slope, T(2.0) * t * slope);
-  }
-  friend Dual2 asin(const Dual2& a) {
-    using std::asin;
-    const T slope = arc_slope(a.v);
-    return a.chain(asin(a.v), slope, a.v * slope * slope * slope);
-  }
-  friend Dual2 acos(const Dual2& a) {
-    using std::acos;
-    const T slope = arc_slope(a.v);
-    return a.chain(acos(a.v), -slope, -(a.v * slope * slope * slope));
-  }
-  friend Dual2 atan(const Dual2& a) {
-    using std::atan;
-    const T slope = T(1.0) / (T(1.0) + a.v * a.v);
-    return a.chain(atan(a.v), slope, T(-2.0) * a.v * slope * slope);
-  }
   // The angle of (x, y), in (-pi, pi].
   friend Dual2 atan2(const Dual2& y, const Dual2& x) {
     using std::atan2;
     const T i = T(1.0) / (x.v * x.v + y.v * y.v), c = x.v * i, s = y.v * i;
     const T mixed = s * s - c * c, same = T(2.0) * c * s;
     return chain(y, x, {atan2(y.v, x.v), c, -s, -same, mixed, same});
-  }
-  friend Dual2 sinh(const Dual2& a) {
-    using std::cosh;
-    using std::sinh;
-    const T s = sinh(a.v);
-    return a.chain(s, cosh(a.v), s);
-  }
-  friend Dual2 cosh(const Dual2& a) {
-    using std::cosh;
-    using std::sinh;
-    const T c = cosh(a.v);
-    return a.chain(c, sinh(a.v), c);
-  }
-  friend Dual2 tanh(const Dual2& a) {
-    using std::tanh;
-    const T t = tanh(a.v), slope = T(1.0) - t * t;
-    return a.chain(t, slope, T(-2.0) * t * slope);
   }
 
   // sqrt(a a + b b) without overflow.
@@ -269,11 +220,6 @@ struct Dual2 {
     d.fill(T(0.0));
     h.fill(T(0.0));
   }
-  // Of asin, without the cancellation of 1 - x^2.
-  static T arc_slope(const T& x) {
-    using std::sqrt;
-    return T(1.0) / sqrt((T(1.0) - x) * (T(1.0) + x));
-  }
   static const T& either(bool first, const T& a, const T& b) { return first ? a : b; }
   static const Dual2& either(bool first, const Dual2& a, const Dual2& b) { return first ? a : b; }
   template <class Mask>
@@ -296,3 +242,6 @@ std::array<Dual2<T, 2>, 2> dual2_variables(const T& a, const T& b) {
 }
 
 }  // namespace majorant
+
+// Trigonometric and hyperbolic functions.
+#include "majorant/framework/dual2_functions.h"

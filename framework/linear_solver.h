@@ -3,7 +3,7 @@
 // Analyse once per pattern, factorize once per matrix, solve as often as needed. The solvers here
 // are direct. One of your own may be iterative: factorize() makes a preconditioner, solve() is
 // asked for no more accuracy than the method needs and says what it reached;
-// examples/custom_solver.cpp.
+// docs/choosing_a_solver.md has one.
 #pragma once
 
 #include <memory>

@@ -57,7 +57,7 @@ struct ProofRequest {
   // face a cell is, and has no others; an .obj may have pieces of faces, with vertices of their
   // own.
   enum class FaceLabels { Ignored, Compared } labels = FaceLabels::Ignored;
-  StopCheck stop;  // asked now and then; after a stop, what is left is Undecided
+  StopCheck stop = {};  // asked now and then; after a stop, what is left is Undecided
 };
 
 // Edges of the surface whose sides differ, and the pieces that the map falls into.

@@ -144,7 +144,7 @@ struct Frame {
 };
 
 // The density on a batch of elements: the object itself, or, where the object is a function that is
-// called through pointers (internal/point_densities.h), what calls it there.
+// called through pointers (point_functions.h), what calls it there.
 template <class Density>
 [[gnu::always_inline]] inline decltype(auto) density_on(const void* object, const int* elements,
                                                         int element_count, int lanes) {

@@ -103,9 +103,6 @@ void require_sound_lists(const PolygonMesh& input) {
         refuse_list(input, fmt::format("polygon {} has vertex {}, there are {}", p, v,
                                        input.positions.size()));
   }
-  if (!input.polygon_lines.empty() && input.polygon_lines.size() != input.polygons.size())
-    refuse_list(input, fmt::format("lines of {} polygons, there are {}", input.polygon_lines.size(),
-                                   input.polygons.size()));
   require_parallel(input, "texture coordinates", input.polygon_texcoords, input.texcoords.size());
   require_parallel(input, "normals", input.polygon_normals, input.normals.size());
   for (std::size_t t = 0; t < input.texcoords.size(); ++t)

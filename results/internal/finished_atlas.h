@@ -1,5 +1,7 @@
 // What unwrap leaves behind, as its files and its report say it.
 //
+//   const RepairedSurface surface = repair(polygons);
+//   const Atlas atlas = unwrap(surface.mesh, {}, record);
 //   const FinishedAtlas run{polygons, surface, atlas, record};
 //   const MapFile file = atlas_file(run);
 //   write_map(path, file, &polygons, {}, certification(path, promise(run), &file));

@@ -1,6 +1,7 @@
 // A run that has made a map, as its files and its report say it: what all that solve for one map
 // (parametrize, seamless, deform) leave behind.
 //
+//   const ParametrizationResult result = parametrize(mesh, options);
 //   const FinishedMap run{"parametrize", polygons, *mesh, options.map, result, record};
 //   const MapFile file = map_file(run);
 //   write_map(path, file, &polygons, {}, certification(path, promise(run, path), &file));

@@ -2,7 +2,7 @@
 //
 //   MapFormats formats;
 //   formats.tessellation.refine = 2;
-//   write_map("bunny.obj", file, &polygons, formats, certification("bunny.obj", promise, &file));
+//   write_map("bunny.obj", file, &polygons, formats, certification("bunny.obj", {}, &file));
 #pragma once
 
 #include <string>

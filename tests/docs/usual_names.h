@@ -10,9 +10,11 @@
 #include <vector>
 
 #include "apps/command.h"
+#include "majorant/energies/make_energy.h"
 #include "majorant/io/map_file.h"
 #include "majorant/parametrization/drive/parametrize.h"
 #include "majorant/parametrization/maps/map_problem.h"
+#include "majorant/parametrization/maps/rest_shapes_of.h"
 
 namespace usual_names {
 using namespace majorant;
@@ -38,6 +40,9 @@ extern ParametrizationOptions options;
 extern RunRecord record;
 extern StopCheck stop;
 extern Observer observer;
+
+extern Points3 directions;  // a vector a face
+inline const auto shear = density<2, 2>("shear", [](const auto& J) { return J(0, 0) * J(0, 1); });
 
 extern CLI::App verb;
 extern app::CommonOptions common;

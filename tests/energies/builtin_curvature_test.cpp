@@ -9,13 +9,13 @@ namespace majorant {
 namespace {
 
 using test::Matrix4;
-using test::PointModel;
+using test::PointResult;
 using test::Promise;
 using test::Vector4;
 using Jacobians = std::vector<Eigen::Matrix2d>;
 
-std::vector<PointModel> models(const std::string& name, const Jacobians& jacobians,
-                               BlendedCurvature c) {
+std::vector<PointResult> models(const std::string& name, const Jacobians& jacobians,
+                                BlendedCurvature c) {
   const test::Triangles t(jacobians.size());
   const auto term = find_energy(name)->make(t.space, t.rest, {lattice_rule(1)});
   return test::point_models(*term, jacobians, c);
@@ -181,7 +181,7 @@ TEST(BuiltinCurvature, MajorizersAreOrdered) {
     if (!p.majorizer) continue;
     const Jacobians j = jacobians(p.everywhere);
     const auto majorizer = models(p.name, j, Curvature::Majorizer);
-    std::vector<PointModel> paper;
+    std::vector<PointResult> paper;
     if (p.paper_majorizer) paper = models(p.name, j, Curvature::PaperMajorizer);
     for (std::size_t e = 0; e < j.size(); ++e) {
       const Matrix4 exact = test::builtin_oracle(p.name, j[e]).hessian;

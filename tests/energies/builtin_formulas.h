@@ -80,13 +80,13 @@ T builtin_formula(const std::string& name, const Entries<T>& J, bool nearly_simi
 }
 
 // Value, gradient and Hessian by automatic differentiation.
-inline PointModel builtin_oracle(const std::string& name, const Eigen::Matrix2d& j) {
+inline PointResult builtin_oracle(const std::string& name, const Eigen::Matrix2d& j) {
   const double x[4] = {j(0, 0), j(0, 1), j(1, 0), j(1, 1)};
   NestedJet v[4];
   for (int i = 0; i < 4; ++i) v[i] = NestedJet(InnerJet(Real(x[i]), i), i);
   const bool near = norm_beta(j) < 1e-2 * norm_alpha(j);
   const NestedJet f = builtin_formula<NestedJet>(name, {v[0], v[1], v[2], v[3]}, near);
-  PointModel m;
+  PointResult m;
   m.value = static_cast<double>(f.a.a);
   for (int i = 0; i < 4; ++i) {
     m.gradient[i] = static_cast<double>(f.v[i].a);
@@ -95,7 +95,7 @@ inline PointModel builtin_oracle(const std::string& name, const Eigen::Matrix2d&
   return m;
 }
 
-inline bool finite(const PointModel& m) {
+inline bool finite(const PointResult& m) {
   return std::isfinite(m.value) && m.gradient.allFinite() && m.hessian.allFinite();
 }
 

@@ -7,7 +7,7 @@ namespace majorant {
 namespace {
 
 using test::Matrix4;
-using test::PointModel;
+using test::PointResult;
 using Jacobians = std::vector<Eigen::Matrix2d>;
 
 using test::kUnit;
@@ -22,7 +22,7 @@ double accuracy(const Eigen::Matrix2d& j) {
 struct Case {
   const char* name;
   std::shared_ptr<const EnergyTerm> term;
-  PointModel (*oracle)(const Eigen::Matrix2d&);
+  PointResult (*oracle)(const Eigen::Matrix2d&);
   Jacobians jacobians;
   bool convex;
 };

@@ -124,7 +124,7 @@ TEST(CurvedRest, SymmetricDirichletDerivativesByTheChainRule) {
         for (Index l = 0; l < s.rule.size(); ++l) {
           const Barycentric xi = s.rule.points.row(l);
           const auto [j, measure] = jacobian(s, e, xi);
-          const test::PointModel m = test::oracle(test::direct_symmetric_dirichlet, j);
+          const test::PointResult m = test::oracle(test::direct_symmetric_dirichlet, j);
           // J is linear in x: its derivative is J of the unit vectors.
           Eigen::MatrixXd by_x(4, n);
           Curved unit = s;

@@ -7,7 +7,7 @@
 namespace majorant {
 namespace {
 
-using test::PointModel;
+using test::PointResult;
 using Jacobians = std::vector<Eigen::Matrix2d>;
 
 using test::kUnit;
@@ -34,7 +34,7 @@ void expect_derivatives(const EnergyFactory& make, const Direct& direct, const J
   const auto term = make(t.space, t.rest, {lattice_rule(1)});
   const auto models = test::point_models(*term, jacobians, Curvature::Exact);
   for (std::size_t e = 0; e < jacobians.size(); ++e) {
-    const PointModel o = test::oracle(direct, jacobians[e]);
+    const PointResult o = test::oracle(direct, jacobians[e]);
     const double tol = tolerance(jacobians[e]);
     const double size = jacobians[e].norm();
     SCOPED_TRACE(testing::Message() << "A = " << test::norm_alpha(jacobians[e]) << ", B = "

@@ -32,7 +32,7 @@ using Matrix4 = Eigen::Matrix4d;
 using Vector4 = Eigen::Vector4d;
 
 // Value, gradient and Hessian in (a, b, c, d), J = [[a, b], [c, d]].
-struct PointModel {
+struct PointResult {
   double value = 0;
   Vector4 gradient = Vector4::Zero();
   Matrix4 hessian = Matrix4::Zero();
@@ -116,11 +116,11 @@ inline EnergyFactory baseline(const std::string& name) {
 }
 
 // Models by J; `term` lives on Triangles.
-inline std::vector<PointModel> point_models(const EnergyTerm& term,
-                                            const std::vector<Eigen::Matrix2d>& jacobians,
-                                            BlendedCurvature curvature) {
+inline std::vector<PointResult> point_models(const EnergyTerm& term,
+                                             const std::vector<Eigen::Matrix2d>& jacobians,
+                                             BlendedCurvature curvature) {
   const ElementModels models = element_models(term, corners_of(jacobians), curvature);
-  std::vector<PointModel> out(jacobians.size());
+  std::vector<PointResult> out(jacobians.size());
   const int local[4] = {0, 2, 1, 3};  // a = u of corner 0, b = u of corner 1, ...
   for (std::size_t e = 0; e < jacobians.size(); ++e) {
     out[e].value = 2 * models.values[e];  // area 1/2
@@ -137,12 +137,12 @@ using Jet = Dual2<Long, 4>;
 
 // f(a, b, c, d) differentiated in long double: 11 more bits than what it judges.
 template <class F>
-PointModel oracle(const F& f, const Eigen::Matrix2d& j) {
+PointResult oracle(const F& f, const Eigen::Matrix2d& j) {
   const double x[4] = {j(0, 0), j(0, 1), j(1, 0), j(1, 1)};
   Jet v[4];
   for (int i = 0; i < 4; ++i) v[i] = Jet::variable(Long(x[i]), i);
   const Jet r = f(v[0], v[1], v[2], v[3]);
-  PointModel m;
+  PointResult m;
   m.value = static_cast<double>(r.v);
   for (int i = 0; i < 4; ++i) {
     m.gradient[i] = static_cast<double>(r.d[static_cast<std::size_t>(i)]);

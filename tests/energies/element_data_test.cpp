@@ -184,7 +184,7 @@ TEST(ElementData, WhatDoesNotFitIsRefused) {
   const auto f = [](const auto& J, double c) { return c * J.squaredNorm(); };
   for (const Index wrong : {s.count() - 1, s.count() + 1, Index(0), Index(1)}) {
     const auto mine = density<2, 2>("mine", f, Vec(Vec::Ones(wrong)));
-    const std::string expected = "'mine' has data for " + std::to_string(wrong) +
+    const std::string expected = "energy 'mine': data for " + std::to_string(wrong) +
                                  " elements, the space has " + std::to_string(s.count());
     EXPECT_NE(
         invalid_argument_of([&] { make_energy(s.space, s.rest, mine, rules); }).find(expected),

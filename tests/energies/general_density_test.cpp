@@ -9,7 +9,7 @@
 namespace majorant {
 namespace {
 
-using test::PointModel;
+using test::PointResult;
 using Jacobians = std::vector<Eigen::Matrix2d>;
 
 // ---- SmallMatrix ----

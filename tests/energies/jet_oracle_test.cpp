@@ -8,7 +8,7 @@ namespace majorant {
 
 namespace {
 
-using test::PointModel;
+using test::PointResult;
 using test::Promise;
 using Jacobians = std::vector<Eigen::Matrix2d>;
 
@@ -32,7 +32,7 @@ int expect_oracle(const std::string& name, const Jacobians& jacobians, const Tol
   int compared = 0;
   for (std::size_t e = 0; e < jacobians.size(); ++e) {
     const Eigen::Matrix2d& j = jacobians[e];
-    const PointModel o = test::builtin_oracle(name, j);
+    const PointResult o = test::builtin_oracle(name, j);
     if (!test::finite(o)) continue;  // exponentials overflow
     ++compared;
     SCOPED_TRACE(testing::Message()
@@ -122,7 +122,7 @@ TEST(JetOracle, Isometries) {
   for (int k = 0; k < 8; ++k) turns.push_back(test::from_parts(direction(random), Vector2(0, 0)));
   const test::Triangles t(turns.size());
   for (const Promise& p : test::promises())
-    for (const PointModel& m :
+    for (const PointResult& m :
          test::point_models(*on_triangles(p.name, t), turns, Curvature::Exact)) {
       EXPECT_NEAR(m.value, p.identity, 1e-14) << p.name;
       EXPECT_LE(m.gradient.norm(), 1e-14) << p.name;

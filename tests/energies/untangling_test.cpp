@@ -51,7 +51,7 @@ TEST(UntanglingDensity, Derivatives) {
       const auto models = test::point_models(*term, points, Curvature::Exact);
       for (std::size_t e = 0; e < points.size(); ++e) {
         const Eigen::Matrix2d& j = points[e];
-        const test::PointModel o = test::oracle(direct(eps, lambda), j);
+        const test::PointResult o = test::oracle(direct(eps, lambda), j);
         SCOPED_TRACE(testing::Message() << "eps " << eps << " det " << j.determinant());
         // det J = |alpha|^2 - |beta|^2 cancels; its error counts against det and eps.
         const double tol = 1e-13 + 64 * kUnit * j.squaredNorm() / std::hypot(j.determinant(), eps);

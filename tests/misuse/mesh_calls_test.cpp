@@ -97,8 +97,6 @@ const std::vector<Call> kCalls{
      [] { surface([](PolygonMesh& m) {
             m.texcoords = {{kNan, 0}};
           }); }},
-    {"lines", "InvalidArgument: lines of 1 polygons, there are 2",
-     [] { surface([](PolygonMesh& m) { m.polygon_lines = {7}; }); }},
     {"vertex_twice", "Error Unsupported: face 1: a vertex occurs twice; repair() makes",
      [] { surface([](PolygonMesh& m) {
             m.polygons[1] = {0, 2, 2};

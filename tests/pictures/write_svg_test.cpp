@@ -137,7 +137,7 @@ TEST(WriteSvg, EveryQuantityHasItsScale) {
   MapFile map = two_triangles(4);
   map.face_distortion.resize(2, 6);
   map.face_distortion.row(0) << 2, 0.5, 1.25, 4, 2, 2;
-  map.face_distortion.row(1) << 3, -1, -2, INFINITY, 9, 9;  // turned over
+  map.face_distortion.row(1) << 3, -1, -2, 9, 9, 9;  // turned over
   for (const auto& [quantity, value] : {std::pair{Quantity::SigmaMax, 2.0},
                                         {Quantity::SigmaMin, 0.5},
                                         {Quantity::Area, 1.25},

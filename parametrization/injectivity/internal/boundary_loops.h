@@ -22,10 +22,10 @@ struct BoundaryLoop {
 };
 
 struct BoundaryLoops {
-  std::vector<PlanarCurve> curves;  // of any degrees
-  std::vector<Index> half_edge;     // of each curve: 3 * face + corner, in the caller's numbering
-  std::vector<BoundaryLoop> loops;  // all curves, each once, in order
-  Index charts = 0;                 // connected components of the surface, closed ones included
+  std::vector<PlanarCurve> curves = {};  // of any degrees
+  std::vector<Index> half_edge = {};  // of each curve: 3 * face + corner, in the caller's numbering
+  std::vector<BoundaryLoop> loops = {};  // all curves, each once, in order
+  Index charts = 0;  // connected components of the surface, closed ones included
 
   // Appends curves, each of which ends exactly where the next begins.
   void add_loop(Index chart, const std::vector<PlanarCurve>& loop,

@@ -3,7 +3,7 @@
 //
 //   const Parcel parcel = parcel_of(map, layout_unit({map}), 1e-3);
 //   parcel.size;                     // of its box, at the origin
-//   parcel.outline.loops[0];         // points on the boundary, in order
+//   const auto& loop = parcel.outline.loops[0];   // points on the boundary, in order
 //
 // A parcel is where the chart goes when its turn is applied, its control points are divided by the
 // unit, and `parcel.low` is subtracted.

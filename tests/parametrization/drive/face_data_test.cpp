@@ -23,7 +23,7 @@ using Matrix2 = Eigen::Matrix2d;
 
 std::shared_ptr<const SurfaceMesh> sheet(double size = 1) {
   PolygonMesh mesh = grid(6, bumpy);
-  for (Vector3& p : mesh.positions) p *= size;
+  for (Vector3& p : mesh.positions) p = size * Vector3(p.x(), p.y(), 3 * p.z());
   return surface(mesh);
 }
 
