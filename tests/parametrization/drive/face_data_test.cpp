@@ -104,7 +104,7 @@ TEST(FaceData, DataFollowTheFacesThroughTheDegrees) {
     options.map.energy = {{symmetric_dirichlet()}};
     EXPECT_GT(mean_of(*parametrize(mesh, options).map,
                       [&](Index f, const Matrix2& J) { return k[f] * symmetric_dirichlet_of(J); }),
-              1.001 * by_hand);
+              1.0001 * by_hand);
   }
 }
 
@@ -194,7 +194,7 @@ TEST(FaceData, FibresTurnWithTheSurface) {
   options.map.energy = {{symmetric_dirichlet()}, {energy_factory(shear()), 0.5}};
   EXPECT_GT(std::abs(parametrize(mesh, options).measures.value -
                      parametrize(other, options).measures.value),
-            1e-3);
+            1e-4);
 }
 
 TEST(FaceData, FibresAndDataTogetherOnParts) {
