@@ -18,13 +18,13 @@ MESHES = SOURCE / 'meshes'
 
 
 def main(file):
-    if not list(PACKAGE.glob('majorant/_core*.so')):
-        print('skipped: no Python package in this build')
-        sys.exit(77)
     import pytest
     sys.exit(pytest.main(['-q', '-p', 'no:cacheprovider', '--tb=short', *sys.argv[1:], file]))
 
 
+if not list(PACKAGE.glob('majorant/_core*.so')):
+    print('skipped: the Python package is not built (-DMAJORANT_BUILD_PYTHON=ON)')
+    sys.exit(77)
 sys.path.insert(0, str(PACKAGE))
 sys.dont_write_bytecode = True
 
