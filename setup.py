@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Builds the module majorant._core with CMake: pip install --no-build-isolation ."""
 import os
 import re

@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """What Python costs: a call against the command, and a density in numpy against the kernel.
 
 Both as ratios within one run, of processor time, the least of several rounds; alternating, on one thread.

@@ -114,3 +114,6 @@ FreeScale free_scale_of(const EnergySum& energy) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -80,3 +80,6 @@ Barrier barrier_of(const EnergySum& energy);
 FreeScale free_scale_of(const EnergySum& energy);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

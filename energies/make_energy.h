@@ -83,3 +83,6 @@ std::shared_ptr<const DensityTerm> make_energy(std::shared_ptr<const ElementSpac
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """The numbers that decide results, with their origins: prints the tables of docs/constants.md.
 
 What counts: in ROOMS, every `constexpr` number kName, and every number with a default in a struct

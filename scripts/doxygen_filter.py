@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """A header as doxygen wants it: the comments of the house, which are plain //, as documentation.
 
     scripts/doxygen_filter.py HEADER > FILTERED

@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Prints the rooms of the house, floor by floor, with their sizes and the rooms they include from.
 
 Fails (exit 1) on an include that does not go down, on rooms that include each other in a circle, on

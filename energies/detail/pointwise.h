@@ -128,3 +128,6 @@ std::shared_ptr<const void> point_object(Density density) {
 }
 
 }  // namespace majorant::detail
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

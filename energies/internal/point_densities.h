@@ -107,3 +107,6 @@ class PointwiseInvariant : public SimilarityCoordinates {
 };
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

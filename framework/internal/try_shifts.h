@@ -19,3 +19,6 @@ ShiftedFactorization try_shifts(const std::function<FactorStatus(double shift)>&
                                 double smallest_shift, const StopCheck& stop);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -84,3 +84,6 @@ Atlas unwrap(const std::shared_ptr<const SurfaceMesh>& surface, const UnwrapOpti
 std::vector<BezierMap> maps_of(const Atlas& atlas);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -63,3 +63,6 @@ Matrix matrix(const py::array_t<typename Matrix::Scalar, py::array::c_style>& ar
 }
 
 }  // namespace majorant::python
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """majorant: low-distortion, injective, piecewise polynomial maps of surfaces onto the plane.
 
     import majorant

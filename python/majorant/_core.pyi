@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """The library, as the package uses it; tests/python/stubs_test.py compares this with the module."""
 from typing import Any, Callable, Optional
 

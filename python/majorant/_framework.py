@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Optimization problems of one's own: sums of sparse terms, constraints that hold exactly."""
 from __future__ import annotations
 

@@ -186,3 +186,6 @@ Json atlas_report(const FinishedAtlas& run) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

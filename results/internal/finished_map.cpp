@@ -158,3 +158,6 @@ Json map_report(const FinishedMap& run) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

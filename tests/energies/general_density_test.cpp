@@ -347,3 +347,6 @@ TEST(GeneralDensity, NonlinearSurfaceEnergies) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """What tests of the Python package share: the package of the build tree, and meshes.
 
 A test file runs under pytest, from ctest or by itself:

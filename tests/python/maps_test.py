@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Solvers, maps, files: what comes back is what the command writes, to the bit."""
 import copy
 import json

@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Runs: callbacks, limits, Ctrl-C, threads, memory."""
 import gc
 import resource

@@ -156,3 +156,6 @@ TEST(LeastSquares, CurvatureIsWhatThePageSays) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -48,3 +48,6 @@ Vec soft_weights(const Vec& energy, const Vec& measure, double enormous) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -129,3 +129,6 @@ SolveResult stopped(SolveResult result, Directive why);
 Vec soft_weights(const Vec& energy, const Vec& measure, double enormous);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

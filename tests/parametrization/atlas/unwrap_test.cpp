@@ -296,3 +296,6 @@ TEST(Unwrap, DataFollowTheFacesIntoTheCharts) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
