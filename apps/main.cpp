@@ -12,6 +12,7 @@
 
 #include "apps/arguments/command_line.h"
 #include "apps/command.h"
+#include "apps/parts.h"
 #include "apps/process.h"
 #include "apps/streams.h"
 #include "majorant/framework/linear_solver.h"
@@ -51,7 +52,8 @@ ExitCode exit_code(Status status) {
 }
 
 std::string version_line() {
-  return fmt::format("majorant {} ({})", MAJORANT_VERSION, vector_instructions());
+  return fmt::format("majorant {} ({}{})", MAJORANT_VERSION, vector_instructions(),
+                     has_gpl_parts() ? "" : ", without GPL parts");
 }
 
 void CommonOptions::add_to(CLI::App& verb) {
@@ -73,6 +75,9 @@ int run(int argc, char** argv) {
       "plane",
       "majorant"};
   app.set_version_flag("--version", version_line());
+  app.add_flag_callback(
+      "--licenses", [] { throw CLI::CallForVersion(licences(), 0); },
+      "Display the licences of what this program is made of and exit");
   app.require_subcommand(1);
   app.footer(
       "Example: majorant parametrize bunny.obj -o bunny.vtu -o bunny.svg --degree 3\n"
@@ -132,3 +137,6 @@ int main(int argc, char** argv) {
   say("majorant: cannot write to standard output: {}\n", std::strerror(lost));
   return code == kSuccess || code == kLimit ? kUsage : code;
 }
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
