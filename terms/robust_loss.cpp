@@ -14,7 +14,7 @@ constexpr double kLeastSlope = std::numeric_limits<double>::min();
 
 double squared(double width) {
   if (!(width > 0) || !std::isfinite(width))
-    throw Error(ErrorKind::Usage, "robust loss: the width must be positive");
+    throw InvalidArgument("robust loss: the width must be positive");
   return width * width;
 }
 
