@@ -7,6 +7,7 @@
 
 #include "apps/command.h"
 #include "apps/outputs.h"
+#include "apps/parts.h"
 #include "apps/seam_request.h"
 #include "apps/streams.h"
 #include "majorant/io/read_mesh.h"

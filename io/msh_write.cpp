@@ -112,5 +112,5 @@ void write_msh(const std::string& path, const MapFile& map, MshContent content,
 
 }  // namespace majorant
 
-// SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 the majorant developers

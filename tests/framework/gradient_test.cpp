@@ -108,5 +108,5 @@ TEST(Gradient, AsksTermsForNoHessianAndCounts) {
 }  // namespace
 }  // namespace majorant
 
-// SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 the majorant developers
