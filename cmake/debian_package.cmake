@@ -5,6 +5,7 @@
 # BUILD_SHARED_LIBS the shared libraries in a package of their own. `cpack -G DEB` in the build tree.
 # What they depend on is asked of the binaries (dpkg-shlibdeps).
 set(CPACK_GENERATOR DEB)
+set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # tests and examples are no part of it
 set(CPACK_PACKAGE_VENDOR "the majorant developers")
 set(CPACK_PACKAGE_CONTACT "the majorant developers <majorant@localhost>")
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})

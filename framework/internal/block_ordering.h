@@ -1,4 +1,4 @@
-// Orders of elimination in which little is filled in: those of AMD [ADD96] and METIS [KK98], whose
+// Orders of elimination in which little is filled in: those of AMD [ADD04] and METIS [KK98], whose
 // libraries are called here and nowhere else.
 //
 //   SparsePattern pattern;

@@ -22,13 +22,10 @@ int main() {
   pull[0] = 1, pull[kKnots - 1] = -1;
   Cells first(1, 1);
   first << 0;
-  const auto hold = make_term<1, 1>("hold", first,
-                                    [](Index, const auto& z) { return z(0, 0) * z(0, 0); });
-  const Problem problem = ProblemBuilder(kKnots)
-                              .add(springs, 1)
-                              .add(hold, 1)
-                              .add(linear_term("pull", pull), 1)
-                              .build();
+  const auto hold =
+      make_term<1, 1>("hold", first, [](Index, const auto& z) { return z(0, 0) * z(0, 0); });
+  const Problem problem =
+      ProblemBuilder(kKnots).add(springs, 1).add(hold, 1).add(linear_term("pull", pull), 1).build();
   const SolveResult result = NewtonMinimizer().minimize(problem, Vec::Zero(kKnots), {});
   const Vec x = problem.expand(result.y);
   std::printf("%.12g\n", x[kKnots - 1] - x[0]);
