@@ -54,10 +54,9 @@ class Root:
                        'DEBIAN_FRONTEND': 'noninteractive'}
         return run('chroot', self.path, *command, env=environment, **options)
 
-    def copy(self, source, destination):
-        target = self.path / destination.lstrip('/')
-        target.parent.mkdir(parents=True, exist_ok=True)
-        return shutil.copy(source, target)
+    def copy(self, source, name):
+        (self.path / 'work').mkdir(exist_ok=True)
+        shutil.copy(source, self.path / 'work' / name)
 
 
 def packages_of(build, folder):
@@ -84,7 +83,7 @@ def check_contents(name, path):
 
 def readme_example(root):
     """The commands under `Two commands`, for a mesh of ours; what is written is proven again there."""
-    root.copy(SOURCE / 'meshes/creature.obj', '/work/in.obj')
+    root.copy(SOURCE / 'meshes/creature.obj', 'in.obj')
 
     def in_work(*words):
         return root.run('sh', '-c', 'cd /work && "$@"', '-', 'majorant', *words)
@@ -128,7 +127,7 @@ def run_in(root, packages, arguments):
     else:
         debs = [path for name, path in packages.items() if not name.endswith('-dev')]
         for path in debs:
-            root.copy(path, '/work/')
+            root.copy(path, path.name)
         root.run('apt-get', 'install', '-qq', '-y', '--no-install-recommends',
                  *('/work/' + path.name for path in debs))
         root.run('dpkg', '--verify', 'majorant')
