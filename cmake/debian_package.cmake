@@ -7,12 +7,18 @@
 set(CPACK_GENERATOR DEB)
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # tests and examples are no part of it
 set(CPACK_PACKAGE_VENDOR "the majorant developers")
-set(CPACK_PACKAGE_CONTACT "the majorant developers <majorant@localhost>")
+set(CPACK_PACKAGE_CONTACT "the majorant developers <majorant@localhost>" CACHE STRING
+    "Who maintains the Debian packages")
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "low-distortion, injective maps of surfaces onto the plane")
-set(CPACK_PACKAGE_DESCRIPTION
-    "Flattens surfaces: texture layouts without overlaps, or one map made of
+set(about "Flattens surfaces: texture layouts without overlaps, or one map made of
 Bezier triangles, proven to be injective.")
+set(CPACK_COMPONENT_COMMAND_DESCRIPTION "${about}
+This is the command.")
+set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "${about}
+These are the headers and libraries to compile programs with.")
+set(CPACK_COMPONENT_LIBRARIES_DESCRIPTION "${about}
+These are the shared libraries.")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
@@ -61,12 +67,12 @@ foreach(text bsd_text mit_text)  # as continued lines
   string(REPLACE "\n \n" "\n .\n" ${text} "${${text}}")
 endforeach()
 configure_file(cmake/copyright.in ${PROJECT_BINARY_DIR}/copyright @ONLY)
-install(FILES ${PROJECT_BINARY_DIR}/copyright
-        DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/majorant COMPONENT command)
-install(FILES ${PROJECT_BINARY_DIR}/copyright
-        DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/libmajorant-dev COMPONENT development)
-if(BUILD_SHARED_LIBS)
-  install(FILES ${PROJECT_BINARY_DIR}/copyright
-          DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/${libraries} COMPONENT libraries)
-endif()
+execute_process(COMMAND gzip -9nc ${PROJECT_SOURCE_DIR}/CHANGELOG.md
+                OUTPUT_FILE ${PROJECT_BINARY_DIR}/changelog.gz)
+foreach(component IN LISTS CPACK_COMPONENTS_ALL)
+  string(TOUPPER ${component} upper)
+  install(FILES ${PROJECT_BINARY_DIR}/copyright ${PROJECT_BINARY_DIR}/changelog.gz
+          DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/${CPACK_DEBIAN_${upper}_PACKAGE_NAME}
+          COMPONENT ${component})
+endforeach()
 include(CPack)

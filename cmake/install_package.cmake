@@ -64,5 +64,5 @@ foreach(file majorant majorant-framework)
           COMPONENT development)
 endforeach()
 
-install(FILES LICENSE CITATION.cff README.md CHANGELOG.md
+install(FILES LICENSE CITATION.cff README.md
         DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/majorant COMPONENT command)

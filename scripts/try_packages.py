@@ -50,7 +50,7 @@ class Root:
         self.path = path
 
     def run(self, *command, **options):
-        environment = {'PATH': '/usr/sbin:/usr/bin:/sbin:/bin', 'HOME': '/root', 'LC_ALL': 'C.UTF-8',
+        environment = {'PATH': '/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin', 'HOME': '/root', 'LC_ALL': 'C.UTF-8',
                        'DEBIAN_FRONTEND': 'noninteractive'}
         return run('chroot', self.path, *command, env=environment, **options)
 
