@@ -169,18 +169,23 @@ std::vector<Group> groups_of(const Tree& tree) {
   return merged;
 }
 
-// What groups touch: what is joined with their blocks, and what their children leave.
+// What groups touch: what is joined with their blocks, and what their children leave. As many
+// positions as the groups have rows.
 void add_touched(const BlockGraph& graph, const std::vector<Group>& groups, BlockElimination& out) {
-  const Earlier earlier(graph, out.order);
+  out.touched_starts.assign(1, 0);
+  for (const Group& group : groups)
+    out.touched_starts.push_back(out.touched_starts.back() + group.rows);
+  out.touched.resize(at(out.touched_starts.back()));
+  std::vector<Index> next(out.touched_starts.begin(), out.touched_starts.end() - 1);
   std::vector<Index> group_of(out.order.size()), parent(groups.size(), -1);
-  std::vector<std::vector<Index>> touched(groups.size());
   for (std::size_t g = 0; g < groups.size(); ++g)
     for (Index p = groups[g].first; p < groups[g].end(); ++p) {
       group_of[at(p)] = static_cast<Index>(g);
-      touched[g].push_back(p);
+      out.touched[at(next[g]++)] = p;
     }
   // Row by row, so that every list is ascending: p goes to all groups on the way up from those
   // that are joined with it.
+  const Earlier earlier(graph, out.order);
   std::vector<Index> seen(groups.size(), -1);
   for (Index p = 0; p < static_cast<Index>(out.order.size()); ++p) {
     const Index own = group_of[at(p)];
@@ -188,15 +193,10 @@ void add_touched(const BlockGraph& graph, const std::vector<Group>& groups, Bloc
     for (const Index q : earlier.of(p))
       for (Index g = group_of[at(q)]; seen[at(g)] != p; g = parent[at(g)]) {
         seen[at(g)] = p;
-        touched[at(g)].push_back(p);
+        out.touched[at(next[at(g)]++)] = p;
         if (parent[at(g)] < 0) parent[at(g)] = own;
       }
   }
-  for (const std::vector<Index>& list : touched) {
-    out.touched_starts.push_back(static_cast<Index>(out.touched.size()));
-    out.touched.insert(out.touched.end(), list.begin(), list.end());
-  }
-  out.touched_starts.push_back(static_cast<Index>(out.touched.size()));
 }
 
 }  // namespace
