@@ -252,3 +252,6 @@ int main(int argc, char** argv) {
   for (const std::string& mesh : meshes)
     for (const int degree : degrees) compare(mesh, degree, repeat);
 }
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
