@@ -4,16 +4,19 @@
 """Licences: every source file says its own, REUSE and CITATION.cff are right, and the program lists
 those of all that it links."""
 import os
+import pathlib
 import re
 import shutil
 import subprocess
+import sys
+import tempfile
 import unittest
 
 SOURCE = os.environ['MAJORANT_SOURCE_DIR']
 BINARY = os.environ['MAJORANT_BINARY']
 BUILD = os.environ['MAJORANT_BUILD_DIR']
-LINES = ('SPDX-FileCopyrightText: 2026 the majorant developers', 'SPDX-License-Identifier: BSD-3-Clause')
-SOURCES = ('.cpp', '.h', '.py', '.pyi', '.cmake', '.js', '.mjs', '.sh')
+sys.path.insert(0, os.path.join(SOURCE, 'scripts'))
+import licence_lines  # noqa: E402
 
 # What a loaded library is called in `majorant --licenses`.
 NAMES = {
@@ -27,34 +30,23 @@ NAMES = {
 SYSTEM = r'linux-vdso|ld-linux|lib(c|m|dl|pthread|rt)\.'
 
 
-def files():
-    listed = subprocess.run(['git', 'ls-files', '-co', '--exclude-standard'], cwd=SOURCE, text=True,
-                            stdout=subprocess.PIPE)
-    if listed.returncode == 0:
-        return [name for name in listed.stdout.splitlines() if os.path.exists(os.path.join(SOURCE, name))]
-    found = []
-    for folder, folders, names in os.walk(SOURCE):
-        folders[:] = [f for f in folders if f not in ('build', 'out', 'node_modules', '.git', '__pycache__')]
-        found += [os.path.relpath(os.path.join(folder, name), SOURCE) for name in names]
-    return found
-
-
 class Licences(unittest.TestCase):
     def test_every_source_file_says_its_licence(self):
-        sources = [name for name in files() if name.endswith(SOURCES) or os.path.basename(name) == 'CMakeLists.txt']
+        sources = list(licence_lines.sources())
         self.assertGreater(len(sources), 900)
-        silent = []
-        for name in sources:
-            if name.startswith('web/dist/'):
-                continue  # bundles: .reuse/dep5
-            with open(os.path.join(SOURCE, name)) as f:
-                lines = f.read().splitlines()
-            # In C++ at the end: the head of a file is for what it is about.
-            place = lines[-2:] if name.endswith(('.cpp', '.h')) else lines[:4]
-            # In any order: reuse reads 4096 bytes, and must not get half of the identifier.
-            if sorted(line.lstrip('/# ') for line in place if 'SPDX-' in line) != sorted(LINES):
-                silent.append(name)
-        self.assertEqual(silent, [], 'CONTRIBUTING.md has the two lines that are missing')
+        silent = [str(path) for path in sources if not licence_lines.has_lines(path)]
+        self.assertEqual(silent, [], 'run scripts/licence_lines.py --write')
+
+    def test_lines_are_added_where_they_belong(self):
+        for name, text in (('x.cpp', 'int a;\n'), ('x.py', '#!/usr/bin/python3\n"""Doc."""\n'), ('x.js', '// What.\n'),
+                           ('CMakeLists.txt', 'project(x)\n')):
+            with tempfile.TemporaryDirectory() as folder:
+                path = pathlib.Path(folder) / name
+                path.write_text(text)
+                self.assertFalse(licence_lines.has_lines(path))
+                path.write_text(licence_lines.with_lines(text, path))
+                self.assertTrue(licence_lines.has_lines(path), path.read_text())
+                self.assertEqual(path.read_text().startswith('#!'), text.startswith('#!'))
 
     @unittest.skipUnless(shutil.which('reuse'), 'no reuse')
     def test_reuse_lint(self):
