@@ -90,11 +90,11 @@ std::function<std::unique_ptr<LinearSolver>()> solver_named(const std::string& n
 
 std::unique_ptr<Minimizer> minimizer_named(const std::string& name, const py::dict& wishes,
                                            const StopCheck& stop) {
+  const auto tolerance = wish<std::optional<double>>(wishes, "tolerance");
   const auto fill = [&](auto options) {
     options.curvature = curvature_named(wish<std::string>(wishes, "curvature"));
     options.stopping.max_iterations = wish<int>(wishes, "max_iterations");
-    if (const auto tolerance = wish<std::optional<double>>(wishes, "tolerance"))
-      options.stopping.relative_decrease = *tolerance;
+    if (tolerance) options.stopping.relative_decrease = *tolerance;
     options.linear_solver = solver_named(wish<std::string>(wishes, "linear_solver"));
     options.stop = stop;
     return options;
@@ -106,6 +106,7 @@ std::unique_ptr<Minimizer> minimizer_named(const std::string& name, const py::di
   CeresOptions options;
   if (name == "ceres-nlcg") options.method = CeresOptions::Method::NonlinearConjugateGradient;
   options.max_iterations = wish<int>(wishes, "max_iterations");
+  options.function_tolerance = tolerance.value_or(options.function_tolerance);
   options.stop = stop;
   return std::make_unique<CeresMinimizer>(options);
 }

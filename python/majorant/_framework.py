@@ -242,8 +242,11 @@ class Problem:
         """A local minimum near x0, which satisfies the constraints.
 
         method: 'newton'; 'lbfgs' and 'gradient-flow', with one factorization; 'ceres-lbfgs' and
-        'ceres-nlcg', to compare with. linear_solver: 'direct' or 'eigen'. tolerance: relative decrease
-        to stop at. callback(record, x), after every iteration: something true ends the run.
+        'ceres-nlcg', to compare with: those have no curvature and no linear_solver, and conjugate
+        gradients end far from ill-conditioned minima (and tell stderr of their restarts).
+        linear_solver: 'direct' or 'eigen'. tolerance: relative decrease of the energy in one
+        iteration to stop at; None: the method's own. callback(record, x), after every iteration:
+        something true ends the run.
         """
         limit = math.inf if time_limit is None else _options.number('time_limit', time_limit, 0, zero=True)
         wishes = {

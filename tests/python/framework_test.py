@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """Problems put together in Python: terms, constraints, solvers, energies of one's own."""
+import json
 import threading
 
 import helpers
@@ -87,10 +88,15 @@ def test_numpy_and_ours_lead_to_one_map():
 
 
 def test_files_of_energies_without_a_name_pass_check(tmp_path):
-    r = majorant.parametrize(V, F, degree=2, energy=[(OURS, 1), ('arap', 0.5)])
-    r.save(tmp_path / 'mine.vtu')
-    assert majorant.check(tmp_path / 'mine.vtu', V, F)
-    assert r.report['result']['energy'] == ''
+    for solver in (majorant.parametrize, majorant.unwrap):
+        r = solver(V, F, degree=2, energy=[(OURS, 1), ('arap', 0.5)])
+        r.save(tmp_path / 'mine.vtu')
+        assert majorant.check(tmp_path / 'mine.vtu', V, F, cuts='free')
+        helpers.command('check', tmp_path / 'mine.vtu', '--cuts', 'free', '--quiet')
+        assert r.report['result']['energy'] == '' and r.report['result']['value'] > 4
+        # Nothing is claimed that nobody else could tell, and pictures are coloured by what anybody can.
+        assert not len(r.distortion) and not {'energy', 'value'} & set(json.loads(r._file.claims))
+        assert r.svg() == r.svg('area') and 'energy 4' in repr(r)
 
 
 def test_values_outside_of_the_domain_are_infinite():
@@ -109,19 +115,20 @@ class Mine(Exception):
 
 @pytest.mark.parametrize('threads', [1, 2])
 def test_what_a_density_raises_comes_back(threads):
-    mine, calls = Mine('broken'), []
+    mine, calls, after = Mine('broken'), [], []
 
     def value(J):
-        calls.append(len(J))
-        if len(calls) > 20:
+        if after or len(J) > 1000:      # chunks of curved elements are large
+            after.append(len(J))
             raise mine
+        calls.append(len(J))
         return dirichlet(J)
 
     broken = majorant.Density('broken', value, dirichlet_derivatives)
     with pytest.raises(Mine) as raised:
         majorant.parametrize(*helpers.grid(30), degree=2, energy=broken, threads=threads)
-    assert raised.value is mine
-    assert max(calls) > 1000    # chunks are large
+    assert raised.value is mine and raised.traceback[-1].name == 'value'
+    assert calls and len(after) <= threads      # no other chunk is begun
     with pytest.raises(Mine):
         problem_of(majorant.Density('broken', value, dirichlet_derivatives))[1].value(
             majorant.Space(V, F, 2).tutte())
@@ -196,7 +203,12 @@ def test_solvers_by_name(method, linear_solver):
     problem = majorant.Problem(6).add(majorant.penalty(A, b), 0.5)
     solution = problem.minimize(np.zeros(6), method, linear_solver=linear_solver)
     expected = np.linalg.lstsq(A, b, rcond=None)[0]
-    assert np.allclose(solution.x, expected, atol=1e-5), solution
+    # Conjugate gradients of Ceres end where a line search finds nothing: the condition is 2600.
+    energy, close = (1e-6, 5e-3) if method == 'ceres-nlcg' else (1e-9, 1e-5)
+    assert solution.energy == pytest.approx(problem.value(expected), rel=energy), solution
+    assert np.allclose(solution.x, expected, atol=close), solution
+    assert solution.x.flags.writeable and len(problem.minimize(
+        np.zeros(6), method, linear_solver=linear_solver, tolerance=1e-2).iterations) <= len(solution.iterations)
     assert np.allclose(problem.hessian(np.zeros(6)).toarray(), A.T @ A)
 
 

@@ -184,10 +184,10 @@ def test_memory_is_steady():
         with open('/proc/self/statm') as file:
             return int(file.read().split()[1]) * resource.getpagesize()
 
-    work(40)
+    work(60)
     before = resident()
-    work(160)
-    # A leak of one map of this size, 20 kB, would show as 3 MB.
+    work(1000)
+    # A leak of one map of this size, 20 kB, would show as 20 MB.
     assert resident() - before < 1.5e6
 
 
