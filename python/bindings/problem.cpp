@@ -22,12 +22,10 @@
 namespace majorant::python {
 namespace {
 
-using Coefficients = py::array_t<std::int64_t, py::array::c_style>;
-
 // Rows of A x = b.
 class Rows final : public Constraint {
  public:
-  Rows(const Integers& starts, const Integers& columns, const Coefficients& values,
+  Rows(const Integers& starts, const Integers& columns, const Doubles& values,
        const Doubles& targets)
       : starts_(starts), columns_(columns), values_(values), targets_(targets) {}
 
@@ -35,15 +33,14 @@ class Rows final : public Constraint {
     for (py::ssize_t r = 0; r + 1 < starts_.size(); ++r) {
       rows.begin_row("row " + std::to_string(r));
       for (Index k = starts_.at(r); k < starts_.at(r + 1); ++k)
-        rows.add(columns_.at(k), static_cast<long>(values_.at(k)));
+        rows.add(columns_.at(k), values_.at(k));
       rows.end_row(targets_.at(r));
     }
   }
 
  private:
   const Integers &starts_, &columns_;
-  const Coefficients& values_;
-  const Doubles& targets_;
+  const Doubles &values_, &targets_;
 };
 
 // What is added is eliminated and ordered when it is first needed.
@@ -55,7 +52,7 @@ class PythonProblem {
     builder_.add(term.term, weight);
     problem_.reset();
   }
-  void constrain(const Integers& starts, const Integers& columns, const Coefficients& values,
+  void constrain(const Integers& starts, const Integers& columns, const Doubles& values,
                  const Doubles& targets) {
     builder_.add(Rows(starts, columns, values, targets));
     problem_.reset();

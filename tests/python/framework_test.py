@@ -6,6 +6,7 @@ import threading
 import helpers
 import numpy as np
 import pytest
+import scipy.linalg
 import scipy.sparse
 
 import majorant
@@ -212,6 +213,31 @@ def test_solvers_by_name(method, linear_solver):
     assert np.allclose(problem.hessian(np.zeros(6)).toarray(), A.T @ A)
 
 
+def test_constraints_of_real_coefficients():
+    rng = np.random.default_rng(5)
+    A, b, C, d = rng.normal(size=(8, 6)), rng.normal(size=8), rng.normal(size=(2, 6)), rng.normal(size=2)
+    C = np.vstack([C, C[0] / 3 + C[1]])         # a row that says nothing new
+    d = np.append(d, d[0] / 3 + d[1])
+    problem = majorant.Problem(6).add(majorant.penalty(A, b), 0.5).constrain(scipy.sparse.coo_array(C), d)
+    assert problem.size == 4
+    x0 = np.linalg.lstsq(C, d, rcond=None)[0]
+    solution = problem.minimize(x0)
+    assert np.allclose(C @ solution.x, d, atol=1e-13)
+    free = scipy.linalg.null_space(C)           # the oracle: least squares in the null space
+    y = np.linalg.lstsq(A @ free, b - A @ x0, rcond=None)[0]
+    assert np.allclose(solution.x, x0 + free @ y, atol=1e-7)
+    with pytest.raises(majorant.UnsupportedError, match='row 1'):
+        majorant.Problem(6).add(majorant.penalty(A, b)).constrain([C[0], 0.1 * C[0]], [1, 2]).size
+
+
+def test_loads():
+    stiffness = np.diag([2.0, 4.0, 8.0])
+    c = np.array([1.0, 0.0, -3.0])
+    problem = majorant.Problem(3).add(majorant.penalty(stiffness, np.zeros(3)), 0.5).add(majorant.linear_term(-c), 2)
+    assert np.allclose(problem.minimize(np.ones(3)).x, 2 * c / np.diag(stiffness) ** 2, atol=1e-12)
+    assert np.allclose(problem.gradient(np.zeros(3)), -2 * c)
+
+
 def test_a_map_by_hand_is_that_of_parametrize():
     space, problem = problem_of('symmetric-dirichlet', 1)
     problem.keep_injective(space)
@@ -236,7 +262,10 @@ def test_spaces():
 
 
 @pytest.mark.parametrize('call, kind, message', [
-    (lambda p: p.constrain([[0.5, 0, 0, 0, 0, 0]], [1]), majorant.UsageError, 'constraints need integers'),
+    (lambda p: p.constrain([[0.5, np.inf, 0, 0, 0, 0]], [1]), majorant.UsageError, 'A[0, 1] is inf'),
+    (lambda p: p.constrain([['1', 0, 0, 0, 0, 0]], [1]), majorant.UsageError, 'A holds text, not numbers'),
+    (lambda p: p.constrain(scipy.sparse.csr_array(np.full((1, 6), 1j)), [1]), majorant.UsageError,
+     'A.data holds complex numbers'),
     (lambda p: p.constrain(np.eye(7), np.zeros(7)), majorant.UsageError, 'A has 7 columns, the problem 6'),
     (lambda p: p.constrain(np.eye(6), np.zeros(5)), majorant.UsageError, 'b has shape (5,), not (6,)'),
     (lambda p: p.constrain([[1, 0, 0, 0, 0, 0]] * 2, [1, 2]).size, majorant.UnsupportedError, 'row'),

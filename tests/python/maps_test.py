@@ -3,6 +3,8 @@
 import copy
 import json
 import pickle
+import subprocess
+import sys
 
 import helpers
 import numpy as np
@@ -164,16 +166,52 @@ def test_the_bits_of_the_command(tmp_path, name, words, options):
     assert np.array_equal(ours.cells, theirs.cells)
 
 
-def test_the_bits_of_the_command_for_seamless_and_unwrap(tmp_path):
-    V, F = helpers.octahedron()
-    path = tmp_path / 'octahedron.obj'
+def write_obj(path, V, F):
     path.write_text(''.join('v %r %r %r\n' % tuple(v) for v in V.tolist())
                     + ''.join('f %d %d %d\n' % tuple(f) for f in (F + 1).tolist()))
+    return path
+
+
+def test_the_bits_of_the_command_for_seamless_and_unwrap(tmp_path):
+    V, F = helpers.octahedron()
+    path = write_obj(tmp_path / 'octahedron.obj', V, F)
     for verb, solver, words in (('seamless', majorant.seamless, ['--degree', '2']),
                                 ('unwrap', majorant.unwrap, ['--degree', '2', '--normalize'])):
         helpers.command(verb, path, '-o', tmp_path / 'command.vtu', '--quiet', *words)
         ours = solver(V, F, degree=2, **({'normalize': True} if verb == 'unwrap' else {}))
         assert np.array_equal(ours.control_points, majorant.read(tmp_path / 'command.vtu').control_points), verb
+
+
+BOTH = """
+import sys, majorant
+r = majorant.parametrize(*majorant.read_mesh(sys.argv[1]), degree=3, energy='arap', bijective=True)
+r.save(sys.argv[2])
+print(majorant.kernels()['openblas'])
+"""
+
+
+@pytest.mark.parametrize('kernel', ['Haswell', 'Prescott'])
+def test_the_bits_of_the_command_on_other_kernels(tmp_path, monkeypatch, kernel):
+    monkeypatch.setenv('OPENBLAS_CORETYPE', kernel)
+    mesh = helpers.MESHES / 'wavy_disk.obj'
+    helpers.command('parametrize', mesh, '-o', tmp_path / 'command.vtu', '--degree', 3, '--energy', 'arap', '--bijective',
+                    '--quiet')
+    said = subprocess.run([sys.executable, '-c', BOTH, mesh, tmp_path / 'python.vtu'], env=helpers.environment(),
+                          capture_output=True, text=True, check=True).stdout.split()
+    assert said in ([kernel], [])      # no OpenBLAS is loaded: nothing depends on it
+    ours, theirs = (majorant.read(tmp_path / f'{name}.vtu') for name in ('python', 'command'))
+    assert np.array_equal(ours.control_points, theirs.control_points)
+
+
+def test_the_bits_of_the_command_for_deform(tmp_path):
+    V, F = helpers.grid(4, bump=0)
+    path = write_obj(tmp_path / 'sheet.obj', V, F)
+    moved = {0: (-0.25, -0.125), 24: (1.5, 1.25)}
+    (tmp_path / 'h.json').write_text(json.dumps({'handles': [{'vertex': v, 'target': p} for v, p in moved.items()]}))
+    helpers.command('deform', path, '--handles', tmp_path / 'h.json', '--degree', 2, '-o', tmp_path / 'command.vtu',
+                    '--quiet')
+    ours = majorant.deform(V, F, degree=2, handles=moved)
+    assert np.array_equal(ours.control_points, majorant.read(tmp_path / 'command.vtu').control_points)
 
 
 def test_pins_and_handles_are_those_of_the_command(tmp_path):
