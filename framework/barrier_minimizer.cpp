@@ -125,8 +125,8 @@ BarrierMinimizer::BarrierMinimizer(std::vector<TermId> barriers, BarrierOptions 
     : barriers_(std::move(barriers)), options_(std::move(options)) {
   const auto in_unit_interval = [](double value) { return value > 0 && value < 1; };
   if (!in_unit_interval(options_.fall) || !(options_.tolerance > 0) || !(options_.first_gap > 0))
-    throw Error(ErrorKind::Usage,
-                "BarrierOptions: fall must be in (0, 1), tolerance and first_gap positive");
+    throw InvalidArgument(
+        "BarrierOptions: fall must be in (0, 1), tolerance and first_gap positive");
 }
 
 BarrierResult BarrierMinimizer::run(const Problem& problem, Vec y0,
@@ -134,8 +134,7 @@ BarrierResult BarrierMinimizer::run(const Problem& problem, Vec y0,
   for (auto id = barriers_.begin(); id != barriers_.end(); ++id)
     if (static_cast<std::size_t>(*id) >= problem.terms().size() ||
         std::find(barriers_.begin(), id, *id) != id)
-      throw Error(ErrorKind::Usage,
-                  "BarrierMinimizer: a barrier is no term of the problem, or twice");
+      throw InvalidArgument("BarrierMinimizer: a barrier is no term of the problem, or twice");
   return Phases(problem, barriers_, options_, std::move(y0), observer).run();
 }
 

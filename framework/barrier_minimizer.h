@@ -61,7 +61,7 @@ class BarrierMinimizer final : public Minimizer {
  public:
   explicit BarrierMinimizer(std::vector<TermId> barriers, BarrierOptions options = {});
 
-  // y0: strictly inside. Throws Error for ids that the problem does not have.
+  // y0: strictly inside. Throws InvalidArgument for ids that the problem does not have.
   BarrierResult run(const Problem& problem, Vec y0, const Observer& observer = {}) const;
   SolveResult minimize(const Problem& problem, Vec y0, const Observer& observer) const override {
     return run(problem, std::move(y0), observer);

@@ -182,7 +182,8 @@ SolveResult CeresMinimizer::minimize(const Problem& problem, Vec y0,
   if (run.refused) run.result.blocking = run.blocking;
   run.result.status = status_of(summary.termination_type, run);
   run.result.message = summary.message;
-  if (run.result.status == Status::Stalled || run.result.status == Status::Failed)
+  // Ceres takes an energy that falls as far as doubles go for converged, or gives up.
+  if (run.directive == Directive::Continue)
     if (std::string why = unbounded_along_gradient(run.evaluator, run.result.y, run.result.energy);
         !why.empty()) {
       run.result.status = Status::Failed;

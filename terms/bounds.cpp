@@ -102,13 +102,12 @@ class BoundChecker final : public FeasibilityChecker {
 
 Bounds::Bounds(Vec lower, Vec upper) : lower_(std::move(lower)), upper_(std::move(upper)) {
   if (lower_.size() != upper_.size())
-    throw Error(ErrorKind::Usage, "Bounds: " + std::to_string(lower_.size()) + " lower and " +
-                                      std::to_string(upper_.size()) + " upper bounds");
+    throw InvalidArgument("Bounds: " + std::to_string(lower_.size()) + " lower and " +
+                          std::to_string(upper_.size()) + " upper bounds");
   for (Index k = 0; k < lower_.size(); ++k)
     if (!(lower_[k] < upper_[k]))
-      throw Error(ErrorKind::Usage, "Bounds: no room for unknown " + std::to_string(k) +
-                                        " between " + std::to_string(lower_[k]) + " and " +
-                                        std::to_string(upper_[k]));
+      throw InvalidArgument("Bounds: no room for unknown " + std::to_string(k) + " between " +
+                            std::to_string(lower_[k]) + " and " + std::to_string(upper_[k]));
 }
 
 std::shared_ptr<const EnergyTerm> Bounds::barrier() const {
@@ -121,10 +120,10 @@ std::shared_ptr<const FeasibilityChecker> Bounds::checker() const {
 
 Vec Bounds::interior(Vec x, double margin) const {
   if (x.size() != lower_.size())
-    throw Error(ErrorKind::Usage, "Bounds: of " + std::to_string(lower_.size()) +
-                                      " unknowns, not " + std::to_string(x.size()));
+    throw InvalidArgument("Bounds: of " + std::to_string(lower_.size()) + " unknowns, not " +
+                          std::to_string(x.size()));
   if (!(margin > 0 && margin <= 0.5))
-    throw Error(ErrorKind::Usage, "Bounds: the margin must be in (0, 1/2]");
+    throw InvalidArgument("Bounds: the margin must be in (0, 1/2]");
   for (Index k = 0; k < x.size(); ++k) {
     const double gap = upper_[k] - lower_[k], away = std::isfinite(gap) ? margin * gap : margin;
     x[k] = std::min(std::max(x[k], lower_[k] + away), upper_[k] - away);

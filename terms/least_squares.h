@@ -87,7 +87,7 @@ struct Residuals {
 
 }  // namespace detail
 
-// nodes: #E by N, or, with Block 1, the unknowns themselves. Throws Error where
+// nodes: #E by N, or, with Block 1, the unknowns themselves. Throws InvalidArgument where
 // they do not have N columns.
 template <int N, int Block = 1, class F>
 std::shared_ptr<const EnergyTerm> make_least_squares(std::string name, Cells nodes, F residuals,

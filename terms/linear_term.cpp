@@ -14,7 +14,7 @@ class LinearTerm final : public EnergyTerm {
   LinearTerm(std::string name, Vec coefficients)
       : name_(std::move(name)), coefficients_(std::move(coefficients)) {
     if (!coefficients_.allFinite())
-      throw Error(ErrorKind::Usage, "term '" + name_ + "': a coefficient is not finite");
+      throw InvalidArgument("term '" + name_ + "': a coefficient is not finite");
     std::vector<Index> used;
     for (Index k = 0; k < coefficients_.size(); ++k)
       if (coefficients_[k] != 0) used.push_back(k);

@@ -55,7 +55,7 @@ struct LocalFunction {
 }  // namespace detail
 
 // nodes: #E by N, or, with Block 1, the unknowns themselves. f(Index e, NodeValues<T, Block, N> z)
-// -> T. Throws Error where `nodes` does not have N columns.
+// -> T. Throws InvalidArgument where `nodes` does not have N columns.
 template <int N, int Block = 1, class F>
 std::shared_ptr<const EnergyTerm> make_term(std::string name, Cells nodes, F f) {
   using Model = detail::LocalFunction<N, Block, F>;

@@ -13,7 +13,7 @@ namespace {
 template <class Loss>
 RobustLoss loss_of_width(double width) {
   if (!(width > 0) || !std::isfinite(width))
-    throw Error(ErrorKind::Usage, "robust loss: the width must be positive");
+    throw InvalidArgument("robust loss: the width must be positive");
   return [loss = std::make_shared<const Loss>(width)](double s) {
     std::array<double, 3> rho;
     loss->Evaluate(s, rho.data());

@@ -62,7 +62,7 @@ std::string not_finite_derivative(const Problem& problem, TermId id, VecIn x) {
 // Whether the energy falls along p, faster and faster, as far as can be seen and no checker
 // objects; then where to.
 std::optional<double> falls_forever(Evaluator& evaluator, VecIn y, double energy, const Vec& p) {
-  const double length = std::max(1.0, y.norm()) / p.norm();
+  const double length = std::max(1.0, y.stableNorm()) / p.stableNorm();  // of 1e154 and more
   double before = energy, fallen = 0;
   for (const double probe : kProbes) {
     const Vec there = y + probe * length * p;

@@ -223,8 +223,8 @@ class RealRows {
     for (auto e = rows_.begin(r); e != rows_.end(r); ++e) {
       if (e->coefficient == 0) continue;
       if (!std::isfinite(e->coefficient))
-        throw Error(ErrorKind::Usage, fmt::format("constraint row '{}': a coefficient is {}",
-                                                  rows_.label(r), e->coefficient));
+        throw InvalidArgument(fmt::format("constraint row '{}': a coefficient is {}",
+                                          rows_.label(r), e->coefficient));
       const Index unknown = row_position(e->unknown, full_size_);
       rest.largest_product = std::max(rest.largest_product, std::abs(e->coefficient));
       const auto known = solved_.find(unknown);

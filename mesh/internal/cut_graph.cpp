@@ -27,8 +27,8 @@ class CutGraph {
         is_cut_(at(mesh.half_edge_count()), 0) {
     for (const Index v : through) {
       if (v < 0 || v >= mesh.vertex_count())
-        throw Error(ErrorKind::Usage, fmt::format("{}cut: there is no vertex {} (counting from 0)",
-                                                  opening(mesh), v));
+        throw InvalidArgument(
+            fmt::format("{}cut: there is no vertex {} (counting from 0)", opening(mesh), v));
       if (!is_boundary_[at(v)]) is_terminal_[at(v)] = 1;
     }
     for (Index h = 0; h < mesh.half_edge_count(); ++h)

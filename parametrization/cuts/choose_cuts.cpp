@@ -30,16 +30,16 @@ constexpr double kLeastArea = 1e-160;
 
 void require_valid(const SurfaceMesh& mesh, const CutOptions& options) {
   if (!(options.max_stretch > 1) || !std::isfinite(options.max_stretch))
-    throw Error(ErrorKind::Usage,
-                fmt::format("the largest stretch of a chart, {:g}, must be above 1, that of an "
-                            "isometry; try {:g}",
-                            options.max_stretch, CutOptions().max_stretch));
+    throw InvalidArgument(
+        fmt::format("the largest stretch of a chart, {:g}, must be above 1, that of an "
+                    "isometry; try {:g}",
+                    options.max_stretch, CutOptions().max_stretch));
   if (!(options.sharp_angle > 0) || !(options.sharp_angle < 180))
-    throw Error(ErrorKind::Usage, "the angle of sharp edges must lie between 0 and 180 degrees");
+    throw InvalidArgument("the angle of sharp edges must lie between 0 and 180 degrees");
   for (const Index v : options.whole)
     if (v < 0 || v >= mesh.vertex_count())
-      throw Error(ErrorKind::Usage,
-                  fmt::format("{}vertex {}, to be left whole, does not exist", opening(mesh), v));
+      throw InvalidArgument(
+          fmt::format("{}vertex {}, to be left whole, does not exist", opening(mesh), v));
   if (!options.given.empty() && options.given.size() != at(mesh.half_edge_count()))
     throw InvalidArgument(fmt::format("choose_cuts: {} flags for {} half-edges",
                                       options.given.size(), mesh.half_edge_count()));

@@ -70,10 +70,10 @@ struct SurfaceCuts {
 // Edges inside polygons of the file are cut only where nothing else is possible. Components of
 // faces without an area alone (all at one place, all on one line) are cut along all their edges.
 //
-// Throws Error(Usage) for a stretch or an angle out of range, a vertex that does not exist, and for
-// a pair of `edges` that is no edge of the file, naming it; Error(Unsupported) for a component of
-// less than 1e-160 of the area of all, for areas that are no doubles, and for Texture where no face
-// has texture coordinates; InvalidArgument for flags of the wrong size; Stopped.
+// Throws InvalidArgument for a stretch or an angle out of range, a vertex that does not exist, and
+// flags of the wrong size; Error(Usage) for a pair of `edges` that is no edge of the file, naming
+// it; Error(Unsupported) for a component of less than 1e-160 of the area of all, for areas that are
+// no doubles, and for Texture where no face has texture coordinates; Stopped.
 SurfaceCuts choose_cuts(const SurfaceMesh& mesh, const CutOptions& options,
                         const StopCheck& stop = {});
 

@@ -55,9 +55,9 @@ Vec initial_map(const SurfaceMesh& mesh, const MapOptions& asked, RunRecord& rec
   mesh.require_planar();
   require_face_data(mesh, asked);
   if (asked.initial && asked.initial->size() != 2 * mesh.vertex_count())
-    throw Error(ErrorKind::Usage,
-                fmt::format("{}the initial map has {} numbers, it needs 2 numbers per vertex, {}",
-                            opening(mesh), asked.initial->size(), 2 * mesh.vertex_count()));
+    throw InvalidArgument(
+        fmt::format("{}the initial map has {} numbers, it needs 2 numbers per vertex, {}",
+                    opening(mesh), asked.initial->size(), 2 * mesh.vertex_count()));
   if (asked.initial) require_finite("the initial map", *asked.initial);
   StartMethod unused;
   StartMethod& method = taken ? *taken : unused;

@@ -11,7 +11,7 @@ namespace {
 
 template <class Pointer>
 void require(const Pointer& p, const char* what) {
-  if (!p) throw Error(ErrorKind::Usage, fmt::format("MapExtension: the {} is null", what));
+  if (!p) throw InvalidArgument(fmt::format("MapExtension: the {} is null", what));
 }
 
 }  // namespace
@@ -22,14 +22,13 @@ MapExtension::MapExtension(BezierMap start, RestShapes rest, double scale)
 MapExtension& MapExtension::add(std::shared_ptr<const EnergyTerm> term, double weight) {
   require(term, "term");
   if (!(weight > 0) || !std::isfinite(weight))
-    throw Error(ErrorKind::Usage,
-                fmt::format("MapExtension: the weight {:g} of term '{}' is not positive and finite",
-                            weight, term->name()));
+    throw InvalidArgument(
+        fmt::format("MapExtension: the weight {:g} of term '{}' is not positive and finite", weight,
+                    term->name()));
   const Stencils& s = term->stencils();
   if (s.nodes.size() && (s.nodes.minCoeff() < 0 ||
                          s.block * (s.nodes.maxCoeff() + 1) > start_.control_points().size()))
-    throw Error(
-        ErrorKind::Usage,
+    throw InvalidArgument(
         fmt::format("MapExtension: a stencil of term '{}' leaves the {} unknowns of the map",
                     term->name(), start_.control_points().size()));
   terms_.push_back({std::move(term), weight});

@@ -25,7 +25,7 @@ namespace majorant {
 namespace {
 
 void require_valid(const MapOptions& asked) {
-  const auto refuse = [](const std::string& what) { throw Error(ErrorKind::Usage, what); };
+  const auto refuse = [](const std::string& what) { throw InvalidArgument(what); };
   if (asked.degree < 1 || asked.degree > BezierTriangleSpace::kMaxDegree)
     refuse(fmt::format("degree {} is not one of 1..{}", asked.degree,
                        BezierTriangleSpace::kMaxDegree));
@@ -45,7 +45,7 @@ void require_valid(const MapOptions& asked) {
 }
 
 void require_valid(const ParametrizationOptions& o) {
-  const auto refuse = [](const std::string& what) { throw Error(ErrorKind::Usage, what); };
+  const auto refuse = [](const std::string& what) { throw InvalidArgument(what); };
   require_valid(o.map);
   if (!(o.solve.tolerance > 0) || !std::isfinite(o.solve.tolerance))
     refuse("the tolerance must be a positive number");

@@ -205,8 +205,7 @@ Start make_seamless(const SurfaceMesh& mesh, const SeamlessOptions& options,
                             "determine the transitions; use {}",
                             opening(mesh),
                             either(mesh, "--start scaled-field", "SeamlessMethod::ScaledField")));
-  if (options.threads < 0)
-    throw Error(ErrorKind::Usage, "the number of threads must not be negative");
+  if (options.threads < 0) throw InvalidArgument("the number of threads must not be negative");
   const ThreadCount threads(options.threads);
   Maker maker(mesh, options, record);
   for (const SeamlessMethod method :

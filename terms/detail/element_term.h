@@ -37,9 +37,9 @@ class ElementTerm final : public EnergyTerm {
   ElementTerm(std::string name, Cells nodes, Model model)
       : name_(std::move(name)), stencils_{std::move(nodes), Block}, model_(std::move(model)) {
     if (stencils_.nodes.cols() != N)
-      throw Error(ErrorKind::Usage, "term '" + name_ + "': its lambda takes " + std::to_string(N) +
-                                        " nodes, the list has " +
-                                        std::to_string(stencils_.nodes.cols()) + " columns");
+      throw InvalidArgument("term '" + name_ + "': its lambda takes " + std::to_string(N) +
+                            " nodes, the list has " + std::to_string(stencils_.nodes.cols()) +
+                            " columns");
   }
 
   std::string_view name() const override { return name_; }

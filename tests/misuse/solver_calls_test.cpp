@@ -115,6 +115,16 @@ const std::vector<Call> kCalls{
      [] { return LbfgsMinimizer().minimize(problem(linear()), ones(), {}); }},
     {"linear_flow", "failed: unbounded below",
      [] { return GradientFlowMinimizer().minimize(problem(linear()), ones(), {}); }},
+    {"linear_ceres", "failed: unbounded below",
+     [] { return CeresMinimizer().minimize(problem(linear()), ones(), {}); }},
+    {"hill_ceres", "failed: unbounded below",
+     [] { return CeresMinimizer().minimize(problem(hill()), ones(), {}); }},
+    {"hill_ceres_conjugate_gradients", "failed: unbounded below",
+     [] {
+       CeresOptions o;
+       o.method = CeresOptions::Method::NonlinearConjugateGradient;
+       return CeresMinimizer(o).minimize(problem(hill()), ones(), {});
+     }},
     {"hill_exact", "failed: unbounded below: the energy falls to -",
      [] { return newton(problem(hill()), ones(), {.curvature = Curvature::Exact}); }},
     {"nan_everywhere",

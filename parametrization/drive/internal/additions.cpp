@@ -165,8 +165,8 @@ void Additions::require_curvature(Curvature asked) const {
   if (!extension_) return;
   const auto require = [asked](const EnergyTerm& term) {
     if (!term.supports(asked))
-      throw Error(ErrorKind::Usage, fmt::format("term '{}' has no curvature model '{}'",
-                                                term.name(), curvature_name(asked)));
+      throw InvalidArgument(
+          fmt::format("term '{}' has no curvature model '{}'", term.name(), curvature_name(asked)));
   };
   for (const auto& added : extension_->terms()) require(*added.term);
   for (const auto& bound : bounds_) require(*bound->barrier());

@@ -31,7 +31,7 @@ class Additions {
   FixedUnknowns gauge(const MapSpecification& spec, const BezierTriangleSpace& space,
                       VecIn start) const;
 
-  // Throws Error(Usage) where a term has no such curvature model.
+  // Throws InvalidArgument where a term has no such curvature model.
   void require_curvature(Curvature asked) const;
   // Weighted sum of the terms, bounds' barriers not among them.
   double energy(VecIn x) const;

@@ -65,16 +65,21 @@ bool DegreeSolver::enter_bounds(SolveResult& result, RunRecord& record) {
 // tells what is left.
 bool DegreeSolver::follow_barriers(SolveResult& result, RunRecord& record) {
   const BoundRules& rules = setup_.rules.bounds;
-  double weight = added_.barrier_weight(), before = 0;
+  double weight = added_.barrier_weight(), before = 0, left = 0;
   for (int round = 0; round < rules.most_rounds; ++round, weight *= rules.fall) {
     setup_.stop.poll();
     result = descend_with(weight, record);
     if (was_stopped(result.status)) return false;
-    const double left = (before - result.energy) * rules.fall / (1 - rules.fall);
+    left = (before - result.energy) * rules.fall / (1 - rules.fall);
     if (round > 1 && left <= setup_.solve.tolerance * std::abs(result.energy)) return true;
     before = result.energy;
   }
-  return true;
+  result.status = Status::Stalled;
+  result.message = fmt::format(
+      "inside the bounds, but after {} weights of their barriers the energy "
+      "still falls by {:.1e}",
+      rules.most_rounds, left);
+  return false;
 }
 
 SolveResult DegreeSolver::descend_with(double barrier_weight, RunRecord& record) {

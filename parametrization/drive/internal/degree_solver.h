@@ -44,7 +44,7 @@ class DegreeSolver {
   };
 
   // x: start, 2 numbers per node of `space`, normalised, locally injective. setup and domain
-  // outlive the solver. Throws Error(Usage) when an energy does not support the curvature,
+  // outlive the solver. Throws InvalidArgument when an energy does not support the curvature,
   // Error(Infeasible) when x, moved to where it satisfies added constraints, is not injective;
   // Stopped.
   DegreeSolver(const Setup& setup, MapDomain& domain,

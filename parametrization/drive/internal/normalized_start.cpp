@@ -35,15 +35,15 @@ void require_face_weights(const SurfaceMesh& mesh, const Vec& weights) {
   if (weights.size() == 0) return;
   if (weights.size() != mesh.face_count() ||
       !std::all_of(weights.begin(), weights.end(), is_usable_weight))
-    throw Error(ErrorKind::Usage,
-                fmt::format("{}face weights must be one number in {:g}..{:g} for each face",
-                            opening(mesh), 1 / kLargestFactor, kLargestFactor));
+    throw InvalidArgument(
+        fmt::format("{}face weights must be one number in {:g}..{:g} for each face", opening(mesh),
+                    1 / kLargestFactor, kLargestFactor));
 }
 
 void require_vertex(const SurfaceMesh& mesh, const Pin& pin) {
   if (pin.vertex < 0 || pin.vertex >= mesh.vertex_count())
-    throw Error(ErrorKind::Usage,
-                fmt::format("{}pinned vertex {} does not exist", opening(mesh), pin.vertex));
+    throw InvalidArgument(
+        fmt::format("{}pinned vertex {} does not exist", opening(mesh), pin.vertex));
 }
 
 bool contains(const std::vector<FixedPoint>& points, Index node) {
@@ -150,8 +150,7 @@ std::vector<AlignedEdge> nearest_axes(const BezierMap& start, const std::vector<
   std::vector<AlignedEdge> aligned;
   for (const Index h : edges) {
     if (h < 0 || h >= mesh.half_edge_count())
-      throw Error(ErrorKind::Usage,
-                  fmt::format("{}aligned half-edge {} does not exist", opening(mesh), h));
+      throw InvalidArgument(fmt::format("{}aligned half-edge {} does not exist", opening(mesh), h));
     const Vector2 off = edge(h).cwiseAbs();
     aligned.push_back({h, off.x() <= off.y() ? 0 : 1});
     if (!(off.minCoeff() <= kSeamTolerance * mean))
@@ -198,9 +197,9 @@ void require_face_data(const SurfaceMesh& mesh, const MapObjective& asked) {
     require_face_weights(mesh, e.face_weight);
     const DensityTraits& traits = e.make.traits();
     if (traits.elements.value_or(mesh.face_count()) != mesh.face_count())
-      throw Error(ErrorKind::Usage,
-                  fmt::format("{}the energy '{}' has data for {} faces, the mesh has {}",
-                              opening(mesh), traits.name, *traits.elements, mesh.face_count()));
+      throw InvalidArgument(fmt::format("{}the energy '{}' has data for {} faces, the mesh has {}",
+                                        opening(mesh), traits.name, *traits.elements,
+                                        mesh.face_count()));
   }
 }
 

@@ -13,7 +13,7 @@
 
 namespace majorant {
 
-// Throws Error(Usage) unless face weights and data of energies are for the faces of the mesh.
+// Throws InvalidArgument unless face weights and data of energies are for the faces of the mesh.
 void require_face_data(const SurfaceMesh& mesh, const MapObjective& asked);
 
 // Where the origin is: where coordinates have most digits, or where the start has it, because

@@ -113,8 +113,8 @@ ParametrizationOptions with_targets(const BezierMap& start, ParametrizationOptio
   for (auto* points : {&options.map.pins, &options.map.handles})
     for (Pin& p : *points) {
       if (p.vertex < 0 || p.vertex >= start.mesh().vertex_count())
-        throw Error(ErrorKind::Usage, fmt::format("{}pinned vertex {} does not exist",
-                                                  opening(start.mesh()), p.vertex));
+        throw InvalidArgument(
+            fmt::format("{}pinned vertex {} does not exist", opening(start.mesh()), p.vertex));
       if (!p.target) p.target = place_of(start, p.vertex);
     }
   return options;

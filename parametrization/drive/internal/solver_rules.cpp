@@ -13,9 +13,8 @@ void require_curvature(const DensityTerms& terms, Curvature asked) {
     std::vector<std::string_view> known;
     for (const Curvature c : kCurvatures)
       if (term->supports(c)) known.push_back(curvature_name(c));
-    throw Error(ErrorKind::Usage,
-                fmt::format("energy '{}' has no curvature model '{}'; use one of {}", term->name(),
-                            curvature_name(asked), fmt::join(known, " ")));
+    throw InvalidArgument(fmt::format("energy '{}' has no curvature model '{}'; use one of {}",
+                                      term->name(), curvature_name(asked), fmt::join(known, " ")));
   }
 }
 

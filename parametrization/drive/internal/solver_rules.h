@@ -111,7 +111,7 @@ struct SolverRules {
   ScaffoldRules scaffold;
 };
 
-// Throws Error(Usage), listing what there is, when a term has no such curvature model.
+// Throws InvalidArgument, listing what there is, when a term has no such curvature model.
 void require_curvature(const DensityTerms& terms, Curvature asked);
 
 NewtonOptions newton_options(Curvature curvature, const SolverRules& rules, const StopCheck& stop,
