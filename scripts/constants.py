@@ -98,7 +98,6 @@ EXEMPT = {
     'framework/internal/backtracking.h kTake': 'an answer',
     'framework/run_record.h kGrace': 'seconds',
     'framework/stop_check.h kPeriod': 'how often limits are looked at',
-    'energies/internal/point_kernels.cpp kPacked': 'size of a table',
     'energies/detail/point_functions.h kMost': 'size of a table',
     'energies/detail/contraction_kernel.h kMaxDirections': 'size of a table',
     'energies/detail/contraction_kernel.h kWidest': 'size of a batch',
