@@ -101,3 +101,6 @@ void make_semidefinite_batch(double clamp, PackedBatch<N, T>& k) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

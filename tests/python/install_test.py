@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """`pip install .` of the module that the build tree has, and examples with what was installed, elsewhere."""
 import re
 import shutil
