@@ -27,6 +27,8 @@ def filtered(lines, stem):
     yield '/// @file'
     is_behind = is_documented = False
     for line in lines:
+        if line.startswith('// SPDX-'):
+            continue
         comment, behind, kind = COMMENT.match(line), BEHIND.match(line), TYPE.match(line)
         if comment:
             indent, gap, text = comment.groups()
