@@ -128,12 +128,18 @@ def pkg_config(prefix, folder):
 
 
 @functools.lru_cache(None)
+def owners():
+    """Of every file of /usr/include and /usr/lib/gcc, the Debian package that it came with."""
+    owned = {}
+    for path in Path('/var/lib/dpkg/info').glob('*.list'):
+        for name in path.read_text().splitlines():
+            if name.startswith(('/usr/include/', '/usr/lib/gcc/')):
+                owned[name] = path.stem.split(':')[0]
+    return owned
+
+
 def package_of(header):
-    found = subprocess.run(['dpkg', '-S', header], text=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
-    if found.returncode != 0:  # a link: the file it leads to
-        found = subprocess.run(['dpkg', '-S', os.path.realpath(header)], text=True, stdout=subprocess.PIPE,
-                               stderr=subprocess.DEVNULL)
-    return found.stdout.partition(':')[0].split(',')[0] or 'no package'
+    return owners().get(header) or owners().get(os.path.realpath(header), 'no package')
 
 
 def headers_of(build):
