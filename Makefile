@@ -23,8 +23,10 @@ demo: command
 	@echo "report:                       $(OUT)/creature.json"
 
 test: build
-	@ctest --preset release -j $(JOBS) --no-tests=error --output-junit tests.xml; status=$$?; \
-	  /usr/bin/python3 scripts/skipped_tests.py build/release/tests.xml; exit $$status
+	@ctest --preset release -j $(JOBS) -LE mpi --no-tests=error --output-junit tests.xml; status=$$?; \
+	  ctest --preset release -L mpi --output-junit tests_mpi.xml || status=$$?; \
+	  /usr/bin/python3 scripts/skipped_tests.py build/release/tests.xml build/release/tests_mpi.xml; \
+	  exit $$status
 
 setup:
 	@scripts/install_packages.sh
@@ -32,6 +34,7 @@ setup:
 test-setup:
 	@scripts/install_packages.sh scripts/packages_test.txt
 	@scripts/install_packages.sh scripts/packages_browser.txt || echo "no browser, or no npm"
+	@scripts/install_packages.sh scripts/packages_mpi.txt || echo "no PETSc, so no majorant-mpi"
 
 configure: setup
 	@cmake --preset release > /dev/null

@@ -22,6 +22,7 @@ enum ExitCode {
 };
 ExitCode exit_code(ErrorKind kind);
 ExitCode exit_code(Status status);
+std::string version_line();
 
 inline constexpr const char* kStandardOutput = "-";  // as the name of a report
 

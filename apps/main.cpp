@@ -15,57 +15,8 @@
 #include "apps/parts.h"
 #include "apps/process.h"
 #include "apps/streams.h"
-#include "majorant/framework/linear_solver.h"
 
 namespace majorant::app {
-
-ExitCode exit_code(ErrorKind kind) {
-  switch (kind) {
-    case ErrorKind::Usage:
-      return kUsage;
-    case ErrorKind::Unreadable:
-      return kUnreadable;
-    case ErrorKind::Unsupported:
-    case ErrorKind::Infeasible:
-      return kUnsupported;
-    case ErrorKind::Invalid:
-      return kInvalid;
-  }
-  return kInternal;
-}
-
-ExitCode exit_code(Status status) {
-  switch (status) {
-    case Status::Converged:
-      return kSuccess;
-    case Status::MaxIterations:
-    case Status::TimeLimit:
-    case Status::Interrupted:
-    case Status::Stalled:
-      return kLimit;
-    case Status::Infeasible:
-      return kUnsupported;
-    case Status::Failed:
-      return kInvalid;
-  }
-  return kInternal;
-}
-
-std::string version_line() {
-  return fmt::format("majorant {} ({}{})", MAJORANT_VERSION, vector_instructions(),
-                     has_gpl_parts() ? "" : ", without GPL parts");
-}
-
-void CommonOptions::add_to(CLI::App& verb) {
-  verb.set_version_flag("--version", version_line());
-  verb.add_option("--threads", threads, "threads (default: all cores); results do not depend on it")
-      ->check(CLI::Range(1, 1024));
-  auto* q = verb.add_flag("--quiet", quiet, "no progress");
-  verb.add_flag("--verbose", verbose, "a line per iteration")->excludes(q);
-  verb.add_option("--report", report, "write a JSON report to FILE, - for stdout")
-      ->type_name("FILE");
-  verb.add_flag("--force", force, "an output may replace a file that is read");
-}
 
 namespace {
 

@@ -27,6 +27,9 @@ class Phases {
         options_(options),
         observer_(observer),
         stepper_(problem, options.newton) {
+    if (!problem.partition().is_whole())
+      throw InvalidArgument(
+          "BarrierMinimizer: the problem is that of several processes, it knows one");
     result_.y = std::move(y0);
     for (const TermId id : barriers_) m_ += element_weights(problem_, id);
   }

@@ -76,7 +76,7 @@ double term_energy(const Problem& problem, TermId id, VecIn x, const StopCheck& 
   require_size("term_energy: x", x.size(), problem.full_size());
   double total = 0;
   add_energy(problem, id, x, stop, total);
-  return total;
+  return problem.partition().ranks().sum(total);
 }
 
 double Evaluator::value(VecIn y, const StopCheck& stop) {
@@ -86,7 +86,7 @@ double Evaluator::value(VecIn y, const StopCheck& stop) {
   ProblemParts::elimination(problem_).expand(y, x_);
   double total = 0;
   for (const TermId id : problem_.terms()) add_energy(problem_, id, x_, stop, total);
-  return total;
+  return problem_.partition().ranks().sum(total);
 }
 
 double Evaluator::linearize(VecIn y, BlendedCurvature curvature, Vec& gradient, Vec& hessian_values,
@@ -113,6 +113,7 @@ std::optional<Evaluator::Violation> Evaluator::violation(VecIn x) {
   for (const auto& checker : problem_.checkers()) {
     Verdict verdict = checker->check(x);
     add_counts(counters_.proven, verdict.proven);
+    verdict.feasible = problem_.partition().ranks().all(verdict.feasible);
     if (!verdict.feasible) return Violation{checker.get(), std::move(verdict)};
   }
   return std::nullopt;
@@ -130,7 +131,8 @@ double Evaluator::assemble(VecIn y, BlendedCurvature curvature, Vec& gradient, V
     assemble_term(k, curvature, gradient, hessian_values, stop, energies);
     for (const double e : energies) total += e;
   }
-  return total;
+  problem_.partition().add_to_owners(gradient);
+  return problem_.partition().ranks().sum(total);
 }
 
 void Evaluator::assemble_term(TermId k, BlendedCurvature curvature, Vec& gradient,

@@ -11,6 +11,10 @@
 // touch disjoint unknowns, colours run in order, energies add in chunk order. All throw
 // InvalidArgument for another number of unknowns, linearize() for a curvature that a term has not;
 // what a term throws leaves them as it is.
+//
+// Of a problem that several processes have (Problem::partition): collective; energies and verdicts
+// are those of the whole, gradients are summed at the owners of unknowns, Hessian values are this
+// rank's part of the sum. A stop check would end one rank and leave the others waiting: give none.
 #pragma once
 
 #include <memory>
@@ -22,9 +26,9 @@
 
 namespace majorant {
 
-// Of one term at x (full unknowns): the unweighted value of each of its elements, and its part of
-// the problem's energy, weights included. Poll between chunks of elements, as all evaluations do
-// that are given a stop check: Stopped.
+// Of one term at x (full unknowns): the unweighted value of each of its elements here, and its part
+// of the (whole) problem's energy, weights included. Poll between chunks of elements, as all
+// evaluations do that are given a stop check: Stopped.
 Vec element_values(const Problem& problem, TermId id, VecIn x, const StopCheck& stop = {});
 double term_energy(const Problem& problem, TermId id, VecIn x, const StopCheck& stop = {});
 
@@ -49,7 +53,7 @@ class Evaluator {
 
   struct Violation {
     const FeasibilityChecker* checker = nullptr;
-    Verdict verdict;
+    Verdict verdict;  // nothing blocks here where it is another rank that is not feasible
   };
   // The first of the problem's checkers that does not find x feasible (full unknowns), if any.
   std::optional<Violation> violation(VecIn x);

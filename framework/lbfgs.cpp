@@ -49,7 +49,7 @@ class LbfgsStepper final : public Stepper {
     Stopwatch watch;
     evaluator_.gradient(y, gradient_, stop_);
     if (first)
-      history_.start(y, gradient_);
+      history_.start(y, gradient_, partition());
     else
       history_.visit(y, gradient_);
     r.seconds.assemble += watch.restart();

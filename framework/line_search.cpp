@@ -55,6 +55,9 @@ StepBound LineSearch::certified(double s) const {
     StepBound b = checker->max_step(x_, d_, bound.step);
     if (b.step < bound.step) bound = std::move(b);
   }
+  const double here = bound.step;
+  bound.step = evaluator_.problem().partition().ranks().min(here);
+  if (here > 2 * bound.step) bound.blocking.clear();  // StepBound::blocking, of all ranks
   return bound;
 }
 

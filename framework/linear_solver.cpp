@@ -16,10 +16,26 @@ constexpr int kMostShifts = 24;
 
 }  // namespace
 
+void LinearSolver::analyze_shared(const SparsePattern& pattern, const Partition& partition) {
+  if (!partition.is_whole())
+    throw InvalidArgument(
+        "LinearSolver::analyze_shared: this solver knows one process only, the matrix is that of "
+        "several");
+  analyze(pattern);
+}
+
 double mean_diagonal(const SparsePattern& pattern, const Vec& values) {
   double sum = 0;
   for (Index c = 0; c < pattern.size; ++c) sum += std::abs(values[pattern.column_starts[at(c)]]);
   return sum / pattern.size;
+}
+
+double mean_diagonal(const SparsePattern& pattern, const Vec& values, const Partition& partition) {
+  if (partition.is_whole()) return mean_diagonal(pattern, values);
+  Vec diagonal(pattern.size);
+  for (Index c = 0; c < pattern.size; ++c) diagonal[c] = values[pattern.diagonal_slot(c)];
+  partition.add_to_owners(diagonal);
+  return partition.ranks().sum(diagonal.lpNorm<1>()) / static_cast<double>(partition.global_size());
 }
 
 ShiftedFactorization factorize_shifted(LinearSolver& solver, const SparsePattern& pattern,
@@ -27,15 +43,14 @@ ShiftedFactorization factorize_shifted(LinearSolver& solver, const SparsePattern
                                        const StopCheck& stop) {
   require_size("factorize_shifted: values", values.size(), pattern.nonzeros());
   const auto attempt = [&](double shift) { return solver.factorize(values, shift); };
-  return try_shifts(attempt, pattern, values, smallest_shift, stop);
+  return try_shifts(attempt, pattern.size > 0 ? mean_diagonal(pattern, values) : 0, smallest_shift,
+                    stop);
 }
 
 ShiftedFactorization try_shifts(const std::function<FactorStatus(double shift)>& attempt,
-                                const SparsePattern& pattern, const Vec& values,
-                                double smallest_shift, const StopCheck& stop) {
+                                double diagonal, double smallest_shift, const StopCheck& stop) {
   ShiftedFactorization result;
-  const double diagonal = mean_diagonal(pattern, values);
-  if (pattern.size > 0 && !std::isfinite(diagonal)) return result;
+  if (!std::isfinite(diagonal)) return result;
   double shift = 0;
   for (int k = 0; k < kMostShifts; ++k) {
     stop.poll();

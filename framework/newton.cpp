@@ -45,9 +45,10 @@ class NewtonStepper::KeptFactor {
   void drop() { steps_ = 0; }
 
   // After a Newton step from y, where the gradient was g.
-  void renew(const Vec& y, const Vec& g, const IterationRecord& r, double relative_decrement) {
+  void renew(const Vec& y, const Vec& g, const Partition& partition, const IterationRecord& r,
+             double relative_decrement) {
     steps_ = relative_decrement <= rules_.below && !is_short(r) ? rules_.steps : 0;
-    if (steps_ > 0) history_.start(y, g);
+    if (steps_ > 0) history_.start(y, g, partition);
   }
   // p = -B g at y, the next point.
   void direction(LinearSolver& solver, const Vec& y, const Vec& g, Vec& p) {
@@ -80,7 +81,13 @@ NewtonStepper::NewtonStepper(const Problem& problem, NewtonOptions options)
   require_in("NewtonOptions: forcing.largest", options_.forcing.largest, 0, 1);
   require_at_least("NewtonOptions: kept.history", options_.kept.history, 0);
   require_at_least("NewtonOptions: kept.steps", options_.kept.steps, 0);
-  solver_->analyze(evaluator_.problem().pattern());
+  analyze();
+}
+
+void NewtonStepper::analyze() {
+  const Problem& problem = evaluator_.problem();
+  if (options_.near_null_space) solver_->hint_near_null_space(options_.near_null_space(problem));
+  solver_->analyze_shared(problem.pattern(), problem.partition());
 }
 
 void NewtonStepper::require_curvature(const Problem& problem) const {
@@ -94,7 +101,7 @@ void NewtonStepper::reset(const Problem& problem) {
   relative_decrement_ = std::numeric_limits<double>::infinity();
   last_gradient_norm_ = 0;
   kept_->drop();
-  if (!same) solver_->analyze(evaluator_.problem().pattern());
+  if (!same) analyze();
 }
 
 void NewtonStepper::polish() {
@@ -119,7 +126,9 @@ void NewtonStepper::newton_step(Vec& y, double& energy, Step& step) {
   if (step.outcome == Outcome::Breakdown) return;
   relative_decrement_ = relative_to(before, r.newton_decrement);
   learn_clamp(step);
-  if (step.outcome == Outcome::Moved) kept_->renew(from, gradient_, r, relative_decrement_);
+  // An iterative solver has no factor to keep: its solves are what costs.
+  if (step.outcome == Outcome::Moved && r.solver_iterations == 0)
+    kept_->renew(from, gradient_, partition(), r, relative_decrement_);
 }
 
 // Whether the last factor gave a step; if not, y is as it was.
@@ -163,11 +172,15 @@ bool NewtonStepper::find_direction(const Vec& y, IterationRecord& record) {
 double NewtonStepper::tolerance() const {
   const ForcingRules& rules = options_.forcing;
   if (last_gradient_norm_ == 0) return rules.largest;
-  const double ratio = gradient_.norm() / last_gradient_norm_;
+  const double ratio = partition().norm(gradient_) / last_gradient_norm_;
   const double safeguard = rules.part * last_tolerance_ * last_tolerance_;
   const double eta =
       std::max(rules.part * ratio * ratio, safeguard > rules.safeguarded ? safeguard : 0.0);
   return std::min(rules.largest, eta);
+}
+
+double NewtonStepper::mean_diagonal() const {
+  return majorant::mean_diagonal(evaluator_.problem().pattern(), hessian_, partition());
 }
 
 // Of hessian_ and gradient_, both as they are.
@@ -196,12 +209,12 @@ bool NewtonStepper::solve_blend(const Vec& y, IterationRecord& record) {
   const BlendedCurvature blend = BlendedCurvature::projected(clamp_);
   evaluator_.linearize(y, blend, gradient_, hessian_, stop_);
   record.seconds.assemble += watch.restart();
-  const double size = y.squaredNorm();
-  record.shift =
-      size > 0 ? (1 - clamp_) * kRotationShift * std::max(0.0, -y.dot(gradient_)) / size : 0.0;
+  const double size = partition().squared_norm(y);
+  record.shift = size > 0 ? (1 - clamp_) * kRotationShift *
+                                std::max(0.0, -partition().dot(y, gradient_)) / size
+                          : 0.0;
   if (clamp_ == 0 && relative_decrement_ <= kPolish)
-    record.shift = std::max(record.shift,
-                            kPolishShift * mean_diagonal(evaluator_.problem().pattern(), hessian_));
+    record.shift = std::max(record.shift, kPolishShift * mean_diagonal());
   stop_.poll();
   const FactorStatus status = solve_shifted(record.shift, record);
   record.curvature = blend.model;
@@ -218,10 +231,10 @@ bool NewtonStepper::solve_whole(const Vec& y, IterationRecord& record) {
   record.curvature = whole.model;
   record.clamp = whole.clamp;
   record.seconds.assemble += watch.restart();
-  if (!gradient_.allFinite()) return false;
+  if (!partition().all_finite(gradient_)) return false;
   const ShiftedFactorization f =
-      try_shifts([&](double shift) { return solve_shifted(shift, record); },
-                 evaluator_.problem().pattern(), hessian_, kSmallestShift, stop_);
+      try_shifts([&](double shift) { return solve_shifted(shift, record); }, mean_diagonal(),
+                 kSmallestShift, stop_);
   record.shift = f.shift;
   record.factorizations += f.factorizations;
   record.failed_factorizations += f.failed();

@@ -82,6 +82,8 @@ struct NewtonOptions {
   std::function<std::unique_ptr<LinearSolver>()> linear_solver = [] {
     return make_direct_solver();
   };
+  // LinearSolver::hint_near_null_space() of a problem, told before its analysis; empty: nothing is.
+  std::function<Eigen::MatrixXd(const Problem&)> near_null_space = {};
   StopCheck stop = {};  // ends a step between chunks of elements, factorizations, trials
 };
 
@@ -102,6 +104,7 @@ class NewtonStepper final : public Stepper {
  private:
   void advance(Vec& y, double& energy, Step& step) override;
   void require_curvature(const Problem& problem) const;
+  void analyze();
   void newton_step(Vec& y, double& energy, Step& step);
   bool kept_step(Vec& y, double& energy, Step& step);
   bool blends() const;
@@ -110,6 +113,7 @@ class NewtonStepper final : public Stepper {
   bool solve_whole(const Vec& y, IterationRecord& record);
   FactorStatus solve_shifted(double shift, IterationRecord& record);
   double tolerance() const;
+  double mean_diagonal() const;
   void learn_clamp(const Step& step);
   void raise_clamp(double failed);
 

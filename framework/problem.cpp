@@ -74,6 +74,27 @@ struct LeadingTerms {
   }
 };
 
+// Of the unknowns that constraints leave, those of this rank's.
+Partition reduced_partition(const Partition* full, const Elimination& elimination) {
+  if (!full || full->is_whole()) return Partition(elimination.reduced_size());
+  bool single = elimination.auxiliary_size() == 0;
+  for (Index i = 0; i < elimination.full_size(); ++i) {
+    const auto entries = elimination.end(i) - elimination.begin(i);
+    single = single && (entries == 0 || (entries == 1 && elimination.begin(i)->coefficient == 1 &&
+                                         elimination.offset(i) == 0));
+  }
+  single = single && elimination.reduced_size() <= elimination.full_size();
+  std::vector<Index> kept;
+  for (Index j = 0; single && j < elimination.reduced_size(); ++j)
+    kept.push_back(elimination.full_index(j));
+  single = single && std::is_sorted(kept.begin(), kept.end());
+  if (!full->ranks().all(single))
+    throw InvalidArgument(
+        "ProblemBuilder: constraints of a problem that several processes have may hold single "
+        "unknowns, not tie them to each other");
+  return full->part(kept);
+}
+
 }  // namespace
 
 struct Problem::Structure {
@@ -84,6 +105,7 @@ struct Problem::Structure {
   SparsePattern pattern;
   std::vector<SlotTable> slots;
   std::shared_ptr<const LeadingTerms> leading;  // those that a problem before had, too
+  Partition partition;
 };
 
 Index Problem::full_size() const { return structure_->elimination.full_size(); }
@@ -109,6 +131,8 @@ void Problem::require_term(std::string_view where, TermId id) const {
 }
 
 const SparsePattern& Problem::pattern() const { return structure_->pattern; }
+
+const Partition& Problem::partition() const { return structure_->partition; }
 
 const std::vector<std::shared_ptr<const FeasibilityChecker>>& Problem::checkers() const {
   return structure_->checkers;
@@ -194,6 +218,10 @@ ProblemBuilder::ProblemBuilder(Index full_size) : full_size_(full_size) {
   require_at_least("ProblemBuilder: the number of unknowns", full_size, 0);
 }
 
+ProblemBuilder::ProblemBuilder(std::shared_ptr<const Partition> partition)
+    : full_size_(given("ProblemBuilder: the partition", partition)->size()),
+      partition_(std::move(partition)) {}
+
 ProblemBuilder::AddedTerm ProblemBuilder::add(std::shared_ptr<const EnergyTerm> term,
                                               double weight) {
   TermState state;
@@ -242,7 +270,8 @@ std::size_t ProblemBuilder::shared_terms(const Problem& before,
 Problem ProblemBuilder::build_after(const Problem* before) const {
   Problem problem;
   problem.states_ = states_;
-  Problem::Structure s{terms_, {}, checkers_, Elimination(full_size_, rows_), {}, {}, {}};
+  Problem::Structure s{terms_, {}, checkers_, Elimination(full_size_, rows_), {}, {}, {}, {}};
+  s.partition = reduced_partition(partition_.get(), s.elimination);
   const std::size_t shared = before ? shared_terms(*before, s.elimination) : 0;
   s.pattern = reduced_pattern(stencils(terms_, shared, terms_.size()), s.elimination);
   if (shared > 0) {

@@ -10,6 +10,11 @@
 //   Problem other = problem.with({{id, TermState{.weight = 2}}});  // everything else the same
 //
 // A Problem is immutable and cheap to copy. Solvers see the reduced unknowns y of x = Z y + c.
+//
+// Several processes (ranks.h) can have a problem together: each builds one of its own terms, on the
+// unknowns that these touch, and says how they are shared (partition.h). Energy, gradient and
+// Hessian of the whole are the sums; points are vectors of this rank's unknowns, and checkers hold
+// what they hold on each.
 #pragma once
 
 #include <memory>
@@ -21,6 +26,7 @@
 #include "majorant/framework/constraint.h"
 #include "majorant/framework/energy_term.h"
 #include "majorant/framework/feasibility.h"
+#include "majorant/framework/partition.h"
 #include "majorant/framework/sparse_pattern.h"
 
 namespace majorant {
@@ -46,6 +52,8 @@ class Problem {
   const SparsePattern& pattern() const;  // of the Hessian in the reduced unknowns
   const std::vector<std::shared_ptr<const FeasibilityChecker>>& checkers() const;
   bool supports(Curvature curvature) const;
+  // How the reduced unknowns are shared between processes; one process has all of them.
+  const Partition& partition() const;
 
   // The same problem with other states of these terms, the rest kept: pattern, slots and (in a
   // solver) the symbolic factor stay valid. Throws InvalidArgument for a term that the problem does
@@ -94,12 +102,17 @@ class ProblemBuilder {
   // are negative or not finite, states of another size, rules that a term does not have, and
   // constraints that leave a row open.
   explicit ProblemBuilder(Index full_size);
+  // Of the unknowns that this rank has, the same kinds of checkers on every rank. Constraints may
+  // only hold single unknowns, with all their copies.
+  explicit ProblemBuilder(std::shared_ptr<const Partition> partition);
   AddedTerm add(std::shared_ptr<const EnergyTerm> term, double weight);
   AddedTerm add(std::shared_ptr<const EnergyTerm> term, TermState state);
   ProblemBuilder& add(const Constraint& constraint);  // rows are copied
   ProblemBuilder& add(std::shared_ptr<const FeasibilityChecker> checker);
   // Eliminates the constraints and fixes the pattern. Throws Error(Unsupported) when the
-  // constraints contradict each other, InvalidArgument when one leaves the unknowns.
+  // constraints contradict each other, InvalidArgument when one leaves the unknowns. Collective
+  // where there are several ranks; then InvalidArgument also for constraints that tie unknowns to
+  // each other, or hold an unknown on one rank and not on another.
   Problem build() const;
   // The same problem, sooner where `before` begins with the same terms and these have the same
   // unknowns: their chunks, slots and part of the pattern are taken over. For terms that change
@@ -111,6 +124,7 @@ class ProblemBuilder {
   std::size_t shared_terms(const Problem& before, const Elimination& elimination) const;
 
   Index full_size_;
+  std::shared_ptr<const Partition> partition_;  // null: one process
   std::vector<std::shared_ptr<const EnergyTerm>> terms_;
   std::vector<TermState> states_;
   ConstraintRows rows_;

@@ -23,7 +23,7 @@ Stepper::Step Stepper::step(Vec& y, double& energy) {
   require_size("Stepper::step: y", y.size(), evaluator_.problem().size());
   Step step;
   step.record.energy = step.energy_before = energy;
-  if (y.size() == 0) {
+  if (partition().global_size() == 0) {
     step.outcome = Outcome::AtMinimum;
     return step;
   }
@@ -40,9 +40,9 @@ Stepper::Step Stepper::step(Vec& y, double& energy) {
 void Stepper::move_along(const Vec& p, double first, Vec& y, double& energy, Step& step) {
   IterationRecord& r = step.record;
   step.outcome = Outcome::Breakdown;
-  r.gradient_norm = gradient_.norm();
-  r.newton_decrement = -gradient_.dot(p);
-  if (!p.allFinite() || !(r.newton_decrement >= 0)) return;
+  r.gradient_norm = partition().norm(gradient_);
+  r.newton_decrement = -partition().dot(gradient_, p);
+  if (!partition().all_finite(p) || !(r.newton_decrement >= 0)) return;
   if (relative_to(energy, r.newton_decrement) <= decrement_rule_) {
     step.outcome = Outcome::AtMinimum;
     return;
@@ -108,6 +108,7 @@ SolveResult Stepper::descend_from(Vec y, double energy, const StoppingRules& rul
       step.record.iteration = static_cast<int>(result.iterations.size()) + 1;
       result.iterations.push_back(step.record);
       if (observer) directive = observer(step.record, result.y);
+      directive = partition().ranks().of_first(directive);
     }
     if (step.outcome == Outcome::Breakdown && step.why_none.empty())
       step.why_none = why_no_direction(evaluator_, result.y, result.energy);

@@ -7,6 +7,10 @@
 // to move_along(). Outer loops that change the problem between steps call step() and ask a
 // StoppingTest themselves. Not for methods that bring a line search of their own
 // (ceres_minimizer.h).
+//
+// Of a problem that several processes have (Problem::partition) every rank runs the same loop on
+// its part. What decides is agreed on: sums, the smallest bound, the directive of rank 0's
+// observer. A stop check would end one rank and leave the others waiting: give none.
 #pragma once
 
 #include <utility>
@@ -44,6 +48,8 @@ class Stepper {
   const Evaluator& evaluator() const { return evaluator_; }
 
  protected:
+  const Partition& partition() const { return evaluator_.problem().partition(); }
+
   // decrement_rule: StoppingRules::decrement. stop: polled in every piece of a step.
   // Throws InvalidArgument for options that are no rules.
   Stepper(const Problem& problem, const LineSearchOptions& line_search, double decrement_rule,

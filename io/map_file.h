@@ -39,8 +39,8 @@ struct MapFile {
   std::vector<std::string> warnings;  // what a reader left out, as in PolygonMesh; never written
 };
 
-// From a file: .vtu, .msh, or a mesh with texture coordinates (degree 1), .obj or .ply. Throws
-// Error(Unreadable) when it cannot be read or holds no map; Stopped.
+// From a file: .vtu, .pvtu, .msh, or a mesh with texture coordinates (degree 1), .obj or .ply.
+// Throws Error(Unreadable) when it cannot be read or holds no map; Stopped.
 MapFile read_map(const std::string& path, const StopCheck& stop = {});
 
 // Judges the complete bytes of a file before they take its name (certification() of map_proof.h is

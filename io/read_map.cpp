@@ -1,4 +1,5 @@
 #include "majorant/io/internal/input_file.h"
+#include "majorant/io/internal/pvtu.h"
 #include "majorant/io/map_file.h"
 #include "majorant/io/msh.h"
 #include "majorant/io/read_mesh.h"
@@ -9,6 +10,7 @@ namespace majorant {
 MapFile read_map(const std::string& path, const StopCheck& stop) {
   const std::string format = format_of(path);
   if (format == ".vtu") return read_vtu(path, stop);
+  if (format == ".pvtu") return read_pvtu(path, stop);
   if (format == ".msh") return read_msh(path, stop);
   return to_map_file(read_mesh(path, stop));
 }

@@ -24,10 +24,11 @@ from pathlib import Path
 ROOMS = ['framework', 'terms', 'elements', 'mesh', 'energies', 'constraints', 'parametrization/fields',
          'parametrization/cuts', 'parametrization/maps', 'parametrization/injectivity',
          'parametrization/starts', 'parametrization/scaffold', 'parametrization/packing',
-         'parametrization/drive', 'parametrization/atlas', 'io', 'pictures']
+         'parametrization/drive', 'parametrization/atlas', 'io', 'pictures', 'distributed']
 OPTIONS = ('LineSearchOptions', 'NewtonOptions', 'LbfgsOptions', 'BarrierOptions')
 # "file kName", or a file with all of its constants.
 EXEMPT = {
+    'distributed/processes.cpp kTag': 'a mark',
     'elements/bernstein_element.h kMidpoint': 'a mark',
     'elements/internal/bernstein.h kMaxDegree': 'size of a table',
     'elements/internal/node_lattice.cpp kMaxCorners': 'size of a table',

@@ -29,8 +29,9 @@ FLOORS = [
     ['results'],
     ['apps/arguments'],
     ['apps'],
-    ['apps/compare', 'apps/check'],
+    ['apps/compare', 'apps/check', 'distributed'],
 ]
+COMMANDS = {'apps', 'distributed'}     # on top of the library
 LARGE = {'io', 'elements', 'framework'}  # one subject each, however large
 MAX_SHARE = 0.12                         # of the lines of the library, for all other rooms
 MAX_UNITS = 25                           # x.h, x.cpp and no_x.cpp are one unit
@@ -73,7 +74,7 @@ class House:
                 self.arrows[room, other].append('%s -> %s' % (name, header))
 
     def library_lines(self):
-        return sum(n for room, n in self.lines.items() if not room.startswith('apps'))
+        return sum(n for room, n in self.lines.items() if room.split('/')[0] not in COMMANDS)
 
     def circle(self):
         """Rooms that include each other in a circle, or an empty list."""
@@ -106,7 +107,7 @@ class House:
             found.append('a circle: ' + ' -> '.join(self.circle()))
         for room, lines in self.lines.items():
             share = lines / self.library_lines()
-            if room not in LARGE and not room.startswith('apps') and share > MAX_SHARE:
+            if room not in LARGE and room.split('/')[0] not in COMMANDS and share > MAX_SHARE:
                 found.append('%s: %.1f %% of the library, more than %g %%' % (room, 100 * share, 100 * MAX_SHARE))
         for room, units in self.units.items():
             if room not in LARGE and len(units) > MAX_UNITS:

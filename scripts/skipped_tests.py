@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""skipped_tests.py FILE: one line on the tests that ctest --output-junit FILE did not run, and why.
+"""skipped_tests.py FILE...: one line on the tests that ctest --output-junit FILE did not run, and why.
 
 A test that lacks something says what on its last line, `skipped: no ...`, and exits with 77.
 """
@@ -10,10 +10,10 @@ import sys
 import xml.etree.ElementTree
 
 
-def reasons(tree):
+def reasons(trees):
     """{why: [test, ...]} of the tests that were not run."""
     found = {}
-    for case in tree.iter('testcase'):
+    for case in (case for tree in trees for case in tree.iter('testcase')):
         if case.find('skipped') is None:
             continue
         said = re.findall(r'^skipped: (.*)$', case.findtext('system-out') or '', re.M)
@@ -22,7 +22,7 @@ def reasons(tree):
 
 
 def main():
-    found = reasons(xml.etree.ElementTree.parse(sys.argv[1]).getroot())
+    found = reasons(xml.etree.ElementTree.parse(name).getroot() for name in sys.argv[1:])
     print('not run: ' + '; '.join('%s (%s)' % (', '.join(sorted(names)), why)
                                   for why, names in sorted(found.items()))
           if found else 'every test was run')

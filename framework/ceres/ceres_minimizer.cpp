@@ -160,6 +160,10 @@ Status status_of(ceres::TerminationType type, Run& run) {
 
 SolveResult CeresMinimizer::minimize(const Problem& problem, Vec y0,
                                      const Observer& observer) const {
+  if (!problem.partition().is_whole())
+    throw InvalidArgument(
+        "CeresMinimizer: the problem is that of several processes, Ceres knows one; use "
+        "NewtonMinimizer");
   CeresSolver::Options options = ceres_options(options_);
   Run run(problem, options_, observer);
   run.result.y = std::move(y0);

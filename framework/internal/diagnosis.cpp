@@ -59,14 +59,23 @@ std::string not_finite_derivative(const Problem& problem, TermId id, VecIn x) {
   return {};
 }
 
+// Of vectors of 1e154 and more.
+double stable_norm(const Partition& partition, VecIn v) {
+  if (partition.is_whole()) return v.stableNorm();
+  const double largest = partition.ranks().max(v.size() > 0 ? v.cwiseAbs().maxCoeff() : 0);
+  return largest > 0 ? largest * partition.norm(v / largest) : 0;
+}
+
 // Whether the energy falls along p, faster and faster, as far as can be seen and no checker
 // objects; then where to.
 std::optional<double> falls_forever(Evaluator& evaluator, VecIn y, double energy, const Vec& p) {
-  const double length = std::max(1.0, y.stableNorm()) / p.stableNorm();  // of 1e154 and more
+  const Partition& partition = evaluator.problem().partition();
+  const double length = std::max(1.0, stable_norm(partition, y)) / stable_norm(partition, p);
   double before = energy, fallen = 0;
   for (const double probe : kProbes) {
     const Vec there = y + probe * length * p;
-    if (!there.allFinite() || evaluator.violation(evaluator.problem().expand(there))) return {};
+    if (!partition.all_finite(there) || evaluator.violation(evaluator.problem().expand(there)))
+      return {};
     const double value = evaluator.value(there);
     if (!(before - value > 2 * fallen)) return {};
     fallen = before - value;
@@ -102,9 +111,12 @@ std::string why_not_finite(const Problem& problem, VecIn x) {
 std::string why_no_direction(Evaluator& evaluator, VecIn y, double energy) {
   const Problem& problem = evaluator.problem();
   const Vec x = problem.expand(y);
-  for (const TermId id : problem.terms())
-    if (std::string where = not_finite_derivative(problem, id, x); !where.empty())
-      return "no finite direction: " + where;
+  const Ranks& ranks = problem.partition().ranks();
+  for (const TermId id : problem.terms()) {
+    const std::string where = not_finite_derivative(problem, id, x);
+    if (ranks.any(!where.empty()))
+      return "no finite direction: " + (where.empty() ? "another rank says why" : where);
+  }
   if (std::string text = unbounded_along_gradient(evaluator, y, energy); !text.empty()) return text;
   return "no finite direction: no shift makes the Hessian positive definite";
 }
@@ -112,7 +124,8 @@ std::string why_no_direction(Evaluator& evaluator, VecIn y, double energy) {
 std::string unbounded_along_gradient(Evaluator& evaluator, VecIn y, double energy) {
   Vec gradient;
   evaluator.gradient(y, gradient);
-  if (gradient.isZero(0) || !gradient.allFinite()) return {};
+  const Partition& partition = evaluator.problem().partition();
+  if (partition.ranks().all(gradient.isZero(0)) || !partition.all_finite(gradient)) return {};
   const auto value = falls_forever(evaluator, y, energy, -gradient);
   return value ? unbounded_below(*value) + " along its negative gradient" : "";
 }

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "majorant/framework/types.h"
+#include "majorant/framework/partition.h"
 
 namespace majorant {
 
@@ -27,9 +27,14 @@ class History {
   bool empty() const { return pairs_.empty(); }
   // No pairs; what visit() adds next still begins where it was last.
   void clear() { pairs_.clear(); }
-  // No pairs, at y with the gradient g.
+  // No pairs, at y with the gradient g. partition: of both, outlives the history.
   void start(const Vec& y, const Vec& g) {
+    static const Partition whole;
+    start(y, g, whole);
+  }
+  void start(const Vec& y, const Vec& g, const Partition& partition) {
     clear();
+    partition_ = &partition;
     y_ = y;
     g_ = g;
   }
@@ -45,12 +50,12 @@ class History {
   void apply(const Solve& solve, Vec r, Vec& p) const {
     std::vector<double> alpha(pairs_.size());
     for (std::size_t k = pairs_.size(); k-- > 0;) {
-      alpha[k] = pairs_[k].s.dot(r) / pairs_[k].sq;
+      alpha[k] = dot(pairs_[k].s, r) / pairs_[k].sq;
       r -= alpha[k] * pairs_[k].q;
     }
     solve(r, p);
     for (std::size_t k = 0; k < pairs_.size(); ++k)
-      p += (alpha[k] - pairs_[k].q.dot(p) / pairs_[k].sq) * pairs_[k].s;
+      p += (alpha[k] - dot(pairs_[k].q, p) / pairs_[k].sq) * pairs_[k].s;
   }
 
  private:
@@ -60,14 +65,17 @@ class History {
   };
 
   void add(Vec s, Vec q) {
-    const double sq = s.dot(q);
-    if (capacity_ <= 0 || !(sq > cautious_ * s.norm() * q.norm())) return;
+    const double sq = dot(s, q);
+    if (capacity_ <= 0 || !(sq > cautious_ * partition_->norm(s) * partition_->norm(q))) return;
     if (pairs_.size() == at(capacity_)) pairs_.pop_front();
     pairs_.push_back({std::move(s), std::move(q), sq});
   }
 
+  double dot(const Vec& a, const Vec& b) const { return partition_->dot(a, b); }
+
   int capacity_;
   double cautious_;
+  const Partition* partition_ = nullptr;
   std::deque<Pair> pairs_;
   Vec y_, g_;  // of the last point
 };

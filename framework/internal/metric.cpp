@@ -7,6 +7,7 @@
 #include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/internal/problem_parts.h"
 #include "majorant/framework/internal/stopwatch.h"
+#include "majorant/framework/internal/try_shifts.h"
 #include "majorant/framework/stepper.h"
 
 namespace majorant {
@@ -32,15 +33,21 @@ Metric::Metric(const Problem& problem, Curvature curvature, std::unique_ptr<Line
     : evaluator_(problem), curvature_(curvature), solver_(std::move(solver)) {
   require_given("the metric's linear solver", solver_);
   require_curvature("the metric", problem, curvature);
-  solver_->analyze(evaluator_.problem().pattern());
+  const Problem& kept = evaluator_.problem();  // which outlives the solver's use of it
+  solver_->analyze_shared(kept.pattern(), kept.partition());
 }
 
 bool Metric::factorize(VecIn y, const StopCheck& stop) {
   Stopwatch watch;
   evaluator_.linearize(y, curvature_, gradient_, hessian_, stop);
   seconds_.assemble = watch.restart();
+  const Problem& problem = evaluator_.problem();
+  const double diagonal = problem.partition().global_size() > 0
+                              ? mean_diagonal(problem.pattern(), hessian_, problem.partition())
+                              : 0;
   const ShiftedFactorization f =
-      factorize_shifted(*solver_, evaluator_.problem().pattern(), hessian_, kMetricShift, stop);
+      try_shifts([&](double shift) { return solver_->factorize(hessian_, shift); }, diagonal,
+                 kMetricShift, stop);
   shift_ = f.shift;
   factorizations_ = f.factorizations;
   failed_factorizations_ = f.failed();

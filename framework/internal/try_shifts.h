@@ -4,8 +4,7 @@
 //   const auto attempt = [](double shift) {
 //     return shift > 0 ? FactorStatus::Ok : FactorStatus::NotPositiveDefinite;
 //   };
-//   SparsePattern pattern;
-//   const ShiftedFactorization done = try_shifts(attempt, pattern, Vec(), kSmallestShift, {});
+//   const ShiftedFactorization done = try_shifts(attempt, 1.0, kSmallestShift, {});
 #pragma once
 
 #include <functional>
@@ -14,9 +13,9 @@
 
 namespace majorant {
 
+// diagonal: the matrix's mean_diagonal(), 0 where it has no rows.
 ShiftedFactorization try_shifts(const std::function<FactorStatus(double shift)>& attempt,
-                                const SparsePattern& pattern, const Vec& values,
-                                double smallest_shift, const StopCheck& stop);
+                                double diagonal, double smallest_shift, const StopCheck& stop);
 
 }  // namespace majorant
 

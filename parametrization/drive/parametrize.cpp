@@ -210,7 +210,7 @@ class Run {
   void account(const DegreeSolver& solver) {
     add_counts(result_.injectivity_tests, solver.proven());
     result_.remedies = solver.remedies();
-    result_.variables = solver.variables();
+    result_.variables = static_cast<Index>(solver.variables());
     result_.constraint_residual = solver.constraint_residual() / start_.scale();
     result_.handle_distance = 0;
     for (const FixedPoint& h : setup_.map.handles)

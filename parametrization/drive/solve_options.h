@@ -6,6 +6,7 @@
 
 #include "majorant/elements/element_space.h"
 #include "majorant/framework/curvature.h"
+#include "majorant/framework/linear_solver.h"
 #include "majorant/framework/trace.h"
 #include "majorant/parametrization/maps/bezier_map.h"
 
@@ -42,6 +43,9 @@ struct SolveOptions {
   Triangles triangles = Triangles::Kept;
   FactorCost factor_cost = FactorCost::IfKnown;
   MapWatcher watch = {};  // may be empty
+  // Of Newton's systems; empty: the library's own direct one, which is the fastest up to some
+  // millions of faces. The scaffold's relaxation keeps that.
+  SolverFactory linear_solver = {};
   int threads = 0;  // 0: as many as the caller has (thread_count.h); results do not depend on it
 };
 

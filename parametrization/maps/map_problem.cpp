@@ -33,6 +33,23 @@ Vec weight_of_faces(const MapSpecification& spec, const WeightedEnergy& summand,
 
 }  // namespace
 
+const Ranks& ranks_of(const MapSpecification& spec) {
+  return spec.part ? spec.part->ranks() : *one_process();
+}
+
+double whole_area(const MapSpecification& spec) {
+  return ranks_of(spec).sum(spec.rest.measure.sum());
+}
+
+std::vector<Index> boundary_of(const MapSpecification& spec, const BezierTriangleSpace& space) {
+  return spec.part ? spec.part->boundary_nodes(space) : boundary_nodes(space, seams_of(spec));
+}
+
+ProblemBuilder map_builder(const MapSpecification& spec, const BezierTriangleSpace& space) {
+  if (!spec.part) return ProblemBuilder(2 * space.node_count());
+  return ProblemBuilder(spec.part->unknowns(space));
+}
+
 std::vector<Index> vertex_components(const BezierTriangleSpace& space) {
   UnionFind components(space.vertex_count());
   for (Index f = 0; f < space.element_count(); ++f)
@@ -46,6 +63,11 @@ std::vector<Index> gauge_vertices(const MapSpecification& spec, const BezierTria
   for (const auto* points : {&spec.pins, &spec.handles})
     for (const FixedPoint& p : *points)
       require_index("MapSpecification: the node of a pin or handle", p.node, space.vertex_count());
+  if (spec.part) {
+    const bool held =
+        !spec.pins.empty() || !spec.handles.empty() || spec.boundary == BoundaryCondition::Fixed;
+    return spec.part->ranks().any(held) ? std::vector<Index>{} : spec.part->gauge_vertex();
+  }
   const std::vector<Index> component = vertex_components(space);
   std::vector<char> is_held(at(space.vertex_count()), 0);
   std::vector<char> on_seam = is_held;
@@ -86,7 +108,12 @@ EnergyIds add_map(ProblemBuilder& builder, const MapSpecification& spec,
   require_enough("add_map: the start", start.size(), 2 * space->node_count());
   require_size("add_map: the list of terms", static_cast<Index>(terms.size()),
                static_cast<Index>(spec.energy.size()));
-  const double area = spec.rest.measure.sum();
+  if (spec.part && (spec.boundary_angles != BoundaryAngles::Free || !seams_of(spec).empty() ||
+                    !spec.aligned.empty()))
+    throw InvalidArgument(
+        "add_map: seams, aligned edges and angles at the boundary need the whole map in one "
+        "process");
+  const double area = whole_area(spec);
   EnergyIds energies;
   for (std::size_t k = 0; k < terms.size(); ++k) {
     TermState state;
@@ -101,7 +128,7 @@ EnergyIds add_map(ProblemBuilder& builder, const MapSpecification& spec,
   if (!seams_of(spec).empty()) builder.add(SeamlessConstraint(space, spec.seams));
   if (!spec.aligned.empty()) builder.add(AxisAlignment(space, spec.aligned));
   if (spec.boundary == BoundaryCondition::Fixed)
-    builder.add(FixedPoints::at(boundary_nodes(*space, seams_of(spec)), start));
+    builder.add(FixedPoints::at(boundary_of(spec, *space), start));
   if (!spec.handles.empty())
     builder.add(std::make_shared<const QuadraticPenalty>(FixedPoints(spec.handles)),
                 spec.handle_weight / area);
@@ -113,7 +140,7 @@ MapProblem map_problem(const MapSpecification& spec,
                        const DensityTerms& terms,
                        std::shared_ptr<const FeasibilityChecker> injectivity) {
   require_given("map_problem: the space", space);
-  ProblemBuilder builder(2 * space->node_count());
+  ProblemBuilder builder = map_builder(spec, *space);
   EnergyIds energies = add_map(builder, spec, space, start, terms);
   if (injectivity) builder.add(std::move(injectivity));
   builder.add(FixedPoints::at(gauge_vertices(spec, *space), start));
@@ -122,7 +149,7 @@ MapProblem map_problem(const MapSpecification& spec,
 
 TermChanges energy_states(const MapSpecification& spec, const EnergyIds& energies,
                           const std::vector<RuleId>& rules, const Vec& element_weight) {
-  const double area = spec.rest.measure.sum();
+  const double area = whole_area(spec);
   TermChanges changes;
   for (std::size_t k = 0; k < energies.size(); ++k) {
     TermState state;
@@ -154,7 +181,7 @@ double energy_of_map(const MapSpecification& spec, const DensityTerms& terms,
   double energy = energy_by_face(spec, terms, rules, x).sum();
   for (const FixedPoint& handle : spec.handles)
     energy += spec.handle_weight * (x.segment<2>(2 * handle.node) - handle.position).squaredNorm();
-  return energy / spec.rest.measure.sum();
+  return ranks_of(spec).sum(energy) / whole_area(spec);
 }
 
 }  // namespace majorant

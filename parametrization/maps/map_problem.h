@@ -17,6 +17,7 @@
 #include "majorant/framework/stop_check.h"
 #include "majorant/mesh/seams.h"
 #include "majorant/parametrization/maps/map_objective.h"
+#include "majorant/parametrization/maps/map_part.h"
 
 namespace majorant {
 
@@ -27,7 +28,19 @@ struct MapSpecification : MapObjective {
   std::vector<AlignedEdge> aligned;    // stay parallel to an axis
   std::vector<FixedPoint> pins;        // hard, vertices
   std::vector<FixedPoint> handles;     // soft, vertices
+  // Null: this process has the whole map. Else the lists above, the rest shapes and the weights are
+  // those of its part; seams, aligned edges and angles at the boundary cannot be asked for.
+  std::shared_ptr<const MapPart> part;
 };
+
+// What holds for the whole map, from what a rank knows of it. Sums are collective where there are
+// several.
+const Ranks& ranks_of(const MapSpecification& spec);
+double whole_area(const MapSpecification& spec);
+// Nodes on the boundary of the uncut surface, sorted.
+std::vector<Index> boundary_of(const MapSpecification& spec, const BezierTriangleSpace& space);
+// For problems of a map alone: a builder of its unknowns.
+ProblemBuilder map_builder(const MapSpecification& spec, const BezierTriangleSpace& space);
 
 using DensityTerms = std::vector<std::shared_ptr<const DensityTerm>>;
 
@@ -71,10 +84,11 @@ MapProblem map_problem(const MapSpecification& spec,
 TermChanges energy_states(const MapSpecification& spec, const EnergyIds& energies,
                           const std::vector<RuleId>& rules, const Vec& element_weight);
 
-// #F integrals of the energy over each face, face weights included, handles not. Throws Stopped.
+// #F integrals of the energy over each face here, face weights included, handles not. Throws
+// Stopped.
 Vec energy_by_face(const MapSpecification& spec, const DensityTerms& terms,
                    const std::vector<RuleId>& rules, VecIn x, const StopCheck& stop = {});
-// Their sum and that of the handles, over the area.
+// Their sum over the whole map and that of the handles, over the area.
 double energy_of_map(const MapSpecification& spec, const DensityTerms& terms,
                      const std::vector<RuleId>& rules, VecIn x);
 

@@ -31,7 +31,8 @@ ProofRequest questions(const CheckRequest& request, const Claims& claims, const 
     wanted.overlap = ProofRequest::Overlap::Forbidden;
   else if (request.reported)
     wanted.overlap = ProofRequest::Overlap::Reported;
-  if (extension(request.name) == ".vtu") wanted.labels = ProofRequest::FaceLabels::Compared;
+  if (const std::string e = extension(request.name); e == ".vtu" || e == ".pvtu")
+    wanted.labels = ProofRequest::FaceLabels::Compared;
   wanted.stop = stop;
   return wanted;
 }

@@ -39,8 +39,8 @@ DegreeSolver::DegreeSolver(const Setup& setup, MapDomain& domain,
         setup.stop.poll();  // what follows is the analysis of its pattern
         return built;
       }()),
-      stepper_(built_.problem,
-               newton_options(setup.solve.curvature, setup.rules, setup.stop, domain.ordering())) {
+      stepper_(built_.problem, newton_options(setup.solve.curvature, setup.rules, setup.stop,
+                                              domain.ordering(), setup.solve.linear_solver)) {
   if (added_.constrained()) meet_added_constraints();
 }
 
@@ -137,10 +137,12 @@ Directive DegreeSolver::note(const IterationRecord& own, StepResult::Outcome out
   row.energy = own.energy;
   if (rows.phase != Phase::Newton)
     row.energy = setup_.asked_energy ? setup_.asked_energy(x()) : own_energy(x_);
-  const Directive directive = rows.record.note(std::move(row));
-  if (!setup_.watch) return directive;
-  const Directive watched = setup_.watch(rows.record.trace().back(), space_, x());
-  return directive != Directive::Continue ? directive : watched;
+  Directive directive = rows.record.note(std::move(row));
+  if (setup_.watch) {
+    const Directive watched = setup_.watch(rows.record.trace().back(), space_, x());
+    if (directive == Directive::Continue) directive = watched;
+  }
+  return ranks().of_first(directive);
 }
 
 // One step and what the domain makes of it; energy: of the problem, result.energy: the map's own.
@@ -162,7 +164,7 @@ DegreeSolver::Iteration DegreeSolver::iterate(SolveResult& result, double& energ
     result.iterations.push_back(own);
   }
   own.energy = result.energy;
-  if (result.y.size() > 0) it.directive = note(own, it.step.outcome, rows);
+  if (built_.problem.partition().global_size() > 0) it.directive = note(own, it.step.outcome, rows);
   DomainChange change = domain_.after_step(x_, it.step, input());
   if (change == DomainChange::Structure || (!moved && change == DomainChange::Values))
     it.since = StoppingTest::Since::ProblemChanged;
@@ -232,15 +234,16 @@ void DegreeSolver::soften_start(RunRecord& record) {
 
 void DegreeSolver::soften(RunRecord& record) {
   x_ = built_.problem.expand(built_.problem.reduce(x_));
-  if (record.directive() != Directive::Continue) return;
+  if (ranks().of_first(record.directive()) != Directive::Continue) return;
   StoppingTest test(brief_rules(record.iterations_left(), kAnyDecrease), 0);
   SolveResult result;
   bool softened = false;
   while (!test.before_step()) {
-    const Vec weight = soft_weights(energy_by_face(setup_.map, terms_, levels_.of_faces(), x()),
-                                    setup_.map.rest.measure, setup_.rules.soft_start);
-    if (weight.size() == 0) break;
-    element_weight_ = weight;
+    const std::optional<Vec> weight =
+        soft_weights(energy_by_face(setup_.map, terms_, levels_.of_faces(), x()),
+                     setup_.map.rest.measure, setup_.rules.soft_start, ranks());
+    if (!weight) break;
+    element_weight_ = *weight;
     softened = true;
     apply_state();
     result.y = built_.problem.reduce(x_);

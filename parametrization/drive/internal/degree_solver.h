@@ -7,7 +7,9 @@
 //     map = map.with(map.shared_space(), solver.x());
 //
 // Internal to parametrize(). Coordinates are normalised (see NormalizedStart). Whatever is stopped,
-// x() is the best point reached, and the domain's surroundings belong to it.
+// x() is the best point reached, and the domain's surroundings belong to it. Of a map that several
+// processes have (MapSpecification::part) every rank runs the same; setup.stop never stops then,
+// the record and watch of rank 0 do.
 #pragma once
 
 #include <functional>
@@ -63,7 +65,7 @@ class DegreeSolver {
   IterationRecord try_step();
 
   Vec x() const { return x_.head(2 * space_->node_count()); }
-  Index variables() const { return built_.problem.size(); }
+  GlobalIndex variables() const { return built_.problem.partition().global_size(); }
   double constraint_residual() const;
   const RemedyUses& remedies() const { return uses_; }
   // Faces proven injective, by depth of bisection, in all checks so far.
@@ -89,6 +91,7 @@ class DegreeSolver {
   // What came of a remedy: nothing that could help, something to go on from, or the end of the run.
   enum class Effect { None, GoOn, Ended };
 
+  const Ranks& ranks() const { return ranks_of(setup_.map); }
   DomainInput input() const;
   void meet_added_constraints();
   void rebuild();

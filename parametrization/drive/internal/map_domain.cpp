@@ -31,7 +31,7 @@ class KeptSolver final : public LinearSolver {
 }  // namespace
 
 DomainProblem PlainDomain::build(const DomainInput& in, VecIn) {
-  ProblemBuilder builder(2 * in.space->node_count());
+  ProblemBuilder builder = map_builder(in.map, *in.space);
   EnergyIds energies = add_map(builder, in.map, in.space, in.start, in.terms);
   builder.add(in.injectivity);
   std::vector<TermId> barriers = in.added.add_to(builder);

@@ -93,7 +93,7 @@ DegreeSolver::Effect DegreeSolver::refine(const std::vector<Index>& blocking, Ru
   std::vector<Index> faces;  // of the map; the domain looks after its own
   for (const Index e : blocking)
     if (e < space_->element_count()) faces.push_back(e);
-  if (!levels_.refine(faces)) return Effect::None;
+  if (!ranks().any(levels_.refine(faces))) return Effect::None;
   apply_state();
   record.mark(Remedy::Refine);
   return Effect::GoOn;
@@ -104,7 +104,7 @@ DegreeSolver::Effect DegreeSolver::exclude(SolveResult& result, RunRecord& recor
   const SolveResult stalled = result;
   for (const Index e : stalled.blocking)
     if (e < element_weight_.size()) element_weight_[e] = rules().excluded_weight;
-  if (element_weight_.minCoeff() == 1) return Effect::None;
+  if (ranks().all((element_weight_.array() == 1).all())) return Effect::None;
   record.mark(Remedy::Exclude);
   const Place best = place();
   apply_state();

@@ -6,6 +6,20 @@
 #include "majorant/framework/internal/curvature_name.h"
 
 namespace majorant {
+namespace {
+
+// Of the plane: what energies of maps do not see, but for points that are held.
+Eigen::MatrixXd translations(const Problem& problem) {
+  Eigen::MatrixXd vectors(problem.size(), 2);
+  for (const Index c : {0, 1}) {
+    Vec x = Vec::Zero(problem.full_size());
+    x(Eigen::seq(c, Eigen::last, 2)).setOnes();
+    vectors.col(c) = problem.reduce(x);
+  }
+  return vectors;
+}
+
+}  // namespace
 
 void require_curvature(const DensityTerms& terms, Curvature asked) {
   for (const auto& term : terms) {
@@ -19,7 +33,7 @@ void require_curvature(const DensityTerms& terms, Curvature asked) {
 }
 
 NewtonOptions newton_options(Curvature curvature, const SolverRules& rules, const StopCheck& stop,
-                             Ordering ordering) {
+                             Ordering ordering, const SolverFactory& linear_solver) {
   NewtonOptions options;
   options.stopping = rules.stopping;
   options.line_search = rules.line_search;
@@ -28,6 +42,10 @@ NewtonOptions newton_options(Curvature curvature, const SolverRules& rules, cons
   options.curvature = curvature;
   options.stop = stop;
   options.linear_solver = [ordering] { return make_direct_solver(ordering); };
+  if (linear_solver) {
+    options.linear_solver = linear_solver;
+    options.near_null_space = translations;
+  }
   return options;
 }
 
@@ -41,8 +59,10 @@ SolveResult stopped(SolveResult result, Directive why) {
   return result;
 }
 
-Vec soft_weights(const Vec& energy, const Vec& measure, double enormous) {
-  if (!(energy.sum() >= enormous * measure.sum()) || !energy.allFinite()) return {};
+std::optional<Vec> soft_weights(const Vec& energy, const Vec& measure, double enormous,
+                                const Ranks& ranks) {
+  const double all = ranks.sum(energy.sum());
+  if (!(all >= enormous * ranks.sum(measure.sum())) || !ranks.all(energy.allFinite())) return {};
   return energy.cwiseQuotient(measure).cwiseSqrt().cwiseInverse();
 }
 

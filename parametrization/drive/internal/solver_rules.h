@@ -9,6 +9,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "majorant/elements/element_space.h"
@@ -114,8 +115,9 @@ struct SolverRules {
 // Throws InvalidArgument, listing what there is, when a term has no such curvature model.
 void require_curvature(const DensityTerms& terms, Curvature asked);
 
+// linear_solver: empty for the direct one with that ordering.
 NewtonOptions newton_options(Curvature curvature, const SolverRules& rules, const StopCheck& stop,
-                             Ordering ordering);
+                             Ordering ordering, const SolverFactory& linear_solver = {});
 
 // Whether a limit or Ctrl-C ended a solve.
 bool was_stopped(Status status);
@@ -123,10 +125,11 @@ bool was_stopped(Status status);
 SolveResult stopped(SolveResult result, Directive why);
 
 // Weights of the faces for a step from a start of enormous energy (mean density `enormous` and
-// more: a Tutte map with nearly collapsed triangles); empty for others. energy, measure: #F. sqrt
+// more: a Tutte map with nearly collapsed triangles); none for others. energy, measure: #F. sqrt
 // is concave, so weights 1 / sqrt(density) give a linear majorizer of sqrt: each step on the
-// reweighted energy decreases sum A sqrt(density).
-Vec soft_weights(const Vec& energy, const Vec& measure, double enormous);
+// reweighted energy decreases sum A sqrt(density). The mean is that of all ranks' faces.
+std::optional<Vec> soft_weights(const Vec& energy, const Vec& measure, double enormous,
+                                const Ranks& ranks);
 
 }  // namespace majorant
 

@@ -4,6 +4,46 @@
 #include <numeric>
 
 namespace majorant {
+namespace {
+
+// Of the largest error, in halvings: how well a threshold is found. Origin: the bits of a float; a
+// few faces more or less do not count.
+constexpr int kBisections = 24;
+
+// The faces with the largest errors, until those of the rest add up to `allowed`.
+std::vector<Index> worst_faces(const Vec& error, double allowed) {
+  std::vector<Index> order(static_cast<std::size_t>(error.size()));
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](Index a, Index b) { return error[a] > error[b]; });
+  double left = error.sum();
+  std::vector<Index> worst;
+  for (const Index f : order) {
+    if (left <= allowed) break;
+    left -= error[f];
+    worst.push_back(f);
+  }
+  return worst;
+}
+
+// The same of the faces of all ranks, without sorting them: those above a threshold, the largest
+// that leaves no more than `allowed`, found by bisection.
+std::vector<Index> worst_faces(const Vec& error, double allowed, const Ranks& ranks) {
+  const auto left_below = [&](double threshold) {
+    return ranks.sum((error.array() <= threshold).select(error.array(), 0).sum());
+  };
+  double high = ranks.max(error.size() > 0 ? error.maxCoeff() : 0), low = 0;
+  std::vector<Index> worst;
+  if (left_below(high) <= allowed) return worst;
+  for (int k = 0; k < kBisections; ++k) {
+    const double middle = (low + high) / 2;
+    (left_below(middle) <= allowed ? low : high) = middle;
+  }
+  for (Index f = 0; f < error.size(); ++f)
+    if (error[f] > low) worst.push_back(f);
+  return worst;
+}
+
+}  // namespace
 
 std::vector<Quadrature> QuadratureLevels::rules() const {
   std::vector<Quadrature> rules = ladder_.guarded;
@@ -32,17 +72,10 @@ bool QuadratureLevels::refine_inaccurate(const MapSpecification& spec, const Den
   };
   const Vec now = plain(0);
   const Vec error = (plain(1) - now).cwiseAbs();
-  std::vector<Index> order(static_cast<std::size_t>(error.size()));
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](Index a, Index b) { return error[a] > error[b]; });
-  double left = error.sum();
-  std::vector<Index> worst;
-  for (const Index f : order) {
-    if (left <= allowed * now.cwiseAbs().sum()) break;
-    left -= error[f];
-    worst.push_back(f);
-  }
-  return refine(worst);
+  if (!spec.part) return refine(worst_faces(error, allowed * now.cwiseAbs().sum()));
+  const Ranks& ranks = spec.part->ranks();
+  const double energy = ranks.sum(now.cwiseAbs().sum());
+  return ranks.any(refine(worst_faces(error, allowed * energy, ranks)));
 }
 
 }  // namespace majorant

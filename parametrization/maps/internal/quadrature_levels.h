@@ -18,10 +18,11 @@ class QuadratureLevels {
   std::vector<Quadrature> rules() const;
   const std::vector<RuleId>& of_faces() const { return level_; }
 
-  // One level finer, where there is one; whether any face has changed.
+  // One level finer, where there is one; whether any face here has changed.
   bool refine(const std::vector<Index>& faces);
   // Refines the faces whose integrals are worst, until the error of the rest is below `allowed` of
-  // the energy. terms: on rules(). Throws Stopped, the levels unchanged.
+  // the energy, both of the whole map; whether any face of it has changed. terms: on rules().
+  // Throws Stopped, the levels unchanged.
   bool refine_inaccurate(const MapSpecification& spec, const DensityTerms& terms, VecIn x,
                          double allowed, const StopCheck& stop);
 

@@ -1,0 +1,64 @@
+#include "distributed/internal/collect.h"
+
+#include <utility>
+
+namespace majorant {
+namespace {
+
+using Parcels = std::vector<Ranks::Parcel>;
+
+}  // namespace
+
+std::vector<double> scattered(const Ranks& ranks, std::vector<std::vector<double>> of_ranks) {
+  double size = 0;
+  std::vector<double> sizes;
+  Parcels none, told, lists;
+  if (ranks.rank() > 0) {
+    ranks.exchange(none, Parcels{{0, {&size, 1}}});
+    std::vector<double> mine(static_cast<std::size_t>(size));
+    ranks.exchange(none, Parcels{{0, mine}});
+    return mine;
+  }
+  for (const auto& list : of_ranks) sizes.push_back(static_cast<double>(list.size()));
+  for (int r = 1; r < ranks.count(); ++r) {
+    told.push_back({r, {&sizes[static_cast<std::size_t>(r)], 1}});
+    lists.push_back({r, of_ranks[static_cast<std::size_t>(r)]});
+  }
+  ranks.exchange(told, none);
+  ranks.exchange(lists, none);
+  return std::move(of_ranks.front());
+}
+
+std::vector<std::vector<double>> gathered(const Ranks& ranks, std::vector<double> mine) {
+  auto size = static_cast<double>(mine.size());
+  Parcels none, told, lists;
+  if (ranks.rank() > 0) {
+    ranks.exchange(Parcels{{0, {&size, 1}}}, none);
+    ranks.exchange(Parcels{{0, mine}}, none);
+    return {};
+  }
+  std::vector<double> sizes(static_cast<std::size_t>(ranks.count()));
+  for (int r = 1; r < ranks.count(); ++r)
+    told.push_back({r, {&sizes[static_cast<std::size_t>(r)], 1}});
+  ranks.exchange(none, told);
+  std::vector<std::vector<double>> all(sizes.size());
+  all[0] = std::move(mine);
+  for (int r = 1; r < ranks.count(); ++r) {
+    auto& list = all[static_cast<std::size_t>(r)];
+    list.resize(static_cast<std::size_t>(sizes[static_cast<std::size_t>(r)]));
+    lists.push_back({r, list});
+  }
+  ranks.exchange(none, lists);
+  return all;
+}
+
+std::vector<double> broadcast(const Ranks& ranks, std::vector<double> of_first) {
+  of_first.resize(ranks.of_first(of_first.size()));
+  ranks.broadcast(std::as_writable_bytes(std::span(of_first)));
+  return of_first;
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

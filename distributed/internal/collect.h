@@ -1,0 +1,23 @@
+// Lists of different lengths from rank 0 to all, and from all to rank 0.
+//
+//     const std::vector<double> mine = scattered(ranks, of_ranks);       // of_ranks: rank 0's
+//     const std::vector<std::vector<double>> all = gathered(ranks, mine);    // empty elsewhere
+//
+// Integers travel as doubles, which have all of them up to 2^53.
+#pragma once
+
+#include <vector>
+
+#include "majorant/framework/ranks.h"
+
+namespace majorant {
+
+std::vector<double> scattered(const Ranks& ranks, std::vector<std::vector<double>> of_ranks);
+std::vector<std::vector<double>> gathered(const Ranks& ranks, std::vector<double> mine);
+// What rank 0 has.
+std::vector<double> broadcast(const Ranks& ranks, std::vector<double> of_first);
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

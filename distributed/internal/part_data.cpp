@@ -1,0 +1,58 @@
+#include "distributed/internal/part_data.h"
+
+#include <algorithm>
+
+#include "distributed/internal/collect.h"
+
+namespace majorant {
+namespace {
+
+Vec of_items(const Ranks& ranks, const std::vector<Index>& items, const Vec& whole, Index width) {
+  if (ranks.of_first(whole.size()) == 0) return {};
+  const auto lists = gathered(ranks, {items.begin(), items.end()});
+  std::vector<std::vector<double>> values(lists.size());
+  for (std::size_t r = 0; r < lists.size(); ++r)
+    for (const double item : lists[r])
+      for (Index k = 0; k < width; ++k)
+        values[r].push_back(whole[width * static_cast<Index>(item) + k]);
+  const std::vector<double> mine = scattered(ranks, std::move(values));
+  return Eigen::Map<const Vec>(mine.data(), static_cast<Index>(mine.size()));
+}
+
+}  // namespace
+
+Vec of_vertices(const MeshPart& part, const Vec& whole, Index width) {
+  return of_items(part.ranks(), part.vertex, whole, width);
+}
+
+Vec of_faces(const MeshPart& part, const Vec& whole, Index width) {
+  return of_items(part.ranks(), part.face, whole, width);
+}
+
+std::vector<Pin> points_of(const MeshPart& part, const std::vector<Pin>& whole, Copies copies) {
+  std::vector<double> told;
+  for (const Pin& p : whole) {
+    const Vector2 target = p.target.value_or(Vector2::Zero());
+    told.insert(told.end(),
+                {static_cast<double>(p.vertex), p.target ? 1.0 : 0.0, target.x(), target.y()});
+  }
+  told = broadcast(part.ranks(), std::move(told));
+  const Partition vertices = part.vertices();
+  std::vector<Pin> points;
+  for (std::size_t k = 0; k < told.size(); k += 4) {
+    const auto range =
+        std::equal_range(part.vertex.begin(), part.vertex.end(), static_cast<Index>(told[k]));
+    for (auto v = range.first; v != range.second; ++v) {
+      Pin point{static_cast<Index>(v - part.vertex.begin()), {}};
+      if (copies == Copies::Owner && !vertices.owns(point.vertex)) continue;
+      if (told[k + 1] != 0) point.target = Vector2(told[k + 2], told[k + 3]);
+      points.push_back(point);
+    }
+  }
+  return points;
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

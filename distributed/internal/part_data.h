@@ -1,0 +1,26 @@
+// Numbers that rank 0 has for the whole surface, as each rank needs them for its part.
+//
+//     const Vec uv = of_vertices(part, whole_uv, 2);         // whole_uv: rank 0's, empty elsewhere
+//     const std::vector<Pin> pins = points_of(part, whole_pins, Copies::All);
+#pragma once
+
+#include <vector>
+
+#include "distributed/mesh_part.h"
+#include "majorant/parametrization/drive/map_options.h"
+
+namespace majorant {
+
+// `width` numbers per vertex or face, of this rank's; none where rank 0 has none.
+Vec of_vertices(const MeshPart& part, const Vec& whole, Index width);
+Vec of_faces(const MeshPart& part, const Vec& whole, Index width);
+
+// Points named by vertices of the whole surface: on every rank that has the vertex, or on its owner
+// alone.
+enum class Copies { All, Owner };
+std::vector<Pin> points_of(const MeshPart& part, const std::vector<Pin>& whole, Copies copies);
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

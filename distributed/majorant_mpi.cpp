@@ -1,0 +1,326 @@
+// majorant-mpi: the command on several ranks, started by mpirun or srun.
+//
+//     mpirun -n 8 majorant-mpi parametrize big.ply -o big.pvtu --report run.json
+//
+// A binary of its own, so that `majorant` needs no MPI. Every rank reads the same words; rank 0
+// reads files and speaks. Exit codes are those of `majorant`; a rank that fails ends all.
+#include <fmt/format.h>
+#include <signal.h>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <algorithm>
+#include <memory>
+#include <new>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "apps/arguments/command_line.h"
+#include "apps/arguments/suggestion.h"
+#include "apps/command.h"
+#include "apps/energy_option.h"
+#include "apps/map_request.h"
+#include "apps/outputs.h"
+#include "apps/process.h"
+#include "apps/progress.h"
+#include "apps/solve_request.h"
+#include "apps/streams.h"
+#include "distributed/boundary_proof.h"
+#include "distributed/internal/part_data.h"
+#include "distributed/parametrize_parts.h"
+#include "distributed/parts_report.h"
+#include "distributed/petsc_solver.h"
+#include "distributed/processes.h"
+#include "distributed/tutte_of_parts.h"
+#include "distributed/write_parts.h"
+#include "majorant/framework/thread_count.h"
+
+namespace majorant::app {
+namespace {
+
+// Of unknowns, below which `auto` factorizes. Origin: measured, docs/distributed.md: a
+// factorization by MUMPS is the fastest there by far.
+constexpr GlobalIndex kSmall = 200000;
+
+struct Request {
+  CommonOptions common;
+  MapRequest map;
+  SolveRequest solve;
+  std::vector<std::string> outputs;
+  std::string linear_solver = "auto";
+};
+
+// Flags that one process knows and several do not, by name.
+void require_possible(const Request& request) {
+  const auto refuse = [](bool asked, const char* flag, const char* why) {
+    if (asked)
+      throw Error(ErrorKind::Usage,
+                  fmt::format("{} is for one process: {}; run `majorant parametrize`", flag, why));
+  };
+  refuse(request.solve.bijective, "--bijective", "the scaffold is not distributed");
+  refuse(request.solve.improve_mesh, "--improve-mesh", "flips need the whole surface");
+  refuse(request.solve.no_flips, "--no-flips", "the scaffold is not distributed");
+  refuse(!request.solve.scaffold_file.empty(), "--write-scaffold",
+         "the scaffold is not distributed");
+  refuse(request.solve.snapshots > 0, "--snapshots", "pages hold whole maps");
+  refuse(request.map.boundary_angles, "--boundary-angles", "sums at the boundary are not shared");
+  refuse(request.map.seamless, "--seamless", "seams tie points of several ranks");
+  refuse(request.map.init == "multiresolution", "--init multiresolution",
+         "its levels need the whole surface");
+  if (request.outputs.size() != 1 || extension(request.outputs.front()) != ".pvtu")
+    throw Error(ErrorKind::Usage,
+                "name one output, .pvtu; `majorant convert OUT.pvtu -o ...` makes other formats");
+}
+
+// One rank factorizes as `majorant` does, unless told otherwise.
+SolverFactory solver_of(const std::string& said, const Ranks& ranks,
+                        const std::shared_ptr<LadderRecord>& record) {
+  if (said == "direct" && ranks.count() > 1)
+    throw Error(ErrorKind::Usage,
+                "--linear-solver direct is for one rank; use mumps, or one of the others");
+  if (said == "direct" || (said == "auto" && ranks.count() == 1))
+    return [] { return make_direct_solver(); };
+  if (said == "auto") return petsc_solver({Rung::Amg, kSmall}, record);
+  const auto* const name = std::find(kRungNames.begin(), kRungNames.end(), said);
+  return petsc_solver({static_cast<Rung>(name - kRungNames.begin()), 0}, record);
+}
+
+// The whole surface and what is asked of it: rank 0's.
+struct Input {
+  MapInput map;
+  std::vector<int> rank_of_face;
+  BoundaryOrder boundary;
+};
+
+// SIGUSR1, which mpirun hands on, stops a run like the signals that end it.
+extern "C" void stop_on_user_signal(int) { raise(SIGTERM); }
+
+class Job {
+ public:
+  Job(const Request& request, const Processes& processes)
+      : request_(request),
+        ranks_(processes.ranks()),
+        is_first_(ranks_->rank() == 0),
+        progress_(quiet_elsewhere(request.common, is_first_)),
+        record_(request.solve.make_record(progress_)),
+        ladder_(std::make_shared<LadderRecord>()) {
+    interruption_flag();
+    signal(SIGUSR1, stop_on_user_signal);
+  }
+
+  int run() {
+    if (is_first_) read();
+    divide();
+    ParametrizationOptions options = local_options();
+    options.solve.linear_solver = solver_of(request_.linear_solver, *ranks_, ladder_);
+    const double started = record_.seconds();
+    record_.begin(Activity::Starting);
+    const Vec uv = make_start(options);
+    in_.map.mesh.reset();  // rank 0 has held the whole surface until here
+    in_.map.polygons = {};
+    initialize_seconds_ = record_.seconds() - started;
+    const PartResult result = parametrize_parts(part_, uv, options, record_);
+    record_.begin(Activity::Proving);
+    const GlobalInjectivity proof = prove_boundary(*part_, *result.map, in_.boundary);
+    return conclude(result, proof);
+  }
+
+ private:
+  static CommonOptions quiet_elsewhere(CommonOptions common, bool is_first) {
+    if (!is_first) common.quiet = true, common.verbose = false;
+    return common;
+  }
+
+  void read() {
+    require_writable(request_.common, {{request_.outputs, {".pvtu"}}}, request_.map.inputs());
+    record_.begin(Activity::Reading);
+    in_.map = read_input(request_.map, record_.start_stop());
+    in_.map.mesh->require_disk();
+    read_seconds_ = record_.seconds();
+  }
+
+  void divide() {
+    const double started = record_.seconds();
+    if (is_first_) {
+      in_.rank_of_face = face_ranks(*in_.map.mesh, ranks_->count());
+      in_.boundary = BoundaryOrder(*in_.map.mesh, in_.rank_of_face);
+    }
+    part_ =
+        std::make_shared<const MeshPart>(distributed(in_.map.mesh.get(), in_.rank_of_face, ranks_));
+    in_.rank_of_face = {};
+    divide_seconds_ = record_.seconds() - started;
+  }
+
+  // Numbers and flags are the same words everywhere; what files say, rank 0 tells.
+  ParametrizationOptions local_options() const {
+    MapRequest plain = request_.map;
+    plain.pins = plain.handles = plain.weights = "";
+    ParametrizationOptions options = read_options(plain, {}, *part_->mesh);
+    request_.solve.apply(options);
+    const MapOptions& whole = in_.map.options.map;
+    options.map.pins = points_of(*part_, whole.pins, Copies::All);
+    options.map.handles = points_of(*part_, whole.handles, Copies::Owner);
+    options.map.face_weight = of_faces(*part_, whole.face_weight, 1);
+    return options;
+  }
+
+  Vec make_start(const ParametrizationOptions& options) {
+    if (request_.map.init == "input") {
+      start_ = "input";
+      return of_vertices(*part_, in_.map.options.map.initial.value_or(Vec()), 2);
+    }
+    TutteOfParts tutte = tutte_of_parts(*part_, is_first_ ? in_.map.mesh.get() : nullptr,
+                                        options.solve.linear_solver);
+    start_ = "tutte";
+    if (tutte.on_one_rank && is_first_ && !request_.common.quiet)
+      say("majorant-mpi: Tutte's map leaves faces no room, rank 0 makes the start alone\n");
+    return std::move(tutte.uv);
+  }
+
+  Json options_section() const {
+    Json options = request_.map.to_json();
+    options.update(request_.solve.to_json());
+    options["linear_solver"] = request_.linear_solver;
+    return options;
+  }
+
+  int conclude(const PartResult& result, const GlobalInjectivity& proof) {
+    PartsRun run{*part_,
+                 result,
+                 proof,
+                 *ladder_,
+                 record_,
+                 request_.map.energy,
+                 start_,
+                 request_.map.input,
+                 options_section(),
+                 read_seconds_,
+                 divide_seconds_,
+                 initialize_seconds_,
+                 0};
+    const bool has_map = result.status != Status::Failed && result.status != Status::Infeasible;
+    const double started = record_.seconds();
+    if (has_map) {
+      record_.begin(Activity::Writing);
+      write_parts(request_.outputs.front(), *part_, result, is_first_ ? parts_claims(run) : "");
+    }
+    run.write_seconds = record_.seconds() - started;
+    const Json report = parts_report(run);
+    progress_.finish();
+    if (!is_first_) return exit_code(result.status);
+    if (!request_.common.report.empty()) write_json(request_.common.report, report);
+    if (!request_.common.quiet)
+      say("majorant-mpi: {}: {} ({}), degree {}, {} {:.10g}, {} faces on {} ranks, {:.3g} s\n",
+          request_.outputs.front(), status_name(result.status), result.message,
+          result.map->degree(), request_.map.energy, result.measures.value, part_->whole.faces,
+          ranks_->count(), record_.seconds());
+    return exit_code(result.status);
+  }
+
+  const Request& request_;
+  std::shared_ptr<const Ranks> ranks_;
+  bool is_first_;
+  Progress progress_;
+  RunRecord record_;
+  std::shared_ptr<LadderRecord> ladder_;
+  Input in_;
+  std::shared_ptr<const MeshPart> part_;
+  std::string start_;
+  double read_seconds_ = 0, divide_seconds_ = 0, initialize_seconds_ = 0;
+};
+
+void add_to(CLI::App& app, Request& request) {
+  CLI::App& verb = *app.add_subcommand(
+      "parametrize", "map a disk onto the plane, injectively and with low distortion");
+  request.common.add_to(verb);
+  request.map.add_to(verb);
+  request.map.add_start_to(verb);
+  verb.add_flag("--seamless", request.map.seamless, "for one process");
+  request.solve.add_to(verb, request.map.curvature);
+  verb.add_option("-o,--output", request.outputs, "output: .pvtu, beside it a .vtu for every rank")
+      ->required();
+  std::vector<std::string> solvers{"auto", "direct"};
+  solvers.insert(solvers.end(), kRungNames.begin(), kRungNames.end());
+  verb.add_option("--linear-solver", request.linear_solver,
+                  "auto; direct, on one rank; or where the ladder of solvers begins: cg-hypre, "
+                  "cg-gamg, cg-icc, mumps")
+      ->check(one_of(solvers));
+  verb.footer(
+      energy_help() +
+      "Example: mpirun -n 8 majorant-mpi parametrize big.ply -o big.pvtu --report run.json\n"
+      "What follows --petsc goes to PETSc.");
+}
+
+// What CLI11 makes of the words; a number: nothing is left to do.
+std::optional<int> parse(std::vector<std::string> words, Request& request, bool speaks) {
+  CLI::App app{"majorant-mpi: maps of surfaces onto the plane, on several processes",
+               "majorant-mpi"};
+  app.set_version_flag("--version", version_line());
+  app.require_subcommand(1);
+  add_to(app, request);
+  std::reverse(words.begin(), words.end());
+  try {
+    app.parse(words);
+  } catch (const CLI::ParseError& e) {
+    if (e.get_exit_code() == 0) {
+      std::ostringstream text;
+      app.exit(e, text, text);
+      if (speaks) print_text(text.str());
+      return kSuccess;
+    }
+    if (speaks) say("majorant-mpi: {}\n", usage_message(app, e));
+    return kUsage;
+  }
+  return {};
+}
+
+int run(int argc, char** argv) {
+  std::vector<std::string> words(argv + 1, argv + argc), petsc;
+  if (const auto mark = std::find(words.begin(), words.end(), "--petsc"); mark != words.end()) {
+    petsc.assign(mark + 1, words.end());
+    words.erase(mark, words.end());
+  }
+  Processes processes(petsc);
+  const int rank = processes.ranks()->rank();
+  // What one rank alone has come upon the others wait for: all end.
+  const auto fail = [&](int code) -> int {
+    if (processes.ranks()->count() > 1) processes.abort(code);
+    return code;
+  };
+  try {
+    Request request;
+    if (const auto code = parse(words, request, rank == 0)) return *code;
+    request.map.choose_degree({});
+    try {
+      require_possible(request);
+    } catch (const Error& e) {  // all ranks see the same
+      if (rank == 0) say("majorant-mpi: {}\n", e.what());
+      return exit_code(e.kind());
+    }
+    const ThreadCount threads(start_threads(request.common.threads));
+    return Job(request, processes).run();
+  } catch (const Error& e) {
+    say("majorant-mpi: rank {}: {}\n", rank, e.what());
+    return fail(exit_code(e.kind()));
+  } catch (const std::bad_alloc&) {
+    say("majorant-mpi: rank {}: out of memory; use more ranks or nodes\n", rank);
+    return fail(kUnsupported);
+  } catch (const std::exception& e) {
+    say("majorant-mpi: rank {}: internal error: {}; please report it with the input\n", rank,
+        e.what());
+    return fail(kInternal);
+  }
+}
+
+}  // namespace
+}  // namespace majorant::app
+
+int main(int argc, char** argv) {
+  majorant::app::prepare_process(argv);
+  return majorant::app::run(argc, argv);
+}
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

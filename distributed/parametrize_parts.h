@@ -1,0 +1,58 @@
+// parametrize() of several ranks: each solves its part, with the same Newton steps, remedies and
+// rules as one process (parametrization/drive/internal/degree_solver.h).
+//
+//     PartResult result = parametrize_parts(part, uv, options, record);
+//     result.map->control_points();                 // of this rank's faces, model units
+//
+// What needs the whole surface in one process is refused: scaffolds, seams, aligned edges, angles
+// at the boundary, flipped triangles, terms of a caller's own.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "distributed/mesh_part.h"
+#include "majorant/framework/run_record.h"
+#include "majorant/parametrization/drive/parametrize.h"
+#include "majorant/parametrization/maps/bezier_map.h"
+
+namespace majorant {
+
+// Of the whole map, the same on every rank, but for what is said to be this rank's.
+struct PartMeasures {
+  double value = 0, area = 0, max_density = 0, sigma_max = 0, sigma_min = 0;
+  Vec face_value, min_det;  // of this rank's faces
+  double least_det = 0;
+  Index faces_not_positive = 0, vertices_off = 0;  // vertices_off: angles do not add to full turns
+  double max_boundary_angle = 0;
+  Index boundary_over_full_turn = 0;
+  bool locally_injective = false;
+};
+
+struct PartResult {
+  Status status = Status::Failed;
+  std::string message;
+  std::optional<BezierMap> map;  // this rank's
+  double initial_value = 0, value_quadrature = 0, newton_decrement = 0;
+  double handle_distance = 0;
+  GlobalIndex variables = 0;
+  std::vector<long> injectivity_tests;  // of all ranks
+  RemedyUses remedies{};
+  PartMeasures measures;
+  double optimize_seconds = 0, measure_seconds = 0;
+};
+
+// uv: the start, 2 numbers per vertex here; options: of this rank (StartOfPart). Collective; the
+// record of rank 0 decides when to stop. Throws Error(Infeasible) where the start is not injective,
+// on all ranks; Error(Usage) for what is refused.
+PartResult parametrize_parts(std::shared_ptr<const MeshPart> part, const Vec& uv,
+                             const ParametrizationOptions& options, RunRecord& record);
+
+// Collective. map: of this rank's faces.
+PartMeasures measure_parts(const MeshPart& part, const BezierMap& map, const EnergySum& energy);
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

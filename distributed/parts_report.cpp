@@ -1,0 +1,129 @@
+#include "distributed/parts_report.h"
+
+#include <numbers>
+
+#include "distributed/internal/collect.h"
+#include "majorant/framework/linear_solver.h"
+
+namespace majorant {
+namespace {
+
+Json ladder_section(const LadderRecord& record) {
+  Json section{{"indefinite", record.indefinite}};
+  for (std::size_t k = 0; k < kRungNames.size(); ++k) {
+    const LadderRecord::Use& use = record.rungs[k];
+    section[std::string(kRungNames[k])] = {{"set_ups", use.set_ups},
+                                           {"solves", use.solves},
+                                           {"iterations", use.iterations},
+                                           {"most_iterations", use.most_iterations},
+                                           {"falls", use.falls}};
+  }
+  return section;
+}
+
+Json boundary_section(const GlobalInjectivity& proof) {
+  return {{"pairs_tested", proof.pairs_tested},
+          {"pairs_left", proof.pairs_left},
+          {"subdivisions", proof.subdivisions},
+          {"reason", proof.reason},
+          {"contacts", proof.contacts.size()}};
+}
+
+Json result_section(const PartsRun& run, GlobalIndex control_points) {
+  const PartResult& r = run.result;
+  const PartMeasures& m = r.measures;
+  Json injective;  // null: not decided
+  if (run.boundary.result == Injectivity::Violated) injective = false;
+  if (run.boundary.result == Injectivity::Proven && m.locally_injective) injective = true;
+  return {{"degree", r.map->degree()},
+          {"control_points", control_points},
+          {"energy", run.energy},
+          {"value", m.value},
+          {"max_density", m.max_density},
+          {"sigma_max", m.sigma_max},
+          {"sigma_min", m.sigma_min},
+          {"locally_injective", m.locally_injective},
+          {"min_det_bound", m.least_det},
+          {"globally_injective", injective},
+          {"boundary", boundary_section(run.boundary)},
+          {"max_boundary_angle_degrees", m.max_boundary_angle * 180 / std::numbers::pi},
+          {"boundary_vertices_over_360_degrees", m.boundary_over_full_turn},
+          {"start", run.start},
+          {"variables", r.variables},
+          {"initial_value", r.initial_value},
+          {"value_quadrature", r.value_quadrature},
+          {"newton_decrement", r.newton_decrement},
+          {"handle_distance", r.handle_distance}};
+}
+
+Json iterations(const std::vector<TraceEntry>& trace) {
+  Json list = iterations_section(trace);
+  for (std::size_t k = 0; k < trace.size(); ++k) {
+    list[k]["residual"] = trace[k].record.residual;
+    list[k]["solver_iterations"] = trace[k].record.solver_iterations;
+  }
+  return list;
+}
+
+}  // namespace
+
+Json parts_report(const PartsRun& run) {
+  const MeshPart& part = run.part;
+  const auto nodes = part.unknowns(run.result.map->space());
+  double shared = 0;
+  for (const auto& n : nodes->neighbours()) shared += static_cast<double>(n.owned.size() / 2);
+  const auto all = gathered(part.ranks(), {static_cast<double>(part.mesh->face_count()),
+                                           static_cast<double>(nodes->owned_size() / 2), shared,
+                                           static_cast<double>(peak_memory_bytes())});
+  if (part.ranks().rank() > 0) return nullptr;
+  Json ranks = Json::array();
+  for (const auto& r : all)
+    ranks.push_back({{"faces", static_cast<long>(r[0])},
+                     {"nodes", static_cast<long>(r[1])},
+                     {"shared_nodes", static_cast<long>(r[2])},
+                     {"peak_memory_bytes", static_cast<long>(r[3])}});
+  const PartResult& r = run.result;
+  return {{"schema_version", 1},
+          {"version", MAJORANT_VERSION},
+          {"command", "parametrize"},
+          {"status", status_name(r.status)},
+          {"message", r.message},
+          {"input",
+           {{"file", run.file},
+            {"vertices", part.whole.vertices},
+            {"edges", part.whole.edges},
+            {"faces", part.whole.faces}}},
+          {"options", run.options},
+          {"result", result_section(run, nodes->global_size() / 2)},
+          {"iterations", iterations(run.record.trace())},
+          {"injectivity_tests", {{"depth", r.injectivity_tests}}},
+          {"remedies", remedies_section(r.remedies)},
+          {"linear_solver", ladder_section(run.ladder)},
+          {"ranks", ranks},
+          {"seconds",
+           {{"read", run.read_seconds},
+            {"divide", run.divide_seconds},
+            {"initialize", run.initialize_seconds},
+            {"optimize", r.optimize_seconds},
+            {"measure", r.measure_seconds},
+            {"write", run.write_seconds},
+            {"total", run.record.seconds()}}},
+          {"vector_instructions", vector_instructions()}};
+}
+
+std::string parts_claims(const PartsRun& run) {
+  return json_text(Json{{"version", MAJORANT_VERSION},
+                        {"degree", run.result.map->degree()},
+                        {"energy", run.energy},
+                        {"value", run.result.measures.value},
+                        {"boundary", run.options["boundary"]},
+                        {"init", run.start},
+                        {"seams", false},
+                        {"bijective", false},
+                        {"options", run.options}});
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,102 @@
+#include "distributed/processes.h"
+
+#include <petscsys.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+
+#include "distributed/internal/petsc_call.h"
+#include "majorant/framework/error.h"
+
+namespace majorant {
+namespace {
+
+constexpr int kTag = 17;  // of all messages; each pair of ranks has one at a time
+
+int message_size(std::size_t size) {
+  if (size > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+    throw Error(ErrorKind::Unsupported,
+                "a message between two ranks is too large for MPI; use more ranks");
+  return static_cast<int>(size);
+}
+
+class MpiRanks final : public Ranks {
+ public:
+  MpiRanks() {
+    MPI_Comm_rank(PETSC_COMM_WORLD, &rank_);
+    MPI_Comm_size(PETSC_COMM_WORLD, &count_);
+  }
+
+  int rank() const override { return rank_; }
+  int count() const override { return count_; }
+
+  // Not MPI_Allreduce, whose order of additions is its own affair.
+  void sum(std::span<double> values) const override {
+    if (count_ == 1) return;
+    const int size = message_size(values.size());
+    std::vector<double> all(values.size() * static_cast<std::size_t>(count_));
+    MPI_Allgather(values.data(), size, MPI_DOUBLE, all.data(), size, MPI_DOUBLE, PETSC_COMM_WORLD);
+    std::copy_n(all.begin(), values.size(), values.begin());
+    for (std::size_t k = values.size(); k < all.size(); ++k) values[k % values.size()] += all[k];
+  }
+
+  void min(std::span<double> values) const override {
+    MPI_Allreduce(MPI_IN_PLACE, values.data(), message_size(values.size()), MPI_DOUBLE, MPI_MIN,
+                  PETSC_COMM_WORLD);
+  }
+
+  void broadcast(std::span<std::byte> bytes) const override {
+    MPI_Bcast(bytes.data(), message_size(bytes.size()), MPI_BYTE, 0, PETSC_COMM_WORLD);
+  }
+
+  void exchange(std::span<const Parcel> sent, std::span<const Parcel> received) const override {
+    std::vector<MPI_Request> requests(sent.size() + received.size());
+    auto request = requests.begin();
+    for (const Parcel& p : received)
+      MPI_Irecv(p.values.data(), message_size(p.values.size()), MPI_DOUBLE, p.rank, kTag,
+                PETSC_COMM_WORLD, &*request++);
+    for (const Parcel& p : sent)
+      MPI_Isend(p.values.data(), message_size(p.values.size()), MPI_DOUBLE, p.rank, kTag,
+                PETSC_COMM_WORLD, &*request++);
+    MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
+  }
+
+ private:
+  int rank_ = 0, count_ = 1;
+};
+
+}  // namespace
+
+// Signals and failures are ours; options given come last and win.
+Processes::Processes(const std::vector<std::string>& petsc_options)
+    : words_{"majorant-mpi",
+             "-no_signal_handler",
+             "-majorant_icc_sub_pc_type",
+             "icc",
+             "-majorant_icc_sub_pc_factor_shift_type",
+             "positive_definite",
+             "-majorant_gamg_pc_gamg_reuse_interpolation",
+             "false"} {
+  words_.insert(words_.end(), petsc_options.begin(), petsc_options.end());
+  for (std::string& word : words_) pointers_.push_back(word.data());
+  int count = static_cast<int>(pointers_.size());
+  pointers_.push_back(nullptr);
+  char** argv = pointers_.data();
+  require_petsc(PetscInitialize(&count, &argv, nullptr, nullptr));
+  require_petsc(PetscPushErrorHandler(PetscReturnErrorHandler, nullptr));
+  require_petsc(PetscOptionsSetValue(nullptr, "-options_left", "no"));
+  ranks_ = std::make_shared<const MpiRanks>();
+}
+
+Processes::~Processes() { PetscFinalize(); }
+
+void Processes::abort(int code) const {
+  MPI_Abort(PETSC_COMM_WORLD, code);
+  std::abort();
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

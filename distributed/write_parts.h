@@ -1,0 +1,20 @@
+// A map in parts as files: OUT_0.vtu, OUT_1.vtu, ... of the ranks that have faces, and OUT.pvtu
+// that names them, which ParaView opens and `majorant convert` and `majorant check` read.
+#pragma once
+
+#include <string>
+
+#include "distributed/parametrize_parts.h"
+
+namespace majorant {
+
+// Collective. Points that ranks share are the same bits in every piece. claims: JSON, what the
+// files promise; rank 0's piece says it. Every piece is read back and compared before it takes its
+// name. Throws Error, on the ranks where something failed.
+void write_parts(const std::string& path, const MeshPart& part, const PartResult& result,
+                 const std::string& claims);
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,183 @@
+#include "majorant/framework/partition.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "majorant/framework/error.h"
+#include "majorant/framework/internal/argument_check.h"
+
+namespace majorant {
+namespace {
+
+using Neighbour = Partition::Neighbour;
+
+const std::vector<Index>& sent(const Neighbour& n, bool from_owners) {
+  return from_owners ? n.owned : n.copies;
+}
+
+}  // namespace
+
+Partition::Partition(Index size)
+    : ranks_(one_process()), size_(size), owned_(size), global_size_(size) {
+  require_at_least("Partition: the number of unknowns", size, 0);
+}
+
+Partition::Partition(std::shared_ptr<const Ranks> ranks, Index size,
+                     std::vector<Neighbour> neighbours)
+    : ranks_(given("Partition: the ranks", std::move(ranks))),
+      size_(size),
+      neighbours_(std::move(neighbours)) {
+  require_at_least("Partition: the number of unknowns", size, 0);
+  std::sort(neighbours_.begin(), neighbours_.end(),
+            [](const Neighbour& a, const Neighbour& b) { return a.rank < b.rank; });
+  is_copy_.assign(at(size), 0);
+  int last = -1;
+  for (const Neighbour& n : neighbours_) {
+    require_index("Partition: the rank of a neighbour", n.rank, ranks_->count());
+    if (n.rank == std::exchange(last, n.rank))
+      throw InvalidArgument("Partition: a rank is a neighbour twice");
+    if (n.rank == ranks_->rank() && n.owned.size() != n.copies.size())
+      throw InvalidArgument("Partition: of its own unknowns a rank has as many copies as it says");
+    for (const Index i : n.owned) require_index("Partition: a shared unknown", i, size);
+    for (const Index i : n.copies) {
+      require_index("Partition: a copy", i, size);
+      if (std::exchange(is_copy_[at(i)], 1))
+        throw InvalidArgument("Partition: an unknown is a copy of two others");
+    }
+  }
+  for (const Neighbour& n : neighbours_)
+    for (const Index i : n.owned)
+      if (is_copy_[at(i)]) throw InvalidArgument("Partition: a copy is no owner");
+  owned_ = size - static_cast<Index>(std::count(is_copy_.begin(), is_copy_.end(), 1));
+  is_whole_ = ranks_->count() == 1 && owned_ == size;
+  if (is_whole_) {
+    neighbours_.clear();
+    is_copy_.clear();
+  }
+  number();
+}
+
+// 64-bit numbers travel as doubles, which have all integers up to 2^53.
+void Partition::number() {
+  if (is_whole_) {
+    global_size_ = size_;
+    return;
+  }
+  std::vector<double> counts(static_cast<std::size_t>(ranks_->count()), 0.0);
+  counts[static_cast<std::size_t>(ranks_->rank())] = owned_;
+  ranks_->sum(counts);
+  double sum = 0;
+  for (std::size_t r = 0; r < counts.size(); ++r) {
+    if (r == static_cast<std::size_t>(ranks_->rank())) first_ = static_cast<GlobalIndex>(sum);
+    sum += counts[r];
+  }
+  global_size_ = static_cast<GlobalIndex>(sum);
+  Vec numbers(size_);
+  GlobalIndex next = first_;
+  for (Index i = 0; i < size_; ++i) numbers[i] = owns(i) ? static_cast<double>(next++) : -1.0;
+  copy_from_owners(numbers);
+  global_.resize(at(size_));
+  for (Index i = 0; i < size_; ++i) global_[at(i)] = static_cast<GlobalIndex>(numbers[i]);
+}
+
+// What the other ranks have for this one, neighbour by neighbour: values of owners for copies, or
+// the other way round.
+std::vector<double> Partition::send(const Vec& values, bool from_owners) const {
+  require_size("Partition: the vector", values.size(), size_);
+  std::vector<double> out, in;
+  std::size_t out_size = 0, in_size = 0;
+  for (const Neighbour& n : neighbours_) {
+    if (n.rank == ranks_->rank()) continue;
+    out_size += sent(n, from_owners).size();
+    in_size += sent(n, !from_owners).size();
+  }
+  out.reserve(out_size);
+  in.resize(in_size);
+  std::vector<Ranks::Parcel> outgoing, incoming;
+  auto place = in.begin();
+  for (const Neighbour& n : neighbours_) {
+    if (n.rank == ranks_->rank()) continue;
+    const auto& mine = sent(n, from_owners);
+    const auto begin = out.size();
+    for (const Index i : mine) out.push_back(values[i]);
+    if (!mine.empty()) outgoing.push_back({n.rank, {out.data() + begin, mine.size()}});
+    const std::size_t count = sent(n, !from_owners).size();
+    if (count > 0)
+      incoming.push_back({n.rank, {place, place + static_cast<std::ptrdiff_t>(count)}});
+    place += static_cast<std::ptrdiff_t>(count);
+  }
+  ranks_->exchange(outgoing, incoming);
+  return in;
+}
+
+void Partition::copy_from_owners(Vec& y) const {
+  if (is_whole_) return;
+  const std::vector<double> in = send(y, true);
+  auto value = in.begin();
+  for (const Neighbour& n : neighbours_) {
+    if (n.rank == ranks_->rank())
+      for (std::size_t k = 0; k < n.copies.size(); ++k) y[n.copies[k]] = y[n.owned[k]];
+    else
+      for (const Index i : n.copies) y[i] = *value++;
+  }
+}
+
+void Partition::add_to_owners(Vec& g) const {
+  if (is_whole_) return;
+  const std::vector<double> in = send(g, false);
+  auto value = in.begin();
+  for (const Neighbour& n : neighbours_) {
+    if (n.rank == ranks_->rank())
+      for (std::size_t k = 0; k < n.copies.size(); ++k) g[n.owned[k]] += g[n.copies[k]];
+    else
+      for (const Index i : n.owned) g[i] += *value++;
+  }
+  for (const Neighbour& n : neighbours_)
+    for (const Index i : n.copies) g[i] = 0;
+}
+
+double Partition::dot(VecIn a, VecIn b) const {
+  if (is_whole_) return a.dot(b);
+  double sum = 0;
+  for (Index i = 0; i < size_; ++i)
+    if (owns(i)) sum += a[i] * b[i];
+  return ranks_->sum(sum);
+}
+
+double Partition::squared_norm(VecIn a) const { return is_whole_ ? a.squaredNorm() : dot(a, a); }
+
+double Partition::norm(VecIn a) const { return is_whole_ ? a.norm() : std::sqrt(dot(a, a)); }
+
+bool Partition::all_finite(VecIn a) const { return ranks_->all(a.allFinite()); }
+
+Partition Partition::part(const std::vector<Index>& kept) const {
+  const auto count = static_cast<Index>(kept.size());
+  if (is_whole_) return Partition(count);
+  Vec number = Vec::Constant(size_, -1);
+  for (std::size_t k = 0; k < kept.size(); ++k) {
+    require_index("Partition::part: an unknown", kept[k], size_);
+    number[kept[k]] = static_cast<double>(k);
+  }
+  Vec at_owner = number;
+  copy_from_owners(at_owner);
+  bool agreed = true;
+  for (Index i = 0; i < size_; ++i) agreed = agreed && (at_owner[i] < 0) == (number[i] < 0);
+  if (!ranks_->all(agreed))
+    throw InvalidArgument("Partition::part: an unknown is kept by one rank, and not by another");
+  const auto renumbered = [&](const std::vector<Index>& old) {
+    std::vector<Index> list;
+    for (const Index i : old)
+      if (number[i] >= 0) list.push_back(static_cast<Index>(number[i]));
+    return list;
+  };
+  std::vector<Neighbour> neighbours;
+  for (const Neighbour& n : neighbours_)
+    neighbours.push_back({n.rank, renumbered(n.owned), renumbered(n.copies)});
+  return {ranks_, count, std::move(neighbours)};
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,54 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the tests of majorant-mpi share: running it on several ranks of this machine."""
+import json
+import os
+import subprocess
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(__file__), '..', 'apps'))
+from command_helpers import *  # noqa: E402,F403
+
+MPI_BINARY = os.environ.get('MAJORANT_MPI_BINARY', '')
+DATA = os.environ.get('MAJORANT_SHARED_DATA', '')
+
+# More ranks than cores, as root in a container, one thread each.
+ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT='1', OMPI_ALLOW_RUN_AS_ROOT_CONFIRM='1',
+                   OMPI_MCA_rmaps_base_oversubscribe='1', OMPI_MCA_hwloc_base_binding_policy='none',
+                   OMPI_MCA_mpi_yield_when_idle='1', OMPI_MCA_btl_vader_single_copy_mechanism='none',
+                   OMP_NUM_THREADS='1', OPENBLAS_NUM_THREADS='1')
+
+
+def need_mpi():
+    """Ends the program as skipped where majorant-mpi was not built."""
+    if not MPI_BINARY or not os.path.exists(MPI_BINARY):
+        print('skipped: no majorant-mpi (scripts/packages_mpi.txt)')
+        sys.exit(77)
+
+
+def mpirun(ranks, *args, cwd=None):
+    words = ['mpirun', '-n', str(ranks), MPI_BINARY] + [str(a) for a in args]
+    return Outcome(subprocess.run(words, cwd=cwd, text=True, env=ENVIRONMENT,  # noqa: F405
+                                  stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                  stderr=subprocess.PIPE, timeout=300))
+
+
+def disk(name):
+    return os.path.join(DATA, 'disks', name + '.obj')
+
+
+class MpiTest(CommandTest):  # noqa: F405
+    def solve(self, ranks, mesh, *args, out='all', code=0):
+        """The report of a run on so many ranks."""
+        report = self.path(out + '.json')
+        done = mpirun(ranks, 'parametrize', mesh, '-o', self.path(out + '.pvtu'), '--report', report, *args)
+        self.assertEqual(done.code, code, done.err)
+        with open(report) as f:
+            return json.load(f)
+
+    def serial(self, mesh, *args):
+        report = self.path('serial.json')
+        self.run_ok('parametrize', mesh, '-o', self.path('serial.vtu'), '--report', report, '--init', 'tutte',
+                    *args)
+        with open(report) as f:
+            return json.load(f)
