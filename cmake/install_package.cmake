@@ -3,7 +3,7 @@
 
 # The package: find_package(majorant [COMPONENTS framework]), pkg-config, licence, CITATION.cff.
 include(CMakePackageConfigHelpers)
-install(TARGETS majorant EXPORT libmajorantTargets)
+install(TARGETS majorant EXPORT libmajorantTargets COMPONENT development)
 install(FILES majorant.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/majorant COMPONENT development)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/majorant)

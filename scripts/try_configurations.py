@@ -93,7 +93,8 @@ def try_shared(build):
     check_command(build / 'apps/majorant')
     with tempfile.TemporaryDirectory(prefix='majorant_shared_') as folder:
         prefix = Path(folder) / 'prefix'
-        run('cmake', '--install', build, '--prefix', prefix)
+        for component in ('command', 'libraries', 'development'):
+            run('cmake', '--install', build, '--prefix', prefix, '--component', component)
         assert not list(prefix.rglob('*.a'))
         check_command(prefix / 'bin/majorant')
         assert str(prefix) in loaded(prefix / 'bin/majorant')['libmajorant'][2]
