@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
+
 # make demo   install what the command needs, build it, flatten the bundled creature, say where the
 #             files are
 # make test   install what tests need, too, build, run every test, say which were not run and why

@@ -28,3 +28,6 @@
 #include "majorant/parametrization/starts/texture_seams.h"
 #include "majorant/parametrization/starts/tutte.h"
 #include "majorant/pictures/write_svg.h"
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

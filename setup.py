@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Builds the module majorant._core with CMake: pip install --no-build-isolation ."""
 import os
 import re
@@ -13,24 +15,31 @@ ROOT = Path(__file__).resolve().parent
 
 class CMakeBuild(build_ext):
     """The target majorant_python of a build tree below setuptools' own, its module put where the wheel
-    wants it. CMAKE_ARGS adds to the configuration."""
+    wants it. CMAKE_ARGS adds to the configuration; MAJORANT_BUILD_TREE names a tree that has the module
+    already, of the same Python: nothing is compiled then."""
 
     def build_extension(self, extension):
-        tree = Path(self.build_temp).resolve()
+        given = os.environ.get('MAJORANT_BUILD_TREE')
+        tree = Path(given or self.build_temp).resolve()
+        if not given:
+            self.build_tree(tree)
         destination = Path(self.get_ext_fullpath(extension.name)).resolve().parent
-        tree.mkdir(parents=True, exist_ok=True)
         destination.mkdir(parents=True, exist_ok=True)
+        modules = list((tree / 'python/majorant').glob('_core*.so'))
+        if len(modules) != 1:
+            raise RuntimeError(f'no module in {tree}: are pybind11, numpy and the headers of Python there?')
+        self.copy_file(str(modules[0]), str(destination / modules[0].name))
+
+    def build_tree(self, tree):
+        tree.mkdir(parents=True, exist_ok=True)
         others = ['APPS', 'TESTS', 'BENCH', 'EXAMPLES']
         subprocess.check_call(
             ['cmake', '-S', ROOT, '-B', tree, '-DCMAKE_BUILD_TYPE=Release', f'-DPython_EXECUTABLE={sys.executable}',
-             '-DMAJORANT_BUILD_PYTHON=ON', *(f'-DMAJORANT_BUILD_{name}=OFF' for name in others),
+             '-DBUILD_SHARED_LIBS=OFF', '-DMAJORANT_BUILD_PYTHON=ON',
+             *(f'-DMAJORANT_BUILD_{name}=OFF' for name in others),
              *os.environ.get('CMAKE_ARGS', '').split()])
         subprocess.check_call(['cmake', '--build', tree, '--parallel', str(self.parallel or os.cpu_count()),
                                '--target', 'majorant_python'])
-        modules = list((tree / 'python/majorant').glob('_core*.so'))
-        if len(modules) != 1:
-            raise RuntimeError('no module was built: are pybind11, numpy and the headers of Python there?')
-        self.copy_file(str(modules[0]), str(destination / modules[0].name))
 
 
 setup(version=re.search(r'project\(majorant VERSION (\S+)', (ROOT / 'CMakeLists.txt').read_text())[1],

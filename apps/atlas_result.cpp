@@ -104,3 +104,6 @@ int write_atlas(const FinishedUnwrap& run) {
 }
 
 }  // namespace majorant::app
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

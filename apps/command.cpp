@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/parts.h"
 #include "majorant/framework/linear_solver.h"
 
 namespace majorant::app {
@@ -39,7 +40,8 @@ ExitCode exit_code(Status status) {
 }
 
 std::string version_line() {
-  return fmt::format("majorant {} ({})", MAJORANT_VERSION, vector_instructions());
+  return fmt::format("majorant {} ({}{})", MAJORANT_VERSION, vector_instructions(),
+                     has_gpl_parts() ? "" : ", without GPL parts");
 }
 
 void CommonOptions::add_to(CLI::App& verb) {
@@ -54,3 +56,6 @@ void CommonOptions::add_to(CLI::App& verb) {
 }
 
 }  // namespace majorant::app
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -48,3 +48,6 @@ void add_convert(CLI::App& app, Action* run);
 void add_info(CLI::App& app, Action* run);
 
 }  // namespace majorant::app
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

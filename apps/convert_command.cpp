@@ -153,3 +153,6 @@ void add_convert(CLI::App& app, Action* run) {
 }
 
 }  // namespace majorant::app
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -17,3 +17,6 @@ EnergySum parse_energy(const std::string& expression);
 std::string energy_help();
 
 }  // namespace majorant::app
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -7,6 +7,7 @@
 
 #include "apps/command.h"
 #include "apps/outputs.h"
+#include "apps/parts.h"
 #include "apps/seam_request.h"
 #include "apps/streams.h"
 #include "majorant/io/read_mesh.h"
@@ -107,6 +108,7 @@ std::string runnable(const std::shared_ptr<const SurfaceMesh>& mesh, Description
     require_start(mesh, MapInjectivity::Local);
   } catch (const Error&) {
     if (is_disk || !is_planar) throw;
+    require_gpl_parts("parametrize --bijective");
     require_start(mesh, MapInjectivity::Global);
     return "parametrize --bijective can run";
   }
@@ -115,6 +117,7 @@ std::string runnable(const std::shared_ptr<const SurfaceMesh>& mesh, Description
 
 // Why unwrap, with any options, would refuse; empty where it would not.
 std::string unwrap_refusal(const SurfaceMesh& surface) try {
+  require_gpl_parts("unwrap");
   require_usable_sizes(surface);
   return "";
 } catch (const Error& e) {
@@ -200,3 +203,6 @@ void add_info(CLI::App& app, Action* run) {
 }
 
 }  // namespace majorant::app
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -12,6 +12,7 @@
 
 #include "apps/arguments/command_line.h"
 #include "apps/command.h"
+#include "apps/parts.h"
 #include "apps/process.h"
 #include "apps/streams.h"
 
@@ -25,6 +26,9 @@ int run(int argc, char** argv) {
       "plane",
       "majorant"};
   app.set_version_flag("--version", version_line());
+  app.add_flag_callback(
+      "--licenses", [] { throw CLI::CallForVersion(licences(), 0); },
+      "Display the licences of what this program is made of and exit");
   app.require_subcommand(1);
   app.footer(
       "Example: majorant parametrize bunny.obj -o bunny.vtu -o bunny.svg --degree 3\n"
@@ -84,3 +88,6 @@ int main(int argc, char** argv) {
   say("majorant: cannot write to standard output: {}\n", std::strerror(lost));
   return code == kSuccess || code == kLimit ? kUsage : code;
 }
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

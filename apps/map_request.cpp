@@ -141,3 +141,6 @@ MapInput read_input(const MapRequest& request, const StopCheck& stop,
 }
 
 }  // namespace majorant::app
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -56,3 +56,6 @@ MapInput read_input(const MapRequest& request, const StopCheck& stop,
                     const StartMaker& make_start = {});
 
 }  // namespace majorant::app
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -297,3 +297,6 @@ void write_json(const std::string& path, const Json& json) {
 }
 
 }  // namespace majorant::app
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -79,3 +79,6 @@ struct FormatOptions : MapFormats {
 void write_json(const std::string& path, const Json& json);
 
 }  // namespace majorant::app
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -28,3 +28,6 @@ std::vector<PagePoint> pulled_points(const std::vector<Pin>& handles, const Surf
 std::vector<PagePoint> claimed_points(const Claims& claims, const MapFile& map);
 
 }  // namespace majorant::app
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

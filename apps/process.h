@@ -30,3 +30,6 @@ const std::atomic<bool>* interruption_flag();
 int start_threads(int asked);
 
 }  // namespace majorant::app
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

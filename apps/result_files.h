@@ -59,3 +59,6 @@ struct FinishedRun {
 int write_result(const FinishedRun& run);
 
 }  // namespace majorant::app
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

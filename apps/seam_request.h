@@ -30,3 +30,6 @@ struct SeamRequest {
 void say_untextured(const std::string& file, const SurfaceCuts& cuts);
 
 }  // namespace majorant::app
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

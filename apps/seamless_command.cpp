@@ -75,3 +75,6 @@ void add_seamless(CLI::App& app, Action* run) {
 }
 
 }  // namespace majorant::app
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

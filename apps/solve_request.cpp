@@ -5,6 +5,7 @@
 #include "apps/arguments/number_check.h"
 #include "apps/arguments/suggestion.h"
 #include "apps/page_content.h"
+#include "apps/parts.h"
 #include "apps/process.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/curvature_name.h"
@@ -58,6 +59,7 @@ Json SolveRequest::to_json() const {
 
 void SolveRequest::require_usable(const OutputRequest& outputs, const MapRequest& map) const {
   const auto refuse = [](const char* what) { throw Error(ErrorKind::Usage, what); };
+  if (bijective) require_gpl_parts("--bijective");
   if (no_flips && !bijective) refuse("--no-flips needs --bijective");
   if (improve_mesh && !map.weights.empty())
     refuse("--improve-mesh changes the faces that --weights are for; leave one of the two out");
@@ -77,3 +79,6 @@ RunRecord SolveRequest::make_record(Progress& progress) const {
 }
 
 }  // namespace majorant::app
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -42,3 +42,6 @@ void print_data(fmt::format_string<Args...> format, Args&&... args) {
 int data_error() noexcept;
 
 }  // namespace majorant::app
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -25,3 +25,6 @@ auto unless_stopped(const std::string& doing, const Work& work) {
 }
 
 }  // namespace majorant::app
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

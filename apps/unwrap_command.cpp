@@ -4,6 +4,7 @@
 
 #include "apps/atlas_result.h"
 #include "apps/energy_option.h"
+#include "apps/parts.h"
 #include "apps/process.h"
 #include "apps/progress.h"
 #include "apps/solve_request.h"
@@ -35,6 +36,7 @@ Json options_of(const Request& request) {
 }
 
 void require_usable(Request& request) {
+  require_gpl_parts("unwrap");
   request.outputs.require_usable(request.map);
   if (request.outputs.turns_map())
     throw Error(
@@ -108,3 +110,6 @@ void add_unwrap(CLI::App& app, Action* run) {
 }
 
 }  // namespace majorant::app
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -57,3 +57,6 @@ Json UnwrapRequest::to_json() const {
 }
 
 }  // namespace majorant::app
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """majorant unwrap on the public meshes: one row a file, judged by programs that share no code with it.
 
 Each run is `majorant unwrap IN -o OUT.obj --report`, one thread, then `layout.py --overlap` of SHARED

@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Runs every file of SHARED/data/public/bad and checks exit codes, messages and what is left behind.
 
 Valid files must end with exit 0 and a map that verify.py accepts; the others must be refused with the

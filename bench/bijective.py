@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Acceptance of maps without overlaps: `parametrize --bijective` and `deform` on the public meshes.
 
 disks   SHARED/data/public/disks with --faces faces, degrees 1 to 3, with and without --bijective.

@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Blender's smart project and majorant unwrap on the same meshes, measured by one piece of code.
 
     charts    pieces that hang together across edges whose two sides have the same texture coordinates

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """The kinds of good files of check_campaign.py, and of files near the limits: what is made and what
 is true. Every function of KINDS takes a random generator and returns a Case. Imported, not run.
 """

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """The maps of check_campaign.py: surfaces with maps made from formulas, damage, and files of them.
 
 Both sides of an inner edge get equal control points because each is computed from the places of its

@@ -1,4 +1,6 @@
 #!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """The proof of `majorant check`: its verdicts on thousands of generated files against the truth.
 
 Files of many kinds, good and broken (campaign_kinds.py, campaign_damage.py), and files that the

@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """What the scripts of this folder share: options, processes, reports, OBJ files, the initial map.
 
 The initial map is computed here on purpose, independently of the program and of shared/tools:

@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """What a clean build costs: user CPU seconds of every compiler and linker call, slowest first.
 
 Configures an empty folder, builds with the compiler cache off and lets each call be started by this

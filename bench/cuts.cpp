@@ -76,3 +76,6 @@ int main(int argc, char** argv) {
     }
   }
 }
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

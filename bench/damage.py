@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Ways to damage a file: text, bytes, JSON, and the arrays, claims and attributes of VTU files.
 
 A damage is a function (bytes, random.Random) -> bytes. Most of them leave a file that still has a

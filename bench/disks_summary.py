@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Tables and rules for the results file of public_disks.py.
 
 The acceptance rules: every run valid (no problem noted); exit 0, except at most two exits 4 with

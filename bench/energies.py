@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Other energies against the independent implementation: MIPS (free boundary), ASAP (fixed).
 
 Every mesh and degree for which SHARED/reference/results.json has such a target: `majorant

@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """How fast pages draw where there is no graphics card: frames a second of Chromium's software renderer.
 
 The page is of 10,082 cubic triangles, its canvas 800 x 600. A frame is a key press that turns the surface

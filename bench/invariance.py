@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """The same energy for the same surface, the same files for any number of threads.
 
 Scales each mesh by 1e-6 and 1e6, rotates it, permutes its vertices and turns the corners of its

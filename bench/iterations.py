@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """How many Newton steps a linear map with free boundary takes, and where the time goes.
 
 Degree 1, free boundary, the disks with about 10000 faces: iterations until the relative decrease of

@@ -99,3 +99,6 @@ MAJORANT_FORMULA(of_jacobian, energy_factory(kOfJacobian));
 }  // namespace majorant
 
 BENCHMARK_MAIN();
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

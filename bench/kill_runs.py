@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Ends runs in every way at random moments and looks at what is left.
 
 Each run has two outputs of any formats, one of which exists before, and a report. It is ended by a signal, or cannot

@@ -144,3 +144,6 @@ int main(int argc, char** argv) {
       report(word, rules, start_only);
   }
 }
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Damages files of every format and runs the command on them: it must refuse or work, never break.
 
 Small meshes, maps and JSON files (mutation_seeds.py) are damaged in one way or more (damage.py),

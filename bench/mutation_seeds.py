@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """The good files that mutate.py damages: small meshes and maps in every format, and their JSON.
 
 Meshes come from formulas here, maps from the program and from tests/data/maps. All are small: what

@@ -101,3 +101,6 @@ int main(int argc, char** argv) {
     report(count, 12, 1e-3);
   }
 }
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Acceptance of hard pins: random targets away from where a map without pins has the vertices.
 
 Disks of SHARED/data/public/disks, degrees 1 and 3, sets of 1, 2, 3 and 5 pins in turn. Vertices are

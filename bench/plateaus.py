@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Meshes on which the energy falls slowly long before it is at its minimum, and where runs stop there.
 
 Long strips that run along a square spiral, bumpy across: a flat map straightens the spiral by turning

@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """The acceptance matrix: every mesh of SHARED/data/public/disks at several degrees and boundaries.
 
 Each run is `majorant parametrize`, then verify.py against the mesh and against constraints that

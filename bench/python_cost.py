@@ -1,8 +1,15 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """What Python costs: a call against the command, and a density in numpy against the kernel.
 
-Both as ratios within one run, of processor time, the least of several rounds; alternating, on one thread.
-The module and the command are those of one build, so they have the same kernels, which are printed.
+Of processor time on one thread, what is compared in alternation: the least of several rounds, and their ratio. The
+module and the command are those of one build, so they have the same kernels, which are printed.
+
+  call     the command from its start to its end, parametrize IN.obj -o OUT.vtu --degree 3, against
+           parametrize(*read_mesh(IN), degree=3).save(OUT) in an interpreter that runs already: both read, solve, prove
+           and write; once more with a callback. What starting that interpreter costs is a line of its own.
+  density  symmetric Dirichlet of docs/python.md, example 4, against the kernel that has this name
 
 Sample run:
   bench/python_cost.py --build build/release
@@ -62,11 +69,17 @@ def call_against_command(majorant, binary, faces, rounds):
             subprocess.run([binary, 'parametrize', mesh, '-o', out, '--degree', '3', '--threads', '1', '--quiet',
                             '--report', f'{folder}/r.json'], check=True)
 
-        def call():
-            majorant.parametrize(*majorant.read_mesh(mesh), degree=3, threads=1).save(out)
+        def call(**options):
+            majorant.parametrize(*majorant.read_mesh(mesh), degree=3, threads=1, **options).save(out)
 
-        times = [(seconds(command, resource.RUSAGE_CHILDREN), seconds(call)) for _ in range(rounds)]
-    return min(t[0] for t in times), min(t[1] for t in times), len(F)
+        def start():
+            subprocess.run([sys.executable, '-c', 'import majorant'], check=True, env={
+                **os.environ, 'PYTHONPATH': str(Path(majorant.__file__).parents[1])})
+
+        times = [(seconds(command, resource.RUSAGE_CHILDREN), seconds(call),
+                  seconds(lambda: call(callback=lambda step: None)), seconds(start, resource.RUSAGE_CHILDREN))
+                 for _ in range(rounds)]
+    return [min(column) for column in zip(*times)], len(F)
 
 
 def density_against_kernel(majorant, faces, rounds):
@@ -79,8 +92,8 @@ def density_against_kernel(majorant, faces, rounds):
         problems[-1].value(x)
     works = {'value': lambda p: p.value(x), 'projected Hessian': lambda p: p._core.linearize(x, 'projected'),
              'exact Hessian': lambda p: p._core.linearize(x, 'exact')}
-    return {name: [min(seconds(lambda: work(p)) for _ in range(rounds)) for p in problems]
-            for name, work in works.items()}, len(F)
+    times = {name: [[seconds(lambda: work(p)) for p in problems] for _ in range(rounds)] for name, work in works.items()}
+    return {name: [min(column) for column in zip(*pairs)] for name, pairs in times.items()}, len(F)
 
 
 def main():
@@ -95,17 +108,18 @@ def main():
     import majorant
 
     print('kernels:', majorant.kernels())
-    command, call, faces = call_against_command(majorant, options.build.resolve() / 'apps/majorant', options.faces,
-                                                options.rounds)
+    (command, call, watched, start), faces = call_against_command(
+        majorant, options.build.resolve() / 'apps/majorant', options.faces, options.rounds)
     print(f'{faces} faces, degree 3, read, solved, written: command {command:.3f} s, Python {call:.3f} s: '
-          f'{call / command:.3f}')
+          f'{call / command:.3f}, with a callback {watched:.3f} s: {watched / command:.3f}')
+    print(f'an interpreter that imports majorant: {start:.3f} s')
     costs, faces = density_against_kernel(majorant, options.faces, options.rounds)
     for name, (kernel, density) in costs.items():
         print(f'{faces} faces, 36 points, degree 3, {name}: kernel {1e3 * kernel:.1f} ms, numpy '
               f'{1e3 * density:.1f} ms: {density / kernel:.1f}')
     if options.json:
         Path(options.json).write_text(json.dumps({'kernels': majorant.kernels(), 'command': command, 'call': call,
-                                                  'costs': costs}, indent=1))
+                                                  'watched': watched, 'start': start, 'costs': costs}, indent=1))
 
 
 if __name__ == '__main__':

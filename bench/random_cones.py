@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """How often `majorant seamless` finds a valid map for cones that nobody chose: random vertices.
 
 Each set: as many cones of index 1/4 (or -1/4) as a closed surface needs, or one of each on others,

@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Whether two builds write the same maps, to the last bit: for changes that must not change results.
 
 Every disk at degrees 1 to 3 with free and with fixed boundary, and the textured seamless meshes;

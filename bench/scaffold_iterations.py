@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Iterations of `--bijective` at degree 1, in the terms SCAF is usually measured in.
 
   bench/scaffold_iterations.py [--binary build/release/apps/majorant] [--faces 500] [MODEL ...]

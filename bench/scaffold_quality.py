@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """What edge flips do for scaffolds: `--bijective` with and without `--no-flips`.
 
   bench/scaffold_quality.py [--binary build/release/apps/majorant] [MODEL ...]

@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Acceptance of seamless maps: `parametrize --seamless` and `seamless` on the public meshes.
 
 texture  SHARED/data/public/seamless, degrees 1 to 4, the seams of the files' texture coordinates

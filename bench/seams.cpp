@@ -223,3 +223,6 @@ int main(int argc, char** argv) {
   for (const int degree : arguments.degrees)
     report_degree(*surface.mesh, start.map, degree, arguments.steps);
 }
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -253,3 +253,6 @@ int main(int argc, char** argv) {
     }
   if (asked.json) fmt::print("{}\n", rows.dump(2));
 }
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

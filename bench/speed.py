@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """What a map costs, table by table, in fe: factorizations and solves of the same matrix.
 
 1 fe is one factorization and solve by CHOLMOD with settings that never change, measured in the same

@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Large meshes from small ones: every triangle of an OBJ cut into k x k flat ones.
 
 Sample run:

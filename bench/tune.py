@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """What a solver rule is worth: maps of the public disks with one rule changed at a time.
 
 The first row has the rules of parametrize(). The others: iterations and remedies of all meshes

@@ -37,3 +37,6 @@ UnitFe measure_unit_fe(const SparsePattern& pattern, const Vec& values, const Ve
                        int repeats);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

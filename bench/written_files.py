@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Judges every file that the program writes: what is written must be valid, read back as it is.
 
 Public disks (500 and 2,500 faces at degrees 1 to 4, 10,000 at 1 and 3), public closed meshes by the

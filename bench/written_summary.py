@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Table and rules for the results of written_files.py.
 
 The rules: no judge objects to a file; a run that ends with exit code 0 or 4 has all its outputs; OBJ

@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
+
 # CGAL 5 is header-only. Its own config links GMP and MPFR and adds flags to everything that links
 # it; the triangulations need neither: exact arithmetic is Boost.Multiprecision's, so that nothing
 # but the sources that include CGAL depends on it. Defines CGALHeaders::CGALHeaders.

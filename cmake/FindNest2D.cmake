@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
+
 # libnest2d 5 is header-only; Debian's config asks for modules that it does not ship. It needs Clipper
 # and NLopt (and Boost's headers). Its threads are OpenMP's, so it has
 # none where OpenMP is off, as here. Defines Nest2D::Nest2D.

@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
+
 # Debian's xsimd config links a library xtl that does not exist; only the headers are needed.
 # Defines XsimdHeaders::XsimdHeaders.
 find_path(XSIMD_INCLUDE_DIR xsimd/xsimd.hpp)

@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
+
 # The target `docs`: pages of the public headers, build/PRESET/api/html/index.html, by doxygen; a
 # message where there is none. What it finds undocumented is in api/warnings.txt.
 find_program(MAJORANT_DOXYGEN doxygen)

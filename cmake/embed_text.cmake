@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
+
 # majorant_embed_text(TARGET file...)
 #
 # Compiles text files (pages, styles, scripts) into TARGET, byte by byte. DIR/some_page.html becomes

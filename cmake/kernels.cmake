@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
+
 # Kernels that are compiled for several instruction sets from one source each and chosen at run time:
 # those of the built-in densities (the baseline's are compiled in named_energies.cpp), those of
 # formulas that users compile, and those of the sparse factorization.
@@ -32,7 +35,7 @@ foreach(set baseline ${sets})
                                      ${MAJORANT_ABI_DEFINITIONS})
   set_target_properties(majorant_front_kernels_${set} PROPERTIES POSITION_INDEPENDENT_CODE ON
                                                                  CXX_EXTENSIONS OFF)
-  target_sources(majorant_framework PRIVATE $<TARGET_OBJECTS:majorant_front_kernels_${set}>)
+  majorant_add_objects(framework majorant_front_kernels_${set})
 endforeach()
 # Of the energies: built-in densities, and formulas that users compile.
 function(majorant_energy_kernels name set)
@@ -45,7 +48,7 @@ function(majorant_energy_kernels name set)
                          $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized -Wno-uninitialized>)
   target_compile_definitions(${target} PRIVATE MAJORANT_KERNEL_NAME=${name}_${set})
   set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_EXTENSIONS OFF)
-  target_sources(majorant_energies PRIVATE $<TARGET_OBJECTS:${target}>)
+  majorant_add_objects(energies ${target})
 endfunction()
 foreach(set ${sets})
   majorant_energy_kernels(builtin_kernels ${set})

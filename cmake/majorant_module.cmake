@@ -1,20 +1,66 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+# majorant_library(NAME)
 # majorant_module(FOLDER [PUBLIC target...] [PRIVATE target...])
 #
-# One room of the house = one static library `majorant_ROOM` (alias majorant::ROOM; ROOM is the last
-# part of FOLDER), made of every .cpp of FOLDER and FOLDER/internal. Headers are included as
-# "majorant/FOLDER/x.h", inside the tree as after install; a link in the build tree makes that path,
-# one include root per room. Those of FOLDER/internal are not installed, those of FOLDER/detail are,
-# because templates in public headers need them.
+# One room of the house = one archive `majorant_ROOM` (ROOM is the last part of FOLDER), made of every
+# .cpp of FOLDER and FOLDER/internal. Headers are included as "majorant/FOLDER/x.h", inside the tree as
+# after install; a link in the build tree makes that path, one include root per room. Those of
+# FOLDER/internal are not installed, those of FOLDER/detail are, because templates in public headers
+# need them. Without MAJORANT_GPL, internal/no_x.cpp, where there is one, stands in for internal/x.cpp.
+#
+# Rooms belong to the last library that was named: the framework, or everything else. With
+# BUILD_SHARED_LIBS the same objects are one shared object a library, which programs and the installed
+# package link; the archives are then there for tests, which look inside. Programs name rooms as
+# majorant::ROOM, in either case.
 
 # Eigen's heap alignment is part of the binary interface: fixed, so that a consumer compiled with
 # wider vector instructions frees what we allocate.
 set(MAJORANT_ABI_DEFINITIONS EIGEN_MAX_ALIGN_BYTES=16 EIGEN_MALLOC_ALREADY_ALIGNED=0)
+
+# While the first number is 0 every minor version may break programs: it is part of the name then.
+set(MAJORANT_SOVERSION ${PROJECT_VERSION_MAJOR})
+if(PROJECT_VERSION_MAJOR EQUAL 0)
+  string(APPEND MAJORANT_SOVERSION .${PROJECT_VERSION_MINOR})
+endif()
+
+macro(majorant_library name)
+  set(MAJORANT_LIBRARY lib${name})
+  set(${MAJORANT_LIBRARY}_rooms)
+  if(BUILD_SHARED_LIBS)
+    add_library(${MAJORANT_LIBRARY} SHARED)
+    set_target_properties(${MAJORANT_LIBRARY} PROPERTIES
+      OUTPUT_NAME ${name} VERSION ${PROJECT_VERSION} SOVERSION ${MAJORANT_SOVERSION}
+      LINKER_LANGUAGE CXX INSTALL_RPATH "\$ORIGIN")
+    target_compile_features(${MAJORANT_LIBRARY} PUBLIC cxx_std_20)
+    target_compile_definitions(${MAJORANT_LIBRARY} PUBLIC ${MAJORANT_ABI_DEFINITIONS})
+    target_include_directories(${MAJORANT_LIBRARY} PUBLIC $<INSTALL_INTERFACE:include>)
+    # Of what the objects define, programs see our namespace alone: nothing of CGAL, Ceres, Eigen.
+    set(map ${PROJECT_SOURCE_DIR}/cmake/exported_symbols.map)
+    target_link_options(${MAJORANT_LIBRARY} PRIVATE LINKER:--version-script=${map}
+                        LINKER:--no-undefined LINKER:--as-needed)
+    set_property(TARGET ${MAJORANT_LIBRARY} APPEND PROPERTY LINK_DEPENDS ${map})
+    install(TARGETS ${MAJORANT_LIBRARY} EXPORT ${MAJORANT_LIBRARY}Targets
+            LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT libraries
+            NAMELINK_COMPONENT development)
+  endif()
+endmacro()
 
 function(majorant_module folder)
   cmake_parse_arguments(ARG "" "" "PUBLIC;PRIVATE" ${ARGN})
   get_filename_component(name ${folder} NAME)
   set(source_dir ${PROJECT_SOURCE_DIR}/${folder})
   file(GLOB sources CONFIGURE_DEPENDS ${source_dir}/*.cpp ${source_dir}/internal/*.cpp)
+  foreach(source IN LISTS sources)
+    if(source MATCHES "^(.*/)no_([^/]+)$")
+      if(MAJORANT_GPL)
+        list(REMOVE_ITEM sources ${source})
+      else()
+        list(REMOVE_ITEM sources ${CMAKE_MATCH_1}${CMAKE_MATCH_2})
+      endif()
+    endif()
+  endforeach()
   set(root ${PROJECT_BINARY_DIR}/include/${name})
   get_filename_component(parent ${root}/majorant/${folder} DIRECTORY)
   file(MAKE_DIRECTORY ${parent})
@@ -22,8 +68,9 @@ function(majorant_module folder)
     file(CREATE_LINK ${source_dir} ${root}/majorant/${folder} SYMBOLIC)
   endif()
 
+  set(others ${ARG_PUBLIC})
+  list(TRANSFORM ARG_PUBLIC REPLACE "^majorant::" "majorant_")
   add_library(majorant_${name} STATIC ${sources})
-  add_library(majorant::${name} ALIAS majorant_${name})
   target_compile_features(majorant_${name} PUBLIC cxx_std_20)
   target_compile_options(majorant_${name} PRIVATE -Wall -Wextra -Wpedantic -Wshadow)
   set_target_properties(majorant_${name} PROPERTIES EXPORT_NAME ${name} CXX_EXTENSIONS OFF
@@ -37,36 +84,54 @@ function(majorant_module folder)
   else()
     majorant_use_precompiled(majorant_${name} library)
   endif()
-  install(TARGETS majorant_${name} EXPORT majorantTargets
-          ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+
+  set(room majorant_${name})
+  if(BUILD_SHARED_LIBS)
+    target_sources(${MAJORANT_LIBRARY} PRIVATE $<TARGET_OBJECTS:majorant_${name}>)
+    target_include_directories(${MAJORANT_LIBRARY} PUBLIC $<BUILD_INTERFACE:${root}>)
+    list(FILTER others EXCLUDE REGEX "^majorant::")
+    target_link_libraries(${MAJORANT_LIBRARY} PUBLIC ${others} PRIVATE ${ARG_PRIVATE})
+    set(room majorant_${name}_of_library)
+    add_library(${room} INTERFACE)
+    set_target_properties(${room} PROPERTIES EXPORT_NAME ${name})
+    target_link_libraries(${room} INTERFACE ${MAJORANT_LIBRARY})
+  endif()
+  add_library(majorant::${name} ALIAS ${room})
+  install(TARGETS ${room} EXPORT ${MAJORANT_LIBRARY}Targets
+          ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+  set(left_out)
+  if(NOT MAJORANT_GPL)
+    set(left_out PATTERN ceres_minimizer.h EXCLUDE)
+  endif()
   install(DIRECTORY ${source_dir}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/majorant/${folder}
+          COMPONENT development
           FILES_MATCHING PATTERN "*.h" PATTERN internal EXCLUDE PATTERN densities EXCLUDE
-          PATTERN kernels EXCLUDE)
+          PATTERN kernels EXCLUDE ${left_out})
+  set(${MAJORANT_LIBRARY}_rooms ${name} ${${MAJORANT_LIBRARY}_rooms} PARENT_SCOPE)
 endfunction()
 
-# The exported package: find_package(majorant) gives majorant::majorant (everything) and one target
-# per room.
-function(majorant_install_package)
-  include(CMakePackageConfigHelpers)
+# Objects that are compiled apart from the others of a room.
+function(majorant_add_objects name objects)
+  target_sources(majorant_${name} PRIVATE $<TARGET_OBJECTS:${objects}>)
+  if(BUILD_SHARED_LIBS)
+    target_sources(${MAJORANT_LIBRARY} PRIVATE $<TARGET_OBJECTS:${objects}>)
+  endif()
+endfunction()
+
+# majorant::majorant, everything, for programs.
+function(majorant_umbrella)
   add_library(majorant INTERFACE)
   add_library(majorant::majorant ALIAS majorant)
-  target_link_libraries(majorant INTERFACE majorant_results majorant_terms)
+  if(BUILD_SHARED_LIBS)
+    target_link_libraries(libmajorant PUBLIC libmajorant_framework)
+    target_link_libraries(majorant INTERFACE libmajorant)
+  else()
+    target_link_libraries(majorant INTERFACE majorant_results majorant_terms
+                                             $<TARGET_NAME_IF_EXISTS:majorant_ceres>)
+  endif()
   set(root ${PROJECT_BINARY_DIR}/include/majorant)
   file(MAKE_DIRECTORY ${root}/majorant)
   file(CREATE_LINK ${PROJECT_SOURCE_DIR}/majorant.h ${root}/majorant/majorant.h SYMBOLIC)
   target_include_directories(majorant INTERFACE $<BUILD_INTERFACE:${root}>
                                                 $<INSTALL_INTERFACE:include>)
-  install(FILES majorant.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/majorant)
-  install(TARGETS majorant EXPORT majorantTargets)
-  set(destination ${CMAKE_INSTALL_LIBDIR}/cmake/majorant)
-  install(EXPORT majorantTargets NAMESPACE majorant:: DESTINATION ${destination})
-  configure_package_config_file(cmake/majorantConfig.cmake.in
-                                ${PROJECT_BINARY_DIR}/majorantConfig.cmake
-                                INSTALL_DESTINATION ${destination})
-  write_basic_package_version_file(${PROJECT_BINARY_DIR}/majorantConfigVersion.cmake
-                                   COMPATIBILITY SameMinorVersion)
-  install(FILES ${PROJECT_BINARY_DIR}/majorantConfig.cmake
-                ${PROJECT_BINARY_DIR}/majorantConfigVersion.cmake
-                cmake/FindCHOLMOD.cmake cmake/FindNest2D.cmake cmake/FindXsimdHeaders.cmake
-          DESTINATION ${destination})
 endfunction()

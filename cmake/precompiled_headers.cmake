@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
+
 # majorant_precompiled_headers(KIND [OPTIONS flag...] [LINK target...] HEADERS header...)
 # majorant_use_precompiled(TARGET KIND)
 #

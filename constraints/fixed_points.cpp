@@ -27,3 +27,6 @@ void FixedPoints::append_rows(ConstraintRows& rows) const {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -28,3 +28,6 @@ class FixedPoints final : public Constraint {
 };
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

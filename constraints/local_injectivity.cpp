@@ -169,3 +169,6 @@ Verdict AngleSums::check(VecIn x) const {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -76,3 +76,6 @@ class AngleSums final : public FeasibilityChecker {
 };
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

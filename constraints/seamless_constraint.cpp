@@ -123,3 +123,6 @@ double seam_residual(const BezierTriangleSpace& space, const Seams& seams, VecIn
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -47,3 +47,6 @@ SeamMismatch worst_seam_edge(const BezierTriangleSpace& space, const Seams& seam
 double seam_residual(const BezierTriangleSpace& space, const Seams& seams, VecIn x);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

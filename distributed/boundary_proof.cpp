@@ -53,3 +53,6 @@ GlobalInjectivity prove_boundary(const MeshPart& part, const BezierMap& map,
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -33,3 +33,6 @@ GlobalInjectivity prove_boundary(const MeshPart& part, const BezierMap& map,
                                  const BoundaryOrder& order);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

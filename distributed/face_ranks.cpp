@@ -45,3 +45,6 @@ std::vector<int> face_ranks(const SurfaceMesh& mesh, int count) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -321,3 +321,6 @@ int main(int argc, char** argv) {
   majorant::app::prepare_process(argv);
   return majorant::app::run(argc, argv);
 }
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -37,3 +37,6 @@ PartMeasures measure_parts(const MeshPart& part, const BezierMap& map, const Ene
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -268,3 +268,6 @@ MeshPart distributed(const SurfaceMesh* mesh, const std::vector<int>& rank_of_fa
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

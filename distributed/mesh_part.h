@@ -55,3 +55,6 @@ MeshPart distributed(const SurfaceMesh* mesh, const std::vector<int>& rank_of_fa
                      std::shared_ptr<const Ranks> ranks);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

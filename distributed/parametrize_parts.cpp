@@ -189,3 +189,6 @@ PartResult parametrize_parts(std::shared_ptr<const MeshPart> part, const Vec& uv
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -53,3 +53,6 @@ PartResult parametrize_parts(std::shared_ptr<const MeshPart> part, const Vec& uv
 PartMeasures measure_parts(const MeshPart& part, const BezierMap& map, const EnergySum& energy);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

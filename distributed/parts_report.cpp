@@ -124,3 +124,6 @@ std::string parts_claims(const PartsRun& run) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

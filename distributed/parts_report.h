@@ -29,3 +29,6 @@ Json parts_report(const PartsRun& run);
 std::string parts_claims(const PartsRun& run);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -242,3 +242,6 @@ SolverFactory petsc_solver(const LadderOptions& options, std::shared_ptr<LadderR
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -50,3 +50,6 @@ struct LadderOptions {
 SolverFactory petsc_solver(const LadderOptions& options, std::shared_ptr<LadderRecord> record);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -78,3 +78,6 @@ TutteOfParts tutte_of_parts(const MeshPart& part, const SurfaceMesh* whole,
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -48,3 +48,6 @@ void write_parts(const std::string& path, const MeshPart& part, const PartResult
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -15,3 +15,6 @@ void write_parts(const std::string& path, const MeshPart& part, const PartResult
                  const std::string& claims);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

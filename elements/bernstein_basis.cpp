@@ -87,3 +87,6 @@ Vec BernsteinBasis::values(VecIn point) const {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -71,3 +71,6 @@ Degrees BernsteinElement::lowered(int factor) const {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -157,3 +157,6 @@ double BernsteinSpace::largest_step(Index e, VecIn x, VecIn d, double s, int max
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

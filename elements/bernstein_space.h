@@ -70,3 +70,6 @@ class BernsteinSpace : public ElementSpace {
 ContractionTable contraction_table(const BernsteinElement& element, const Quadrature& rule);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -42,3 +42,6 @@ BezierQuadSpace::BezierQuadSpace(const Cells& cells, Index vertex_count, int deg
     : BernsteinSpace(quad(degree), cells, vertex_count) {}
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -58,3 +58,6 @@ BezierTetrahedronSpace::BezierTetrahedronSpace(const Cells& cells, Index vertex_
     : BernsteinSpace(tetrahedron(degree), cells, vertex_count) {}
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -26,3 +26,6 @@ class BezierTetrahedronSpace final : public BernsteinSpace {
 };
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -78,3 +78,6 @@ std::vector<Index> edge_nodes(const BezierTriangleSpace& space, Index half_edge)
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

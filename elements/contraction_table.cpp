@@ -132,3 +132,6 @@ ContractionTable contraction_table(const BernsteinElement& element, const Quadra
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -85,3 +85,6 @@ Vec largest_stretch(const JacobianNet& net, VecIn x) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -43,3 +43,6 @@ Eigen::Matrix2d jacobian_coefficient(const JacobianNet& net, Index t, VecIn x);
 Vec largest_stretch(const JacobianNet& net, VecIn x);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -368,3 +368,6 @@ Quadrature guarded_rule(const Quadrature& rule, int m, double weight) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -62,3 +62,6 @@ Quadrature corner_graded_rule(const Quadrature& rule, int m, int levels);
 Quadrature guarded_rule(const Quadrature& rule, int m, double weight);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -174,3 +174,6 @@ RestShapes curved_shapes(const ElementSpace& space, const RowMatrix& positions,
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -63,3 +63,6 @@ RowMatrix tabulate_rest(const RestShapes& rest, const ElementSpace& space,
                         const ContractionTable& table, Index e);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -90,3 +90,6 @@ auto density(std::string name, F f, const Data& data, const Traits& traits = {})
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -161,3 +161,6 @@ StarModel DensityTerm::star(const StarView& view, const Vector2& v) const {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

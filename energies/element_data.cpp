@@ -37,3 +37,6 @@ ElementRows element_data(const std::string& name, const RowMatrix& rows) {
 
 }  // namespace detail
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -111,3 +111,6 @@ auto spectral(std::string name, H h, const Data& data, const Traits& traits = {}
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -29,6 +29,14 @@ Rows rows_of(const Rows& all, std::span<const Index> elements) {
 
 }  // namespace
 
+DensityTraits detail::traits_of(std::string_view name, const Traits& traits,
+                                std::span<const bool> supported) {
+  DensityTraits all{std::string(name), {}, traits.barrier, traits.free_scale, {}, {}};
+  for (std::size_t k = 0; k < supported.size(); ++k)
+    if (supported[k]) all.curvatures.push_back(kCurvatures[k]);
+  return all;
+}
+
 EnergyFactory EnergyFactory::of_density(DensityTraits traits, std::shared_ptr<const void> density,
                                         const DensityKernels& kernels, Part part) {
   const auto make = [traits, density = std::move(density), kernels](
@@ -114,3 +122,6 @@ FreeScale free_scale_of(const EnergySum& energy) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

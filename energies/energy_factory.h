@@ -7,10 +7,12 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "majorant/energies/density_term.h"
+#include "majorant/energies/traits.h"
 
 namespace majorant {
 
@@ -48,6 +50,12 @@ class EnergyFactory {
   Part part_;
 };
 
+namespace detail {
+// supported: of each of kCurvatures. No with_parameters, no elements.
+DensityTraits traits_of(std::string_view name, const Traits& traits,
+                        std::span<const bool> supported);
+}  // namespace detail
+
 // The energy in frames that are turned so that their first axes are those given: #E by D, of any
 // length, in the frames of the rest shapes (turned() and in_frames() of elements/rest_shapes.h).
 //
@@ -80,3 +88,6 @@ Barrier barrier_of(const EnergySum& energy);
 FreeScale free_scale_of(const EnergySum& energy);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

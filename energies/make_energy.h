@@ -31,40 +31,59 @@ namespace majorant {
 
 namespace detail {
 
-// wrap: what kernels call a density as.
-template <class Density, class Wrap>
-EnergyFactory make_factory(const Density& density, const DensityKernels& kernels, Wrap wrap) {
-  DensityTraits traits{std::string(density.name()), {}, density.traits.barrier,
-                       density.traits.free_scale,   {}, {}};
-  for (const Curvature c : kCurvatures)
-    if (density.supports(c)) traits.curvatures.push_back(c);
+// object: has the density as its member, and is what kernels are called with: called(object).
+// again: the factory of another density of the type.
+template <class Object, class Called, class Again>
+EnergyFactory make_factory(std::shared_ptr<const Object> object, const DensityKernels& kernels,
+                           Called called, Again again) {
+  const auto& density = object->density;
+  bool supported[std::size(kCurvatures)];
+  for (std::size_t k = 0; k < std::size(kCurvatures); ++k)
+    supported[k] = density.supports(kCurvatures[k]);
+  DensityTraits traits = traits_of(density.name(), density.traits, supported);
   if constexpr (requires(Vec parameters) { density.with_parameters(parameters); })
-    traits.with_parameters = [density, wrap](const Vec& parameters) {
-      return wrap(density.with_parameters(parameters));
+    traits.with_parameters = [object, called](const Vec& parameters) {
+      return called(std::make_shared<const Object>(object->density.with_parameters(parameters)));
     };
   EnergyFactory::Part part;
   if constexpr (requires { density.element_count(); }) {
     traits.elements = density.element_count();
-    part = [density, kernels, wrap](std::span<const Index> elements) {
-      return make_factory(density.of(elements), kernels, wrap);
+    part = [object, again](std::span<const Index> elements) {
+      return again(object->density.of(elements));
     };
   }
-  return EnergyFactory::of_density(std::move(traits), wrap(density), kernels, std::move(part));
+  return EnergyFactory::of_density(std::move(traits), called(std::move(object)), kernels,
+                                   std::move(part));
 }
+
+template <class Density>
+struct CalledItself {
+  explicit CalledItself(Density d) : density(std::move(d)) {}
+  const Density density;
+};
 
 }  // namespace detail
 
 template <class Density>
 EnergyFactory energy_factory(const Density& density) {
-  return detail::make_factory(density, detail::point_kernels<Density>(),
-                              [](const auto& d) { return detail::point_object(d); });
+  using Object = detail::CalledByPoint<Density>;
+  return detail::make_factory(
+      std::make_shared<const Object>(density), detail::point_kernels<Density>(),
+      [](const std::shared_ptr<const Object>& object) {
+        return std::shared_ptr<const void>(object, &object->function);
+      },
+      [](const Density& other) { return energy_factory(other); });
 }
 // With kernels that this density is compiled into (energies/vectorized.h).
 template <class Density>
 EnergyFactory energy_factory(const Density& density, const DensityKernels& kernels) {
-  return detail::make_factory(density, kernels, [](const auto& d) -> std::shared_ptr<const void> {
-    return std::make_shared<const Density>(d);
-  });
+  using Object = detail::CalledItself<Density>;
+  return detail::make_factory(
+      std::make_shared<const Object>(density), kernels,
+      [](const std::shared_ptr<const Object>& object) {
+        return std::shared_ptr<const void>(object, &object->density);
+      },
+      [kernels](const Density& other) { return energy_factory(other, kernels); });
 }
 
 // Throw InvalidArgument as DensityTerm does.
@@ -83,3 +102,6 @@ std::shared_ptr<const DensityTerm> make_energy(std::shared_ptr<const ElementSpac
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

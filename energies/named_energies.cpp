@@ -68,3 +68,6 @@ EnergyFactory symmetric_dirichlet() {
 EnergyFactory mips() { return builtin(mips_density(), widest_instruction_set()); }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

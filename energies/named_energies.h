@@ -28,3 +28,6 @@ EnergyFactory symmetric_dirichlet();
 EnergyFactory mips();
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -93,3 +93,6 @@ void QuadraticPenalty::local(VecIn x, const Chunk& chunk, BlendedCurvature, cons
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

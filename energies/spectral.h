@@ -233,3 +233,6 @@ SpectralDensity<H, Majorant> spectral(std::string name, H h, const Traits& trait
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -25,3 +25,6 @@ DensityKernels vectorized(const Density&) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -16,3 +16,6 @@ int main() {
   const ParametrizationResult result = parametrize(mesh, {.map = {}});
   std::cout << result.map->corner_uv() << "\n\n" << result.map->control_uv() << "\n";
 }
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -34,3 +34,6 @@ int main() {
   ceres::Solve(options, &blocks, &summary);
   return outcome(ours, "energy", ours.energy, summary.final_cost, 1e-9);
 }
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

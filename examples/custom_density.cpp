@@ -41,3 +41,6 @@ int main(int argc, char** argv) {
   std::cout << status_name(result.status) << ", energy " << result.measures.value << "\n";
   return result.status == Status::Converged ? 0 : 1;
 }
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

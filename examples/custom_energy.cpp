@@ -29,3 +29,6 @@ int main(int argc, char** argv) {
             << report.message();
   return result.status == Status::Converged && report.ok() ? 0 : 1;
 }
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -69,3 +69,6 @@ int main(int argc, char** argv) {
   write_vtu(argv[2], to_map_file(start.with(space, problem.expand(own.y))));
   return std::abs(own.energy - direct.energy) < 1e-6 * direct.energy ? 0 : 1;
 }
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

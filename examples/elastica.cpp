@@ -35,3 +35,6 @@ int main() {
   if (!check_derivatives(*bending, x).ok()) return 1;
   return outcome(result, "height", x[n], k / K, 1e-4);
 }
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -35,3 +35,6 @@ int main() {
   const SolveResult result = NewtonMinimizer().minimize(problem, start, {});
   return outcome(result, "height of the end", problem.expand(result.y).tail(1)[0], 0.5710538, 1e-6);
 }
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

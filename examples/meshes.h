@@ -115,3 +115,6 @@ inline majorant::FixedUnknowns held(const majorant::RowMatrix& points,
     for (majorant::Index c = 0; c < dims; ++c) unknowns.push_back({dims * p + c, points(p, c)});
   return majorant::FixedUnknowns(unknowns);
 }
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

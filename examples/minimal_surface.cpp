@@ -31,3 +31,6 @@ int main() {
   const double error = (problem.expand(result.y) - exact).lpNorm<Eigen::Infinity>();
   return outcome(result, "largest error", error, 0, 2e-3);
 }
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -17,3 +17,6 @@ inline int outcome(const majorant::SolveResult& result, std::string_view what, d
   const bool right = std::abs(value - expected) <= tolerance;
   return right && result.status == majorant::Status::Converged ? 0 : 1;
 }
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

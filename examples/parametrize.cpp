@@ -26,3 +26,6 @@ int main(int argc, char** argv) {
   write_vtu(argv[2], to_map_file(*result.map));
   return result.measures.locally_injective ? 0 : 1;
 }
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

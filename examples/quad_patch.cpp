@@ -54,3 +54,6 @@ int main(int argc, char** argv) {
   write_vtk(argv[argc - 1], *space, x, 2, 77);
   return result.status == Status::Converged && injectivity->check(x).feasible ? 0 : 1;
 }
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

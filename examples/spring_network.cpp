@@ -30,3 +30,6 @@ int main() {
   const double carried = forces[2] + forces[3 * 10 + 2] + forces[3 * 110 + 2] + forces[3 * 120 + 2];
   return outcome(result, "the corners carry", carried, weight.sum(), 1e-5);
 }
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -47,3 +47,6 @@ class StretchBound final : public BarrierChecker {
 };
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -27,3 +27,6 @@ inline void write_vtk(const std::string& path, const ElementSpace& space, const 
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -34,3 +34,6 @@ constexpr std::string_view activity_name(Activity activity) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

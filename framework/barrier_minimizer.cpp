@@ -142,3 +142,6 @@ BarrierResult BarrierMinimizer::run(const Problem& problem, Vec y0,
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -73,3 +73,6 @@ class BarrierMinimizer final : public Minimizer {
 };
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

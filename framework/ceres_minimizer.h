@@ -50,3 +50,6 @@ class CeresMinimizer final : public Minimizer {
 };
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

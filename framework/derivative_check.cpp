@@ -300,3 +300,6 @@ DerivativeReport check_derivatives(const EnergyTerm& term, VecIn x, double toler
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -41,3 +41,6 @@ DerivativeReport check_derivatives(const EnergyTerm& term, VecIn x, double toler
                                    const TermState& state = {});
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -245,3 +245,6 @@ std::array<Dual2<T, 2>, 2> dual2_variables(const T& a, const T& b) {
 
 // Trigonometric and hyperbolic functions.
 #include "majorant/framework/dual2_functions.h"
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -39,3 +39,6 @@ struct ScalarBinaryOpTraits<double, majorant::Dual2<double, N>, Operation> {
 };
 
 }  // namespace Eigen
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -87,3 +87,6 @@ Dual2<T, N> tanh(const Dual2<T, N>& a) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

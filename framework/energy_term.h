@@ -102,3 +102,6 @@ class EnergyTerm {
 };
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -178,3 +178,6 @@ void Evaluator::assemble_term(TermId k, BlendedCurvature curvature, Vec& gradien
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -78,3 +78,6 @@ SolveResult LbfgsMinimizer::minimize(const Problem& problem, Vec y0,
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -53,3 +53,6 @@ class LbfgsMinimizer final : public Minimizer {
 };
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -64,3 +64,6 @@ ShiftedFactorization try_shifts(const std::function<FactorStatus(double shift)>&
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -63,8 +63,8 @@ using SolverFactory = std::function<std::unique_ptr<LinearSolver>()>;
 // to find, for one or two.
 enum class Ordering { Automatic, Amd, Metis };
 
-// Multifrontal Cholesky [DR83] of this library, on CHOLMOD's orderings and analysis [CDHR08]: in
-// the widest vector instructions of the machine, on the threads that the caller of analyze() has
+// Multifrontal Cholesky [DR83] of this library, on the orderings of AMD and METIS: in the widest
+// vector instructions of the machine, on the threads that the caller of analyze() has
 // (thread_count.h). The same bits for any number of them, and on machines with AVX2 and AVX-512.
 // Needs no BLAS. Every member throws std::bad_alloc when it runs out of memory.
 std::unique_ptr<LinearSolver> make_direct_solver(Ordering ordering = Ordering::Automatic);
@@ -106,3 +106,6 @@ ShiftedFactorization factorize_shifted(LinearSolver& solver, const SparsePattern
                                        const StopCheck& stop = {});
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

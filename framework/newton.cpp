@@ -275,3 +275,6 @@ SolveResult NewtonMinimizer::minimize(const Problem& problem, Vec y0,
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

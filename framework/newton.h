@@ -139,3 +139,6 @@ class NewtonMinimizer final : public Minimizer {
 };
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -126,3 +126,6 @@ void make_semidefinite(double clamp, double* k) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -178,3 +178,6 @@ Partition Partition::part(const std::vector<Index>& kept) const {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

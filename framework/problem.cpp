@@ -298,3 +298,6 @@ Problem ProblemBuilder::build_after(const Problem* before) const {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -57,3 +57,6 @@ class Ranks {
 std::shared_ptr<const Ranks> one_process();
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

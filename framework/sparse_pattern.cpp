@@ -95,3 +95,6 @@ Index SparsePattern::slot(Index row, Index column) const {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -44,3 +44,6 @@ struct SparsePattern {
 void require_valid(const SparsePattern& pattern);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

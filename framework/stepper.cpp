@@ -138,3 +138,6 @@ SolveResult Stepper::descend_from(Vec y, double energy, const StoppingRules& rul
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -78,3 +78,6 @@ class Stepper {
 bool check_start(Evaluator& evaluator, SolveResult& result);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -132,3 +132,6 @@ Stop StoppingTest::no_step(const StepResult& step, bool near_minimum) const {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -35,3 +35,6 @@ void ThreadCount::run_on_each(const std::function<void()>& work) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -72,3 +72,6 @@ std::optional<double> factor_solve_seconds(const std::vector<TraceEntry>& trace,
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -74,3 +74,6 @@ int steps_taken(const std::vector<TraceEntry>& trace);
 std::optional<double> factor_solve_seconds(const std::vector<TraceEntry>& trace, int degree);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

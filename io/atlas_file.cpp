@@ -71,3 +71,6 @@ MapFile joined(const std::vector<MapFile>& charts) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -18,3 +18,6 @@ namespace majorant {
 MapFile joined(const std::vector<MapFile>& charts);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -36,3 +36,6 @@ FileVerification certification(std::string path, ProofRequest wanted, const MapF
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

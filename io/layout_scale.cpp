@@ -75,3 +75,6 @@ double image_area(const MapFile& file, Index c) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

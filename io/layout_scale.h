@@ -28,3 +28,6 @@ bool has_assumed_scale(const MapFile& file);
 double image_area(const MapFile& file, Index c);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

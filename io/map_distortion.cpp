@@ -35,3 +35,6 @@ void write_distortion(const std::string& path, const MapFile& file, const FaceDi
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -29,3 +29,6 @@ FaceDistortion finite_or_none(const FaceDistortion& faces);
 void write_distortion(const std::string& path, const MapFile& file, const FaceDistortion& faces);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

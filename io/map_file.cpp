@@ -197,3 +197,6 @@ MapFile to_map_file(const BezierMesh& mesh) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

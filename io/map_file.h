@@ -71,3 +71,6 @@ BezierMap to_bezier_map(const MapFile& file, const std::string& name);
 MapFile to_map_file(const BezierMesh& mesh);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -121,3 +121,6 @@ FileVerification certification(std::string path, ProofRequest wanted,
                                const MapFile* written = nullptr);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

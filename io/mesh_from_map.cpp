@@ -99,3 +99,6 @@ PolygonMesh mesh_from_map(const MapFile& map, const std::string& file) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -40,3 +40,6 @@ void write_msh(const std::string& path, const MapFile& map, MshContent content,
                const FileVerification& verify = {});
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -61,3 +61,6 @@ MapFile read_msh(const std::string& path, const StopCheck& stop) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -111,3 +111,6 @@ void write_msh(const std::string& path, const MapFile& map, MshContent content,
 }
 
 }  // namespace majorant
+
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 the majorant developers

@@ -47,3 +47,6 @@ PolygonMesh read_mesh(const std::string& path, const StopCheck& stop) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

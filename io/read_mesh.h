@@ -49,3 +49,6 @@ PolygonMesh read_mesh(const std::string& path, const StopCheck& stop = {});
 PolygonMesh mesh_from_map(const MapFile& map, const std::string& file);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

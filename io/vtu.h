@@ -53,3 +53,6 @@ void write_vtu(const std::string& path, const MapFile& map, VtuCells cells,
 void write_vtu(const std::string& path, const MapFile& map, const FileVerification& verify = {});
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

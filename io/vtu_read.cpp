@@ -270,3 +270,6 @@ MapFile read_vtu(const std::string& path, const StopCheck& stop) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -147,3 +147,6 @@ void write_vtu(const std::string& path, const MapFile& map, const FileVerificati
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

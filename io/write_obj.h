@@ -47,3 +47,6 @@ void write_obj(const std::string& path, const MapFile& map, const PolygonMesh* i
 std::string obj_text(const PolygonMesh& mesh);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

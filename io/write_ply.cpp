@@ -121,3 +121,6 @@ void write_ply(const std::string& path, const MapFile& map, const PolygonMesh* i
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

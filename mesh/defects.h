@@ -67,3 +67,6 @@ struct MeshDefects {
 MeshDefects find_defects(const PolygonMesh& input, const StopCheck& stop = {});
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

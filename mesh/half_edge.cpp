@@ -88,3 +88,6 @@ Index find_touching_vertex(const Cells& faces, const std::vector<Index>& opposit
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -59,3 +59,6 @@ std::vector<Index> face_components(const std::vector<Index>& opposite);
 Index find_touching_vertex(const Cells& faces, const std::vector<Index>& opposite);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -315,3 +315,6 @@ PolygonMesh with_welded_vertices(PolygonMesh input, const RepairedSurface& surfa
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -131,3 +131,6 @@ RepairedSurface repair(const PolygonMesh& input, const RepairOptions& options = 
 PolygonMesh with_welded_vertices(PolygonMesh input, const RepairedSurface& surface);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -93,3 +93,6 @@ void Seams::find_chains(const Cells& cut_faces) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

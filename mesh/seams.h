@@ -61,3 +61,6 @@ class Seams {
 Vector2 rotated(const Vector2& uv, int turns);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -291,3 +291,6 @@ Index SurfaceMesh::find_input_vertex(Index input) const {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

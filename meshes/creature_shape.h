@@ -155,3 +155,6 @@ inline const std::array<Vec, 7> cut_points = {
     Vec(0.62, 2.66, -0.14), Vec(-0.72, 1.68, -0.05), Vec(-1.02, 1.32, 0.16)};
 
 }  // namespace creature
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

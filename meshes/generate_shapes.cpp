@@ -297,3 +297,6 @@ int main(int argc, char** argv) {
     return 1;
   }
 }
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -220,3 +220,6 @@ ColorScale color_scale(Quantity quantity, const EnergySum& energy) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

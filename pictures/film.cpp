@@ -55,3 +55,6 @@ int last_iteration(const std::vector<TraceEntry>& trace) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

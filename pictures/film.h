@@ -60,3 +60,6 @@ class Film {
 int last_iteration(const std::vector<TraceEntry>& trace);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

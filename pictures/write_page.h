@@ -66,3 +66,6 @@ struct MapPage {
 void write_page(const std::string& path, const MapPage& page);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -142,3 +142,6 @@ void write_png(const std::string& path, const MapFile& map, const PngOptions& op
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

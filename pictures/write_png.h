@@ -55,3 +55,6 @@ struct PngOptions {
 void write_png(const std::string& path, const MapFile& map, const PngOptions& options = {});
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

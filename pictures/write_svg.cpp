@@ -154,3 +154,6 @@ void write_svg(const std::string& path, const MapFile& map, const SvgOptions& op
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -46,3 +46,6 @@ void write_svg(const std::string& path, const MapFile& map, const SvgOptions& op
 std::string svg_text(const MapFile& map, const SvgOptions& options = {});
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """The numbers that decide results, with their origins: prints the tables of docs/constants.md.
 
 What counts: in ROOMS, every `constexpr` number kName, and every number with a default in a struct
@@ -97,7 +99,6 @@ EXEMPT = {
     'framework/internal/backtracking.h kTake': 'an answer',
     'framework/run_record.h kGrace': 'seconds',
     'framework/stop_check.h kPeriod': 'how often limits are looked at',
-    'energies/internal/point_kernels.cpp kPacked': 'size of a table',
     'energies/detail/point_functions.h kMost': 'size of a table',
     'energies/detail/contraction_kernel.h kMaxDirections': 'size of a table',
     'energies/detail/contraction_kernel.h kWidest': 'size of a batch',

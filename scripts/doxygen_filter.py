@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """A header as doxygen wants it: the comments of the house, which are plain //, as documentation.
 
     scripts/doxygen_filter.py HEADER > FILTERED
@@ -25,6 +27,8 @@ def filtered(lines, stem):
     yield '/// @file'
     is_behind = is_documented = False
     for line in lines:
+        if line.startswith('// SPDX-'):
+            continue
         comment, behind, kind = COMMENT.match(line), BEHIND.match(line), TYPE.match(line)
         if comment:
             indent, gap, text = comment.groups()

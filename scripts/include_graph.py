@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Prints the rooms of the house, floor by floor, with their sizes and the rooms they include from.
 
 Fails (exit 1) on an include that does not go down, on rooms that include each other in a circle, on
@@ -32,7 +34,7 @@ FLOORS = [
 COMMANDS = {'apps', 'distributed'}     # on top of the library
 LARGE = {'io', 'elements', 'framework'}  # one subject each, however large
 MAX_SHARE = 0.12                         # of the lines of the library, for all other rooms
-MAX_UNITS = 25                           # x.h and x.cpp are one unit
+MAX_UNITS = 25                           # x.h, x.cpp and no_x.cpp are one unit
 LIST = 'densities'                       # one small file a named energy: counted for itself
 MAX_LINES = 400
 FLOOR = {room: floor for floor, rooms in enumerate(FLOORS) for room in rooms}
@@ -62,7 +64,8 @@ class House:
         text, room = path.read_text(), room_of(name)
         lines = text.count('\n')
         self.lines[room] += lines
-        self.units[room + '/' + LIST if LIST in name.parts else room].add(name.with_suffix(''))
+        unit = name.with_name(name.stem.removeprefix('no_'))
+        self.units[room + '/' + LIST if LIST in name.parts else room].add(unit)
         if lines > MAX_LINES:
             self.long_files.append('%s: %d lines, more than %d' % (name, lines, MAX_LINES))
         for header in INCLUDE.findall(text):

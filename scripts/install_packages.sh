@@ -1,4 +1,7 @@
 #!/bin/sh
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
+
 # install_packages.sh [LIST...]: installs the packages of scripts/packages.txt, and of other lists,
 # that are missing (Debian, root or sudo). Does nothing, and needs no network, when all are there.
 # PACKAGE/PROGRAM in a list: not where there is such a program already.

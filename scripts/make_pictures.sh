@@ -1,4 +1,7 @@
 #!/bin/sh
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
+
 # Makes the pictures of README.md and docs/, and docs/creature.html, with the program itself
 # (MAJORANT_BINARY, or that of the build). Those of the last part need the meshes of ../shared
 # (MAJORANT_SHARED_DIR).

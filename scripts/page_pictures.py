@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Pictures of pages for docs/pictures/page_*.png: what Chromium shows of maps of several kinds.
 
 Sample runs:

@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """skipped_tests.py FILE...: one line on the tests that ctest --output-junit FILE did not run, and why.
 
 A test that lacks something says what on its last line, `skipped: no ...`, and exits with 77.

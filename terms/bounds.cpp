@@ -132,3 +132,6 @@ Vec Bounds::interior(Vec x, double margin) const {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -63,3 +63,6 @@ Inequality<N, Block, F> inequality(std::string name, Cells nodes, F g) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -98,3 +98,6 @@ std::shared_ptr<const EnergyTerm> make_least_squares(std::string name, Cells nod
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

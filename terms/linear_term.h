@@ -19,3 +19,6 @@ namespace majorant {
 std::shared_ptr<const EnergyTerm> linear_term(std::string name, Vec coefficients);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -64,3 +64,6 @@ std::shared_ptr<const EnergyTerm> make_term(std::string name, Cells nodes, F f) 
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

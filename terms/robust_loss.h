@@ -5,8 +5,7 @@
 //
 // A loss is rho(s) with its first and second derivative, s = |r|^2 the squared residual of one
 // element, rho(s) = s where s is small; the energy is rho(|r|^2) / 2. `width` is the |r| from which
-// a residual counts as an outlier, in its units. Formulas and derivatives are those of Ceres, whose
-// classes do the work.
+// a residual counts as an outlier, in its units. Formulas are those of Ceres.
 #pragma once
 
 #include <array>
@@ -25,3 +24,6 @@ RobustLoss arctan_loss(double width);   // bounded
 RobustLoss tukey_loss(double width);    // constant beyond the width: outliers do not count at all
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -47,3 +47,6 @@ inline std::vector<Rational> exact(const double* values, int count) {
 }
 
 }  // namespace majorant::test
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

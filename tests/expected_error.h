@@ -31,3 +31,6 @@ inline void expect_contains(const std::string& text, const std::vector<std::stri
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

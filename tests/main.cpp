@@ -62,3 +62,6 @@ int main(int argc, char** argv) {
   if (skipped > 0) std::cerr << skipped << " tests were skipped: a test runs or is not there\n";
   return failed != 0 || skipped > 0 ? 1 : 0;
 }
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -13,3 +13,6 @@ namespace majorant::test {
 using Rational = boost::multiprecision::cpp_rational;
 
 }  // namespace majorant::test
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

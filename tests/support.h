@@ -84,3 +84,6 @@ inline Vec rest_determinants(const Mesh& m) {
 }
 
 }  // namespace majorant::test
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Bundles the pages into dist/, which is committed: building the command needs no npm.
 //   npm ci && npm run build
 import {build} from 'esbuild';

@@ -92,9 +92,8 @@ std::vector<std::string> meant_words(const CLI::App& app, std::vector<std::strin
   const auto first = std::find_if_not(words.begin(), words.end(), is_option);
   const std::vector<std::string> verbs = verbs_of(app);
   if (first == words.end()) {
-    const bool asks =
-        contains(words, "--help") || contains(words, "-h") || contains(words, "--version");
-    if (asks) return words;
+    for (const char* question : {"--help", "-h", "--version", "--licenses"})
+      if (contains(words, question)) return words;
     throw Error(ErrorKind::Usage, fmt::format("name a verb: one of {} (see majorant --help)",
                                               fmt::join(verbs, ", ")));
   }
@@ -136,3 +135,6 @@ std::string usage_message(const CLI::App& app, const CLI::ParseError& error) {
 }
 
 }  // namespace majorant::app
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -26,3 +26,6 @@ std::vector<std::string> meant_words(const CLI::App& app, std::vector<std::strin
 std::string usage_message(const CLI::App& app, const CLI::ParseError& error);
 
 }  // namespace majorant::app
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -31,3 +31,6 @@ CLI::Validator non_negative_number(double most) {
 }
 
 }  // namespace majorant::app
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

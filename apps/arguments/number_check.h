@@ -14,3 +14,6 @@ CLI::Validator positive_number(double most = std::numeric_limits<double>::max())
 CLI::Validator non_negative_number(double most = std::numeric_limits<double>::max());
 
 }  // namespace majorant::app
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -57,3 +57,6 @@ CLI::Validator one_of(std::vector<std::string> choices) {
 }
 
 }  // namespace majorant::app
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -20,3 +20,6 @@ std::string did_you_mean(const std::string& word, const std::vector<std::string>
 CLI::Validator one_of(std::vector<std::string> choices);
 
 }  // namespace majorant::app
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

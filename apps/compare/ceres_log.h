@@ -9,3 +9,6 @@ namespace majorant {
 void silence_ceres();
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -157,7 +157,7 @@ std::vector<const Method*> wanted_methods(const Request& request) {
 std::vector<const Method*> choose(const Request& request, const Contest& contest) {
   std::vector<const Method*> chosen;
   for (const Method* m : wanted_methods(request)) {
-    const std::string why = m->obstacle(contest);
+    const std::string why = m->obstacle ? m->obstacle(contest) : std::string();
     if (!why.empty() && !request.methods.empty())
       throw Error(ErrorKind::Usage, fmt::format("method {}: {}", m->name, why));
     if (why.empty()) chosen.push_back(m);
@@ -291,3 +291,6 @@ void add_compare(CLI::App& app, Action* run) {
 }
 
 }  // namespace majorant::app
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -40,3 +40,6 @@ const ComparisonPoint* first_within(const MethodRun& run, double best, double fr
 double excess_energy(double energy, double best);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -108,3 +108,6 @@ std::string comparison_table(const Comparison& comparison) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

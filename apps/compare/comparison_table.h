@@ -28,3 +28,6 @@ std::vector<ComparisonRow> comparison_rows(const Comparison& comparison);
 std::string comparison_table(const Comparison& comparison);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

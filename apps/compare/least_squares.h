@@ -44,3 +44,6 @@ class LeastSquaresMinimizer final : public Minimizer {
 };
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

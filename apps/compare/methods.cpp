@@ -4,9 +4,8 @@
 
 #include <vector>
 
-#include "apps/compare/least_squares.h"
+#include "apps/compare/ceres_methods.h"
 #include "majorant/energies/make_energy.h"
-#include "majorant/framework/ceres_minimizer.h"
 #include "majorant/framework/gradient_flow.h"
 #include "majorant/framework/internal/curvature_name.h"
 #include "majorant/framework/lbfgs.h"
@@ -16,8 +15,6 @@ namespace majorant::app {
 namespace {
 
 using SolverFactory = std::function<std::unique_ptr<LinearSolver>()>;
-
-std::string none(const Contest&) { return {}; }
 
 // Where the exact Hessian takes over near the minimum; never, for methods named after a model.
 const double kExactTail = BlendRules().below;
@@ -76,36 +73,8 @@ std::unique_ptr<Minimizer> make_hessian_lbfgs(const Contest& c) {
   return std::make_unique<LbfgsMinimizer>(options);
 }
 
-Method ceres_gradient(std::string name, std::string summary, CeresOptions::Method method) {
-  return {std::move(name), std::move(summary), none, [method](const Contest& c) {
-            CeresOptions options;
-            options.method = method;
-            options.max_iterations = c.max_iterations;
-            options.stop = c.stop;
-            return std::make_unique<CeresMinimizer>(options);
-          }};
-}
-
-Method least_squares() {
-  const auto obstacle = [](const Contest& c) -> std::string {
-    if (c.energy != "symmetric-dirichlet") return "it needs --energy symmetric-dirichlet";
-    if (c.specification.face_weight.size()) return "it does not know --weights";
-    if (!c.specification.handles.empty()) return "it does not know --handles";
-    return {};
-  };
-  return {"ceres-lm", "Ceres, Levenberg-Marquardt on J and J^-1 as residuals", obstacle,
-          [](const Contest& c) {
-            LeastSquaresOptions options;
-            options.max_iterations = c.max_iterations;
-            return std::make_unique<LeastSquaresMinimizer>(c.space, c.specification.rest, c.rule,
-                                                           options);
-          }};
-}
-
-}  // namespace
-
-std::span<const Method> methods() {
-  static const std::vector<Method> all{
+std::vector<Method> all_methods() {
+  std::vector<Method> all{
       newton("newton", "Newton, projected Hessian, exact near the minimum", Curvature::Projected,
              kExactTail),
       newton("newton-projected", "Newton, projected Hessian throughout", Curvature::Projected,
@@ -119,15 +88,20 @@ std::span<const Method> methods() {
              kNoExactTail),
       newton("newton-eigen", "newton with Eigen's L D L^T", Curvature::Projected, kExactTail,
              [] { return make_eigen_ldlt_solver(); }),
-      {"lbfgs", "L-BFGS, metric: Laplacian", none, make_lbfgs},
-      {"lbfgs-hessian", "L-BFGS, metric: projected Hessian at the start", none, make_hessian_lbfgs},
-      {"gradient-flow", "gradient flow in the Sobolev metric of the Laplacian", none,
+      {"lbfgs", "L-BFGS, metric: Laplacian", nullptr, make_lbfgs},
+      {"lbfgs-hessian", "L-BFGS, metric: projected Hessian at the start", nullptr,
+       make_hessian_lbfgs},
+      {"gradient-flow", "gradient flow in the Sobolev metric of the Laplacian", nullptr,
        make_gradient_flow},
-      ceres_gradient("ceres-lbfgs", "Ceres, L-BFGS", CeresOptions::Method::Lbfgs),
-      ceres_gradient("ceres-nlcg", "Ceres, nonlinear conjugate gradients",
-                     CeresOptions::Method::NonlinearConjugateGradient),
-      least_squares(),
   };
+  for (Method& method : ceres_methods()) all.push_back(std::move(method));
+  return all;
+}
+
+}  // namespace
+
+std::span<const Method> methods() {
+  static const std::vector<Method> all = all_methods();
   return all;
 }
 
@@ -138,3 +112,6 @@ const Method* find_method(const std::string& name) {
 }
 
 }  // namespace majorant::app
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -29,7 +29,7 @@ struct Contest {
 
 struct Method {
   std::string name, summary;
-  // Why the contest is not for this method; empty when it is.
+  // Why the contest is not for this method; empty when it is. None: every contest is.
   std::function<std::string(const Contest&)> obstacle;
   std::function<std::unique_ptr<Minimizer>(const Contest&)> make;
 };
@@ -38,3 +38,6 @@ std::span<const Method> methods();
 const Method* find_method(const std::string& name);
 
 }  // namespace majorant::app
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

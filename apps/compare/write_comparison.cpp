@@ -201,3 +201,6 @@ void write_comparison_html(const std::string& path, const Comparison& comparison
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

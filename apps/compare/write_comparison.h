@@ -24,3 +24,6 @@ void write_comparison_csv(const std::string& path, const Comparison& comparison)
 void write_comparison_html(const std::string& path, const Comparison& comparison);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Runs the experiments one after the other, and writes their results into docs/experiments.md.
 
 --write puts the section that each script left in --out between its marks in the page, its picture into the

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Piecewise polynomial maps in numpy: derivatives, distortion, kinks, and pictures of them.
 
     image = curved.read('map.vtu')

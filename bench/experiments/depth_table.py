@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """The depth table of Sec. 5.2: how often proofs of injectivity need bisection.
 
 Claim ([MC20] Sec. 5.2): of the injectivity tests while cubic maps are optimized, nearly all are

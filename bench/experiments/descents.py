@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Energy over time of the method as it is written, as figures 18 to 20 show it; time in fe of degree 1."""
 import experiment
 

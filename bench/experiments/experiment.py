@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """What the experiments share: options, runs, and how results become CSV, SVG and a section of a page.
 
 An experiment is a script with a docstring whose paragraphs begin with `Claim`, `Here` and `Time`, and

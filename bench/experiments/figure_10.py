@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Figure 10: the conformal energy gains more.
 
 Claim ([MC20] Fig. 10, Sec. 8.1, Appendix B): with the boundary fixed to a circle, higher degrees

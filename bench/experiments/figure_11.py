@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Figure 11: histograms of the distortion.
 
 Claim ([MC20] Fig. 11, Sec. 8.1): for a model of average behaviour, at three resolutions and with

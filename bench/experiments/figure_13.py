@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Figure 13: deformation by soft points, linear and quadratic.
 
 Claim ([MC20] Fig. 13, Sec. 8.2): in a planar deformation by soft point constraints, visible

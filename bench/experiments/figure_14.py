@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Figure 14: seamless maps with cones.
 
 Claim ([MC20] Fig. 14, Sec. 7, 8.2): a linear seamless map can be optimized at degree 1 and at

@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Figure 15: how many quadrature points, at the final degree from the start.
 
 Claim ([MC20] Fig. 15, Sec. 8.3): without elevation, too few quadrature points lead to bad local

@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Figure 16: how many quadrature points, with degree elevation.
 
 Claim ([MC20] Fig. 16, Sec. 8.3): with elevation the number of quadrature points is less critical

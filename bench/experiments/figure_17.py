@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Figure 17: setting up and solving at degree 1, over the number of faces.
 
 Claim ([MC20] Fig. 17, Sec. 8.4): an implementation for any degree, set to degree 1, needs hardly

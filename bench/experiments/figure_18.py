@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Figure 18: energy over time, without degree elevation.
 
 Claim ([MC20] Fig. 18, Sec. 8.4): the time of an iteration is linear in the number of quadrature

@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Figure 19: energy over time, with degree elevation.
 
 Claim ([MC20] Fig. 19, Sec. 8.4): with elevation all time beyond that of the linear map is at once

@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Figure 20: quadratic and cubic maps against linear ones of refined meshes.
 
 Claim ([MC20] Fig. 20, Sec. 8.5): for an energy as low as with one quadratic piece for each face,

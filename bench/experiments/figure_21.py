@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Figure 21: maps without overlaps, and the flips of the scaffold.
 
 Claim ([MC20] Fig. 21, Sec. 6, 8.6): quadratic maps are kept globally injective by a curved scaffold

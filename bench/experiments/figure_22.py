@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Figure 22: a deformation without overlaps.
 
 Claim ([MC20] Fig. 22, Sec. 8.6): the quadratic deformation of figure 13 is locally, but not

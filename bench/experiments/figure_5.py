@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Figure 5: degree elevation on the way against the highest degree from the start.
 
 Claim ([MC20] Fig. 5, Sec. 4.3): optimized at degree 4 from the start, a map may end early in a bad

@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Figure 9: what higher degrees gain, over models, resolutions and constraints.
 
 Claim ([MC20] Fig. 9, Sec. 8.1): of 26 models at three resolutions, with free boundary, fixed

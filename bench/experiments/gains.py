@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Final energies over degrees, as figures 9 and 10 show them: runs, pictures, tables."""
 import tempfile
 

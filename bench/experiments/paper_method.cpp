@@ -224,3 +224,6 @@ int main(int argc, char** argv) {
   }
   return 0;
 }
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

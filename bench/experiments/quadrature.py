@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Final energies over numbers of quadrature points, as figures 15 and 16 show them."""
 import experiment
 

@@ -18,3 +18,6 @@ struct AnglesOfParts {
 AnglesOfParts angles_of_parts(const MeshPart& part, const BezierMap& map);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

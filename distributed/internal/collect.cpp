@@ -59,3 +59,6 @@ std::vector<double> broadcast(const Ranks& ranks, std::vector<double> of_first) 
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

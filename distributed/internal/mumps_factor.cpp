@@ -50,3 +50,6 @@ FactorStatus MumpsFactor::factorize() {
 void MumpsFactor::solve(::Vec r, ::Vec p) const { require_petsc(MatSolve(factor_, r, p)); }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

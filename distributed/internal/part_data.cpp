@@ -53,3 +53,6 @@ std::vector<Pin> points_of(const MeshPart& part, const std::vector<Pin>& whole, 
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

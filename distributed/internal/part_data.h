@@ -21,3 +21,6 @@ enum class Copies { All, Owner };
 std::vector<Pin> points_of(const MeshPart& part, const std::vector<Pin>& whole, Copies copies);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

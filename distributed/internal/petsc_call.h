@@ -9,3 +9,6 @@ namespace majorant {
 void require_petsc(int code);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -84,3 +84,6 @@ void PetscMatrix::from_petsc(::Vec from, Vec& to) const {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

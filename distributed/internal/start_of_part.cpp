@@ -88,3 +88,6 @@ StartOfPart::StartOfPart(std::shared_ptr<const MeshPart> part, const Vec& uv,
 Vec StartOfPart::in_model_units(Vec x) const { return translated(x / scale_, destination_); }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

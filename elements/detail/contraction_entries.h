@@ -15,3 +15,6 @@ struct HessianEntry {  // d_a B_i d_b B_j contains coefficient * moment_m
 };
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -64,3 +64,6 @@ Eigen::MatrixXd elevation_matrix(int n);
 Vec multiply(int m, VecIn a, int n, VecIn b);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

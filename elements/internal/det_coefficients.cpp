@@ -297,3 +297,6 @@ void DetCoefficients::along_line(const StepPolynomial<1>* c, StepPolynomial<3>* 
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

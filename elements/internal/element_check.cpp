@@ -180,3 +180,6 @@ void check_determinants(const BernsteinElement& element, const DetCoefficients& 
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

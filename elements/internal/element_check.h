@@ -17,3 +17,6 @@ void check_description(const BernsteinElement& element);
 void check_determinants(const BernsteinElement& element, const DetCoefficients& det);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

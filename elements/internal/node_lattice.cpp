@@ -161,3 +161,6 @@ NodeNumbering number_nodes(const NodeLattice& lattice, const Cells& cells, Index
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -46,3 +46,6 @@ NodeNumbering number_nodes(const NodeLattice& lattice, const Cells& cells, Index
                            std::string_view name);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -126,3 +126,6 @@ double largest_positive_step(const Subdivision& cell, const StepPolynomial<3>* p
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -45,3 +45,6 @@ double first_root(const StepPolynomial<2>& p, double s);
 double first_root(const StepPolynomial<3>& p, double s);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

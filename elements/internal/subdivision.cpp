@@ -45,3 +45,6 @@ Subdivision::Plan Subdivision::plan(const BernsteinBasis& basis, const EdgeBisec
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

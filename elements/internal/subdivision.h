@@ -65,3 +65,6 @@ void Subdivision::bisect(int depth, const T* parent, T* first, T* second) const 
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

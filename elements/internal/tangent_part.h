@@ -12,3 +12,6 @@ std::optional<Eigen::RowVector2d> tangent_part(const Points3& positions, const C
                                                Index face, const Vector3& vector);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

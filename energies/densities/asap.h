@@ -15,3 +15,6 @@ inline auto asap_density() {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -19,3 +19,6 @@ inline auto symmetric_arap_density() {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -391,3 +391,6 @@ DensityKernels make_kernels() {
 }
 
 }  // namespace majorant::kernel
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -159,3 +159,6 @@ void write_reweighted(const IsotropicJet<T>& j, const T& x, const T& y, const T 
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -46,3 +46,6 @@ DensityKernels jacobian_kernels(int rows, int dims);
 DensityKernels invariant_kernels();
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -2,6 +2,7 @@
 // (point_functions.h): what is compiled in the file of a user's formula, and no more.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -15,8 +16,7 @@ template <class Density, class Call>
 void for_points(const Density& density, const PointBatch& batch, const Call& call) {
   for (int p = 0; p < batch.count; ++p) {
     if constexpr (requires { density.element_count(); }) {
-      const int last = batch.element_count - 1;
-      call(p, density.data_of(batch.elements[p < last ? p : last]));
+      call(p, density.data_of(batch.elements[std::min(p, batch.element_count - 1)]));
     } else {
       call(p);
     }
@@ -120,11 +120,7 @@ struct CalledByPoint {
   const decltype(point_function(std::declval<const Density&>())) function;
 };
 
-// What the kernels of point_kernels() are called with.
-template <class Density>
-std::shared_ptr<const void> point_object(Density density) {
-  const auto both = std::make_shared<const CalledByPoint<Density>>(std::move(density));
-  return {both, &both->function};
-}
-
 }  // namespace majorant::detail
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -40,3 +40,6 @@ inline auto builtin_energies() {
 using BuiltinEnergies = decltype(builtin_energies());
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

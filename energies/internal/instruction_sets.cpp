@@ -20,3 +20,6 @@ InstructionSet widest_instruction_set() {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -5,14 +5,10 @@
 #pragma once
 
 #include "majorant/energies/detail/point_functions.h"
+#include "majorant/energies/internal/semidefinite_batch.h"
 #include "majorant/energies/spectral.h"
 
 namespace majorant {
-
-// The negative eigenvalues of `count` packed N by N matrices, side by side in rows of
-// PointBatch::kMost, as clamp_eigenvalues(). N: 1 to 9. Not for kernels to compile: Eigen's code
-// would be merged with everybody's.
-void clamp_packed_blocks(int n, int count, double clamp, double* k);
 
 template <int M, int D>
 class PointwiseJacobian {
@@ -39,10 +35,10 @@ class PointwiseJacobian {
     double J[size * kLanes], f[kLanes], g[size * kLanes], k[packed * kLanes];
     for (int r = 0; r < size; ++r) z[r].store_unaligned(J + r * kLanes);
     function_.models(function_.formula, points_, J, f, g, k);
-    if (clamp > 0) clamp_packed_blocks(size, points_.count, clamp, k);
     m.f = T::load_unaligned(f);
     for (int r = 0; r < size; ++r) m.g[r] = T::load_unaligned(g + r * kLanes);
     for (int r = 0; r < packed; ++r) m.k[r] = T::load_unaligned(k + r * kLanes);
+    if (clamp > 0) make_semidefinite_batch<size>(clamp, m.k);
   }
 
   // J is its own coordinates.
@@ -107,3 +103,6 @@ class PointwiseInvariant : public SimilarityCoordinates {
 };
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

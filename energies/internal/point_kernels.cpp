@@ -1,9 +1,6 @@
-#include <limits>
-
 #include "majorant/energies/internal/instruction_sets.h"
 #include "majorant/energies/internal/point_densities.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/packed_symmetric.h"
 
 namespace majorant {
 
@@ -24,54 +21,7 @@ DensityKernels point_kernels(int index) {
   return point_kernels_baseline(index);
 }
 
-// Whether all pivots of a packed matrix are positive: most Hessians are, and need no eigenvalues.
-template <int N>
-bool is_definite(const double* k) {
-  double l[N][N], pivot[N];
-  for (int i = 0; i < N; ++i)
-    for (int j = 0; j <= i; ++j, ++k) {
-      double sum = *k;
-      for (int m = 0; m < j; ++m) sum -= l[i][m] * l[j][m] * pivot[m];
-      if (i != j)
-        l[i][j] = sum / pivot[j];
-      else if (sum > 0 && sum < std::numeric_limits<double>::infinity())
-        pivot[i] = sum;
-      else
-        return false;
-    }
-  return true;
-}
-
-template <int N>
-void clamp_blocks(int count, double clamp, double* k) {
-  constexpr int kPacked = N * (N + 1) / 2, kLanes = PointBatch::kMost;
-  for (int p = 0; p < count; ++p) {
-    double one[kPacked];
-    for (int r = 0; r < kPacked; ++r) one[r] = k[r * kLanes + p];
-    if (is_definite<N>(one)) continue;
-    clamp_eigenvalues<N>(clamp, one);
-    for (int r = 0; r < kPacked; ++r) k[r * kLanes + p] = one[r];
-  }
-}
-
 }  // namespace
-
-void clamp_packed_blocks(int n, int count, double clamp, double* k) {
-  switch (n) {
-    case 1:
-      return clamp_blocks<1>(count, clamp, k);
-    case 2:
-      return clamp_blocks<2>(count, clamp, k);
-    case 3:
-      return clamp_blocks<3>(count, clamp, k);
-    case 4:
-      return clamp_blocks<4>(count, clamp, k);
-    case 6:
-      return clamp_blocks<6>(count, clamp, k);
-    default:
-      return clamp_blocks<9>(count, clamp, k);
-  }
-}
 
 DensityKernels jacobian_kernels(int rows, int dims) {
   if (rows < 1 || rows > 3 || dims < 1 || dims > 3)
@@ -82,3 +32,6 @@ DensityKernels jacobian_kernels(int rows, int dims) {
 DensityKernels invariant_kernels() { return point_kernels(9); }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

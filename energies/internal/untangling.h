@@ -69,3 +69,6 @@ class UntanglingDensity final : public IsotropicDensity<UntanglingDensity, NoMaj
 };
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -21,3 +21,6 @@ DensityKernels MAJORANT_KERNEL_NAME(int index) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -42,3 +42,6 @@ void require_at_least(std::string_view what, double value, double least) {
 void refuse_null(std::string_view what) { throw InvalidArgument(fmt::format("{} is null", what)); }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -39,3 +39,6 @@ Pointer given(std::string_view what, Pointer pointer) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -175,3 +175,6 @@ void SlotTable::add_gradient(Index element, const LocalSystem& local, int p, dou
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

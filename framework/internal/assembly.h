@@ -60,3 +60,6 @@ std::vector<Index> node_blocks(const std::vector<const Stencils*>& terms,
                                const Elimination& elimination);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

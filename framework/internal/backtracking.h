@@ -37,3 +37,6 @@ std::optional<double> backtrack(double first, const Backtracking& rules, const A
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -140,3 +140,6 @@ void ChunkPlan::make_chunks(const Stencils& stencils, const std::vector<RuleId>&
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

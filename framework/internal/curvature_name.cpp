@@ -19,3 +19,6 @@ std::string_view curvature_name(Curvature curvature) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

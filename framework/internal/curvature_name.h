@@ -10,3 +10,6 @@ namespace majorant {
 std::string_view curvature_name(Curvature curvature);  // "projected", "paper-majorizer", ...
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

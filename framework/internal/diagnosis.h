@@ -23,3 +23,6 @@ std::string unbounded_along_gradient(Evaluator& evaluator, VecIn y, double energ
 std::string unbounded_below(double energy);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -16,3 +16,6 @@ Vec element_values(const EnergyTerm& term, const TermState& state, const ChunkPl
                    const StopCheck& stop = {});
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -134,3 +134,6 @@ Vec Elimination::project(VecIn x) const {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -122,3 +122,6 @@ BlockElimination extended_elimination(const BlockElimination& elimination,
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -10,16 +10,16 @@
 // Edges that have gone stay in it as fill: after many changes a new analysis is due.
 #pragma once
 
-#include <utility>
-#include <vector>
-
+#include "majorant/framework/internal/block_graph.h"
 #include "majorant/framework/internal/front_tree.h"
 
 namespace majorant {
 
-using BlockEdges = std::vector<std::pair<Index, Index>>;  // of two different blocks each
-
-// Groups are in postorder again, so some may have changed places.
+// edges: of two different blocks each. Groups are in postorder again, so some may have changed
+// places.
 BlockElimination extended_elimination(const BlockElimination& elimination, const BlockEdges& edges);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

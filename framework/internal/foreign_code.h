@@ -1,11 +1,8 @@
-// What CHOLMOD and the libraries below it do to a process, held in bounds around calls of them:
+// What METIS does to a process, held in bounds around calls of it:
 //
-//   const ThreadCount alone(1);         // around anything of CHOLMOD: its own teams of four
-//                                       // slow it down on the matrices here
-//   const MetisScope metis;             // around METIS
+//   const MetisScope metis;
 //
-// Not public: for .cpp files of solvers. ThreadCount (thread_count.h) and MetisScope leave all as
-// it was.
+// Not public: for .cpp files of solvers.
 #pragma once
 
 #include <array>
@@ -36,3 +33,6 @@ class MetisScope {
 };
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

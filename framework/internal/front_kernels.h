@@ -44,3 +44,6 @@ std::vector<const FrontKernels*> all_front_kernels();  // of this machine, the w
 const FrontKernels& front_kernels();                   // the widest
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -155,3 +155,6 @@ void FrontTree::place_entries(const SparsePattern& pattern) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -63,3 +63,6 @@ const Problem& metric_problem(const Problem& problem, const std::optional<Proble
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -54,3 +54,6 @@ class Metric {
 const Problem& metric_problem(const Problem& problem, const std::optional<Problem>& metric);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -221,3 +221,6 @@ void MultifrontalFactor::solve(const Vec& r, Vec& p) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

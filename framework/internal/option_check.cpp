@@ -46,3 +46,6 @@ std::unique_ptr<LinearSolver> make_solver(
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

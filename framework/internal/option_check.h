@@ -22,3 +22,6 @@ std::unique_ptr<LinearSolver> make_solver(
     std::string_view who, const std::function<std::unique_ptr<LinearSolver>()>& linear_solver);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -26,3 +26,6 @@ void require_valid(const EnergyTerm& term, const TermState& state);
 void require_curvature(std::string_view who, const Problem& problem, Curvature curvature);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

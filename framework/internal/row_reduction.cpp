@@ -312,3 +312,6 @@ SolvedUnknowns solve_rows(Index full_size, const ConstraintRows& rows) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -44,3 +44,6 @@ inline Index row_position(Index unknown, Index full_size) {
 SolvedUnknowns solve_rows(Index full_size, const ConstraintRows& rows);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

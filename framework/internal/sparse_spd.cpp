@@ -50,3 +50,6 @@ Vec SparseSpd::solve(const Vec& rhs) const {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

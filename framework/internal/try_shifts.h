@@ -18,3 +18,6 @@ ShiftedFactorization try_shifts(const std::function<FactorStatus(double shift)>&
                                 double diagonal, double smallest_shift, const StopCheck& stop);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -223,3 +223,6 @@ const FrontKernels MAJORANT_KERNEL_NAME{
     MAJORANT_INSTRUCTION_SET, factorize, pack, update, forward, backward};
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

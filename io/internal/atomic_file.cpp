@@ -152,3 +152,6 @@ std::optional<FileIdentity> identify_file(const std::string& path) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

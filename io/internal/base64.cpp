@@ -58,3 +58,6 @@ std::optional<std::string> decode_base64(std::string_view text) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

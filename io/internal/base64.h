@@ -19,3 +19,6 @@ constexpr std::size_t base64_length(std::size_t bytes) { return (bytes + 2) / 3 
 std::optional<std::string> decode_base64(std::string_view text);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

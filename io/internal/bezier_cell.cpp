@@ -58,3 +58,6 @@ Eigen::MatrixXd bernstein_values(int degree, const Points3& barycentric) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

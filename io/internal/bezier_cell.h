@@ -36,3 +36,6 @@ std::vector<int> bezier_edge_points(int degree, int edge);
 Eigen::MatrixXd bernstein_values(int degree, const Points3& barycentric);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

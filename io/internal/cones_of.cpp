@@ -12,3 +12,6 @@ std::map<Index, int> cones_of(const MapFile& map) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -11,3 +11,6 @@ namespace majorant {
 std::map<Index, int> cones_of(const MapFile& map);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -196,3 +196,6 @@ bool is_cut(const MapFile& file) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

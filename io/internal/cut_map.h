@@ -83,3 +83,6 @@ Eigen::VectorXi number_by_place(const Points3& points, const PolygonMesh& known)
 bool is_cut(const MapFile& file);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -281,3 +281,6 @@ void cut_until_positive(MapPieces& pieces, Overlap overlap) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

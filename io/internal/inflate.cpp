@@ -77,3 +77,6 @@ bool append_inflated(std::string_view stream, std::size_t size, std::string& con
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

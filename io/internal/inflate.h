@@ -46,3 +46,6 @@ class GunzipStream {
 bool append_inflated(std::string_view stream, std::size_t size, std::string& content);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

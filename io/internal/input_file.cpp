@@ -116,3 +116,6 @@ std::string in_quotes(std::string_view piece) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

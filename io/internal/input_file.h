@@ -35,3 +35,6 @@ void require_text(const std::string& path, std::string& content);
 std::string in_quotes(std::string_view piece);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

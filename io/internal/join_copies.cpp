@@ -37,3 +37,6 @@ void join_copies(PolygonMesh& mesh, const std::vector<Index>& copy_of) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -26,3 +26,6 @@ void require_shallow_json(const std::string& what, std::string_view text) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

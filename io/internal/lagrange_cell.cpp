@@ -233,3 +233,6 @@ void take_as_lagrange_nodes(MapFile& map, const std::string& file, const StopChe
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

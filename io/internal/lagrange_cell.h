@@ -38,3 +38,6 @@ double lagrange_amplification(int degree);
 void take_as_lagrange_nodes(MapFile& map, const std::string& file, const StopCheck& stop = {});
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

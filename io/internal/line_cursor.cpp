@@ -217,3 +217,6 @@ void LineCursor::fail(std::string_view problem) const {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -81,3 +81,6 @@ enum class NumberStatus { Good, NotANumber, NotFinite };
 NumberStatus parse_number(std::string_view token, double& value);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -61,3 +61,6 @@ void require_sound(const std::string& path, const MapFile& map) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -16,3 +16,6 @@ std::string map_defect(const MapFile& map);
 void require_sound(const std::string& path, const MapFile& map);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

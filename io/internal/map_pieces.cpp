@@ -287,3 +287,6 @@ void MapPieces::flip(Index cell, std::array<int, 2> pieces,
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -80,3 +80,6 @@ std::string repoint_materials(const std::string& line, const std::string& from,
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -18,3 +18,6 @@ std::string repoint_materials(const std::string& line, const std::string& from,
                               const std::string& to);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -156,3 +156,6 @@ MapFile merged(const std::vector<MapFile>& pieces, const std::vector<std::string
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

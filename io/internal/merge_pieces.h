@@ -15,3 +15,6 @@ MapFile merged(const std::vector<MapFile>& pieces, const std::vector<std::string
                const std::string& path);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

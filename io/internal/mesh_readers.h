@@ -21,3 +21,6 @@ PolygonMesh read_stl(const std::string& path, std::string content, const StopChe
 void require_complete(const PolygonMesh& mesh);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -275,3 +275,6 @@ PolygonMesh read_msh_mesh(const std::string& path, std::string content, const St
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

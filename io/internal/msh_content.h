@@ -41,3 +41,6 @@ MshContents read_msh_contents(const std::string& path, std::string content, cons
 PolygonMesh read_msh_mesh(const std::string& path, std::string content, const StopCheck& stop);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -175,3 +175,6 @@ std::vector<Index> edges_to_cut(const MapPieces& pieces, const std::vector<Bound
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -28,3 +28,6 @@ std::vector<BoundaryEdge> boundary_edges(const MapPieces& pieces);
 std::vector<Index> edges_to_cut(const MapPieces& pieces, const std::vector<BoundaryEdge>& edges);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -143,3 +143,6 @@ PlyHeader read_ply_header(const std::string& path, std::string_view content) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -41,3 +41,6 @@ struct PlyHeader {
 PlyHeader read_ply_header(const std::string& path, std::string_view content);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -78,3 +78,6 @@ MapFile read_pvtu(const std::string& path, const StopCheck& stop) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

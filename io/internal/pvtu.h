@@ -28,3 +28,6 @@ void write_pvtu(const std::string& path, const MapFile& like,
 MapFile read_pvtu(const std::string& path, const StopCheck& stop = {});
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -33,3 +33,6 @@ Vec read_face_weights(const std::string& path, Index face_count) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

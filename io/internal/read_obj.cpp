@@ -267,3 +267,6 @@ PolygonMesh read_obj(const std::string& path, std::string content, const StopChe
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

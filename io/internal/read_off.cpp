@@ -186,3 +186,6 @@ PolygonMesh read_off(const std::string& path, std::string content, const StopChe
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

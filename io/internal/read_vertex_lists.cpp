@@ -171,3 +171,6 @@ std::vector<std::array<Index, 2>> read_seams(const std::string& path, Index vert
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

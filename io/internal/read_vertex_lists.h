@@ -39,3 +39,6 @@ std::vector<Cone> read_cones(const std::string& path, Index vertex_count);
 std::vector<std::array<Index, 2>> read_seams(const std::string& path, Index vertex_count);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

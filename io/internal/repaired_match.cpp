@@ -188,3 +188,6 @@ std::optional<SurfaceMatch> match_repaired(const SurfaceMesh& cells, const Polyg
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -25,3 +25,6 @@ std::optional<SurfaceMatch> match_repaired(const SurfaceMesh& cells, const Polyg
                                            const std::vector<Index>& face_of_cell);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -66,3 +66,6 @@ ExactPositivity beyond_rounding(const MapFile& file, Index cell, const ExactPosi
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -18,3 +18,6 @@ double rounding_of_determinant(const MapFile& file, Index cell);
 ExactPositivity beyond_rounding(const MapFile& file, Index cell, const ExactPositivity& exact);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

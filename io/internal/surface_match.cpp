@@ -357,3 +357,6 @@ SurfaceMatch match_surface(const SurfaceMesh& cells, const PolygonMesh& surface,
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -34,3 +34,6 @@ SurfaceMatch match_surface(const SurfaceMesh& cells, const PolygonMesh& surface,
                            const std::vector<Index>& face_of_cell = {});
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

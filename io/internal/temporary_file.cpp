@@ -119,3 +119,6 @@ void remove_temporary_files() noexcept {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -49,3 +49,6 @@ class TemporaryFile {
 void remove_temporary_files() noexcept;
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -258,3 +258,6 @@ PolygonMesh tessellate_map(const MapFile& map, const PolygonMesh* input,
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -255,3 +255,6 @@ std::string VtuArrays::string(const XmlElement& array) const {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -28,3 +28,6 @@ struct XmlElement {
 XmlElement parse_xml(const std::string& file, std::string_view text);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -27,3 +27,6 @@ using ConstrainedDelaunay = CGAL::Constrained_Delaunay_triangulation_2<
     CGAL::No_constraint_intersection_tag>;
 
 }  // namespace majorant::internal
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -92,3 +92,6 @@ std::vector<char> planar_cut(const SurfaceMesh& mesh, const Vec& edge_cost, cons
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -40,3 +40,6 @@ std::vector<char> planar_cut(const SurfaceMesh& mesh, const Vec& edge_cost,
                              const StopCheck& stop = {});
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

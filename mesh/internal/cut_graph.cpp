@@ -133,3 +133,6 @@ std::vector<char> cut_graph(const SurfaceMesh& mesh, const std::vector<Index>& t
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

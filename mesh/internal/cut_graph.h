@@ -28,3 +28,6 @@ std::vector<char> cut_graph(const SurfaceMesh& mesh, const std::vector<Index>& t
 Vec edge_lengths(const SurfaceMesh& mesh);  // 3 #F
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -21,3 +21,6 @@ void prune_cut(const SurfaceMesh& mesh, const std::vector<char>& is_terminal,
                std::vector<char>& is_cut);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

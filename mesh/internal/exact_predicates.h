@@ -23,3 +23,6 @@ bool segments_meet(const Vector2& a, const Vector2& b, const Vector2& c, const V
 bool segments_fold(const Vector2& a, const Vector2& b, const Vector2& d);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -88,3 +88,6 @@ std::vector<std::array<int, 3>> triangulate_large_polygon(const std::vector<Vect
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

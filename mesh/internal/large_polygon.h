@@ -17,3 +17,6 @@ std::vector<std::array<int, 3>> triangulate_large_polygon(const std::vector<Vect
                                                           const StopCheck& stop);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -19,3 +19,6 @@ inline double length_of(const Vector3& v) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -214,3 +214,6 @@ void require_one_component(const PolygonMesh& input, const TriangleList& list) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -31,3 +31,6 @@ void require_manifold_edges(const PolygonMesh& input, const TriangleList& list);
 void require_one_component(const PolygonMesh& input, const TriangleList& list);  // also: a soup
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -44,3 +44,6 @@ inline std::string unwrap_remedy(const std::string& file, std::string_view does)
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

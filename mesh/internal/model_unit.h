@@ -20,3 +20,6 @@ double model_unit(const SurfaceMesh& mesh);
 std::shared_ptr<const SurfaceMesh> in_units(const SurfaceMesh& mesh, double unit);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -21,3 +21,6 @@ std::string place_text(std::string_view of_what, Index count,
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -15,3 +15,6 @@ std::string place_text(std::string_view of_what, Index count,
                        const std::vector<std::array<Index, 2>>& places);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

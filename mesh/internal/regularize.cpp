@@ -95,3 +95,6 @@ std::vector<RestTriangle> regularized_faces(const Points3& positions, const Cell
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

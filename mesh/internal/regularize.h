@@ -14,3 +14,6 @@ std::vector<RestTriangle> regularized_faces(const Points3& positions, const Cell
                                             Numerics numerics);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

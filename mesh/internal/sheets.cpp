@@ -296,3 +296,6 @@ Sheets make_sheets(const Cells& triangles, const std::vector<Index>& polygon,
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -30,3 +30,6 @@ Sheets make_sheets(const Cells& triangles, const std::vector<Index>& polygon,
                    const StopCheck& stop);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

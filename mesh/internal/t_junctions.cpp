@@ -116,3 +116,6 @@ std::vector<TJunction> find_t_junctions(const SurfaceMesh& mesh, const StopCheck
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -23,3 +23,6 @@ struct TJunction {
 std::vector<TJunction> find_t_junctions(const SurfaceMesh& mesh, const StopCheck& stop = {});
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -39,3 +39,6 @@ std::vector<char> texture_borders(const SurfaceMesh& mesh) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -18,3 +18,6 @@ Index untextured_polygons(const SurfaceMesh& mesh);
 std::vector<char> texture_borders(const SurfaceMesh& mesh);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

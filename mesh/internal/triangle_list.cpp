@@ -106,3 +106,6 @@ std::string face_place(const PolygonMesh& input, Index polygon) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -38,3 +38,6 @@ void place_texcoords(const PolygonMesh& input, const TriangleList& list, Surface
 std::string face_place(const PolygonMesh& input, Index polygon);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

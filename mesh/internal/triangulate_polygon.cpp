@@ -142,3 +142,6 @@ std::vector<std::array<int, 3>> triangulate_polygon(const std::vector<Vector3>& 
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

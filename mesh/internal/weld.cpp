@@ -144,3 +144,6 @@ std::vector<Index> weld(const PolygonMesh& mesh, double distance, const StopChec
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

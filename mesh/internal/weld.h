@@ -20,3 +20,6 @@ std::vector<Index> coincident_vertices(const PolygonMesh& mesh);
 std::vector<Index> weld(const PolygonMesh& mesh, double distance, const StopCheck& stop = {});
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

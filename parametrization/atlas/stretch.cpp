@@ -64,3 +64,6 @@ Stretch measure_stretch(const BezierMap& map) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -25,3 +25,6 @@ struct Stretch {
 Stretch measure_stretch(const BezierMap& map);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -69,3 +69,6 @@ std::optional<AtlasSquare> into_unit_square(Atlas& atlas, const StopCheck& stop)
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -25,3 +25,6 @@ struct AtlasSquare {
 std::optional<AtlasSquare> into_unit_square(Atlas& atlas, const StopCheck& stop = {});
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

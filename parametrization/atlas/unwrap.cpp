@@ -139,13 +139,17 @@ class Unwrapping {
     while (large < order.size() && tasks_[order[large]].mesh->face_count() >= kLargeChart)
       solve_chart(order[large++], record_.progress());
     std::atomic<std::size_t> next = large;
-    std::mutex failing;
+    std::mutex failing, telling;
     std::exception_ptr failure;
     std::size_t failed = tasks_.size();  // the first in the order of charts is thrown
     ThreadCount::run_on_each([&] {
       const ThreadCount alone(1);
       for (std::size_t k = next++; k < order.size(); k = next++) try {
           solve_chart(order[k], {});
+          const std::vector<TraceEntry>& trace = atlas_.charts[order[k]].trace;
+          if (trace.empty() || !record_.progress()) continue;
+          const std::lock_guard lock(telling);
+          record_.progress()(trace.back());
         } catch (...) {
           const std::lock_guard lock(failing);
           if (order[k] < failed) failure = std::current_exception();
@@ -304,3 +308,6 @@ Atlas unwrap(const std::shared_ptr<const SurfaceMesh>& surface, const UnwrapOpti
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -10,6 +10,9 @@
 // a whole -> packing (pack.h). Charts are solved at the same time, and independently: each is what
 // parametrize() gives for its piece alone, whatever the number of threads.
 //
+// The record's Progress is told every step of charts of some thousand faces, and of smaller ones
+// the last step, one thread at a time: they are solved side by side, in any order.
+//
 // Every chart has a valid map in the end: where a solve does not end with one, the chart keeps the
 // best valid map there was, the start if need be, and its status says so.
 #pragma once
@@ -84,3 +87,6 @@ Atlas unwrap(const std::shared_ptr<const SurfaceMesh>& surface, const UnwrapOpti
 std::vector<BezierMap> maps_of(const Atlas& atlas);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

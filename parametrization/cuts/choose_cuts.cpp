@@ -224,3 +224,6 @@ SurfaceCuts choose_cuts(const SurfaceMesh& mesh, const CutOptions& options, cons
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -81,3 +81,6 @@ SurfaceCuts choose_cuts(const SurfaceMesh& mesh, const CutOptions& options,
 void require_usable_sizes(const SurfaceMesh& mesh, const StopCheck& stop = {});
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -62,3 +62,6 @@ ParametrizationResult deform(const BezierMap& start, const ParametrizationOption
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

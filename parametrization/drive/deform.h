@@ -27,3 +27,6 @@ ParametrizationResult deform(const BezierMap& start, const ParametrizationOption
                              RunRecord& record);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

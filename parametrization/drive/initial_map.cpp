@@ -74,3 +74,6 @@ Vec initial_map(const SurfaceMesh& mesh, const MapOptions& asked, RunRecord& rec
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -54,3 +54,6 @@ MapExtension& MapExtension::observe(MapObserver observer) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

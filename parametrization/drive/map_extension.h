@@ -92,3 +92,6 @@ class MapExtension {
 using MapExtender = std::function<void(MapExtension&)>;
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -386,3 +386,6 @@ ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -104,3 +104,6 @@ ParametrizationResult parametrize(const BezierMap& start, const ParametrizationO
                                   RunRecord& record);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -256,3 +256,6 @@ void comb(const SurfaceMesh& mesh, const std::vector<char>& is_cut, CrossField& 
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -70,3 +70,6 @@ std::vector<Index> cone_vertices(const CrossField& field);
 void comb(const SurfaceMesh& mesh, const std::vector<char>& is_cut, CrossField& field);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

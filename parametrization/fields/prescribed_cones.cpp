@@ -59,3 +59,6 @@ CrossField cross_field_with_cones(const SurfaceMesh& mesh, const std::vector<Con
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -32,3 +32,6 @@ GlobalInjectivity check_boundary(const BezierMap& map, const InjectivityOptions&
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -87,3 +87,6 @@ struct GlobalInjectivity {
 GlobalInjectivity check_boundary(const BezierMap& map, const InjectivityOptions& options = {});
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

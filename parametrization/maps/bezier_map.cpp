@@ -125,3 +125,6 @@ BezierMap::Refinement BezierMap::refine(int k) const {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -15,3 +15,6 @@ BezierMesh bezier_mesh(int degree, const Cells& faces, const Cells& cells, VecIn
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -50,3 +50,6 @@ inline PointDistortion distortion_of(const Eigen::Matrix2d& J) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

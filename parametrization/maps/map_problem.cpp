@@ -185,3 +185,6 @@ double energy_of_map(const MapSpecification& spec, const DensityTerms& terms,
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -93,3 +93,6 @@ double energy_of_map(const MapSpecification& spec, const DensityTerms& terms,
                      const std::vector<RuleId>& rules, VecIn x);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -169,3 +169,6 @@ MapMeasures measure_normalized(const BezierMap& map, double scale, const EnergyS
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -40,3 +40,6 @@ MapMeasures measure_normalized(const BezierMap& map, double scale, const EnergyS
                                const StopCheck& stop = {});
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

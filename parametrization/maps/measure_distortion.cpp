@@ -319,3 +319,6 @@ DistortionSummary summary(const std::vector<const MapDistortion*>& parts) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -69,3 +69,6 @@ DistortionSummary summary(const std::vector<const MapDistortion*>& parts);
 inline DistortionSummary summary(const MapDistortion& map) { return summary(std::vector{&map}); }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -59,3 +59,6 @@ RestShapes rest_shape(const SurfaceMesh& mesh, Index face) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

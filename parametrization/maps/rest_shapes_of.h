@@ -28,3 +28,6 @@ RestShapes rest_shape(const SurfaceMesh& mesh, Index face);
 RowMatrix in_frames(const SurfaceMesh& mesh, const Points3& vectors);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

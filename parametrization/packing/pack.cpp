@@ -193,3 +193,6 @@ Packing pack(const std::vector<BezierMap>& charts, const PackOptions& options,
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -214,3 +214,6 @@ double proven_distance(const std::vector<BezierMap>& charts, double at_least,
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -26,3 +26,6 @@ double proven_distance(const std::vector<BezierMap>& charts, double at_least,
                        const std::vector<char>& fixed = {}, const StopCheck& stop = {});
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

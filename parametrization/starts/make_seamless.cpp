@@ -227,3 +227,6 @@ Start make_seamless(const SurfaceMesh& mesh, const SeamlessOptions& options,
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

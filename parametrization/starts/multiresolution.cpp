@@ -389,3 +389,6 @@ std::optional<Vec> multiresolution_map(const SurfaceMesh& mesh, const MapObjecti
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

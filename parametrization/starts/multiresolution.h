@@ -113,3 +113,6 @@ std::optional<Vec> multiresolution_map(const SurfaceMesh& mesh, const MapObjecti
                                        MultiresolutionRecord* record = nullptr);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

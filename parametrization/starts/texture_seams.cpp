@@ -184,3 +184,6 @@ Start seamless_from_texture(const SurfaceMesh& mesh) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

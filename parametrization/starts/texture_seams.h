@@ -45,3 +45,6 @@ Start seamless_from_layout(const SurfaceMesh& mesh, const std::vector<char>& is_
                            const CornerPoints& corners, std::vector<int> quarter_turns);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

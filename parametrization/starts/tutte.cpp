@@ -174,3 +174,6 @@ Vec tutte_map(const SurfaceMesh& mesh, const StopCheck& stop) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

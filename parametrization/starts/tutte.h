@@ -22,3 +22,6 @@ Vec tutte_map(const SurfaceMesh& mesh, const StopCheck& stop = {});
 Vec tutte_boundary(const SurfaceMesh& mesh);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -34,3 +34,6 @@ MapFile turned(const MapFile& map, const Vector2& direction) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -13,3 +13,6 @@ Vector2 picture_direction(const MapFile& map, Alignment alignment);
 MapFile turned(const MapFile& map, const Vector2& direction);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -58,3 +58,6 @@ BezierImage::Point BezierImage::at(Index cell, const Barycentric& xi) const {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

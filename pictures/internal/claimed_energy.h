@@ -17,3 +17,6 @@ struct ClaimedEnergy {
 ClaimedEnergy claimed_energy(const MapFile& map);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -23,3 +23,6 @@ std::string text_at(const json& object, const char* key) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

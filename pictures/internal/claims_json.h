@@ -15,3 +15,6 @@ nlohmann::json claims_of(const MapFile& map);
 std::string text_at(const nlohmann::json& object, const char* key);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

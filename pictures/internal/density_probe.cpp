@@ -62,3 +62,6 @@ void DensityProbe::evaluate(std::span<const Vector2> sigma, std::span<double> va
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -14,3 +14,6 @@ namespace majorant {
 Vector3 first_view(const MapFile& map);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

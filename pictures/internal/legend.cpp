@@ -62,3 +62,6 @@ Legend make_legend(const MapFile& map, const ColorScale& scale, const ValueSumma
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -35,3 +35,6 @@ Legend make_legend(const MapFile& map, const ColorScale& scale, const ValueSumma
                    const std::string& parts);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

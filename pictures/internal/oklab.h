@@ -17,3 +17,6 @@ Color to_srgb(const Oklab& lab);
 Oklab to_oklab(Color color);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -15,3 +15,6 @@ inline constexpr int kHighestPageDegree = 8;
 nlohmann::ordered_json page_data(const MapPage& page);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -68,3 +68,6 @@ std::string fill_in(std::string_view page,
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

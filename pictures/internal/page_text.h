@@ -26,3 +26,6 @@ std::string fill_in(std::string_view page,
                     const std::vector<std::pair<std::string_view, std::string>>& values);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

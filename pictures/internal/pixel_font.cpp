@@ -87,3 +87,6 @@ void draw_text(PixelImage& image, int x, int y, int zoom, Color color, std::stri
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

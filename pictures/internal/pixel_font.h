@@ -16,3 +16,6 @@ inline constexpr int kGlyphAdvance = 6, kGlyphHeight = 9;
 void draw_text(PixelImage& image, int x, int y, int zoom, Color color, std::string_view text);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

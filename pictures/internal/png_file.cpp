@@ -64,3 +64,6 @@ PixelImage read_png(const std::string& path) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

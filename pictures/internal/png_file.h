@@ -27,3 +27,6 @@ std::string encode_png(const PixelImage& image);
 PixelImage read_png(const std::string& path);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -66,3 +66,6 @@ void draw_legend(PixelImage& image, const Legend& legend) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -13,3 +13,6 @@ int png_legend_height(int width);
 void draw_legend(PixelImage& image, const Legend& legend);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

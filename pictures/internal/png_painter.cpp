@@ -166,3 +166,6 @@ std::unique_ptr<Painter> heat_painter(const MapFile& map, Quantity quantity,
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

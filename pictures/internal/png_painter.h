@@ -34,3 +34,6 @@ std::unique_ptr<Painter> heat_painter(const MapFile& map, Quantity quantity,
                                       const EnergySum& energy, const ColorScale& scale);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -171,3 +171,6 @@ Vector3 SmoothNormals::at(Index cell, const Barycentric& xi) const {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -30,3 +30,6 @@ class SmoothNormals {
 std::vector<std::array<bool, 3>> cut_edges(const MapFile& map);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

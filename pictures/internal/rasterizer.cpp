@@ -104,3 +104,6 @@ void rasterize(const std::vector<RasterTriangle>& triangles, PixelSize size,
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

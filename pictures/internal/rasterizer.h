@@ -41,3 +41,6 @@ void rasterize(const std::vector<RasterTriangle>& triangles, PixelSize size,
                const std::function<void(int y, std::span<const Fragment>)>& paint);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -95,3 +95,6 @@ void SvgLayout::add_hermite_pieces(const std::vector<Vector2>& control) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -61,3 +61,6 @@ void add_color_legend(SvgLayout& layout, const Legend& legend, double top) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

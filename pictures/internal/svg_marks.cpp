@@ -247,3 +247,6 @@ void add_marks_legend(SvgLayout& layout, double y, double grid_spacing) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,12 +1,13 @@
 // What numpy arrays and the library's matrices are to each other.
 //
 //     view(self, file.uv)          an array over the matrix, which lives as long as `self` does
-//     moved(std::move(control))    an array that owns what it is given
+//     moved(std::move(x))          an array that owns what it is given
 //     matrix<Points2>(array)       a copy, as the library wants it
 //
-// Arrays that the library gives out are float64 or int32 in C order, never copies, and read-only:
-// what they show is shared by everything that was made from it. Those that it takes were checked
-// and converted in Python (majorant/_arrays.py), where a message can name the argument.
+// Arrays that the library gives out are float64 or int32 in C order and never copies. Views are
+// read-only: what they show is shared by everything that was made from it. Those that the library
+// takes were checked and converted in Python (majorant/_arrays.py), where a message can name the
+// argument.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -26,18 +27,19 @@ namespace py = pybind11;
 using Doubles = py::array_t<double, py::array::c_style>;
 using Integers = py::array_t<Index, py::array::c_style>;
 
-inline void make_read_only(py::array& array) {
-  py::detail::array_proxy(array.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
-}
-
 // matrix: row-major or a vector, owned by the object that `owner` is.
 template <class Matrix>
-py::array view(py::handle owner, const Matrix& matrix) {
+py::array array_over(py::handle owner, const Matrix& matrix) {
   static_assert(Matrix::IsRowMajor || Matrix::ColsAtCompileTime == 1);
   std::vector<py::ssize_t> shape{matrix.rows()};
   if (Matrix::ColsAtCompileTime != 1) shape.push_back(matrix.cols());
-  py::array_t<typename Matrix::Scalar, py::array::c_style> array(shape, matrix.data(), owner);
-  make_read_only(array);
+  return py::array_t<typename Matrix::Scalar, py::array::c_style>(shape, matrix.data(), owner);
+}
+
+template <class Matrix>
+py::array view(py::handle owner, const Matrix& matrix) {
+  py::array array = array_over(owner, matrix);
+  py::detail::array_proxy(array.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
   return array;
 }
 
@@ -47,7 +49,7 @@ py::array moved(Matrix matrix) {
   const Matrix& here = *kept;
   const py::capsule owner(kept.get(), [](void* p) { delete static_cast<Matrix*>(p); });
   kept.release();
-  return view(owner, here);
+  return array_over(owner, here);
 }
 
 // Of one or two dimensions; a Matrix with fixed columns must fit.
@@ -63,3 +65,6 @@ Matrix matrix(const py::array_t<typename Matrix::Scalar, py::array::c_style>& ar
 }
 
 }  // namespace majorant::python
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

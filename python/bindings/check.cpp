@@ -33,3 +33,6 @@ void bind_check(py::module_& module) {
 }
 
 }  // namespace majorant::python
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

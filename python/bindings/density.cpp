@@ -147,3 +147,6 @@ EnergyFactory python_energy(const py::object& density) {
 }
 
 }  // namespace majorant::python
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -16,3 +16,6 @@ namespace majorant::python {
 EnergyFactory python_energy(const pybind11::object& density);
 
 }  // namespace majorant::python
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,6 +1,9 @@
 #include "errors.h"
 
 #include <new>
+#include <string>
+#include <string_view>
+#include <utility>
 
 #include "majorant/framework/error.h"
 #include "majorant/framework/stop_check.h"
@@ -26,9 +29,27 @@ const char* class_of(ErrorKind kind) {
   return "InternalError";
 }
 
+// What remedies of the library are called here.
+constexpr std::pair<std::string_view, std::string_view> kNames[] = {
+    {"repair()", "unwrap()"},
+    {"make_seamless()", "seamless()"},
+    {"SeamlessMethod::ScaledField", "start='scaled-field'"},
+    {"texture_cuts()", "unwrap(seams='uv')"},
+    {"CutMethod::Automatic", "seams='auto'"},
+    {"BoundaryCondition::Fixed", "boundary='fixed'"},
+    {"MapOptions::initial", "init='input'"},
+    {"find_defects()", "`majorant info`"}};
+
+std::string in_python(std::string message) {
+  for (const auto& [name, here] : kNames)
+    if (const std::size_t at = message.find(name); at != std::string::npos)
+      message.replace(at, name.size(), here);
+  return message;
+}
+
 void raise(const char* name, const std::string& message) {
   const py::object type = py::module_::import("majorant._errors").attr(name);
-  PyErr_SetString(type.ptr(), message.c_str());
+  PyErr_SetString(type.ptr(), in_python(message).c_str());
 }
 
 }  // namespace
@@ -57,3 +78,6 @@ void translate_errors() {
 }
 
 }  // namespace majorant::python
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -10,3 +10,6 @@ namespace majorant::python {
 void translate_errors();
 
 }  // namespace majorant::python
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -95,6 +95,14 @@ py::tuple read(const std::string& path) {
   return py::make_tuple(read.file, read.mesh, read.promise);
 }
 
+std::string drawing(const MapFile& file, const std::string& quantity) {
+  SvgOptions options;
+  for (const Quantity q : kQuantities)
+    if (quantity_name(q) == quantity) options.quantity = q;
+  Run run;
+  return run([&] { return svg_text(file, options); });
+}
+
 // In VTK's order.
 py::array multi_indices(int degree) {
   const auto indices = bezier_multi_indices(degree);
@@ -131,9 +139,11 @@ void bind_map_files(py::module_& module) {
   module.def("save_map", &save, py::arg("path"), py::arg("file"), py::arg("mesh"),
              py::arg("promise"), py::arg("input"), py::arg("refine"), py::arg("lagrange"),
              py::arg("surface"));
-  module.def(
-      "svg_text", [](const MapFile& file) { return svg_text(file); }, py::arg("file"));
+  module.def("svg_text", &drawing, py::arg("file"), py::arg("quantity"));
   module.def("multi_indices", &multi_indices, py::arg("degree"));
 }
 
 }  // namespace majorant::python
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

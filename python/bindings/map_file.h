@@ -23,3 +23,6 @@ Promise promise_from(const ProofRequest& request);
 void bind_map_files(pybind11::module_& module);
 
 }  // namespace majorant::python
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

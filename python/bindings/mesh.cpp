@@ -38,7 +38,6 @@ SharedPolygons mesh_of_arrays(const Doubles& positions, const Lists& polygons,
                               const std::optional<Doubles>& texcoords,
                               const std::optional<Lists>& polygon_texcoords) {
   auto mesh = std::make_shared<PolygonMesh>();
-  mesh->file = "mesh";
   const auto points = matrix<Points3>(positions);
   for (Eigen::Index v = 0; v < points.rows(); ++v) mesh->positions.emplace_back(points.row(v));
   mesh->polygons = unpacked(polygons);
@@ -89,3 +88,6 @@ void bind_meshes(py::module_& module) {
 }
 
 }  // namespace majorant::python
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -15,3 +15,6 @@ using SharedPolygons = std::shared_ptr<PolygonMesh>;
 void bind_meshes(pybind11::module_& module);
 
 }  // namespace majorant::python
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -57,3 +57,6 @@ PYBIND11_MODULE(_core, module) {
   module.def("vector_instructions", &majorant::vector_instructions);
   module.def("blas_kernels", &blas_kernels);
 }
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -78,3 +78,6 @@ ParametrizationOptions read_options(const py::dict& wishes, const SurfaceMesh& m
 }
 
 }  // namespace majorant::python
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -26,3 +26,6 @@ EnergySum energy_sum(const py::handle& energies);
 ParametrizationOptions read_options(const py::dict& wishes, const SurfaceMesh& mesh);
 
 }  // namespace majorant::python
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -22,12 +22,10 @@
 namespace majorant::python {
 namespace {
 
-using Coefficients = py::array_t<std::int64_t, py::array::c_style>;
-
 // Rows of A x = b.
 class Rows final : public Constraint {
  public:
-  Rows(const Integers& starts, const Integers& columns, const Coefficients& values,
+  Rows(const Integers& starts, const Integers& columns, const Doubles& values,
        const Doubles& targets)
       : starts_(starts), columns_(columns), values_(values), targets_(targets) {}
 
@@ -35,15 +33,14 @@ class Rows final : public Constraint {
     for (py::ssize_t r = 0; r + 1 < starts_.size(); ++r) {
       rows.begin_row("row " + std::to_string(r));
       for (Index k = starts_.at(r); k < starts_.at(r + 1); ++k)
-        rows.add(columns_.at(k), static_cast<long>(values_.at(k)));
+        rows.add(columns_.at(k), values_.at(k));
       rows.end_row(targets_.at(r));
     }
   }
 
  private:
   const Integers &starts_, &columns_;
-  const Coefficients& values_;
-  const Doubles& targets_;
+  const Doubles &values_, &targets_;
 };
 
 // What is added is eliminated and ordered when it is first needed.
@@ -55,7 +52,7 @@ class PythonProblem {
     builder_.add(term.term, weight);
     problem_.reset();
   }
-  void constrain(const Integers& starts, const Integers& columns, const Coefficients& values,
+  void constrain(const Integers& starts, const Integers& columns, const Doubles& values,
                  const Doubles& targets) {
     builder_.add(Rows(starts, columns, values, targets));
     problem_.reset();
@@ -90,11 +87,11 @@ std::function<std::unique_ptr<LinearSolver>()> solver_named(const std::string& n
 
 std::unique_ptr<Minimizer> minimizer_named(const std::string& name, const py::dict& wishes,
                                            const StopCheck& stop) {
+  const auto tolerance = wish<std::optional<double>>(wishes, "tolerance");
   const auto fill = [&](auto options) {
     options.curvature = curvature_named(wish<std::string>(wishes, "curvature"));
     options.stopping.max_iterations = wish<int>(wishes, "max_iterations");
-    if (const auto tolerance = wish<std::optional<double>>(wishes, "tolerance"))
-      options.stopping.relative_decrease = *tolerance;
+    if (tolerance) options.stopping.relative_decrease = *tolerance;
     options.linear_solver = solver_named(wish<std::string>(wishes, "linear_solver"));
     options.stop = stop;
     return options;
@@ -106,6 +103,7 @@ std::unique_ptr<Minimizer> minimizer_named(const std::string& name, const py::di
   CeresOptions options;
   if (name == "ceres-nlcg") options.method = CeresOptions::Method::NonlinearConjugateGradient;
   options.max_iterations = wish<int>(wishes, "max_iterations");
+  options.function_tolerance = tolerance.value_or(options.function_tolerance);
   options.stop = stop;
   return std::make_unique<CeresMinimizer>(options);
 }
@@ -208,3 +206,6 @@ void bind_problems(py::module_& module) {
 }
 
 }  // namespace majorant::python
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

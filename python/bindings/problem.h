@@ -9,3 +9,6 @@ namespace majorant::python {
 void bind_problems(pybind11::module_& module);
 
 }  // namespace majorant::python
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

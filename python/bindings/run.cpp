@@ -96,7 +96,21 @@ void bind_steps(py::module_& module) {
     return [member](const TraceEntry& row) { return row.record.*member; };
   };
   using R = IterationRecord;
-  py::class_<TraceEntry>(module, "Step")
+  py::class_<TraceEntry>(module, "Step",
+                         R"(A step of a run, taken or not: what callbacks are called with.
+
+    majorant.parametrize(V, F, callback=lambda step: print(step.iteration, step.energy))
+
+iteration          from 1, through the whole run
+degree, level      of the map at this step; of the mesh, 0 is the one asked for, others are coarser
+phase              what it minimizes: 'newton' is the energy asked for; 'entry', 'soft-start',
+                   'excluded' and 'barrier' are ways to get there
+outcome            'moved', or why not: 'at-minimum', 'blocked', ...
+energy             after the step, the one asked for
+relative_decrease  of what is minimized
+step, step_bound   multiple of Newton's step that was taken, and the largest one that is certified
+gradient_norm, newton_decrement   before the step
+elapsed            seconds since the start of the run)")
       .def_readonly("degree", &TraceEntry::degree)
       .def_readonly("level", &TraceEntry::level)
       .def_readonly("energy", &TraceEntry::energy)
@@ -117,3 +131,6 @@ void bind_steps(py::module_& module) {
 }
 
 }  // namespace majorant::python
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -99,3 +99,6 @@ class Run {
 void bind_steps(py::module_& module);
 
 }  // namespace majorant::python
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

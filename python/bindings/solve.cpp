@@ -149,3 +149,6 @@ void bind_solvers(py::module_& module) {
 }
 
 }  // namespace majorant::python
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

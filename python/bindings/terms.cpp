@@ -14,6 +14,7 @@
 #include "majorant/parametrization/maps/internal/quadrature_ladder.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 #include "majorant/parametrization/starts/tutte.h"
+#include "majorant/terms/linear_term.h"
 #include "mesh.h"
 #include "options.h"
 #include "run.h"
@@ -79,6 +80,10 @@ Term penalty(const Integers& starts, const Integers& columns, const Doubles& val
     row.target = targets.at(r);
   }
   return {std::make_shared<const QuadraticPenalty>(rows)};
+}
+
+Term linear(const Doubles& coefficients) {
+  return {linear_term("linear", matrix<Vec>(coefficients))};
 }
 
 // sum over elements of f(the element's unknowns), f in Python, a chunk at a time.
@@ -197,8 +202,12 @@ void bind_terms(py::module_& module) {
   });
   module.def("penalty", &penalty, py::arg("starts"), py::arg("columns"), py::arg("values"),
              py::arg("targets"));
+  module.def("linear_term", &linear, py::arg("coefficients"));
   module.def("element_term", &element_term, py::arg("name"), py::arg("nodes"), py::arg("block"),
              py::arg("function"));
 }
 
 }  // namespace majorant::python
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

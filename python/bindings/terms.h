@@ -26,3 +26,6 @@ struct Term {
 void bind_terms(pybind11::module_& module);
 
 }  // namespace majorant::python
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

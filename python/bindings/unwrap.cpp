@@ -94,3 +94,6 @@ py::tuple unwrap_mesh(const SharedPolygons& given, const py::dict& wishes,
 }
 
 }  // namespace majorant::python
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

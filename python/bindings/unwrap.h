@@ -12,3 +12,6 @@ pybind11::tuple unwrap_mesh(const SharedPolygons& polygons, const pybind11::dict
                             const pybind11::object& callback);
 
 }  // namespace majorant::python
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """majorant: low-distortion, injective, piecewise polynomial maps of surfaces onto the plane.
 
     import majorant
@@ -17,7 +19,7 @@ from ._core import Step
 from ._densities import Density
 from ._errors import (Error, InfeasibleError, InternalError, InvalidError, ReadError, StoppedError,
                       UnsupportedError, UsageError)
-from ._framework import Problem, Solution, Space, Term, element_term, penalty
+from ._framework import Problem, Solution, Space, Term, element_term, linear_term, penalty
 from ._functions import (Verdict, check, deform, energies, flatten, kernels, parametrize, read, read_mesh,
                          seamless, unwrap)
 from ._maps import Map
@@ -26,6 +28,6 @@ __version__ = _core.version
 __all__ = [
     'Density', 'Error', 'InfeasibleError', 'InternalError', 'InvalidError', 'Map', 'Problem', 'ReadError',
     'Solution', 'Space', 'Step', 'StoppedError', 'Term', 'UnsupportedError', 'UsageError', 'Verdict', 'check',
-    'deform', 'element_term', 'energies', 'flatten', 'kernels', 'parametrize', 'penalty', 'read', 'read_mesh',
+    'deform', 'element_term', 'energies', 'flatten', 'kernels', 'linear_term', 'parametrize', 'penalty', 'read', 'read_mesh',
     'seamless', 'unwrap',
 ]

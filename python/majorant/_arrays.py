@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Arguments that are arrays: what is wrong with them is said here, by the name of the argument."""
 from __future__ import annotations
 

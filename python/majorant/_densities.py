@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Energies of one's own, as numpy functions of the Jacobian."""
 from __future__ import annotations
 

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """What goes wrong, by the exit codes of the command.
 
 Exceptions that a callback or a density of yours raises are not among these: they end the run and come

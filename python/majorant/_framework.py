@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Optimization problems of one's own: sums of sparse terms, constraints that hold exactly."""
 from __future__ import annotations
 
@@ -66,7 +68,7 @@ class Space:
 
 class Term:
     """A sum of functions of few unknowns, for `Problem.add`: see `Space.energy`, `penalty`,
-    `element_term`."""
+    `linear_term`, `element_term`."""
 
     def __init__(self, parts: list[tuple[_core.Term, float]], size: int):
         self._parts, self._size = parts, size
@@ -91,6 +93,12 @@ def penalty(A: Any, b: Any) -> Term:
         raise UsageError(f'row {empty[0]} of A is empty' if len(empty) else
                          f'a row of A has {longest} entries, more than 512')
     return Term([(_core.penalty(starts, columns, values, targets), 1.0)], size)
+
+
+def linear_term(c: Any) -> Term:
+    """c . x: loads, gravity. Something else has to hold x, or the energy has no minimum."""
+    coefficients = _arrays.floats('c', c, (None,))
+    return Term([(_core.linear_term(coefficients), 1.0)], len(coefficients))
 
 
 def element_term(nodes: Any, value: Callable[..., Any], derivatives: Callable[..., Any], *,
@@ -187,17 +195,16 @@ class Problem:
         return self
 
     def constrain(self, A: Any, b: Any) -> 'Problem':
-        """A x = b, exactly. Coefficients are integers (multiply rows to make them so), b is any
-        number: rank and contradictions are decided exactly, the latter raise UnsupportedError."""
+        """A x = b, exactly: a scipy.sparse matrix, or a dense one.
+
+        Rows may depend on each other; rows that contradict others raise UnsupportedError when the
+        problem is first used. Of rows of integers that is decided exactly, of others to within some
+        roundings.
+        """
         starts, columns, values, targets, size = _rows(A, b)
         if size > self.full_size:
             raise UsageError(f'A has {size} columns, the problem {self.full_size} unknowns')
-        rounded = np.rint(values)
-        bad = values[(rounded != values) | (np.abs(values) > 2**31)]
-        if len(bad):
-            raise UsageError(f'A has the coefficient {bad[0]!r}; constraints need integers: multiply the row, '
-                             'or use penalty()')
-        self._core.constrain(starts, columns, rounded.astype(np.int64), targets)
+        self._core.constrain(starts, columns, values, targets)
         return self
 
     def keep_injective(self, space: Space) -> 'Problem':
@@ -242,8 +249,11 @@ class Problem:
         """A local minimum near x0, which satisfies the constraints.
 
         method: 'newton'; 'lbfgs' and 'gradient-flow', with one factorization; 'ceres-lbfgs' and
-        'ceres-nlcg', to compare with. linear_solver: 'direct' or 'eigen'. tolerance: relative decrease
-        to stop at. callback(record, x), after every iteration: something true ends the run.
+        'ceres-nlcg', to compare with: those have no curvature and no linear_solver, and conjugate
+        gradients end far from ill-conditioned minima (and tell stderr of their restarts).
+        linear_solver: 'direct' or 'eigen'. tolerance: relative decrease of the energy in one
+        iteration to stop at; None: the method's own. callback(record, x), after every iteration:
+        something true ends the run.
         """
         limit = math.inf if time_limit is None else _options.number('time_limit', time_limit, 0, zero=True)
         wishes = {

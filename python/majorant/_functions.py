@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Meshes in, maps out."""
 from __future__ import annotations
 
@@ -126,7 +128,10 @@ def unwrap(V: Any, F: Any, *, seams: Any = 'auto', max_stretch: float | None = N
     edges of that many degrees; or (#E, 2) vertices of edges. max_stretch: up to which 'auto' and
     'sharp' leave a chart uncut. pack: into one square, padding pixels apart where it has resolution
     pixels a side; normalize: that square is the unit square. weld: distance up to which vertices are
-    joined; strict: refuse what would be repaired (UnsupportedError). All else as for `parametrize`.
+    joined; strict: refuse what would be repaired (UnsupportedError). callback: called after every
+    step of charts with some thousand faces, and after the last one of those with fewer, which are
+    solved side by side; one that ends the run before the charts are packed leaves no layout, which
+    raises StoppedError. All else as for `parametrize`.
     """
     said = {k: v for k, v in locals().items() if k not in ('V', 'F')}
     mesh = _arrays.mesh(V, F, uv)

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """What the solvers return."""
 from __future__ import annotations
 
@@ -11,6 +13,7 @@ import numpy as np
 from . import _core
 from ._errors import UnsupportedError, UsageError
 
+QUANTITIES = ('density', 'area', 'angle', 'sigma-max', 'sigma-min')
 FORMATS = ('.vtu', '.obj', '.ply', '.msh', '.svg', '.png', '.html')
 
 
@@ -94,7 +97,8 @@ class Map:
 
     @property
     def distortion(self) -> np.ndarray:
-        """(#F,): the mean of the energy's density on every face; empty where nobody measured it."""
+        """(#F,): the mean of the energy's density on every face; empty where it was not measured, and
+        for energies without a name (a `Density`), which nobody else could check."""
         return self._file.distortion
 
     @property
@@ -105,8 +109,9 @@ class Map:
         return {int(self._file.input_vertex[p]): int(found[p]) for p in points}
 
     @property
-    def report(self) -> dict[str, Any]:
-        """What `majorant --report` writes: docs/interface.md. A new dictionary every time."""
+    def report(self) -> dict[str, Any] | None:
+        """What `majorant --report` writes: docs/interface.md. A new dictionary every time; None for
+        maps that were read."""
         return json.loads(self._report)
 
     # ---- points ----------------------------------------------------------------------------------
@@ -187,9 +192,16 @@ class Map:
                        integer('refine', refine, 1, 20), cells == 'lagrange', content == 'surface')
 
     # ---- looks -----------------------------------------------------------------------------------
-    def svg(self) -> str:
-        """The layout as a drawing, coloured by distortion."""
-        return _core.svg_text(self._file)
+    def svg(self, quantity: str | None = None) -> str:
+        """The layout as a drawing, coloured by the distortion of its faces.
+
+        quantity: 'density' of the energy, 'area', 'angle', 'sigma-max' or 'sigma-min'; None: the
+        density where `distortion` has it, else 'area'.
+        """
+        from ._options import choice
+        if quantity is None:
+            quantity = 'density' if len(self.distortion) else 'area'
+        return _core.svg_text(self._file, choice('quantity', quantity, QUANTITIES))
 
     def _repr_html_(self) -> str:
         """In notebooks: the layout, unless that would be too much for a page."""
@@ -200,9 +212,9 @@ class Map:
         return text + f'<div style="max-width:40em">{drawing[drawing.index("<svg"):]}</div>'
 
     def __repr__(self) -> str:
-        report = self.report
-        value = (report.get('result') or {}).get('value')
-        energy = f', {report["result"]["energy"] or "energy"} {value:.6f}' if value is not None else ''
+        result = (self.report or {}).get('result') or {}
+        value = result.get('value')
+        energy = f', {result["energy"] or "energy"} {value:.6f}' if value is not None else ''
         return f'<majorant.Map: {len(self.cells)} faces, degree {self.degree}{energy}, {self.status}>'
 
 

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """What can be asked of a map, as the module wants it: names, types and ranges are checked here."""
 from __future__ import annotations
 

@@ -213,3 +213,6 @@ void check_claims(const CheckedMap& checked, Findings& findings) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

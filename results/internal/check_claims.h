@@ -34,3 +34,6 @@ Vec in_units_of_the_run(VecIn uv, const Claims& claims);
 void check_claims(const CheckedMap& checked, Findings& findings);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

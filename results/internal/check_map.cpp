@@ -123,3 +123,6 @@ std::string_view MapCheck::status() const {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -156,3 +156,6 @@ void check_fixed_texture_boundary(const CheckedMap& checked, Findings& findings)
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -19,3 +19,6 @@ void check_seams(const CheckedMap& checked, Findings& findings);
 void check_fixed_texture_boundary(const CheckedMap& checked, Findings& findings);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

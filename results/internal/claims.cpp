@@ -177,3 +177,6 @@ Claims parse_claims(const std::string& text, const std::string& file) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

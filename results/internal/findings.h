@@ -38,3 +38,6 @@ inline double extent(const Eigen::Ref<const Eigen::MatrixXd>& points) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

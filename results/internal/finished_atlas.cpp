@@ -139,7 +139,8 @@ MapFile atlas_file(const FinishedAtlas& run, FaceDistortion* table) {
   std::vector<MapFile> charts;
   for (const Chart& chart : run.atlas.charts) {
     MapFile& file = charts.emplace_back(to_map_file(*chart.map));
-    if (is_measured_anew(run)) file.distortion = chart.measures.face_value;
+    if (is_measured_anew(run) && !run.energy.empty())  // without a name nobody else could tell
+      file.distortion = chart.measures.face_value;
     if (is_measured_anew(run)) file.min_det = chart.measures.min_det;
     file.face_distortion = chart.measures.cut_short
                                ? measure_distortion(*chart.map, scale_of(run)).faces
@@ -186,3 +187,6 @@ Json atlas_report(const FinishedAtlas& run) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

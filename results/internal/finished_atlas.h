@@ -45,3 +45,6 @@ ProofRequest promise(const FinishedAtlas& run);
 Json atlas_report(const FinishedAtlas& run);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

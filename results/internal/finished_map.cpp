@@ -116,7 +116,9 @@ ProofRequest promise(const FinishedMap& run, const std::string& path) {
 
 MapFile map_file(const FinishedMap& run) {
   MapFile file = to_map_file(*run.result.map);
-  if (!run.result.measures.cut_short) file.distortion = run.result.measures.face_value;
+  // Of an energy without a name nobody else could tell.
+  if (!run.result.measures.cut_short && !run.energy.empty())
+    file.distortion = run.result.measures.face_value;
   file.min_det = run.result.measures.min_det;
   file.face_distortion = finite_or_none(run.result.measures.distortion.faces);
   file.claims = claims(run);
@@ -158,3 +160,6 @@ Json map_report(const FinishedMap& run) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -53,3 +53,6 @@ ProofRequest promise(const FinishedMap& run, const std::string& path);
 Json map_report(const FinishedMap& run);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -28,3 +28,6 @@ void add_global_injectivity(Json& measures_section, const BezierMap& map,
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -13,3 +13,6 @@ void add_global_injectivity(Json& measures_section, const BezierMap& map,
                             const MapMeasures& measures, const GlobalInjectivity& proof);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -33,3 +33,6 @@ std::vector<Pin> points_of(const SurfaceMesh& mesh, const std::vector<Handle>& h
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -200,3 +200,6 @@ void write_trace(const std::string& path, const std::vector<TraceEntry>& trace) 
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

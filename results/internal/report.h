@@ -40,3 +40,6 @@ std::string json_text(const Json& json, int indent = -1);
 void write_trace(const std::string& path, const std::vector<TraceEntry>& trace);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -53,3 +53,6 @@ void write_map(const std::string& path, const MapFile& map, const PolygonMesh* i
                const MapFormats& formats, const FileVerification& verify = {});
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

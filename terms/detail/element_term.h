@@ -89,3 +89,6 @@ class ElementTerm final : public EnergyTerm {
 
 }  // namespace detail
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """--align: layouts turned to their principal axes in data, before they are certified; claims of it."""
 import base64
 import json

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """--bijective and deform: exit codes, what is claimed, and that check proves it."""
 import json
 import os

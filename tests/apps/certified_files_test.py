@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Written means certified: what exit 0 or 4 wrote is valid as written; what is not is not there."""
 import json
 from fractions import Fraction

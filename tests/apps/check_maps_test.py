@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """check believes nothing: every small map of tests/data/maps gets the verdict its table demands.
 
 The table is made with the maps and judged by tests/checker, without the library. check sees the same

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """check: passes on what parametrize wrote, exits 5 on every kind of tampering."""
 import json
 import os

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Claims that are no claims: `check` exits 2 and names the file and the claim, whatever they say."""
 import re
 

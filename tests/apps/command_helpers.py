@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """What the tests of the command share: running it, small meshes, reading and changing VTU files."""
 import base64
 import json

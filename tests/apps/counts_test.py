@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """How much work maps take: iterations, factorizations, energies of the line search, certificates.
 
 Fails when one of them is more than 10 % above the committed figure, tests/data/counts.json; never

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Files of curved maps for other programs: Lagrange cells in .vtu, .msh, and .ply without curves."""
 import os
 import resource

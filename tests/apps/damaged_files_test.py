@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Results that are damaged in their arrays and well formed otherwise: judged or refused by name."""
 from command_helpers import *
 

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Distortion in the words of the field, against sums over many points of the maps that files hold:
 nothing is taken from the library but the files."""
 import csv

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Energies on the command line: names and sums, soft handles, face weights, what check makes of them."""
 import json
 import math

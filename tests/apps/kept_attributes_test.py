@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """What of an input comes back in an OBJ, and inputs that other programs compressed."""
 import gzip
 import os

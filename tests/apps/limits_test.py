@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Exit code 4: a limit or Ctrl-C ends the run, the result so far is valid and written."""
 import json
 import signal

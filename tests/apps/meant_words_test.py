@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """What is said to a command line that is nearly right: verbs, options, choices, help."""
 import os
 import unittest

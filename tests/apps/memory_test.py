@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Little address space: a run ends with the reason, or does all it was asked for; it never hangs."""
 import gzip
 import resource

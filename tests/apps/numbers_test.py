@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Numbers that leave the range of doubles, or are none: refused on entry, exit 1 on the command line,
 2 or 3 in files, with a line that names the place and without a file."""
 import math

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Our files in the programs that they are for, and theirs in ours: VTK, meshio and gmsh.
 
 Exits 77, which ctest shows as skipped, where one of their Python modules is not installed.

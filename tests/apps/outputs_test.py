@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """What a run writes and says: formats, report, trace, streams, conversion, no dependence on threads."""
 import csv
 import json

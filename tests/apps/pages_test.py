@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """-o OUT.html of every verb that makes or reads a map, and --snapshots: what the pages hold."""
 import base64
 import json

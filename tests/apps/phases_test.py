@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """What a run says it is doing: a line each in logs, one live line on a terminal."""
 import os
 import pty

@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """-o map.svg and -o map.png: one scale, the flags of pictures, refusals in one line."""
 import json
 import re

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """What files say of seams and cones: OBJ, SVG, conversions, info."""
 import json
 

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """parametrize --seamless and what check says of its results, as they are and tampered with."""
 import json
 import os

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """majorant seamless: plain meshes of every kind, cones from files, starts, limits, refusals."""
 import json
 import signal

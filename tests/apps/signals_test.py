@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """SIGINT, SIGTERM and SIGHUP: the best map is written, a second signal ends, no temporary is left."""
 import contextlib
 import os

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Streams that cannot be written: progress never matters, lost data on stdout is an error."""
 import os
 import pty

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """What the tests of unwrap share: closed and broken meshes, and a layout judged in integers.
 
 Judges of a layout are tests/checker, `majorant check` with the command that the run printed, and the few

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """majorant unwrap of meshes with defects: what it repairs, and that its files are maps of them."""
 import math
 import os

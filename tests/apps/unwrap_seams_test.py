@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Where unwrap cuts as it is told to, and how it places the charts."""
 import json
 from fractions import Fraction

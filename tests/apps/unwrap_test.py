@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """majorant unwrap: any mesh becomes charts side by side; files and numbers of the report."""
 import json
 import os

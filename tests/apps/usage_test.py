@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Exit codes 1, 2 and 3, what is said with them, and that nothing is left behind."""
 import os
 import re

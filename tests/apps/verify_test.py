@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Results against checkers that share no code with the library: tests/checker in every clone, and
 ../shared/tools/verify.py (needs numpy and scipy) where it is."""
 import json

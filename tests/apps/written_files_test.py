@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Outputs: tested before the work, written each on its own; names of all kinds; inputs are kept."""
 import os
 import resource

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """The checker against the tools of ../shared, which others wrote: positivity and overlap of OBJ
 files as layout.py sees them, of VTU files as verify.py does."""
 import contextlib

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Do the sectors around every inner vertex add up to one turn? det J > 0 alone lets a fan wind
 twice around its centre.
 

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Is det J > 0 on the closed triangle? The definition of an injective Bezier cell, decided exactly.
 
 A cell of degree n is sum B_ijk(a, b, c) p_ijk, |ijk| = n, with Bernstein polynomials

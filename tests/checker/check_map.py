@@ -1,4 +1,6 @@
 #!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Judges a map in a file exactly, from the definitions, on the digits that the file holds.
 
     check_map.py RESULT.(vtu|msh|obj|ply) [--surface S.obj] [--cuts none|free] [--seamless] [--overlap]

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """The checker refuses every broken file for its reason and accepts every good one; the files are
 the ones that their script makes. Then what the small files do not reach: its arithmetic."""
 import contextlib

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Is the map continuous across the inner edges of the surface? Decided by the values of the control
 points on both sides, never by the numbers of points in the file.
 

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """The same question as in `overlap`, for curved cells: exact subdivision with limits.
 
 Where every cell is positive, nothing overlaps if the boundary curves do not meet, each is simple,

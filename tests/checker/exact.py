@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Exact arithmetic on doubles. Every finite double is an integer times a power of two, so signs of
 polynomials are found in Python's integers, without rounding and much faster than in fractions."""
 from math import lcm

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Valid files that look unusual, or are close to an invalid one. See `make_broken_files.py`."""
 import math
 from fractions import Fraction as F

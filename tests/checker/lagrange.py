@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Values at the lattice points of a cell instead of control points, as Lagrange cells hold them.
 
 A polynomial of degree n is fixed by its values at the points (i, j, k) / n. Its control points are

@@ -1,4 +1,6 @@
 #!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Makes the broken and good files of tests/data/maps, and the table of what is in them.
 
     make_broken_files.py [FOLDER]     (default: tests/data/maps of this repository)

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Reads gmsh meshes (.msh, version 4.1, ascii): triangles of one degree, values at lattice points.
 
 With views `u` and `v` (NodeData) they are a map of the mesh, without, its nodes in the plane z = 0

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Does the image of a map with straight cells overlap itself, or touch itself? Exact, in integers.
 
 Where every cell is positive, the number of surface points over a point of the plane is the winding

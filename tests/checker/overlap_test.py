@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Overlap and touching of straight and curved images against brute force over all pairs of
 triangles, and where cells are known to be apart."""
 import random

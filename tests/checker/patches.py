@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Coverage by place: for cells that are not triangles of a face's corners.
 
 Neighbouring faces that lie in one plane form a patch. Its pieces are the cells whose corners lie

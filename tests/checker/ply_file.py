@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Reads PLY meshes, binary (little endian) or ascii, with texture coordinates s and t of vertices.
 
 Vertices that say which one they are (`input_vertex`) are one if they say the same. What else a file

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """A result as the checks see it, whatever the file: triangular cells of one degree, judged by the
 values written in them. Point numbers of a file never say what is continuous: values do."""
 import math

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Small maps for the checker's tests, made from formulas, and files of every kind that holds them.
 
 All coordinates are computed in fractions and rounded once, so that both sides of an edge get the

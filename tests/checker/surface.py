@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Which face of the surface each cell lies on, and whether the cells cover every face exactly once.
 
 Whole faces are decided by counting. Put the corners of an n-gon on a circle, in order. Triangles of

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Small maps in the formats that hold values instead of control points, or vertices instead of
 corners: Lagrange cells in .vtu, .msh of gmsh, .ply. See `make_broken_files.py`."""
 import struct

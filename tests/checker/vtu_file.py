@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Reads VTK's XML unstructured grids: one triangle, Bezier or Lagrange triangle of one degree per cell.
 
 Inline base64 and ascii, appended raw and base64, UInt32 and UInt64 headers, both byte orders.

@@ -115,3 +115,6 @@ TEST(AngleSums, DoNotRestrictSteps) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

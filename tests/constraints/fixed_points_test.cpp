@@ -63,3 +63,6 @@ TEST(FixedPoints, NodesOutsideAreRefused) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -73,3 +73,6 @@ INSTANTIATE_TEST_SUITE_P(All, InjectiveElements, testing::ValuesIn(test::all_ele
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -79,3 +79,6 @@ inline Index modular_rank(const std::vector<IntegerRow>& rows) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -225,3 +225,6 @@ TEST(InjectivityDepth, DeeperBisectionProvesMoreAndIsCounted) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

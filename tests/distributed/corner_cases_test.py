@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Ranks without faces, points on borders, what is refused, and ranks that die."""
 import signal
 import time

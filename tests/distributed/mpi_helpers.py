@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """What the tests of majorant-mpi share: running it on several ranks of this machine."""
 import json
 import os

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Runs on 1, 2 and 4 ranks end where one process does; their pieces are one valid map."""
 import unittest
 

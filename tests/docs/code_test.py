@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Every ```cpp block of README.md and docs/*.md, and every example in a header, compiles.
 
 **Pages.** A block that contains `int main` is a program of its own. All other blocks of a page are joined, in

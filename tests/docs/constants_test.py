@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """docs/constants.md: every number that decides results has an origin, and the page says what the
 sources say."""
 import os

@@ -90,3 +90,6 @@ TEST(EnergyTable, SaysWhatTheEnergiesDeclare) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

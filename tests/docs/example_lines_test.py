@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """What docs/add_a_term.md promises of its examples: at most 30 lines each, at most 15 for a term."""
 import os
 import re

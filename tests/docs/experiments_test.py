@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """bench/experiments: every script still works, on tiny meshes; docs/experiments.md has a section, a
 picture and an answer for each."""
 import csv

@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """clang-format 14 leaves every source file alone, and code and formulas in comments too.
 
 Other versions format otherwise: without version 14 the exit code is 77, which ctest reports as

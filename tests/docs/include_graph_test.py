@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """scripts/include_graph.py: the tree as it is passes, and every fault that it names is found."""
 import os
 import shutil

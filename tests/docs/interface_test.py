@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """docs/interface.md against the program: flags of --help, exit codes, statuses, keys of reports.
 
 A flag, a status or a key of a report that the program has and the page has not, or the other way

@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """What the documentation promises about the sources: sizes, tables of names, references."""
 import os
 import pathlib
@@ -49,7 +51,9 @@ class Sizes(unittest.TestCase):
 class Names(unittest.TestCase):
     def test_methods_of_compare_are_in_the_table(self):
         source = (SOURCE / 'apps/compare/methods.cpp').read_text()
-        source = source[source.index('std::span<const Method> methods()'):]
+        source = source[source.index('std::vector<Method> all_methods()'):]
+        ceres = (SOURCE / 'apps/compare/ceres_methods.cpp').read_text()
+        source += ceres[ceres.index('std::vector<Method> ceres_methods()'):]
         names = set(re.findall(r'(?:newton|ceres_gradient)\("([\w-]+)"', source))
         names |= set(re.findall(r'^\s+\{"([\w-]+)",', source, re.M)) | {'ceres-lm'}
         rows = table_rows('docs/choosing_a_solver.md', 'What there is')

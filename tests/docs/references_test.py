@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """What is cited exists: sections and labels of docs/method.md, files that the documentation names."""
 import os
 import pathlib

@@ -47,3 +47,6 @@ inline const auto shear = density<2, 2>("shear", [](const auto& J) { return J(0,
 extern CLI::App verb;
 extern app::CommonOptions common;
 }  // namespace usual_names
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -80,3 +80,6 @@ INSTANTIATE_TEST_SUITE_P(Degrees, Table, testing::Range(1, 9));
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

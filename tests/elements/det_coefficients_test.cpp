@@ -254,3 +254,6 @@ TEST(TriangleDet, PositiveControlTrianglesProveNothing) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

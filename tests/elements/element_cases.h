@@ -189,3 +189,6 @@ inline std::string case_name(const testing::TestParamInfo<ElementCase>& info) {
 }
 
 }  // namespace majorant::test
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

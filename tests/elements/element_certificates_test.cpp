@@ -231,3 +231,6 @@ INSTANTIATE_TEST_SUITE_P(Elements, CertificateOfTables,
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -137,3 +137,6 @@ TEST(ElementCheck, DegreesBeyondExactWeights) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -229,3 +229,6 @@ inline double sampled_det(const BernsteinSpace& space, const ContractionTable& t
 }
 
 }  // namespace majorant::test
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

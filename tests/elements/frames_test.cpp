@@ -115,3 +115,6 @@ TEST(Frames, TurnedRefusesWhatDoesNotFit) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

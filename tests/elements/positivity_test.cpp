@@ -280,3 +280,6 @@ TEST(LargestStep, StartsThatOnlyBisectionCertifies) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

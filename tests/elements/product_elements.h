@@ -96,3 +96,6 @@ using WedgeSpace = ProductSpace<wedge>;
 using UprightWedgeSpace = ProductSpace<upright_wedge>;
 
 }  // namespace majorant::test
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

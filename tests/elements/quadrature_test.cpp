@@ -321,3 +321,6 @@ TEST(Quadrature, GuardPointsOfOtherCells) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

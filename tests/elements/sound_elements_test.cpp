@@ -199,3 +199,6 @@ INSTANTIATE_TEST_SUITE_P(All, Sound, testing::ValuesIn(test::all_elements()), te
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

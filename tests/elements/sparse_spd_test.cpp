@@ -111,3 +111,6 @@ TEST(SparseSpd, PollsBetweenAnalysisAndFactorization) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

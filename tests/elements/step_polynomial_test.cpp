@@ -92,3 +92,6 @@ TEST(Cubics, RandomOnesArePositiveBeforeTheirRootAndNotBeyond) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -185,3 +185,6 @@ TEST(BisectOrder, TrianglesSplitTheEdgeOppositeCornerZero) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -349,3 +349,6 @@ TEST(BuiltinCurvature, NewtonRefusesWhatATermDoesNotSupport) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -139,3 +139,6 @@ inline std::vector<Eigen::Matrix2d> generic_jacobians(bool everywhere, int count
 }
 
 }  // namespace majorant::test
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

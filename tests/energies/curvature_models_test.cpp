@@ -198,3 +198,6 @@ TEST(CurvatureModels, MajorizerBoundsTheHessianInRandomDirections) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -238,3 +238,6 @@ TEST(CurvedRest, SetUpErrors) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -252,3 +252,6 @@ inline Matrix4 clamp_eigenvalues(const Matrix4& m) {
 }
 
 }  // namespace majorant::test
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -167,3 +167,6 @@ TEST(Domain, KinksGiveFiniteNumbers) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

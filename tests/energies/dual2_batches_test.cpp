@@ -55,3 +55,6 @@ TEST(Dual2Batches, ChooseLaneByLane) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

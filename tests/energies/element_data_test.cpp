@@ -263,3 +263,6 @@ TEST(ElementData, StarsAreRefused) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -220,3 +220,6 @@ TEST(EnergyAssembly, SetUpErrors) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -141,3 +141,6 @@ TEST(EnergyTraits, OfOnesOwnDensities) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

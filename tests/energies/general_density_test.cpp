@@ -3,8 +3,10 @@
 
 #include "energies/builtin_formulas.h"
 #include "energies/linear_tetrahedra.h"
+#include "majorant/energies/internal/semidefinite_batch.h"
 #include "majorant/framework/derivative_check.h"
 #include "majorant/framework/error.h"
+#include "majorant/framework/packed_symmetric.h"
 
 namespace majorant {
 namespace {
@@ -58,6 +60,55 @@ TEST(SmallMatrix, IsEigens) {
     expect_equal<3, 2>(-2.5 * small<3, 2>(a), -2.5 * a);
     EXPECT_NEAR((small<3, 2>(a).squaredNorm()), a.squaredNorm(), 1e-14);
   }
+}
+
+// ---- Projection ----
+
+template <int N>
+void expect_lanes_by_themselves(test::Random& random) {
+  using Batch = xsimd::batch<double>;
+  constexpr int kPacked = N * (N + 1) / 2, kLanes = static_cast<int>(Batch::size);
+  for (int round = 0; round < 40; ++round) {
+    double matrices[kLanes][kPacked];
+    Batch all[kPacked], copies[kPacked];
+    for (int l = 0; l < kLanes; ++l) {
+      const Vec v = random.vector(N), entries = random.vector(kPacked);
+      const int kind = (round + l) % 5;
+      for (int i = 0, p = 0; i < N; ++i)
+        for (int j = 0; j <= i; ++j, ++p)
+          matrices[l][p] = kind == 0   ? entries[p]
+                           : kind == 1 ? v[i] * v[j]
+                           : kind == 2 ? -1e150 * v[i] * v[j]
+                           : kind == 3 ? 1e-150 * entries[p]
+                                       : (i == j) + 0.01 * entries[p];
+    }
+    if (round % 4 == 1) matrices[0][kPacked - 1] = NAN;
+    double row[kLanes];
+    for (int p = 0; p < kPacked; ++p) {
+      for (int l = 0; l < kLanes; ++l) row[l] = matrices[l][p];
+      all[p] = Batch::load_unaligned(row);
+      copies[p] = Batch(matrices[kLanes - 1][p]);
+    }
+    const double clamp = round % 3 == 0 ? 1 : 0.3;
+    make_semidefinite_batch<N>(clamp, all);
+    make_semidefinite_batch<N>(clamp, copies);
+    for (int p = 0; p < kPacked; ++p) EXPECT_EQ(all[p].get(kLanes - 1), copies[p].get(0));
+    for (int l = 0; l < kLanes; ++l) {
+      const double size = Eigen::Map<const Vec>(matrices[l], kPacked).cwiseAbs().maxCoeff();
+      make_semidefinite<N>(clamp, matrices[l]);
+      for (int p = 0; p < kPacked; ++p)
+        EXPECT_LE(std::abs(all[p].get(l) - matrices[l][p]),
+                  l == 0 && round % 4 == 1 ? 0 : 1e-13 * size);
+    }
+  }
+}
+
+TEST(SemidefiniteBatch, LanesAreWhatTheyAreAlone) {
+  test::Random random(7);
+  expect_lanes_by_themselves<1>(random);
+  expect_lanes_by_themselves<2>(random);
+  expect_lanes_by_themselves<4>(random);
+  expect_lanes_by_themselves<9>(random);
 }
 
 // ---- Planar ----
@@ -347,3 +398,6 @@ TEST(GeneralDensity, NonlinearSurfaceEnergies) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

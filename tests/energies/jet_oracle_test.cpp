@@ -171,3 +171,6 @@ TEST(JetOracle, InstructionSetsAgree) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

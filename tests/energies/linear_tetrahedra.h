@@ -66,3 +66,6 @@ inline Quadrature tetrahedron_centroid() {
 }
 
 }  // namespace majorant::test
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

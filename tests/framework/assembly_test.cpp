@@ -276,3 +276,6 @@ TEST(Assembly, InfinityIsPassedOnAndNeverTurnsIntoNaN) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

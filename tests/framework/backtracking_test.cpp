@@ -56,3 +56,6 @@ TEST(Backtracking, GivesUpWhenTold) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

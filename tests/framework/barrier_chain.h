@@ -130,3 +130,6 @@ class MinimumGap final : public FeasibilityChecker {
 };
 
 }  // namespace majorant::test
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

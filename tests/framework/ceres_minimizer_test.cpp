@@ -99,3 +99,6 @@ TEST(Ceres, BadOptionsThrow) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -58,3 +58,6 @@ inline SolverCounts recorded(const std::vector<IterationRecord>& records) {
 }
 
 }  // namespace majorant::test
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

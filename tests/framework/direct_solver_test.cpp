@@ -125,3 +125,6 @@ INSTANTIATE_TEST_SUITE_P(All, DirectSolver,
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -312,3 +312,6 @@ TEST(Elimination, RestrictIsTheTransposeOfExpand) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

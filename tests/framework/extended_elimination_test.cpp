@@ -102,3 +102,6 @@ TEST(ExtendedElimination, FactorsOfGraphsThatGrowEdgeByEdge) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

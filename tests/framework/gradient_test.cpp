@@ -107,3 +107,6 @@ TEST(Gradient, AsksTermsForNoHessianAndCounts) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 the majorant developers

@@ -176,3 +176,6 @@ TEST(InexactNewton, RefusesADirectionOfAnotherSize) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

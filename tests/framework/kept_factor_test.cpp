@@ -109,3 +109,6 @@ TEST(KeptFactors, AreNotForOtherProblemsAndPolishedSteps) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

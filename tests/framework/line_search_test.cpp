@@ -128,3 +128,6 @@ TEST(LineSearch, RefusesTooLittleDecrease) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -112,3 +112,6 @@ TEST(Metric, ProblemsMustShareUnknownsAndConstraints) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

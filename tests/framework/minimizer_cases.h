@@ -244,3 +244,6 @@ REGISTER_TYPED_TEST_SUITE_P(MinimizerCases, ReachesTheKnownMinimumOfTheBarrierCh
                             EnergiesThatEndAreNotMinima, DoesNotDependOnThreads, PrintsNothing);
 
 }  // namespace majorant::test
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -123,3 +123,6 @@ TEST(Multifrontal, TheSameBitsFromAnyNumberOfThreads) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

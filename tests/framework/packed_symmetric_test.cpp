@@ -118,3 +118,6 @@ TEST(PackedSymmetric, NotFinite) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

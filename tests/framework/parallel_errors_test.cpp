@@ -32,3 +32,6 @@ TEST(ParallelErrors, TheRestIsSkipped) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

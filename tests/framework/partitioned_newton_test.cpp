@@ -360,3 +360,6 @@ TEST(PartitionedProblem, SolversOfOneProcessRefuse) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

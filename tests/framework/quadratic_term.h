@@ -129,3 +129,6 @@ class Rows final : public Constraint {
 };
 
 }  // namespace majorant::test
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -46,3 +46,6 @@ inline void expect_solves(LinearSolver& solver, const Eigen::MatrixXd& dense, Ra
 }
 
 }  // namespace majorant::test
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

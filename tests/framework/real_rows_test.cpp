@@ -209,3 +209,6 @@ TEST(RealRows, AuxiliaryUnknowns) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

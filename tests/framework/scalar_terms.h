@@ -89,3 +89,6 @@ class Frozen final : public FeasibilityChecker {
 };
 
 }  // namespace majorant::test
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -139,3 +139,6 @@ TEST(StopCheck, MinimizersReturnTheLastAcceptedPoint) {
 
 }  // namespace
 }  // namespace majorant::test
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

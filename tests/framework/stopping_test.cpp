@@ -332,3 +332,6 @@ TEST(Stopping, MinimizeReturnsToTheAnchor) {
 
 }  // namespace
 }  // namespace majorant::test
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

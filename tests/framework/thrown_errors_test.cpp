@@ -175,3 +175,6 @@ TEST(ThrownErrors, LeaveAnotherSolveAlone) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -153,3 +153,6 @@ TEST(AtomicFile, NamesOfOneFile) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

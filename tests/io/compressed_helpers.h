@@ -58,3 +58,6 @@ inline std::string compressed_vtu(const std::string& text, std::size_t block) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

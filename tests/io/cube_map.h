@@ -50,3 +50,6 @@ inline BezierMap cube_map(int degree) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

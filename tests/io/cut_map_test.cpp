@@ -178,3 +178,6 @@ TEST(CutMap, ObjWeldsTheSurfaceAndNamesCones) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

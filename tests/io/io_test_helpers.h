@@ -97,3 +97,6 @@ inline MapFile random_strip(int degree, Index cells, unsigned seed) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -167,3 +167,6 @@ TEST(LagrangeCell, NearlyInvertedCellsAreNotProven) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -68,3 +68,6 @@ TEST(LayoutScale, DamagedClaimsAreNotBelieved) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -240,3 +240,6 @@ TEST(CertifiedFile, AnotherSurfaceATearAndAnOverlapAreNotWritten) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -379,3 +379,6 @@ TEST_F(ReadMesh, PublicMeshesThatAreNoDisks) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -77,3 +77,6 @@ TEST_F(ReadHandles, PublicCollection) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

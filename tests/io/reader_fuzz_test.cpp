@@ -180,3 +180,6 @@ INSTANTIATE_TEST_SUITE_P(Formats, ReaderFuzz,
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

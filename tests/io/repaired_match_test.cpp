@@ -148,3 +148,6 @@ TEST(RepairedMatch, WhatIsWrongIsNamed) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -196,3 +196,6 @@ TEST(SurfaceMatch, SeveralComponents) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -60,3 +60,6 @@ TEST(TemporaryFile, HandlersRemoveAllThatAreUnfinished) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -351,3 +351,6 @@ TEST(TessellateMap, NormalsAndGroupsFollow) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

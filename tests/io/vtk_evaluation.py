@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Does VTK see in our files what we meant?
 
     vtk_evaluation.py FILE.vtu...

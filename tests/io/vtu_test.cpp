@@ -248,3 +248,6 @@ TEST(Vtu, RefusesMixedCells) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

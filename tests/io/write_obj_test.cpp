@@ -182,3 +182,6 @@ TEST(WriteObj, DoublesSurvive) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

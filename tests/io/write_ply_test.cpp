@@ -152,3 +152,6 @@ TEST(WritePly, CopiesThatAreNone) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -151,3 +151,6 @@ TEST(CutGraph, PublicMeshes) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -150,3 +150,6 @@ TEST(Defects, SumsUpComponents) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -131,3 +131,6 @@ TEST(HalfEdge, FindsVerticesWhereSheetsTouch) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

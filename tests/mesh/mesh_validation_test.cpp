@@ -207,3 +207,6 @@ TEST(MeshValidation, GenusOneWithOneLoopIsNoDisk) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -41,3 +41,6 @@ inline std::shared_ptr<const SurfaceMesh> generated(const std::string& name) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -133,3 +133,6 @@ inline PolygonMesh textured(PolygonMesh mesh, const std::function<int(const Vect
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -367,3 +367,6 @@ TEST(Repair, DescribesWhatItDid) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

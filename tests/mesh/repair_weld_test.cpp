@@ -100,3 +100,6 @@ TEST(Repair, RegularizesFacesWithoutArea) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -357,3 +357,6 @@ TEST(SurfaceMesh, FromArraysOfQuadsLeadsBackToRows) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

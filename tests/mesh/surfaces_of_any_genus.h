@@ -130,3 +130,6 @@ inline std::vector<std::string> public_closed_meshes() {
 #endif
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -94,3 +94,6 @@ inline Vec uv_of(const SurfaceMesh& mesh, const std::function<Vector2(const Vect
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -58,3 +58,6 @@ TEST(SurfaceMesh, RefusesSheetsThatTouch) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -237,3 +237,6 @@ TEST_P(ElementCalls, IsRefused) { expect_refusal(GetParam()); }
 INSTANTIATE_TEST_SUITE_P(Table, ElementCalls, testing::ValuesIn(element_calls::kCalls), name_of);
 
 }  // namespace majorant::misuse
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -260,3 +260,6 @@ TEST_P(MapCalls, IsRefused) { expect_refusal(GetParam()); }
 INSTANTIATE_TEST_SUITE_P(Table, MapCalls, testing::ValuesIn(map_calls::kCalls), name_of);
 
 }  // namespace majorant::misuse
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -227,3 +227,6 @@ TEST_P(MeshCalls, IsRefused) { expect_refusal(GetParam()); }
 INSTANTIATE_TEST_SUITE_P(Table, MeshCalls, testing::ValuesIn(mesh_calls::kCalls), name_of);
 
 }  // namespace majorant::misuse
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

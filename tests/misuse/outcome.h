@@ -77,3 +77,6 @@ inline void expect_refusal(const Call& call) {
 inline std::string name_of(const testing::TestParamInfo<Call>& info) { return info.param.name; }
 
 }  // namespace majorant::misuse
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -295,3 +295,6 @@ TEST_P(ProblemCalls, IsRefused) { expect_refusal(GetParam()); }
 INSTANTIATE_TEST_SUITE_P(Table, ProblemCalls, testing::ValuesIn(problem_calls::kCalls), name_of);
 
 }  // namespace majorant::misuse
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -209,3 +209,6 @@ TEST_P(SolverCalls, IsRefused) { expect_refusal(GetParam()); }
 INSTANTIATE_TEST_SUITE_P(Table, SolverCalls, testing::ValuesIn(solver_calls::kCalls), name_of);
 
 }  // namespace majorant::misuse
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

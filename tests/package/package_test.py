@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Installs the build, builds a program against the package, compares it with the command."""
 import concurrent.futures
 import json

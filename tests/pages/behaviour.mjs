@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
+
 // behaviour.mjs WHAT FILE OPTIONS: one of the scenes below, played on a page.
 import {answer, visit} from './visit.mjs';
 

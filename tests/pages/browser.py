@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Pages in a browser: playwright-core, installed once into the build folder, drives Chromium.
 
     result = run('uv_pass.mjs', page)      # what the script answers

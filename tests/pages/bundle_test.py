@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """The committed bundles of the pages are what esbuild makes of their sources."""
 import os
 import shutil

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
+
 // frame_rate.mjs PAGES {seconds, rounds, width, height}: frames of pages whose views are turned and moved
 // by keys, page by page in alternation. Every frame is waited for: a pixel of it is read back.
 // Answers [{page, show, view, frames, seconds, cpu}]: cpu, seconds of the browser's processes.

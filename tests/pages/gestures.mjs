@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
+
 // gestures.mjs WHAT FILE OPTIONS: what people do with a page by mouse, fingers and files.
 import {readFileSync} from 'node:fs';
 

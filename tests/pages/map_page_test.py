@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """The page of a map in Chromium: no errors, no network, numbers as in the files, keys alone."""
 import json
 import os

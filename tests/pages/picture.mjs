@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
+
 // picture.mjs PAGE OUT.png {width, height, hash, dark, click}: what the window shows; click: a button's
 // text.
 import {answer, visit} from './visit.mjs';

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """-o x.png --view against the page of the same map from the same direction, at the same size.
 
 Of all pixels fewer than 2 % differ by more than 24 of 255 in a channel. The page shows no lines, which

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
+
 // same_view.mjs PAGE {picture, eye, image, width, height}: the surface with its texture as the page shows
 // it from the direction `eye`, as large and in the place that it has in the picture (a PNG, base64) of
 // width by height pixels: silhouettes have the same area and the same centre.

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
+
 // uv_pass.mjs [PAGE...] COUNT: the surface at random views, fragments read back.
 // Answers for each page {frame, fragments: [{face, xi, uv, pixel, camera}], surprises, requests}.
 import {answer, visit} from './visit.mjs';

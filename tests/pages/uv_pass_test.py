@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """The uv of every fragment, read back from the page, is the map's: numpy evaluates it from the .vtu.
 
 Of every degree 1,000 fragments at random views of the surface. Where a fragment is on its face is

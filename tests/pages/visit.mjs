@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Opens a page in Debian's Chromium and notes all that should not happen: errors and warnings on the
 // console, exceptions, any request but for the file itself.
 //

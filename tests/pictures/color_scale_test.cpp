@@ -120,3 +120,6 @@ TEST(ColorScale, RefusesRangesWithoutTheIsometry) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -85,3 +85,6 @@ TEST(Film, StartsThatWereSeenAreNotTakenAgain) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

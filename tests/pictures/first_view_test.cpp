@@ -74,3 +74,6 @@ TEST(FirstView, WhereAllLooksAlikeItIsTheFirst) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

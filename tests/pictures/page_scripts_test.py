@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """The parts of the page that need no browser: `node --test web/test`.
 
 Without node the exit code is 77, which ctest reports as skipped.

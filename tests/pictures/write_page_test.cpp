@@ -160,3 +160,6 @@ TEST(WritePage, IsSmallEnough) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

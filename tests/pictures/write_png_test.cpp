@@ -273,3 +273,6 @@ TEST(PixelFont, HasTheLettersOfLegendsAndBoxesForOthers) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

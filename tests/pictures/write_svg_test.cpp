@@ -224,3 +224,6 @@ TEST(WriteSvg, MarksSeamsConesAndGrid) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

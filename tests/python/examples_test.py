@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Every ```python block of docs/python.md is a program by itself, and ends well."""
 import re
 import subprocess

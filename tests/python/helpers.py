@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """What tests of the Python package share: the package of the build tree, and meshes.
 
 A test file runs under pytest, from ctest or by itself:
@@ -23,7 +25,7 @@ def main(file):
 
 
 if not list(PACKAGE.glob('majorant/_core*.so')):
-    print('skipped: the Python package is not built (-DMAJORANT_BUILD_PYTHON=ON)')
+    print('skipped: the Python package is not built; the configuration said what it misses')
     sys.exit(77)
 sys.path.insert(0, str(PACKAGE))
 sys.dont_write_bytecode = True
@@ -53,6 +55,16 @@ def grid(n, bump=0.3):
     k = np.arange((n + 1) ** 2).reshape(n + 1, n + 1)
     a, b, c, d = k[:-1, :-1].ravel(), k[:-1, 1:].ravel(), k[1:, 1:].ravel(), k[1:, :-1].ravel()
     return V, np.concatenate([np.column_stack([a, b, c]), np.column_stack([a, c, d])])
+
+
+def torus(n=6):
+    """n by n quadrangles, each two triangles."""
+    import numpy as np
+    i, j = (k.ravel() for k in np.meshgrid(np.arange(n), np.arange(n), indexing='ij'))
+    a, b = 2 * np.pi * i / n, 2 * np.pi * j / n
+    V = np.column_stack([(3 + np.cos(b)) * np.cos(a), (3 + np.cos(b)) * np.sin(a), np.sin(b)])
+    p, q, r, s = i * n + j, (i + 1) % n * n + j, (i + 1) % n * n + (j + 1) % n, i * n + (j + 1) % n
+    return V, np.stack([np.column_stack([p, q, r]), np.column_stack([p, r, s])], axis=1).reshape(-1, 3)
 
 
 def octahedron():

@@ -1,6 +1,9 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Runs: callbacks, limits, Ctrl-C, threads, memory."""
 import gc
+import os
 import resource
 import signal
 import subprocess
@@ -36,6 +39,14 @@ def test_callback_sees_every_step():
 def test_callback_ends_a_run():
     r = majorant.parametrize(V, F, degree=2, callback=lambda step: step.iteration >= 2)
     assert r.status == 'interrupted' and len(r.report['iterations']) == 2
+    steps = []
+    r = majorant.unwrap(V, F, degree=2, callback=steps.append)
+    assert len(steps) == 1      # its one chart is small
+    assert steps[0].energy == pytest.approx(r.report['result']['value'], rel=1e-4)
+    with pytest.raises(majorant.StoppedError):
+        majorant.unwrap(V, F, degree=2, callback=lambda step: True)
+    r = majorant.unwrap(*helpers.grid(60), degree=2, callback=lambda step: step.iteration >= 2, pack=False)
+    assert r.status == 'interrupted' and majorant.check(r, cuts='free')
 
 
 @pytest.mark.parametrize('solver', [majorant.parametrize, majorant.seamless, majorant.unwrap, majorant.deform])
@@ -154,6 +165,34 @@ def test_ctrl_c_raises_keyboard_interrupt(call):
     assert said == 'KeyboardInterrupt\n' and waited < 10
 
 
+@pytest.mark.parametrize('degree', [1, 3])
+def test_ctrl_c_ends_a_run_within_an_iteration(degree):
+    times, sent = [], []
+
+    def send():
+        while len(times) < 2:
+            time.sleep(1e-3)
+        time.sleep(0.6 * (times[1] - times[0]))
+        sent.append(time.perf_counter())
+        os.kill(os.getpid(), signal.SIGINT)
+
+    thread = threading.Thread(target=send)
+    thread.start()
+    with pytest.raises(KeyboardInterrupt):
+        majorant.parametrize(*helpers.grid(100), degree=degree, init='tutte', elevation='direct',
+                             callback=lambda step: times.append(time.perf_counter()))
+    end = time.perf_counter()
+    thread.join()
+    assert sum(t > sent[0] for t in times) <= 1
+    assert end - sent[0] < 0.5 + 2 * max(b - a for a, b in zip(times, times[1:]))
+
+
+def test_what_is_ended_before_there_is_a_map():
+    with pytest.raises(majorant.StoppedError, match='interrupted before there was a result') as raised:
+        majorant.parametrize(*helpers.grid(60), init='multiresolution', callback=lambda step: step.level > 0)
+    assert raised.value.exit_code == 5
+
+
 def test_a_handler_that_raises_nothing():
     said, _ = interrupt('majorant.parametrize(V, F, degree=8)', 'def quiet(*_): pass\nsignal.signal(signal.SIGINT, quiet)',
                         handler='quiet', delay=3)
@@ -184,10 +223,10 @@ def test_memory_is_steady():
         with open('/proc/self/statm') as file:
             return int(file.read().split()[1]) * resource.getpagesize()
 
-    work(40)
+    work(60)
     before = resident()
-    work(160)
-    # A leak of one map of this size, 20 kB, would show as 3 MB.
+    work(1000)
+    # A leak of one map of this size, 20 kB, would show as 20 MB.
     assert resident() - before < 1.5e6
 
 

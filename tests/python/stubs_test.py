@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """majorant/_core.pyi against the module: the same names, the same arguments; the package is annotated."""
 import ast
 import inspect

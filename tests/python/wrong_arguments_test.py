@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Arguments that make no sense, each with the sentence that says why."""
 import helpers
 import numpy as np
@@ -63,6 +65,12 @@ WRONG = [
     (lambda: flat(handles={3: 'here'}), 'handles[3] holds text, not numbers'),
     (lambda: flat(weights=np.ones(7)), 'weights has shape (7,), not (8,)'),
     (lambda: flat(weights=-np.ones(8)), 'weights are no positive numbers'),
+    (lambda: flat(weights=np.full(8, np.nan)), 'weights[0] is nan'),
+    (lambda: flat(weights=['1'] * 8), 'weights holds text, not numbers'),
+    (lambda: flat(weights=np.ones((8, 1))), 'weights has shape (8, 1), not (8,)'),
+    (lambda: flat(handles={4: np.ones((1, 2))}), 'handles[4] has shape (1, 2), not (2,)'),
+    (lambda: flat(handles={2.5: (0, 0)}), 'handles holds floating-point numbers, not integers'),
+    (lambda: flat(uv=V[:, :2] > 0), 'uv holds truth values, not numbers'),
     # words and numbers
     (lambda: flat(energy='arp'), "no energy is called 'arp'; did you mean 'arap'?"),
     (lambda: flat(energy='-1*arap'), "weight of 'arap'='-1' is no number from 1e-30"),
@@ -129,8 +137,12 @@ def test_classes_of_errors():
     codes = {majorant.UsageError: 1, majorant.ReadError: 2, majorant.UnsupportedError: 3,
              majorant.InfeasibleError: 3, majorant.StoppedError: 5, majorant.InvalidError: 5,
              majorant.InternalError: 6}
+    assert set(codes) | {majorant.Error} == {
+        getattr(majorant, name) for name in majorant.__all__ if name.endswith('Error')}
     for kind, code in codes.items():
-        assert issubclass(kind, majorant.Error) and kind.exit_code == code
+        assert issubclass(kind, majorant.Error) and kind.exit_code == code and kind.__doc__
+    with pytest.raises(majorant.InternalError, match='optional'):     # what no argument of a user leads to
+        majorant._core.mesh_of_arrays(V, (F.astype(np.int32).ravel(), 3 * np.arange(9, dtype=np.int32)), V[:, :2].copy())
     with pytest.raises(majorant.InfeasibleError):     # pins that no injective map meets
         uv = flat()
         majorant.flatten(V, F, boundary='fixed', pins={4: uv[0] - 5})

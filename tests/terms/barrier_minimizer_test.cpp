@@ -166,3 +166,6 @@ TEST(BarrierMinimizer, WithoutBarriersItIsNewton) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -194,3 +194,6 @@ TEST(Bounds, RosenbrockInABox) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

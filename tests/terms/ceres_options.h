@@ -14,3 +14,6 @@ inline ceres::Solver::Options tight_options() {
 }
 
 }  // namespace majorant::test
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -95,7 +95,8 @@ TEST(LeastSquares, LossesAreThoseOfCeres) {
         double rho[3];
         loss.theirs->Evaluate(s, rho);
         const auto ours = loss.ours(s);
-        for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(ours[k], rho[k]) << loss.name << " " << s;
+        for (std::size_t k = 0; k < 3; ++k)
+          EXPECT_NEAR(ours[k], rho[k], 1e-14 * std::abs(rho[k])) << loss.name << " " << s;
       }
     }
   for (const double bad : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
@@ -156,3 +157,6 @@ TEST(LeastSquares, CurvatureIsWhatThePageSays) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -143,3 +143,6 @@ TEST(LocalTerm, OneOfTwoConcurrentSolvesThrows) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

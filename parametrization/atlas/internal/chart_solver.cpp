@@ -147,3 +147,6 @@ void ChartSolver::to_area_of_surface() {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

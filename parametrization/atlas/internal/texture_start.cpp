@@ -62,3 +62,6 @@ std::optional<PreparedTexture> texture_start(const std::shared_ptr<const Surface
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

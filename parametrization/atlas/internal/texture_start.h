@@ -21,3 +21,6 @@ std::optional<PreparedTexture> texture_start(const std::shared_ptr<const Surface
                                              const RunRecord& record);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

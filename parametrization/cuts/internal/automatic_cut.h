@@ -21,3 +21,6 @@ AutomaticCut automatic_cut(const SurfaceMesh& mesh, const Vec& edge_cost,
                            const StopCheck& stop);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

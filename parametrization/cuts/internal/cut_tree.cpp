@@ -306,3 +306,6 @@ CutTree::State CutTree::after(std::size_t steps) const {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

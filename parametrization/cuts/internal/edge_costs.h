@@ -19,3 +19,6 @@ Vec cut_costs(const SurfaceMesh& mesh);
 Vec cut_costs(const SurfaceMesh& mesh, const std::vector<char>& is_whole);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -166,3 +166,6 @@ double stretch_of_strain(double strain) { return std::sqrt(1 + 1.5 * strain); }
 double strain_of_stretch(double stretch) { return (stretch * stretch - 1) / 1.5; }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

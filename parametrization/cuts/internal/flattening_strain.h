@@ -66,3 +66,6 @@ double stretch_of_strain(double strain);
 double strain_of_stretch(double stretch);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -54,3 +54,6 @@ std::vector<char> flags_of_edges(const SurfaceMesh& mesh,
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -18,3 +18,6 @@ std::vector<char> flags_of_edges(const SurfaceMesh& mesh,
                                  const std::string& source);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

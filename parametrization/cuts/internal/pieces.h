@@ -22,3 +22,6 @@ void open_pieces(const SurfaceMesh& mesh, const Vec& edge_cost, std::vector<char
                  const StopCheck& stop);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

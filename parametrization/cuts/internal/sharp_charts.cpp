@@ -104,3 +104,6 @@ std::vector<char> sharp_charts(const SurfaceMesh& mesh, double angle) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -15,3 +15,6 @@ namespace majorant {
 std::vector<char> sharp_charts(const SurfaceMesh& mesh, double angle);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

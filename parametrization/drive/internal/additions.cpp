@@ -203,3 +203,6 @@ double Additions::barrier_size(VecIn x) const {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

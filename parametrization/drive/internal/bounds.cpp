@@ -95,3 +95,6 @@ SolveResult DegreeSolver::descend_with(double barrier_weight, RunRecord& record)
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

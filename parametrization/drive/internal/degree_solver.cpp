@@ -296,3 +296,6 @@ bool DegreeSolver::refine_inaccurate() {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

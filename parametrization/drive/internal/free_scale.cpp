@@ -60,3 +60,6 @@ void require_scale(const MapOptions& asked, const BezierMap& start) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

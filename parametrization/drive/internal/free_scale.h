@@ -23,3 +23,6 @@ bool collapses(const MapOptions& asked, const BezierTriangleSpace& space, const 
 void require_scale(const MapOptions& asked, const BezierMap& start);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

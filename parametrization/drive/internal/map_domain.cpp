@@ -150,3 +150,6 @@ void ScaffoldedDomain::restore(const std::optional<Scaffold>& scaffold) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -72,3 +72,6 @@ Vec meet_constraints(const Problem& problem, const BezierTriangleSpace& space, V
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

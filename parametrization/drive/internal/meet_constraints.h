@@ -16,3 +16,6 @@ namespace majorant {
 Vec meet_constraints(const Problem& problem, const BezierTriangleSpace& space, VecIn x);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

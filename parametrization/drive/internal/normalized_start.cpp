@@ -241,3 +241,6 @@ BezierMesh NormalizedStart::in_model_units(BezierMesh normalized) const {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -11,3 +11,6 @@ ParametrizationResult parametrize_by(const SolverRules& rules, const BezierMap& 
                                      const ParametrizationOptions& options, RunRecord& record);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

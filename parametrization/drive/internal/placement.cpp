@@ -56,3 +56,6 @@ std::optional<PlacedMap> into_unit_square(const BezierMap& map, const Vector2& d
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -339,3 +339,6 @@ BezierMap reach_pins(const BezierMap& given, const ParametrizationOptions& optio
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -75,3 +75,6 @@ BezierMap reach_pins(const BezierMap& start, const ParametrizationOptions& optio
                      RunRecord& record);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -189,3 +189,6 @@ bool DegreeSolver::approach_with(double weight, RunRecord& record) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

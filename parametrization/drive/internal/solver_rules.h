@@ -132,3 +132,6 @@ std::optional<Vec> soft_weights(const Vec& energy, const Vec& measure, double en
                                 const Ranks& ranks);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -205,3 +205,6 @@ void lower_cone_energy(const SurfaceMesh& mesh, const FieldGeometry& geometry, d
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -25,3 +25,6 @@ void lower_cone_energy(const SurfaceMesh& mesh, const FieldGeometry& geometry, d
                        FieldConnection& field, const StopCheck& stop = {});
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

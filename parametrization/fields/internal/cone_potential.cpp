@@ -79,3 +79,6 @@ Vec ConePotential::rotations() const {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

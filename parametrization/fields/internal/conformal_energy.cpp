@@ -34,3 +34,6 @@ ConformalDerivatives ConformalEnergy::derivatives(const Vec& log_factor) const {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -169,3 +169,6 @@ CornerPoints lay_out(const SurfaceMesh& mesh, const ConformalMetric& metric,
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -247,3 +247,6 @@ ConformalMetric conformal_metric(const SurfaceMesh& mesh, const std::vector<int>
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -56,3 +56,6 @@ CornerPoints lay_out(const SurfaceMesh& mesh, const ConformalMetric& metric,
                      const std::vector<char>& is_cut);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

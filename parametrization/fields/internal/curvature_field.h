@@ -15,3 +15,6 @@ std::vector<std::complex<double>> principal_directions(const SurfaceMesh& mesh,
                                                        const FieldGeometry& geometry);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

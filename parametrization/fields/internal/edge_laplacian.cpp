@@ -48,3 +48,6 @@ Vec EdgeLaplacian::values(const Vec& weights) const {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -118,3 +118,6 @@ CrossField cross_field(const SurfaceMesh& mesh, const FieldGeometry& geometry,
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -58,3 +58,6 @@ CrossField cross_field(const SurfaceMesh& mesh, const FieldGeometry& geometry,
                        const FieldConnection& field);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -67,3 +67,6 @@ SparseSpd field_system(Index size, Index block, const std::vector<SparseSpd::Ent
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

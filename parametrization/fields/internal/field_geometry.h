@@ -35,3 +35,6 @@ Vector3 edge_vector(const SurfaceMesh& mesh, Index half_edge);
 SparseSpd field_system(Index size, Index block, const std::vector<SparseSpd::Entry>& entries);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -201,3 +201,6 @@ Points2 IntrinsicTriangulation::surface_vectors(const Vec& log_factor) const {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -70,3 +70,6 @@ void relax_and_round_turning(const SurfaceMesh& mesh, const FieldGeometry& geome
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -65,3 +65,6 @@ Vec TurningLoops::close(const Vec& loop_values) const {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -41,3 +41,6 @@ struct BoundaryLoops {
 BoundaryLoops boundary_loops(const BezierMap& map);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -83,3 +83,6 @@ bool BoxTree::all_pairs(const Node& m, const Node& n, const VisitPair& visit) co
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -221,3 +221,6 @@ GlobalInjectivity check_layout(const BoundaryLoops& boundary, const InjectivityO
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

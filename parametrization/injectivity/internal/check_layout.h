@@ -15,3 +15,6 @@ GlobalInjectivity check_layout(const BoundaryLoops& boundary,
                                const InjectivityOptions& options = {});
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

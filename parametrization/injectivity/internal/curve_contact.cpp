@@ -375,3 +375,6 @@ CurveContact contact_with_itself(const PlanarCurve& a) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

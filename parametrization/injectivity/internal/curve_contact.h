@@ -69,3 +69,6 @@ CurveContact contact_of_neighbours(const PlanarCurve& a, const PlanarCurve& b);
 CurveContact contact_with_itself(const PlanarCurve& a);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

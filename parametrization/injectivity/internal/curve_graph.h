@@ -255,3 +255,6 @@ Heights<Real> heights(const Piece<Real>& p, const Graph<Real>& graph) {
 }
 
 }  // namespace majorant::curve_piece
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

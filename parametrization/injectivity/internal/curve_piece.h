@@ -122,3 +122,6 @@ std::pair<Piece<Real>, Piece<Real>> split(const Piece<Real>& p, double where = 1
 }
 
 }  // namespace majorant::curve_piece
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -162,3 +162,6 @@ ExactPositivity exact_positivity(const Points2& control_points, const StopCheck&
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -30,3 +30,6 @@ struct ExactPositivity {
 ExactPositivity exact_positivity(const Points2& control_points, const StopCheck& stop = {});
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -144,3 +144,6 @@ std::optional<long> LoopWinding::around(const Vector2& p, const Choice& chosen) 
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

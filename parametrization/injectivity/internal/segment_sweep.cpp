@@ -143,3 +143,6 @@ SweepResult sweep_segments(const BoundaryLoops& loops, SubdivisionBudget& budget
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

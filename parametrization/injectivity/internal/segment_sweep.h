@@ -23,3 +23,6 @@ struct SweepResult {
 SweepResult sweep_segments(const BoundaryLoops& loops, SubdivisionBudget& budget);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

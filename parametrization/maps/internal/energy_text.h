@@ -25,3 +25,6 @@ std::optional<double> parse_energy_weight(std::string_view text);
 std::optional<EnergySum> find_energy_sum(std::string_view text);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -71,3 +71,6 @@ Points2 turned_along(const Points2& uv, const Vector2& direction) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

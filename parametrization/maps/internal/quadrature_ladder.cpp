@@ -36,3 +36,6 @@ std::vector<Quadrature> measuring_rules(int n) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

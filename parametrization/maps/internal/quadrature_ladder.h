@@ -41,3 +41,6 @@ QuadratureLadder optimizer_ladder(int n, int lattice_points, const QuadratureRul
 std::vector<Quadrature> measuring_rules(int n);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -79,3 +79,6 @@ bool QuadratureLevels::refine_inaccurate(const MapSpecification& spec, const Den
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -49,3 +49,6 @@ std::optional<Arrangement> smallest_square(const PackingJob& job, const StripPac
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

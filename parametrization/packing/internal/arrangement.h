@@ -65,3 +65,6 @@ std::optional<Arrangement> smallest_square(const PackingJob& job, const StripPac
                                            const SquareSearch& search);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

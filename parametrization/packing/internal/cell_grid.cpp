@@ -108,3 +108,6 @@ std::optional<std::pair<int, int>> CellGrid::lowest_place(const CellRuns& runs, 
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -69,3 +69,6 @@ std::optional<MovedChart> moved_chart(const BezierMap& chart, const Placement& p
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -25,3 +25,6 @@ std::optional<MovedChart> moved_chart(const BezierMap& chart, const Placement& p
 bool has_positive_determinants(const BezierMap& map, const StopCheck& stop = {});
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -18,3 +18,6 @@ inline double layout_unit(const std::vector<BezierMap>& charts) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

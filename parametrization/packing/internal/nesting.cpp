@@ -108,3 +108,6 @@ std::optional<Strip> nested_strip(const PackingJob& job, double width) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -13,7 +13,11 @@
 
 namespace majorant {
 
-// None where some do not fit, where libnest2d gives up, or where parcels are fixed.
+// None where some do not fit, where libnest2d gives up, or where parcels are fixed; without
+// MAJORANT_GPL always: libnest2d is under the LGPL.
 std::optional<Strip> nested_strip(const PackingJob& job, double width);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -93,3 +93,6 @@ std::vector<Vector2> outer_polygon(std::vector<Vector2> points, std::size_t corn
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -17,3 +17,6 @@ namespace majorant {
 std::vector<Vector2> outer_polygon(std::vector<Vector2> points, std::size_t corners);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

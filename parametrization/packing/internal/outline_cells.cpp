@@ -136,3 +136,6 @@ CellRuns cells_of(const Parcel& parcel, int quarters, const Vector2& low, double
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -31,3 +31,6 @@ PackingJob packing_job(const std::vector<BezierMap>& charts, const std::vector<F
                        double gap, const StopCheck& stop = {});
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -187,3 +187,6 @@ Parcel parcel_of(const BezierMap& chart, double unit, double reach, Turn turn) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -41,3 +41,6 @@ std::vector<Vector2> convex_hull(std::vector<Vector2> points);
 double chart_area(const BezierMap& chart, double unit);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

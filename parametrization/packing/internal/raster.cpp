@@ -139,3 +139,6 @@ std::optional<Strip> raster_strip(const PackingJob& job, int cells, double width
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

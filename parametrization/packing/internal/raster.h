@@ -18,3 +18,6 @@ namespace majorant {
 std::optional<Strip> raster_strip(const PackingJob& job, int cells, double width);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -239,3 +239,6 @@ FlipCounts flip_edges(BezierMesh& mesh, std::vector<char>& is_fixed, const FlipW
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

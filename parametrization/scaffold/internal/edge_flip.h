@@ -53,3 +53,6 @@ using FlipWish = std::function<bool(const BezierMesh& mesh, Index half_edge)>;
 FlipCounts flip_edges(BezierMesh& mesh, std::vector<char>& is_fixed, const FlipWish& wanted);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -264,3 +264,6 @@ ImprovedMap improve_mesh(const BezierMap& map, const EnergySum& energy, const St
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -41,3 +41,6 @@ struct ImprovedMap {
 ImprovedMap improve_mesh(const BezierMap& map, const EnergySum& energy, const StopCheck& stop = {});
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

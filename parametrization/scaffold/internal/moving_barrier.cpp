@@ -269,3 +269,6 @@ double MovingBarrier::minimize(Points2& grid) const {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -194,3 +194,6 @@ void PairEnergy::minimize(Vec& x) const {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -308,3 +308,6 @@ StepBound ScaffoldInjectivity::max_step(VecIn x, VecIn d, double s) const {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

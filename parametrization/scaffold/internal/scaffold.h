@@ -95,3 +95,6 @@ class ScaffoldInjectivity final : public FeasibilityChecker {
 };
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

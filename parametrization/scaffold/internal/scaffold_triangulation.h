@@ -59,3 +59,6 @@ ScaffoldTriangulation enlarge_frame(const Points2& frame, double margin);
 bool frame_is_tight(const Points2& frame, const Points2& image, double clearance);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -117,3 +117,6 @@ CollapsingMesh::Restored CollapsingMesh::restore() {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -32,3 +32,6 @@ Vec project_to_seams(const CutSurface& surface, VecIn uv, double* moved) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

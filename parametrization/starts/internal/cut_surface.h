@@ -29,3 +29,6 @@ CutSurface cut_open(const SurfaceMesh& mesh, const std::vector<char>& is_cut,
 Vec project_to_seams(const CutSurface& surface, VecIn uv, double* moved);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -193,3 +193,6 @@ void decimate(CollapsingMesh& mesh, const Points3& positions, const DecimationGo
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -120,3 +120,6 @@ BezierMap integrate_field(const SurfaceMesh& mesh, const std::vector<char>& is_c
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

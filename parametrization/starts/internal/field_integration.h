@@ -17,3 +17,6 @@ BezierMap integrate_field(const SurfaceMesh& mesh, const std::vector<char>& is_c
                           const CrossField& field, const Vec& scale = {});
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -40,3 +40,6 @@ Vec leaning_map(const Cells& faces, const std::vector<char>& held, Vec x, double
                 const std::string& otherwise, const StopCheck& stop = {});
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -114,3 +114,6 @@ bool put_back(const CollapsingMesh& mesh, const Points3& positions, VertexDescen
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

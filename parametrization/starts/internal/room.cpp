@@ -34,3 +34,6 @@ Index faces_without_room(const Cells& faces, const Vec& uv) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

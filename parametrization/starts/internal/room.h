@@ -10,3 +10,6 @@ namespace majorant {
 Index faces_without_room(const Cells& faces, const Vec& uv);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -55,3 +55,6 @@ Vec unfolded(const SurfaceMesh& mesh) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

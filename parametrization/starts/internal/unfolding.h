@@ -12,3 +12,6 @@ namespace majorant {
 Vec unfolded(const SurfaceMesh& mesh);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

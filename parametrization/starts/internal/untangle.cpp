@@ -122,3 +122,6 @@ UntangleResult untangle(const MapSpecification& spec,
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

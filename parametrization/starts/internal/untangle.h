@@ -34,3 +34,6 @@ UntangleResult untangle(const MapSpecification& spec,
                         const RunRecord& record, double first_eps = 0);
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -172,3 +172,6 @@ double VertexDescent::improve(Index v, int steps) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

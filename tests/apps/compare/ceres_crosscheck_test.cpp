@@ -154,3 +154,6 @@ TEST(CeresCrossCheck, LeastSquaresFindsTheSameMinimum) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Do the pages of write_comparison_html work in a browser?
 
     comparison_page.py PAGE.html...

@@ -87,3 +87,6 @@ inline std::vector<std::pair<std::string, Comparison>> odd_comparisons() {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -108,3 +108,6 @@ TEST(ComparisonTable, ExcessOfEachRow) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

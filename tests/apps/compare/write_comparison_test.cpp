@@ -223,3 +223,6 @@ TEST(WriteComparison, WholeOrAbsent) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -134,6 +134,20 @@ TEST(Unwrap, ThreadsDoNotMatter) {
     EXPECT_EQ(a.charts[k].map->control_points(), b.charts[k].map->control_points());
 }
 
+// Small charts are solved side by side: the last step of each, and no two calls at a time.
+TEST(Unwrap, ProgressHearsOfSmallCharts) {
+  PolygonMesh mesh = grid(2, bumpy);
+  for (int k = 1; k < 6; ++k) mesh = together(mesh, moved(grid(2, bumpy), {0, 0, 3.0 * k}));
+  std::vector<TraceEntry> told;
+  RunRecord record(INFINITY, 1000, nullptr, [&](const TraceEntry& row) { told.push_back(row); });
+  const Atlas atlas = unwrap(repair(mesh).mesh, of_degree(2), record);
+  ASSERT_EQ(told.size(), atlas.charts.size());
+  double sum = 0, expected = 0;
+  for (const TraceEntry& row : told) sum += row.energy;
+  for (const Chart& chart : atlas.charts) expected += chart.trace.back().energy;
+  EXPECT_NEAR(sum, expected, 1e-12 * expected);
+}
+
 TEST(Unwrap, AStopLeavesAValidLayout) {
   const PolygonMesh mesh = together(cube_sphere(4), moved(torus(10, 8, 0), {5, 0, 0}));
   const std::shared_ptr<const SurfaceMesh> surface = repair(mesh).mesh;
@@ -296,3 +310,6 @@ TEST(Unwrap, DataFollowTheFacesIntoTheCharts) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -224,3 +224,6 @@ TEST(ChooseCuts, SharpEdges) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -62,3 +62,6 @@ inline PolygonMesh limbs(int n) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

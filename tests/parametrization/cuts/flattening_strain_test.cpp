@@ -59,3 +59,6 @@ TEST(FlatteningStrain, SeesThatARingDoesNotClose) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -139,3 +139,6 @@ TEST(Bijective, AStartThatOverlapsIsRefused) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -147,3 +147,6 @@ TEST(Deform, PinsThatCannotBeReachedAreNamed) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -103,3 +103,6 @@ INSTANTIATE_TEST_SUITE_P(Names, EveryEnergy, testing::ValuesIn(names()), [](cons
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -261,3 +261,6 @@ TEST(ImproveMesh, RefusesMapsWithFolds) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -297,3 +297,6 @@ TEST(MapExtension, WrongCallsAreRefused) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -335,3 +335,6 @@ TEST(QuadratureLadder, MeasuringRulesGrow) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

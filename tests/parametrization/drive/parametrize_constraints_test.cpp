@@ -281,3 +281,6 @@ TEST(Parametrize, SolvesPublicDisks) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -60,3 +60,6 @@ inline void expect_boundary_fixed(const ParametrizationResult& result, const Vec
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

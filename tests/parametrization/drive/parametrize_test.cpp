@@ -215,3 +215,6 @@ TEST(Parametrize, AResultThatFailsItsOwnProofSaysSo) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

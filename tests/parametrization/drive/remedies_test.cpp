@@ -162,3 +162,6 @@ INSTANTIATE_TEST_SUITE_P(Steps, StoppedOnTheWay, testing::Values(1, 2, 4));
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

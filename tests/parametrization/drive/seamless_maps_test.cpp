@@ -349,3 +349,6 @@ TEST(SeamlessMaps, AlignedBoundary) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -82,3 +82,6 @@ TEST(SolverRules, InAScaffoldTheFirstSmallStepEndsARun) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -219,3 +219,6 @@ TEST(Stop, ReadersOfMeshes) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -245,3 +245,6 @@ TEST(TextureSeams, AFullTurnTooManyInsideAChart) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -83,3 +83,6 @@ TEST(Trace, BarriersOfAScaffoldSayTheEnergyAskedFor) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

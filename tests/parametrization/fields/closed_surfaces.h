@@ -126,3 +126,6 @@ inline std::vector<char> cut_through_cones(const SurfaceMesh& mesh,
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

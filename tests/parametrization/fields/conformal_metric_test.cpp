@@ -228,3 +228,6 @@ TEST(ConformalMetric, RefusesWhatCannotBe) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

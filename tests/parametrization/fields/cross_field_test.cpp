@@ -370,3 +370,6 @@ TEST(CrossField, PublicMeshes) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -260,3 +260,6 @@ TEST(CheckLayout, LongPolygonsOfAnyShape) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

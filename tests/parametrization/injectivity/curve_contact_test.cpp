@@ -342,3 +342,6 @@ TEST(BoxPairs, AgreeWithAllPairs) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -95,3 +95,6 @@ TEST(CurveGraph, UselessNumbersEncloseNothing) {
 
 }  // namespace
 }  // namespace majorant::curve_piece
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

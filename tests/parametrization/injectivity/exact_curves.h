@@ -275,3 +275,6 @@ inline int self_intersections(const PlanarCurve& cubic) {
 }
 
 }  // namespace majorant::exact
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

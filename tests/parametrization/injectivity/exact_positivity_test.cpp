@@ -127,3 +127,6 @@ TEST(ExactPositivity, RefusesOtherCounts) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

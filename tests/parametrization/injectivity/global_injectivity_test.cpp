@@ -277,3 +277,6 @@ TEST(GlobalInjectivity, LongBoundariesTakeSeconds) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -289,3 +289,6 @@ TEST(LayoutAttacks, CurvesAlongEachOther) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -252,3 +252,6 @@ TEST(BezierMap, GivesArrays) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -65,3 +65,6 @@ TEST(Distortion, IsInfiniteWhereNothingIsLeftOrTurnedOver) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -30,3 +30,6 @@ TEST(EnergyText, FindsEnergiesByNameAndWeight) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

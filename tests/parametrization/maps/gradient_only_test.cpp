@@ -107,3 +107,6 @@ TEST(GradientOnly, QuadraticPenalty) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

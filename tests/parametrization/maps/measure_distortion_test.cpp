@@ -145,3 +145,6 @@ TEST(MeasureDistortion, ThreadsDoNotMatter) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

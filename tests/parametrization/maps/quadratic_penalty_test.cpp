@@ -226,3 +226,6 @@ TEST(SoftHandles, DistanceFallsLikeOneOverTheWeight) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -63,3 +63,6 @@ TEST(RestShapesOf, JacobiansAreThoseFromTheRestTriangle) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

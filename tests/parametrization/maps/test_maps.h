@@ -31,3 +31,6 @@ inline Barycentric random_point(std::mt19937& random) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -220,3 +220,6 @@ inline void expect_valid(const std::vector<BezierMap>& before, const Packing& pa
 }
 
 }  // namespace majorant::test
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

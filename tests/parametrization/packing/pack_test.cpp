@@ -140,3 +140,6 @@ TEST(Pack, padding_that_leaves_no_room_is_refused) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

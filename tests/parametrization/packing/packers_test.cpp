@@ -141,3 +141,6 @@ TEST(Packers, pack_is_never_worse_than_shelves) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -61,3 +61,6 @@ TEST(ProvenDistance, of_curves_is_tight_and_below_that_of_samples) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

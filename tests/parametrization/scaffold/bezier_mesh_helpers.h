@@ -183,3 +183,6 @@ inline double enclosed_area(const BezierMesh& mesh) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -365,3 +365,6 @@ TEST(FlipEdges, FollowsWishesAndEnds) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

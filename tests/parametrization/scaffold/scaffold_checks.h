@@ -203,3 +203,6 @@ inline Angles smallest_angles(const ScaffoldTriangulation& scaffold) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -229,3 +229,6 @@ TEST(ScaffoldInjectivityTest, NamesFacesOfImageAndScaffold) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -279,3 +279,6 @@ TEST(FrameIsTight, ByDistanceToItsSides) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -138,3 +138,6 @@ TEST(AxisAlignment, RefusesWhatDoesNotExist) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

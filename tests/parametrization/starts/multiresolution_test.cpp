@@ -256,3 +256,6 @@ TEST(Multiresolution, EndsWhenItIsStopped) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

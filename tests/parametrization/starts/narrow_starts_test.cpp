@@ -169,3 +169,6 @@ TEST(LeaningMap, LeavesRingsTheirRadius) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

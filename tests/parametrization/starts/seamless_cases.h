@@ -354,3 +354,6 @@ inline SeamlessCase fan_case(int quarter_turns, int rings, int inner = 0) {
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -351,3 +351,6 @@ TEST(SeamlessConstraint, ReducedHessiansArePositiveSemidefinite) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -208,3 +208,6 @@ TEST(Seams, RotationsAreExact) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

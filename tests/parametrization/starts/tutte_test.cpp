@@ -98,3 +98,6 @@ TEST(TutteMap, ScalesWithTheMesh) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -150,3 +150,6 @@ TEST(Reinsertion, FindsAPlaceForEveryVertex) {
 
 }  // namespace
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

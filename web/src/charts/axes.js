@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Scales with ticks, linear and logarithmic, and the axes that show them.
 
 import {svgElement} from '../map_page/elements.js';

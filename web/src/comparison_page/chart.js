@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Marks and one chart. Knows nothing of the page but the <svg> that it is given.
 
 import {draw, drawAxes, linearScale, logScale} from '../charts/axes.js';

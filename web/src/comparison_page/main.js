@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The page: data, switches, legend, tooltips, keys.
 
 import {draw} from '../charts/axes.js';

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Bezier triangles of any degree n, in doubles: values, derivatives, singular values.
 //
 // Control points of a cell are ordered by multi-index (i, j, k), i + j + k = n, i belonging to

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
+
 // GLSL of the Bezier triangles of a map, written out for its degree. Geometry is no attribute: cells
 // are numbers, and everything about them is fetched from data textures (textures.js).
 

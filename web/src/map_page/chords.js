@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
+
 // How finely the curved cells of the layout are cut into flat pieces to be drawn: each as much as it
 // bends, so that none is more than a fraction of a pixel off.
 

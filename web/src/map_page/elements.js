@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Elements of the page, made in one expression: element('dt', {className: 'soft'}, 'u').
 // Text is always text, never markup.
 

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Densities of the energies, as functions of the singular values S >= s of the Jacobian: in doubles
 // for the readout, in GLSL for the pictures. Infinite where s <= 0, for those with a barrier.
 

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
+
 // What is known of the map, in words: one line below the title, numbers, proofs, faults.
 
 import {byId, element} from './elements.js';

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Without WebGL2: the layout on a plain canvas, a colour a cell, and the numbers.
 
 import {combine} from './bezier.js';

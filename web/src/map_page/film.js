@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The map as it was during the run: a slider over its iterations.
 
 import {byId, element} from './elements.js';

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The scale of the quantity that is shown: a histogram by area over its colours, with ticks, and a
 // brush that selects a part of it.
 

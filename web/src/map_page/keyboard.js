@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The views by keys alone.
 
 import {facesOfEdges, neighboursOf, surfaceNames} from './neighbours.js';

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The layout in the plane: moved and scaled, and which cell a point lies in.
 
 import {MOUSE, OrthographicCamera, TOUCH, Vector3} from 'three';

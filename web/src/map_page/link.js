@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The view as part of the address: #face=12&show=area&eye=0,0,1&... Unknown words are ignored.
 
 const kPause = 250;  // ms after the last change

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The page: its parts, and what they share (`app`).
 
 import {RepeatWrapping, Texture} from 'three';

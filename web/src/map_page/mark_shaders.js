@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The programs that draw what lies over cells and around them: lines, dots, the scaffold.
 
 import {placeGlsl} from './bezier_glsl.js';

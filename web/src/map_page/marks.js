@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Lines and dots that are drawn over cells: outlines, seams, cones, points, what is pointed at.
 
 import {cornerLocals} from './map_data.js';

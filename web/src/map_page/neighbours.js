@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Which faces share an edge on the surface, also across cuts of the layout.
 
 import {cornersOf, positionOf} from './map_data.js';

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Numbers as people read them.
 
 // 1.5e-7, not 1.5000e-7, nor 1e+9.

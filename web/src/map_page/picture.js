@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
+
 // "Save picture": both views with title and legend, as a PNG.
 
 import {summaryOf} from './facts.js';

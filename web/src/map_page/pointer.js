@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Mouse and touch on the views: pointing shows, a click keeps. Dragging is the cameras' business.
 
 const kClickSlack = 5;  // CSS pixels a click may move

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The numbers of the place that is pointed at, and of the one that is selected.
 
 import {combine, singularValues} from './bezier.js';

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Singular values at even places of all faces, for histograms and for pictures without WebGL.
 
 import {cellSize, lastTriangle} from './bezier.js';

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Quantities and their fixed scales: values to positions in 0..1 to colours, as the page's data say
 // (pictures/color_scale.h is where they come from).
 

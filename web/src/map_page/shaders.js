@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The programs that draw the cells of a map: one for every picture, map, and view, as a renderer in
 // software runs through all branches of a program, taken or not.
 

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
+
 // One WebGL canvas with two views, drawn when something changed: scenes, cameras, render passes.
 
 import {

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
+
 // What is shown at the moment, and who wants to know.
 //
 //   state.watch(['show', 'brush'], draw);   // called once now, and after every change of either

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The surface in 3D: an orbit around it, and which face a ray meets.
 
 import {OrthographicCamera, Vector3} from 'three';

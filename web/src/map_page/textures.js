@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
+
 // What the programs of shaders.js fetch: arrays of the map as textures.
 
 import {

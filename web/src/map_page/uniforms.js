@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
+
 // What the programs of both views share: textures of the map, and what the state says.
 
 import {tints, rgbOf} from './marks.js';

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
+
 // What both views are made of: cells, lines and dots with their programs, a camera that is dragged,
 // and the place on the page that shows it.
 

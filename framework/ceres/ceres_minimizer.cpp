@@ -197,3 +197,6 @@ SolveResult CeresMinimizer::minimize(const Problem& problem, Vec y0,
 }
 
 }  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

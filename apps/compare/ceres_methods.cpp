@@ -1,0 +1,49 @@
+#include "apps/compare/ceres_methods.h"
+
+#include "apps/compare/least_squares.h"
+#include "majorant/framework/ceres_minimizer.h"
+
+namespace majorant::app {
+namespace {
+
+Method ceres_gradient(std::string name, std::string summary, CeresOptions::Method method) {
+  return {std::move(name), std::move(summary), nullptr, [method](const Contest& c) {
+            CeresOptions options;
+            options.method = method;
+            options.max_iterations = c.max_iterations;
+            options.stop = c.stop;
+            return std::make_unique<CeresMinimizer>(options);
+          }};
+}
+
+Method least_squares() {
+  const auto obstacle = [](const Contest& c) -> std::string {
+    if (c.energy != "symmetric-dirichlet") return "it needs --energy symmetric-dirichlet";
+    if (c.specification.face_weight.size()) return "it does not know --weights";
+    if (!c.specification.handles.empty()) return "it does not know --handles";
+    return {};
+  };
+  return {"ceres-lm", "Ceres, Levenberg-Marquardt on J and J^-1 as residuals", obstacle,
+          [](const Contest& c) {
+            LeastSquaresOptions options;
+            options.max_iterations = c.max_iterations;
+            return std::make_unique<LeastSquaresMinimizer>(c.space, c.specification.rest, c.rule,
+                                                           options);
+          }};
+}
+
+}  // namespace
+
+std::vector<Method> ceres_methods() {
+  return {
+      ceres_gradient("ceres-lbfgs", "Ceres, L-BFGS", CeresOptions::Method::Lbfgs),
+      ceres_gradient("ceres-nlcg", "Ceres, nonlinear conjugate gradients",
+                     CeresOptions::Method::NonlinearConjugateGradient),
+      least_squares(),
+  };
+}
+
+}  // namespace majorant::app
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,72 @@
+#include "apps/parts.h"
+
+#include <fmt/format.h>
+
+#include "majorant/framework/error.h"
+
+namespace majorant::app {
+namespace {
+
+enum class In { Every, Gpl };  // which builds
+
+struct Part {
+  std::string_view name, licence, use;
+  In in = In::Every;
+};
+
+constexpr Part kParts[] = {
+    {"majorant", "BSD-3-Clause", "this program"},
+    {"AMD (SuiteSparse)", "BSD-3-Clause", "orderings of sparse matrices"},
+    {"METIS", "Apache-2.0", "orderings of large sparse matrices"},
+    {"Eigen", "MPL-2.0", "small and sparse matrices"},
+    {"xsimd", "BSD-3-Clause", "vector instructions"},
+    {"Boost", "BSL-1.0", "integers of any length"},
+    {"fmt", "MIT", "texts and numbers"},
+    {"nlohmann-json", "MIT", "reports"},
+    {"CLI11", "BSD-3-Clause", "this command line"},
+    {"zlib", "Zlib", "compressed files"},
+    {"libpng", "Libpng", "pictures"},
+    {"three.js", "MIT", "the pages that it writes"},
+    {"GCC's runtime (libstdc++, libgomp)", "GPL-3.0 with GCC-exception-3.1", "C++, threads"},
+    {"GNU C library", "LGPL-2.1-or-later", "the system"},
+    {"CGAL", "GPL-3.0-or-later", "triangulations around images", In::Gpl},
+    {"libnest2d", "LGPL-3.0", "packing of few charts", In::Gpl},
+    {"Clipper (polyclipping)", "BSL-1.0", "of libnest2d", In::Gpl},
+    {"NLopt", "LGPL-2.1-or-later", "of libnest2d", In::Gpl},
+    {"Ceres", "BSD-3-Clause", "solvers to compare with", In::Gpl},
+    {"SuiteSparse (CHOLMOD, CXSparse)", "GPL-2.0-or-later, LGPL-2.1-or-later", "of Ceres", In::Gpl},
+    {"glog, gflags", "BSD-3-Clause", "of Ceres", In::Gpl},
+    {"libunwind, liblzma", "MIT, public domain", "of glog", In::Gpl},
+    {"OpenBLAS (BLAS, LAPACK), GCC's libgfortran and libquadmath",
+     "BSD-3-Clause, GPL-3.0 with GCC-exception-3.1, LGPL-2.1-or-later", "of CHOLMOD", In::Gpl},
+};
+
+}  // namespace
+
+bool has_gpl_parts() { return MAJORANT_GPL != 0; }
+
+void require_gpl_parts(std::string_view what) {
+  if (!has_gpl_parts())
+    throw Error(ErrorKind::Usage,
+                fmt::format("{} needs CGAL (GPL-3), which this majorant was built without "
+                            "(MAJORANT_GPL=OFF); use one that has it",
+                            what));
+}
+
+std::string licences() {
+  std::string text =
+      fmt::format("As a whole: {}\n\n", has_gpl_parts() ? "GPL-3.0-or-later, because of CGAL"
+                                                        : "BSD-3-Clause; nothing in it is "
+                                                          "under the GPL or LGPL but the system's "
+                                                          "libraries");
+  for (const Part& part : kParts)
+    if (part.in == In::Every || has_gpl_parts())
+      text += fmt::format("{}: {}; {}\n", part.name, part.licence, part.use);
+  text.pop_back();
+  return text;
+}
+
+}  // namespace majorant::app
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

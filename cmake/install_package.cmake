@@ -1,0 +1,68 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+# The package: find_package(majorant [COMPONENTS framework]), pkg-config, licence, CITATION.cff.
+include(CMakePackageConfigHelpers)
+install(TARGETS majorant EXPORT libmajorantTargets)
+install(FILES majorant.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/majorant COMPONENT development)
+
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/majorant)
+foreach(library libmajorant_framework libmajorant)
+  install(EXPORT ${library}Targets NAMESPACE majorant:: DESTINATION ${package_dir}
+          COMPONENT development)
+endforeach()
+configure_package_config_file(cmake/majorantConfig.cmake.in
+                              ${PROJECT_BINARY_DIR}/majorantConfig.cmake
+                              INSTALL_DESTINATION ${package_dir})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/majorantConfigVersion.cmake
+                                 COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/majorantConfig.cmake
+              ${PROJECT_BINARY_DIR}/majorantConfigVersion.cmake
+              cmake/FindOrderings.cmake cmake/FindXsimdHeaders.cmake
+        DESTINATION ${package_dir} COMPONENT development)
+if(MAJORANT_GPL)
+  install(FILES cmake/FindNest2D.cmake DESTINATION ${package_dir} COMPONENT development)
+endif()
+
+# pkg-config. Shared libraries know what they need; with archives everything is asked for, always.
+file(RELATIVE_PATH MAJORANT_PREFIX_FROM_PC /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+list(JOIN MAJORANT_ABI_DEFINITIONS " -D" MAJORANT_PC_DEFINITIONS)
+set(framework_packages "fmt")
+set(framework_libraries "-lamd -lmetis ${OpenMP_CXX_FLAGS}")
+set(majorant_packages "zlib, libpng")
+set(majorant_libraries "")
+set(MAJORANT_LICENCE "BSD-3-Clause")
+if(MAJORANT_GPL)
+  set(majorant_libraries "-lceres -lnlopt_cxx -lnlopt -lpolyclipping")
+  set(MAJORANT_LICENCE "GPL-3.0-or-later")
+endif()
+foreach(name framework majorant)
+  set(packages "${${name}_packages}")
+  set(libraries "${${name}_libraries}")
+  if(BUILD_SHARED_LIBS)
+    set(file majorant_framework)
+    if(name STREQUAL "majorant")
+      set(file majorant)
+    endif()
+    set(MAJORANT_PC_${name} "Libs: -L\${libdir} -l${file}
+Requires.private: ${packages}
+Libs.private: ${libraries}")
+  else()
+    set(library libmajorant)
+    if(name STREQUAL "framework")
+      set(library libmajorant_framework)
+    endif()
+    list(TRANSFORM ${library}_rooms PREPEND -lmajorant_ OUTPUT_VARIABLE rooms)
+    list(JOIN rooms " " rooms)
+    set(MAJORANT_PC_${name} "Libs: -L\${libdir} ${rooms} ${libraries}")
+    set(MAJORANT_PC_${name}_PACKAGES ", ${packages}")
+  endif()
+endforeach()
+foreach(file majorant majorant-framework)
+  configure_file(cmake/${file}.pc.in ${PROJECT_BINARY_DIR}/${file}.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/${file}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
+          COMPONENT development)
+endforeach()
+
+install(FILES LICENSE CITATION.cff README.md
+        DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/majorant COMPONENT command)

@@ -1,0 +1,42 @@
+// The graph whose nodes are the blocks of a sparse pattern, two joined where an entry couples them:
+// what orderings are found for, and what is eliminated.
+//
+//   SparsePattern pattern;
+//   pattern.append_column({});
+//   pattern.order_in_blocks(1);
+//   const BlockGraph graph(pattern);    // one node, no edge
+#pragma once
+
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "majorant/framework/sparse_pattern.h"
+
+namespace majorant {
+
+// Pairs of blocks.
+using BlockEdges = std::vector<std::pair<Index, Index>>;
+
+// Every edge once, at its smaller node.
+class BlockGraph {
+ public:
+  explicit BlockGraph(const SparsePattern& pattern);
+
+  Index size() const { return static_cast<Index>(starts_.size()) - 1; }
+  std::size_t edges() const { return larger_.size(); }
+  // Nodes above `node` that it is joined with, each once, in the order of the pattern.
+  std::span<const Index> larger(Index node) const {
+    return {larger_.data() + starts_[at(node)], larger_.data() + starts_[at(node) + 1]};
+  }
+  // That another graph of as many nodes does not have.
+  BlockEdges edges_beyond(const BlockGraph& other) const;
+
+ private:
+  std::vector<Index> starts_, larger_;
+};
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,79 @@
+#include "majorant/framework/internal/block_ordering.h"
+
+#include <amd.h>
+#include <metis.h>
+
+#include <new>
+#include <numeric>
+#include <type_traits>
+
+#include "majorant/framework/internal/foreign_code.h"
+
+namespace majorant {
+namespace {
+
+static_assert(std::is_same_v<idx_t, Index>, "METIS is compiled with 32 bit indices");
+static_assert(std::is_same_v<int, Index>, "AMD's other functions have 64 bits");
+
+// The neighbours of every node, smaller and larger ones.
+struct Neighbours {
+  std::vector<Index> starts, nodes;
+
+  explicit Neighbours(const BlockGraph& graph) : starts(at(graph.size()) + 1, 0) {
+    const auto visit = [&](const auto& use) {
+      for (Index a = 0; a < graph.size(); ++a)
+        for (const Index b : graph.larger(a)) use(a, b);
+    };
+    visit([&](Index a, Index b) { ++starts[at(a) + 1], ++starts[at(b) + 1]; });
+    std::partial_sum(starts.begin(), starts.end(), starts.begin());
+    nodes.resize(at(starts.back()));
+    std::vector<Index> next(starts.begin(), starts.end() - 1);
+    visit([&](Index a, Index b) {
+      nodes[at(next[at(a)]++)] = b;
+      nodes[at(next[at(b)]++)] = a;
+    });
+  }
+};
+
+std::vector<Index> as_numbered(Index size) {
+  std::vector<Index> order(at(size));
+  std::iota(order.begin(), order.end(), 0);
+  return order;
+}
+
+}  // namespace
+
+std::vector<Index> minimum_degree_order(const BlockGraph& graph) {
+  if (graph.edges() == 0) return as_numbered(graph.size());
+  Neighbours near(graph);  // amd_2 eats it
+  const Index n = graph.size();
+  std::vector<Index> lengths(at(n)), order(at(n));
+  for (std::size_t k = 0; k < lengths.size(); ++k) lengths[k] = near.starts[k + 1] - near.starts[k];
+  const auto used = static_cast<Index>(near.nodes.size());
+  near.nodes.resize(near.nodes.size() + near.nodes.size() / 2 + at(n));  // room to work in
+  // What it needs besides: six arrays, what they are for is AMD's own.
+  std::vector<Index> scratch(6 * at(n));
+  const auto array = [&](std::size_t k) { return scratch.data() + k * at(n); };
+  double info[AMD_INFO];
+  amd_2(n, near.starts.data(), near.nodes.data(), lengths.data(),
+        static_cast<Index>(near.nodes.size()), used, array(0), array(1), order.data(), array(2),
+        array(3), array(4), array(5), nullptr, info);
+  return order;
+}
+
+std::vector<Index> nested_dissection_order(const BlockGraph& graph) {
+  if (graph.edges() == 0) return as_numbered(graph.size());
+  Neighbours near(graph);
+  Index n = graph.size();
+  std::vector<Index> order(at(n)), inverse(at(n));
+  const MetisScope scope;
+  if (METIS_NodeND(&n, near.starts.data(), near.nodes.data(), nullptr, nullptr, order.data(),
+                   inverse.data()) != METIS_OK)
+    throw std::bad_alloc();
+  return order;
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

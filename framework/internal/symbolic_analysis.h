@@ -1,0 +1,24 @@
+// What an order of elimination leads to: which blocks every block touches in the end, and which of
+// them are eliminated together (supernodes, relaxed [AG89]).
+//
+//   SparsePattern pattern;
+//   pattern.append_column({});
+//   pattern.order_in_blocks(1);
+//   const BlockElimination elimination = analyze_elimination(BlockGraph(pattern), {0});
+#pragma once
+
+#include <vector>
+
+#include "majorant/framework/internal/block_graph.h"
+#include "majorant/framework/internal/front_tree.h"
+
+namespace majorant {
+
+// order: every node once; it is changed to a postorder of its elimination tree, which fills in no
+// more. Time as the factor's structure, blocks counted.
+BlockElimination analyze_elimination(const BlockGraph& graph, std::vector<Index> order);
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,11 @@
+// What there is of nesting.h without libnest2d: pack() keeps what its raster found.
+#include "majorant/parametrization/packing/internal/nesting.h"
+
+namespace majorant {
+
+std::optional<Strip> nested_strip(const PackingJob&, double) { return std::nullopt; }
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

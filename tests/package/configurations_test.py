@@ -1,0 +1,106 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Configurations that are too long to build here: what they would build. scripts/try_configurations.py
+tries them built, and is tried here on what there is."""
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+SOURCE = os.environ['MAJORANT_SOURCE_DIR']
+BUILD = os.environ['MAJORANT_BUILD_DIR']
+sys.path.insert(0, os.path.join(SOURCE, 'scripts'))
+import try_configurations  # noqa: E402
+
+GPL = r'/(CGAL|libnest2d|polyclipping|ceres|glog|gflags|suitesparse/(?!amd|SuiteSparse_config)\w+|nlopt)[/.]'
+
+
+def run(*command):
+    done = subprocess.run(command, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    assert done.returncode == 0, '%s: %d\n%s' % (command, done.returncode, done.stdout)
+    return done.stdout
+
+
+@unittest.skipUnless(shutil.which('ninja'), 'no ninja')
+class Configurations(unittest.TestCase):
+    def configure(self, *options):
+        folder = tempfile.mkdtemp(prefix='majorant_configuration_')
+        self.addCleanup(shutil.rmtree, folder)
+        run('cmake', '-S', SOURCE, '-B', folder, '-G', 'Ninja', '-DCMAKE_EXPORT_COMPILE_COMMANDS=ON',
+            '-DMAJORANT_BUILD_TESTS=OFF', '-DMAJORANT_BUILD_BENCH=OFF', *options)
+        return folder
+
+    def sources(self, folder):
+        with open(os.path.join(folder, 'compile_commands.json')) as f:
+            return {os.path.relpath(entry['file'], SOURCE) for entry in json.load(f)
+                    if entry['file'].startswith(SOURCE + '/') and '/generated/' not in entry['file']}
+
+    def test_without_gpl_parts_nothing_of_theirs_is_asked_for(self):
+        others = ('CGALHeaders', 'Nest2D', 'Ceres', 'CHOLMOD', 'CGAL')
+        folder = self.configure('-DMAJORANT_GPL=OFF', *('-DCMAKE_DISABLE_FIND_PACKAGE_%s=ON' % o for o in others))
+        sources = self.sources(folder)
+        self.assertIn('mesh/internal/no_large_polygon.cpp', sources)
+        self.assertNotIn('mesh/internal/large_polygon.cpp', sources)
+        link = run('ninja', '-C', folder, '-t', 'commands', 'apps/majorant').splitlines()[-1]
+        self.assertIn('libmetis', link)
+        for name in ('ceres', 'cholmod', 'blas', 'nlopt', 'clipping', 'gmp', 'glog'):
+            self.assertNotIn(name, link.replace('no_ceres', ''))
+        self.check_what_their_sources_include(sources)
+
+    def check_what_their_sources_include(self, sources):
+        """By the compiler's own lists, of this build: sources that both have include nothing of them."""
+        deps = run('ninja', '-C', BUILD, '-t', 'deps') if os.path.exists(BUILD + '/build.ninja') else ''
+        wrong, seen, source = [], set(), None
+        for line in deps.splitlines():
+            name = line.strip()
+            if line and not line.startswith(' '):
+                source = None
+            elif source is None and name:
+                source = os.path.relpath(os.path.normpath(os.path.join(BUILD, name)), SOURCE)
+                seen.add(source)
+            elif name and source in sources and re.search(GPL, name):
+                wrong.append('%s: %s' % (source, name))
+        if len(seen & sources) < 150:
+            self.skipTest('no: the objects of this build are not all there')
+        self.assertEqual(wrong[:5], [])
+
+    def test_the_names_of_shared_libraries(self):
+        folder = self.configure('-DBUILD_SHARED_LIBS=ON')
+        self.assertRegex(try_configurations.version(), r'^\d+\.\d+\.\d+$')
+        for name in ('majorant', 'majorant_framework'):
+            link = run('ninja', '-C', folder, '-t', 'commands', 'lib%s.so' % name).splitlines()[-2:]
+            link = ' '.join(link)
+            self.assertIn('-soname,lib%s.so.%s' % (name, try_configurations.soversion()), link)
+            self.assertIn('exported_symbols.map', link)
+        framework = run('ninja', '-C', folder, '-t', 'inputs', 'libmajorant_framework.so')
+        for room in ('mesh', 'io', 'drive', 'ceres'):
+            self.assertNotIn('majorant_%s.dir' % room, framework)
+        self.assertIn('majorant_terms.dir', framework)
+
+    def test_the_symbols_that_are_shown_are_ours(self):
+        """The linker script on a library that is small."""
+        folder = tempfile.mkdtemp(prefix='majorant_symbols_')
+        self.addCleanup(shutil.rmtree, folder)
+        code = os.path.join(folder, 'x.cpp')
+        with open(code, 'w') as f:
+            f.write('#include <vector>\n#include <stdexcept>\n'
+                    'int theirs() { return 1; }\nnamespace other { int f() { return 2; } }\n'
+                    'namespace majorant { struct Error : std::runtime_error { using runtime_error::runtime_error;\n'
+                    'virtual ~Error(); int k() const; }; Error::~Error() {} int Error::k() const { return 1; }\n'
+                    'std::vector<double> g(std::vector<double> v) { v.push_back(theirs()); return v; } }\n')
+        library = os.path.join(folder, 'libx.so')
+        run(os.environ.get('CXX', 'c++'), '-shared', '-fPIC', '-O1', code, '-o', library,
+            '-Wl,--version-script=' + os.path.join(SOURCE, 'cmake/exported_symbols.map'))
+        names = {line.split()[0] for line in run('nm', '-D', '--defined-only', '--format=posix', library).splitlines()}
+        self.assertTrue({'_ZN8majorant1gESt6vectorIdSaIdEE', '_ZTIN8majorant5ErrorE', '_ZTVN8majorant5ErrorE',
+                         '_ZNK8majorant5Error1kEv'} <= names, names)
+        self.assertEqual([name for name in names if 'majorant' not in name], [])
+
+
+if __name__ == '__main__':
+    unittest.main()

@@ -1,0 +1,57 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The Debian packages: what is in them, unpacked and run; with MAJORANT_DEBIAN_ROOT=DIR also installed in
+a new Debian that is made there (scripts/try_packages.py)."""
+import hashlib
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+SOURCE = os.environ['MAJORANT_SOURCE_DIR']
+BUILD = os.environ['MAJORANT_BUILD_DIR']
+sys.path.insert(0, os.path.join(SOURCE, 'scripts'))
+import try_packages  # noqa: E402
+
+
+@unittest.skipUnless(shutil.which('dpkg-deb') and shutil.which('dpkg-shlibdeps'), 'no dpkg-dev')
+class Packages(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.mkdtemp(prefix='majorant_debian_')
+        cls.addClassCleanup(shutil.rmtree, cls.folder)
+        cls.packages = try_packages.packages_of(BUILD, cls.folder)
+
+    def test_contents(self):
+        self.assertEqual(sorted(self.packages), ['libmajorant-dev', 'majorant'])
+        for name, path in self.packages.items():
+            try_packages.check_contents(name, path)
+
+    def test_unpacked_it_runs_and_sums_agree(self):
+        root = os.path.join(self.folder, 'root')
+        subprocess.check_call(['dpkg-deb', '--raw-extract', self.packages['majorant'], root])
+        with open(os.path.join(root, 'DEBIAN/md5sums')) as f:
+            sums = [line.split() for line in f]
+        self.assertGreater(len(sums), 5)
+        for digest, name in sums:
+            with open(os.path.join(root, name), 'rb') as f:
+                self.assertEqual(hashlib.md5(f.read()).hexdigest(), digest, name)
+        out = os.path.join(self.folder, 'out.obj')
+        subprocess.check_call([os.path.join(root, 'usr/bin/majorant'), 'parametrize', '--quiet',
+                               os.path.join(SOURCE, 'meshes/cap.obj'), out])
+        self.assertGreater(os.path.getsize(out), 1000)
+
+    @unittest.skipUnless(os.environ.get('MAJORANT_DEBIAN_ROOT'), 'no MAJORANT_DEBIAN_ROOT')
+    def test_in_a_new_debian(self):
+        done = subprocess.run([os.path.join(SOURCE, 'scripts/try_packages.py'), BUILD, '--root',
+                               os.environ['MAJORANT_DEBIAN_ROOT']], text=True, stdout=subprocess.PIPE)
+        if done.returncode == try_packages.SKIPPED:
+            self.skipTest(done.stdout.splitlines()[-1])
+        self.assertEqual(done.returncode, 0)
+
+
+if __name__ == '__main__':
+    unittest.main()

@@ -1,0 +1,110 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Licences: every source file says its own, REUSE and CITATION.cff are right, and the program lists
+those of all that it links."""
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+SOURCE = os.environ['MAJORANT_SOURCE_DIR']
+BINARY = os.environ['MAJORANT_BINARY']
+BUILD = os.environ['MAJORANT_BUILD_DIR']
+sys.path.insert(0, os.path.join(SOURCE, 'scripts'))
+import licence_lines  # noqa: E402
+
+# What a loaded library is called in `majorant --licenses`.
+NAMES = {
+    'libamd': 'AMD', 'libsuitesparseconfig': 'AMD', 'libmetis': 'METIS', 'libfmt': 'fmt', 'libpng16': 'libpng',
+    'libz': 'zlib', 'libgomp': "GCC's runtime", 'libstdc++': "GCC's runtime", 'libgcc_s': "GCC's runtime",
+    'libpolyclipping': 'Clipper', 'libnlopt_cxx': 'NLopt', 'libnlopt': 'NLopt', 'libceres': 'Ceres',
+    'libcholmod': 'SuiteSparse', 'libspqr': 'SuiteSparse', 'libcxsparse': 'SuiteSparse', 'libcolamd': 'SuiteSparse',
+    'libccolamd': 'SuiteSparse', 'libcamd': 'SuiteSparse', 'libglog': 'glog', 'libgflags': 'glog',
+    'libunwind': 'libunwind', 'liblzma': 'liblzma', 'libopenblas': 'OpenBLAS', 'liblapack': 'OpenBLAS',
+    'libblas': 'OpenBLAS', 'libgfortran': 'libgfortran', 'libquadmath': 'libquadmath'}
+SYSTEM = r'linux-vdso|ld-linux|lib(c|m|dl|pthread|rt)\.'
+
+
+class Licences(unittest.TestCase):
+    def test_every_source_file_says_its_licence(self):
+        sources = list(licence_lines.sources())
+        self.assertGreater(len(sources), 900)
+        silent = [str(path) for path in sources if not licence_lines.has_lines(path)]
+        self.assertEqual(silent, [], 'run scripts/licence_lines.py --write')
+
+    def test_lines_are_added_where_they_belong(self):
+        for name, text in (('x.cpp', 'int a;\n'), ('x.py', '#!/usr/bin/python3\n"""Doc."""\n'), ('x.js', '// What.\n'),
+                           ('CMakeLists.txt', 'project(x)\n')):
+            with tempfile.TemporaryDirectory() as folder:
+                path = pathlib.Path(folder) / name
+                path.write_text(text)
+                self.assertFalse(licence_lines.has_lines(path))
+                path.write_text(licence_lines.with_lines(text, path))
+                self.assertTrue(licence_lines.has_lines(path), path.read_text())
+                self.assertEqual(path.read_text().startswith('#!'), text.startswith('#!'))
+
+    @unittest.skipUnless(shutil.which('reuse'), 'no reuse')
+    def test_reuse_lint(self):
+        done = subprocess.run(['reuse', '--root', SOURCE, 'lint'], text=True, stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT)
+        self.assertEqual(done.returncode, 0, done.stdout[-3000:])
+
+    def test_the_licence_texts_are_one(self):
+        texts = []
+        for name in ('LICENSE', 'LICENSES/BSD-3-Clause.txt'):
+            with open(os.path.join(SOURCE, name)) as f:
+                texts.append(f.read())
+        self.assertEqual(*texts)
+
+    def test_what_is_loaded_is_listed(self):
+        listed = subprocess.run([BINARY, '--licenses'], check=True, text=True, stdout=subprocess.PIPE).stdout
+        loaded = subprocess.run(['ldd', BINARY], check=True, text=True, stdout=subprocess.PIPE).stdout
+        libraries = [line.split()[0] for line in loaded.splitlines()]
+        self.assertGreater(len(libraries), 5)
+        for library in libraries:
+            stem = os.path.basename(library).split('.so')[0]
+            if re.search(SYSTEM, library) or stem.startswith(('libmajorant', 'libasan', 'libubsan', 'libtsan')):
+                continue
+            self.assertIn(stem, NAMES, 'a new library: apps/parts.cpp, and here')
+            self.assertIn(NAMES[stem], listed)
+
+
+class Citation(unittest.TestCase):
+    """As much of the schema of CITATION.cff 1.2.0 as matters here."""
+
+    def setUp(self):
+        try:
+            import yaml
+        except ImportError:
+            self.skipTest('no python3-yaml')
+        with open(os.path.join(SOURCE, 'CITATION.cff')) as f:
+            self.citation = yaml.safe_load(f)
+
+    def test_required_and_known_keys(self):
+        self.assertEqual(str(self.citation['cff-version']), '1.2.0')
+        for key in ('message', 'title', 'authors', 'version', 'license', 'type'):
+            self.assertTrue(self.citation[key], key)
+        known = {'cff-version', 'message', 'title', 'abstract', 'type', 'version', 'license', 'authors', 'keywords',
+                 'preferred-citation', 'repository-code', 'url', 'doi', 'date-released'}
+        self.assertEqual(set(self.citation) - known, set())
+        article = self.citation['preferred-citation']
+        self.assertEqual(set(article), {'type', 'title', 'authors', 'journal', 'volume', 'year', 'doi'})
+        self.assertRegex(article['doi'], r'^10\.\d{4,9}/\S+$')
+        for person in article['authors']:
+            self.assertEqual(set(person), {'family-names', 'given-names'})
+
+    def test_the_version_is_that_of_the_program(self):
+        with open(os.path.join(SOURCE, 'CMakeLists.txt')) as f:
+            version = re.search(r'project\(majorant VERSION (\S+)', f.read())[1]
+        self.assertEqual(self.citation['version'], version)
+        said = subprocess.run([BINARY, '--version'], check=True, text=True, stdout=subprocess.PIPE).stdout
+        self.assertEqual(said.split()[1], version)
+
+
+if __name__ == '__main__':
+    unittest.main()
