@@ -12,6 +12,9 @@
 // A matrix is indefinite where two conjugate gradients meet negative curvature on different
 // preconditioners, where MUMPS counts a negative pivot, and where -g.p says so whatever the solver
 // thinks.
+//
+// Conjugate gradients give the same bits in every run of as many ranks; MUMPS on several adds what
+// they send in the order in which it comes.
 #pragma once
 
 #include <array>
@@ -39,8 +42,7 @@ struct LadderRecord {
 struct LadderOptions {
   // The first rung; Gamg is not on the way down of the others.
   Rung first = Rung::Amg;
-  // Systems of fewer unknowns begin with MUMPS, 0: none does. Origin: measured,
-  // docs/distributed.md: a factorization is the fastest there by far.
+  // Systems of fewer unknowns begin with MUMPS, 0: none does.
   GlobalIndex direct_below = 0;
 };
 

@@ -15,7 +15,7 @@ DATA = os.environ.get('MAJORANT_SHARED_DATA', '')
 # More ranks than cores, as root in a container, one thread each.
 ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT='1', OMPI_ALLOW_RUN_AS_ROOT_CONFIRM='1',
                    OMPI_MCA_rmaps_base_oversubscribe='1', OMPI_MCA_hwloc_base_binding_policy='none',
-                   OMPI_MCA_mpi_yield_when_idle='1', OMPI_MCA_btl_vader_single_copy_mechanism='none',
+                   OMPI_MCA_btl_vader_single_copy_mechanism='none',
                    OMP_NUM_THREADS='1', OPENBLAS_NUM_THREADS='1')
 
 

@@ -9,22 +9,21 @@ MESHES = ['nefertiti_500', 'helix_500', 'plane_500']
 
 
 class SameAnswer(MpiTest):
-    def points_of(self, name):
-        """uv by input vertex and 3D place of every piece: points of one node have the same bits."""
+    def uv_of_vertices(self, name):
+        """By input vertex, of all pieces: those of one vertex have the same bits."""
         found = {}
         for rank in range(4):
-            path = self.path('%s_%d.vtu' % (name, rank))
-            if os.path.exists(path):
-                vtu = Vtu(path)
-                for place, uv in zip(vtu.rows('Points'), vtu.rows('uv')):
-                    found.setdefault(tuple(place), set()).add(tuple(uv))
+            vtu = Vtu(self.path('%s_%d.vtu' % (name, rank)))
+            for (vertex,), uv in zip(vtu.rows('input_vertex'), vtu.rows('uv')):
+                if vertex >= 0:
+                    found.setdefault(vertex, []).append(uv)
         return found
 
     def test_energies_and_files(self):
         for mesh in MESHES:
             for degree in (1, 2, 3):
                 whole = self.serial(disk(mesh), '--degree', degree)['result']
-                for ranks in (1, 2, 4):
+                for ranks in (1, 2, 4) if degree == 2 else (2, 4):
                     with self.subTest(mesh=mesh, degree=degree, ranks=ranks):
                         report = self.solve(ranks, disk(mesh), '--degree', degree)
                         self.assertEqual(report['status'], 'converged')
@@ -34,8 +33,10 @@ class SameAnswer(MpiTest):
                         self.assertEqual(report['result']['control_points'], whole['control_points'])
                         self.assertEqual(report['result']['globally_injective'], whole['globally_injective'])
                         self.assertEqual(sum(r['faces'] for r in report['ranks']), report['input']['faces'])
-                shared = [places for places in self.points_of('all').values() if len(places) > 1]
-                self.assertEqual(shared, [])
+                shared = [uv for uv in self.uv_of_vertices('all').values() if len(uv) > 1]
+                self.assertGreater(len(shared), 10)
+                for uv in shared:
+                    self.assertEqual(len(set(uv)), 1)
                 self.run_ok('check', self.path('all.pvtu'), '--surface', disk(mesh))
                 one = self.path('one.vtu')
                 self.run_ok('convert', self.path('all.pvtu'), '-o', one)
@@ -45,10 +46,10 @@ class SameAnswer(MpiTest):
                                           stdout=subprocess.PIPE, text=True)
                     self.assertEqual(done.returncode, 0, done.stdout)
 
-    def test_the_same_bits_every_time(self):
+    def test_conjugate_gradients_give_the_same_bits_every_time(self):
         uv = []
         for out in ('first', 'second'):
-            self.solve(3, disk('nefertiti_500'), '--degree', 2, out=out)
+            self.solve(3, disk('nefertiti_500'), '--degree', 2, '--linear-solver', 'cg-hypre', out=out)
             uv.append(Vtu(self.path(out + '_1.vtu')).rows('uv'))
         self.assertEqual(uv[0], uv[1])
 
@@ -66,8 +67,7 @@ class Solvers(MpiTest):
                     self.assertLessEqual(first['solver_iterations'], 10)
                     self.assertLessEqual(first['residual'], 0.1)
 
-    def test_multigrid_that_breaks_down_is_left(self):
-        """Nearly collapsed triangles of a Tutte start."""
+    def test_nearly_collapsed_triangles_of_a_start(self):
         report = self.solve(2, disk('scorpion_2500'), '--degree', 1, '--linear-solver', 'cg-hypre',
                             '--max-iterations', 20, code=4)
         self.assertTrue(report['result']['locally_injective'])
