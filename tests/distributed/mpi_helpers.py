@@ -12,6 +12,9 @@ from command_helpers import *  # noqa: E402,F403
 MPI_BINARY = os.environ.get('MAJORANT_MPI_BINARY', '')
 DATA = os.environ.get('MAJORANT_SHARED_DATA', '')
 
+BUNDLED = {'nefertiti_500': 'cap', 'helix_500': 'wavy_disk', 'plane_500': 'creature', 'hand_2500': 'creature',
+           'scorpion_2500': 'creature'}
+
 # More ranks than cores, as root in a container, one thread each.
 ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT='1', OMPI_ALLOW_RUN_AS_ROOT_CONFIRM='1',
                    OMPI_MCA_rmaps_base_oversubscribe='1', OMPI_MCA_hwloc_base_binding_policy='none',
@@ -34,7 +37,9 @@ def mpirun(ranks, *args, cwd=None):
 
 
 def disk(name):
-    return os.path.join(DATA, 'disks', name + '.obj')
+    """A public mesh, or, where there are none, a bundled one."""
+    path = os.path.join(DATA, 'disks', name + '.obj')
+    return path if DATA and os.path.exists(path) else os.path.join(SOURCE, 'meshes', BUNDLED[name] + '.obj')
 
 
 class MpiTest(CommandTest):  # noqa: F405
