@@ -6,7 +6,7 @@
 //
 //   const Partition partition(3);          // one process: owns all, copies nothing
 //   Vec g = Vec::Ones(3);
-//   partition.add_to_owners(g);            // what all ranks assembled, at the owners; copies hold 0
+//   partition.add_to_owners(g);            // what all ranks assembled, at owners; copies hold 0
 //   const double length = partition.norm(g);
 //   Vec y = g;
 //   partition.copy_from_owners(y);         // every copy is its owner's

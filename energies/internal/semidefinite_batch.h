@@ -1,7 +1,7 @@
 // Small symmetric matrices, one in each lane of SIMD batches, made semidefinite all at once: what
 // framework/packed_symmetric.h does for one of them, for kernels.
 //
-//   Batch k[10];                             // packed lower triangles of 4 by 4 matrices
+//   xsimd::batch<double> k[10];              // packed lower triangles of 4 by 4 matrices
 //   make_semidefinite_batch<4>(1.0, k);
 //
 // Lanes do not see each other: what comes out of one does not depend on the others. Everything is

@@ -1,8 +1,8 @@
 // The part of a map that one of several processes has: some of its faces, with their nodes.
 //
-//     spec.part = part;                                       // null: the whole map
-//     double area = whole_area(spec);                         // of all parts
-//     std::vector<Index> nodes = boundary_of(spec, space);    // not where it only meets other parts
+//     spec.part = part;                                     // null: the whole map
+//     double area = whole_area(spec);                       // of all parts
+//     std::vector<Index> nodes = boundary_of(spec, space);  // not where it only meets others
 //
 // A rank's space is over its own faces; spaces of any degree over the same faces have the same
 // part. What is asked of a map (map_problem.h) names nodes of the rank's own space: pins on every
