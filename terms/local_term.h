@@ -28,12 +28,38 @@
 // more than 30 unknowns: derivatives cost 3 (N Block)^2 operations for every product in the lambda.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "majorant/framework/packed_symmetric.h"
 #include "majorant/terms/detail/element_term.h"
 
 namespace majorant {
 
 namespace detail {
+
+// make_semidefinite() of two nodes. Where only their difference counts, as in springs, the blocks
+// of the Hessian are h, -h and h, and h alone is what has eigenvalues.
+template <int Block>
+void make_pair_semidefinite(double clamp, double* k) {
+  const auto entry = [k](int i, int j) -> double& { return k[i * (i + 1) / 2 + j]; };
+  double largest = 0, off = 0;
+  for (int i = 0; i < Block; ++i)
+    for (int j = 0; j < Block; ++j) {
+      const double h = entry(std::max(i, j), std::min(i, j));
+      largest = std::max(largest, std::abs(h));
+      off = std::max(off, std::abs(entry(Block + i, j) + h));
+      if (j <= i) off = std::max(off, std::abs(entry(Block + i, Block + j) - h));
+    }
+  if (!(off <= kZeroPivot * largest)) return make_semidefinite<2 * Block>(clamp, k);
+  make_semidefinite<Block>(clamp, k);  // the first block is the packed matrix's beginning
+  for (int i = 0; i < Block; ++i)
+    for (int j = 0; j < Block; ++j) {
+      const double h = entry(std::max(i, j), std::min(i, j));
+      entry(Block + i, j) = -h;
+      if (j <= i) entry(Block + i, Block + j) = h;
+    }
+}
 
 template <int N, int Block, class F>
 struct LocalFunction {
@@ -46,8 +72,12 @@ struct LocalFunction {
   Variable model(Index e, const NodeValues<Variable, Block, N>& z, BlendedCurvature curvature,
                  bool second) const {
     Variable result = f(e, z);
-    if (second && curvature.clamp > 0)
-      make_semidefinite<N * Block>(curvature.clamp, result.h.data());
+    if (second && curvature.clamp > 0) {
+      if constexpr (N == 2)
+        make_pair_semidefinite<Block>(curvature.clamp, result.h.data());
+      else
+        make_semidefinite<N * Block>(curvature.clamp, result.h.data());
+    }
     return result;
   }
 };

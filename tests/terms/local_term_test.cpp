@@ -88,6 +88,33 @@ TEST(LocalTerm, ProjectedHasNoNegativeEigenvalues) {
   EXPECT_NEAR(h.maxCoeff(), 2.25, 1e-14);
 }
 
+// Two nodes whose difference alone counts are projected by half; with an anchor as a whole.
+TEST(LocalTerm, PairsAreProjectedAsWhatTheyAre) {
+  test::Random random(5);
+  for (const double anchor : {0.0, 0.3}) {
+    const auto spring = [anchor](Index, const auto& z) {
+      const auto stretch = (z.col(1) - z.col(0)).norm() - 2.0;
+      return stretch * stretch + anchor * z(0, 0) * z(1, 1);
+    };
+    const Problem problem =
+        ProblemBuilder(6).add(make_term<2, 3>("spring", Cells{{0, 1}}, spring), 1).build();
+    Evaluator evaluator(problem);
+    for (int trial = 0; trial < 20; ++trial) {
+      const Vec x = random.vector(6, -0.5, 0.5);
+      Vec g, exact, found;
+      evaluator.linearize(x, Curvature::Exact, g, exact);
+      evaluator.linearize(x, BlendedCurvature::projected(0.7), g, found);
+      double packed[21];
+      for (int i = 0, p = 0; i < 6; ++i)
+        for (int j = 0; j <= i; ++j, ++p) packed[p] = exact[problem.pattern().slot(i, j)];
+      clamp_eigenvalues<6>(0.7, packed);
+      for (int i = 0, p = 0; i < 6; ++i)
+        for (int j = 0; j <= i; ++j, ++p)
+          EXPECT_NEAR(found[problem.pattern().slot(i, j)], packed[p], 1e-11) << anchor;
+    }
+  }
+}
+
 TEST(LocalTerm, NotANumberIsOutsideOfTheDomain) {
   const auto root = make_term<1>("root", Cells{{0}, {1}, {2}}, [](Index, const auto& z) {
     using std::sqrt;
