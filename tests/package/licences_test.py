@@ -50,6 +50,9 @@ class Licences(unittest.TestCase):
 
     @unittest.skipUnless(shutil.which('reuse'), 'no reuse')
     def test_reuse_lint(self):
+        # Which files are the project's git says; without it what was built would count.
+        if subprocess.run(['git', '-C', SOURCE, 'rev-parse'], capture_output=True).returncode != 0:
+            self.skipTest('no git repository')
         done = subprocess.run(['reuse', '--root', SOURCE, 'lint'], text=True, stdout=subprocess.PIPE,
                               stderr=subprocess.STDOUT)
         self.assertEqual(done.returncode, 0, done.stdout[-3000:])
