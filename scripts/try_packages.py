@@ -43,6 +43,9 @@ def make_root(root, mirror):
         skip('no Debian root could be made; is there a network?')
 
 
+INSIDE = 'srv'  # the folder of the new root that things are brought to
+
+
 class Root:
     """A command in it sees its files alone."""
 
@@ -55,8 +58,8 @@ class Root:
         return run('chroot', self.path, *command, env=environment, **options)
 
     def copy(self, source, name):
-        (self.path / 'work').mkdir(exist_ok=True)
-        shutil.copy(source, self.path / 'work' / name)
+        (self.path / INSIDE).mkdir(exist_ok=True)
+        shutil.copy(source, self.path / INSIDE / name)
 
 
 def packages_of(build, folder):
@@ -86,7 +89,7 @@ def readme_example(root):
     root.copy(SOURCE / 'meshes/creature.obj', 'in.obj')
 
     def in_work(*words):
-        return root.run('sh', '-c', 'cd /work && "$@"', '-', 'majorant', *words)
+        return root.run('sh', '-c', 'cd /%s && "$@"' % INSIDE, '-', 'majorant', *words)
     in_work('--version')
     in_work('in.obj', 'out.obj')
     in_work('parametrize', 'in.obj', '-o', 'out.vtu', '-o', 'out.svg', '--degree', '3', '--report', 'run.json')
@@ -129,7 +132,7 @@ def run_in(root, packages, arguments):
         for path in debs:
             root.copy(path, path.name)
         root.run('apt-get', 'install', '-qq', '-y', '--no-install-recommends',
-                 *('/work/' + path.name for path in debs))
+                 *('/%s/%s' % (INSIDE, path.name) for path in debs))
         root.run('dpkg', '--verify', 'majorant')
     readme_example(root)
 
