@@ -14,7 +14,8 @@
 namespace majorant {
 namespace {
 
-constexpr Index kCorners = 3;  // the first nodes of a face
+// Of a face, its first nodes. Origin: a triangle's.
+constexpr Index kCorners = 3;
 
 Json to_json(const PartState& state) {
   Json remedies = Json::array();
