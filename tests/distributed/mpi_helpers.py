@@ -84,6 +84,7 @@ class MpiTest(CommandTest):  # noqa: F405
         report = self.path(out + '.json')
         done = mpirun(ranks, 'parametrize', mesh, '-o', self.path(out + '.pvtu'), '--report', report, *args)
         self.assertEqual(done.code, code, done.err)
+        self.said = done.err
         with open(report) as f:
             return json.load(f)
 
