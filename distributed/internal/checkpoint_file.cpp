@@ -115,8 +115,14 @@ CheckpointFile read_checkpoint_file(const std::string& path) {
   const std::string_view header = content.substr(bytes.size() - in.remaining(), length);
   in.skip(length);
   CheckpointFile file;
-  file.header = Json::parse(header);
-  const Sizes sizes(file.header);
+  const Sizes sizes = [&] {
+    try {
+      file.header = Json::parse(header);
+      return Sizes(file.header);
+    } catch (const Json::exception&) {
+      refuse(path, "its header cannot be read");
+    }
+  }();
   if (in.remaining() != sizes.bytes() + sizeof(std::uint64_t))
     refuse(path, "its header does not say how long it is");
   file.start = numbers(in, 2 * sizes.vertices);
