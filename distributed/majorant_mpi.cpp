@@ -28,12 +28,14 @@
 #include "apps/solve_request.h"
 #include "apps/streams.h"
 #include "distributed/boundary_proof.h"
+#include "distributed/checkpoint_request.h"
+#include "distributed/internal/agree.h"
 #include "distributed/internal/part_data.h"
 #include "distributed/parametrize_parts.h"
 #include "distributed/parts_report.h"
 #include "distributed/petsc_solver.h"
 #include "distributed/processes.h"
-#include "distributed/tutte_of_parts.h"
+#include "distributed/starts_of_parts.h"
 #include "distributed/write_parts.h"
 #include "majorant/framework/thread_count.h"
 
@@ -48,6 +50,7 @@ struct Request {
   CommonOptions common;
   MapRequest map;
   SolveRequest solve;
+  CheckpointRequest checkpoint;
   std::vector<std::string> outputs;
   std::string linear_solver = "auto";
 };
@@ -92,6 +95,8 @@ struct Input {
   MapInput map;
   std::vector<int> rank_of_face;
   BoundaryOrder boundary;
+  Json identity;              // of a checkpoint
+  CheckpointFile checkpoint;  // of --resume
 };
 
 // SIGUSR1, which mpirun hands on, stops a run like the signals that end it.
@@ -113,15 +118,22 @@ class Job {
   int run() {
     if (is_first_) read();
     divide();
-    ParametrizationOptions options = local_options();
-    options.solve.linear_solver = solver_of(request_.linear_solver, *ranks_, ladder_);
+    const SolverFactory solver = solver_of(request_.linear_solver, *ranks_, ladder_);
     const double started = record_.seconds();
     record_.begin(Activity::Starting);
-    const Vec uv = make_start(options);
+    const Vec uv = make_start(solver);
+    ParametrizationOptions options = local_options();
+    options.solve.linear_solver = solver;
+    std::optional<PartState> from;
+    if (resumes()) from = state_of(*part_, in_.checkpoint);
+    make_writer(uv);
     in_.map.mesh.reset();  // rank 0 has held the whole surface until here
     in_.map.polygons = {};
+    if (resumes() && is_first_) resumed_ = resumed_section(request_.checkpoint, in_.checkpoint);
+    in_.checkpoint = {};
     initialize_seconds_ = record_.seconds() - started;
-    const PartResult result = parametrize_parts(part_, uv, options, record_);
+    const PartResult result = parametrize_parts(part_, uv, options, record_, keeping(), from);
+    from.reset();
     record_.begin(Activity::Proving);
     const GlobalInjectivity proof = prove_boundary(*part_, *result.map, in_.boundary);
     return conclude(result, proof);
@@ -134,10 +146,13 @@ class Job {
   }
 
   void read() {
-    require_writable(request_.common, {{request_.outputs, {".pvtu"}}}, request_.map.inputs());
+    require_writable(request_.common,
+                     {{request_.outputs, {".pvtu"}}, {{request_.checkpoint.file}, {".ckpt"}}},
+                     request_.map.inputs());
     record_.begin(Activity::Reading);
     in_.map = read_input(request_.map, record_.start_stop());
-    in_.map.mesh->require_disk();
+    in_.identity = identity(request_.map, in_.map);
+    if (resumes()) in_.checkpoint = read_fitting(request_.checkpoint.resume, in_.identity);
     read_seconds_ = record_.seconds();
   }
 
@@ -166,13 +181,55 @@ class Job {
     return options;
   }
 
-  Vec make_start(const ParametrizationOptions& options) {
+  bool resumes() const { return !request_.checkpoint.resume.empty(); }
+
+  void make_writer(const Vec& uv) {
+    if (request_.checkpoint.file.empty()) return;
+    Json about{{"program", version_line()},
+               {"start", start_},
+               {"identity", in_.identity},
+               {"pins", points_json(in_.map.options.map.pins)},
+               {"handles", points_json(in_.map.options.map.handles)}};
+    if (resumes() && is_first_)
+      for (const char* key : {"iterations", "seconds"}) about[key] = in_.checkpoint.header.at(key);
+    writer_.emplace(request_.checkpoint.file, part_, uv, std::move(about));
+  }
+
+  Keeping keeping() {
+    if (!writer_) return {};
+    return {request_.checkpoint.every, [this](const PartState& state) {
+              const bool failed = !writer_->failure().empty();
+              writer_->write(state, record_.seconds());
+              if (!failed && !writer_->failure().empty())
+                say("majorant-mpi: {}; the run goes on, an older checkpoint stays\n",
+                    writer_->failure());
+            }};
+  }
+
+  // Where pins and handles are to be is known then, too.
+  Vec make_start(const SolverFactory& solver) {
+    if (resumes()) {
+      if (is_first_) {
+        start_ = in_.checkpoint.header.at("start");
+        in_.map.options.map.pins = points_from(in_.checkpoint.header.at("pins"));
+        in_.map.options.map.handles = points_from(in_.checkpoint.header.at("handles"));
+      }
+      return of_vertices(*part_, in_.checkpoint.start, 2);
+    }
+    Vec uv = unled_start(solver);
+    request_.solve.apply(in_.map.options);
+    if (led_to_pins(*part_, in_.map.mesh, uv, in_.map.options, record_) && is_first_ &&
+        !request_.common.quiet)
+      say("majorant-mpi: pins are away from the start, rank 0 leads it there alone\n");
+    return uv;
+  }
+
+  Vec unled_start(const SolverFactory& solver) {
     if (request_.map.init == "input") {
       start_ = "input";
       return of_vertices(*part_, in_.map.options.map.initial.value_or(Vec()), 2);
     }
-    TutteOfParts tutte = tutte_of_parts(*part_, is_first_ ? in_.map.mesh.get() : nullptr,
-                                        options.solve.linear_solver);
+    TutteOfParts tutte = tutte_of_parts(*part_, is_first_ ? in_.map.mesh.get() : nullptr, solver);
     start_ = "tutte";
     if (tutte.on_one_rank && is_first_ && !request_.common.quiet)
       say("majorant-mpi: Tutte's map leaves faces no room, rank 0 makes the start alone\n");
@@ -183,6 +240,7 @@ class Job {
     Json options = request_.map.to_json();
     options.update(request_.solve.to_json());
     options["linear_solver"] = request_.linear_solver;
+    options.update(request_.checkpoint.to_json());
     return options;
   }
 
@@ -199,7 +257,9 @@ class Job {
                  read_seconds_,
                  divide_seconds_,
                  initialize_seconds_,
-                 0};
+                 0,
+                 writer_ ? checkpoint_section(request_.checkpoint, *writer_) : Json(),
+                 resumed_};
     const bool has_map = result.status != Status::Failed && result.status != Status::Infeasible;
     const double started = record_.seconds();
     if (has_map) {
@@ -228,6 +288,8 @@ class Job {
   Input in_;
   std::shared_ptr<const MeshPart> part_;
   std::string start_;
+  std::optional<CheckpointWriter> writer_;  // none: nothing is kept
+  Json resumed_;                            // for the report
   double read_seconds_ = 0, divide_seconds_ = 0, initialize_seconds_ = 0;
 };
 
@@ -239,6 +301,7 @@ void add_to(CLI::App& app, Request& request) {
   request.map.add_start_to(verb);
   verb.add_flag("--seamless", request.map.seamless, "for one process");
   request.solve.add_to(verb, request.map.curvature);
+  request.checkpoint.add_to(verb);
   verb.add_option("-o,--output", request.outputs, "output: .pvtu, beside it a .vtu for every rank")
       ->required();
   std::vector<std::string> solvers{"auto", "direct"};
@@ -301,6 +364,8 @@ int run(int argc, char** argv) {
     }
     const ThreadCount threads(start_threads(request.common.threads));
     return Job(request, processes).run();
+  } catch (const FailedElsewhere&) {  // the rank that has says why and ends all
+    return kInternal;
   } catch (const Error& e) {
     say("majorant-mpi: rank {}: {}\n", rank, e.what());
     return fail(exit_code(e.kind()));

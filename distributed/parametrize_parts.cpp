@@ -9,7 +9,7 @@
 #include "distributed/internal/angles_of_parts.h"
 #include "distributed/internal/start_of_part.h"
 #include "majorant/framework/error.h"
-#include "majorant/parametrization/drive/internal/degree_solver.h"
+#include "majorant/parametrization/drive/internal/enter_domain.h"
 #include "majorant/parametrization/maps/measure.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 
@@ -31,20 +31,28 @@ void require_possible(const ParametrizationOptions& o) {
 class Run {
  public:
   Run(std::shared_ptr<const MeshPart> part, const Vec& uv, const ParametrizationOptions& options,
-      RunRecord& record)
+      RunRecord& record, const Keeping& keeping)
       : part_(std::move(part)),
         options_(options),
         record_(record),
+        keeping_(keeping),
         start_(part_, uv, options.map),
         setup_{start_.specification(), options.solve, {}, {}, {}, {}, {}},
-        map_(BezierMap::linear(part_->mesh, start_.x())) {}
+        map_(BezierMap::linear(part_->mesh, start_.x())) {
+    if (keeping_.every > 0)
+      setup_.watch = [this](const TraceEntry& row, const auto& space, VecIn x) {
+        watch(row, space, x);
+        return Directive::Continue;
+      };
+  }
 
-  PartResult solve() {
-    require_injective();
+  PartResult solve(const std::optional<PartState>& from) {
+    if (!from) require_injective();
     const double started = record_.seconds();
-    result_.initial_value = mean(map_);
+    result_.initial_value = from ? from->initial_value : mean(map_);
     record_.begin(Activity::Solving);
-    if (!std::isfinite(result_.initial_value)) enter_domain();
+    if (from) go_to(*from);
+    if (from ? from->entering : !std::isfinite(result_.initial_value)) enter();
     const SolveResult solved = raise_degree();
     while (map_.degree() < options_.map.degree) elevate();
     result_.optimize_seconds = record_.seconds() - started;
@@ -53,6 +61,8 @@ class Run {
   }
 
  private:
+  using Space = std::shared_ptr<const BezierTriangleSpace>;
+
   const Ranks& ranks() const { return part_->ranks(); }
 
   double mean(const BezierMap& map) const {
@@ -82,32 +92,53 @@ class Run {
                               angles.off));
   }
 
-  // As parametrize() does for energies that overflow at the start.
-  void enter_domain() {
-    DegreeSolver::Setup gentle = setup_;
-    gentle.map.energy = {{symmetric_dirichlet(), 1.0}};
-    gentle.solve.curvature = Curvature::Projected;
-    const QuadratureLevels levels(
-        optimizer_ladder(1, setup_.solve.quadrature_points, setup_.rules.quadrature),
-        map_.space().element_count());
-    const DensityTerms terms = energy_terms(setup_.map, map_.shared_space(), levels.rules());
-    gentle.asked_energy = [&](VecIn x) {
-      return energy_of_map(setup_.map, terms, levels.of_faces(), x);
-    };
-    DegreeSolver solver(gentle, domain_, map_.shared_space(), map_.control_points());
-    solver.soften_start(record_);
-    solver.approach(options_.solve.elevation_tolerance, record_, Phase::Entry);
-    map_ = map_.with(map_.shared_space(), solver.x());
-    add_counts(result_.injectivity_tests, solver.proven());
+  void enter() {
+    entering_ = true;
+    map_ = enter_domain(setup_, domain_, map_, record_, result_.injectivity_tests);
+    entering_ = told() != Directive::Continue;
   }
+
+  Directive told() const { return ranks().of_first(record_.directive()); }
+
+  void go_to(const PartState& from) {
+    map_ = map_.with(from.space, from.x);
+    if (!from.entering) before_ = from.solver;
+  }
+
+  // ---- Keeping it ----
+
+  // After every row of the trace; all ranks have the same rows.
+  void watch(const TraceEntry& row, const Space& space, VecIn x) {
+    ++iterations_;
+    if (++since_kept_ < keeping_.every) return;
+    if (entering_) {
+      if (row.phase == Phase::Entry || row.phase == Phase::SoftStart) keep(space, x, {});
+    } else if (const auto state = solver_->state()) {
+      keep(space, x, *state);
+    }
+  }
+
+  void keep(const Space& space, VecIn x, DegreeSolver::State solver) {
+    since_kept_ = 0;
+    keeping_.keep({space, x, entering_, std::move(solver), result_.initial_value, iterations_});
+  }
+
+  // A limit has ended the run here.
+  void keep_last(const DegreeSolver::State& solver) {
+    if (keeping_.every > 0) keep(map_.shared_space(), map_.control_points(), solver);
+  }
+
+  // ---- Solving ----
 
   // solved: of the last degree that was optimized.
   SolveResult raise_degree() {
     SolveResult solved;
     solved.energy = result_.initial_value;
     for (;;) {
-      const Directive told = ranks().of_first(record_.directive());
-      if (told != Directive::Continue) return stopped(std::move(solved), told);
+      if (const Directive why = told(); why != Directive::Continue) {
+        keep_last(before_.value_or(DegreeSolver::State()));
+        return stopped(std::move(solved), why);
+      }
       const bool last = map_.degree() == options_.map.degree;
       if (last || options_.solve.elevation == Elevation::Incremental) {
         solved = optimize(last);
@@ -120,6 +151,8 @@ class Run {
 
   SolveResult optimize(bool last) {
     DegreeSolver solver(setup_, domain_, map_.shared_space(), map_.control_points());
+    solver_ = &solver;
+    if (before_) solver.resume(*std::exchange(before_, std::nullopt));
     solver.soften_start(record_);
     SolveResult solved = last ? solver.finish(record_)
                               : solver.approach(options_.solve.elevation_tolerance, record_);
@@ -127,6 +160,9 @@ class Run {
     add_counts(result_.injectivity_tests, solver.proven());
     result_.remedies = solver.remedies();
     result_.variables = solver.variables();
+    if (solved.status == Status::MaxIterations || was_stopped(solved.status))
+      keep_last(solver.state().value());
+    solver_ = nullptr;
     return solved;
   }
 
@@ -173,19 +209,25 @@ class Run {
   std::shared_ptr<const MeshPart> part_;
   const ParametrizationOptions& options_;
   RunRecord& record_;
+  const Keeping& keeping_;
   StartOfPart start_;
   DegreeSolver::Setup setup_;
   BezierMap map_;  // normalised
   PlainDomain domain_;
   PartResult result_;
+  const DegreeSolver* solver_ = nullptr;       // of this degree, while it solves
+  std::optional<DegreeSolver::State> before_;  // of an earlier run, for the first solver
+  bool entering_ = false;
+  int iterations_ = 0, since_kept_ = 0;
 };
 
 }  // namespace
 
 PartResult parametrize_parts(std::shared_ptr<const MeshPart> part, const Vec& uv,
-                             const ParametrizationOptions& options, RunRecord& record) {
+                             const ParametrizationOptions& options, RunRecord& record,
+                             const Keeping& keeping, const std::optional<PartState>& from) {
   require_possible(options);
-  return Run(std::move(part), uv, options, record).solve();
+  return Run(std::move(part), uv, options, record, keeping).solve(from);
 }
 
 }  // namespace majorant

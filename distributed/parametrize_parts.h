@@ -8,12 +8,14 @@
 // at the boundary, flipped triangles, terms of a caller's own.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "distributed/mesh_part.h"
 #include "majorant/framework/run_record.h"
+#include "majorant/parametrization/drive/internal/degree_solver.h"
 #include "majorant/parametrization/drive/parametrize.h"
 #include "majorant/parametrization/maps/bezier_map.h"
 
@@ -28,6 +30,24 @@ struct PartMeasures {
   double max_boundary_angle = 0;
   Index boundary_over_full_turn = 0;
   bool locally_injective = false;
+};
+
+// Where a run is, to go on from there later, on any number of ranks (checkpoint.h).
+struct PartState {
+  std::shared_ptr<const BezierTriangleSpace> space;  // over this rank's faces
+  Vec x;                  // its control points, normalised as StartOfPart has them
+  bool entering = false;  // on the way into the energy's domain
+  DegreeSolver::State solver;
+  double initial_value = 0;  // PartResult's
+  int iterations = 0;        // of this run
+};
+
+// How a run is kept on its way.
+struct Keeping {
+  int every = 0;  // iterations; 0: never
+  // Called on all ranks together, after so many iterations and where a limit ends the run. Where
+  // there is no state to go on from, after the next one that has: the way around a stall has none.
+  std::function<void(const PartState&)> keep;
 };
 
 struct PartResult {
@@ -46,8 +66,12 @@ struct PartResult {
 // uv: the start, 2 numbers per vertex here; options: of this rank (StartOfPart). Collective; the
 // record of rank 0 decides when to stop. Throws Error(Infeasible) where the start is not injective,
 // on all ranks; Error(Usage) for what is refused.
+//
+// from: where an earlier run of the same start and options was; none: at the start.
 PartResult parametrize_parts(std::shared_ptr<const MeshPart> part, const Vec& uv,
-                             const ParametrizationOptions& options, RunRecord& record);
+                             const ParametrizationOptions& options, RunRecord& record,
+                             const Keeping& keeping = {},
+                             const std::optional<PartState>& from = {});
 
 // Collective. map: of this rank's faces.
 PartMeasures measure_parts(const MeshPart& part, const BezierMap& map, const EnergySum& energy);

@@ -100,6 +100,8 @@ Json parts_report(const PartsRun& run) {
           {"remedies", remedies_section(r.remedies)},
           {"linear_solver", ladder_section(run.ladder)},
           {"ranks", ranks},
+          {"checkpoint", run.checkpoint},
+          {"resumed", run.resumed},
           {"seconds",
            {{"read", run.read_seconds},
             {"divide", run.divide_seconds},

@@ -21,6 +21,7 @@ struct PartsRun {
   std::string energy, start, file;
   Json options = Json::object();
   double read_seconds = 0, divide_seconds = 0, initialize_seconds = 0, write_seconds = 0;
+  Json checkpoint, resumed;  // null: there were none
 };
 
 // Collective; rank 0's is the report, others get null.

@@ -9,8 +9,11 @@
 namespace majorant {
 
 // Collective. Points that ranks share are the same bits in every piece. claims: JSON, what the
-// files promise; rank 0's piece says it. Every piece is read back and compared before it takes its
-// name. Throws Error, on the ranks where something failed.
+// files promise; rank 0's piece says it. Every piece is read back and compared, and none takes its
+// name before all are complete: on a full disk an earlier map stays as it was. From then on there
+// is no OUT.pvtu until the last piece has its name; pieces that an earlier one named, of more
+// ranks, are gone. Throws on all ranks where one fails: what it failed at there, FailedElsewhere on
+// the others (internal/agree.h).
 void write_parts(const std::string& path, const MeshPart& part, const PartResult& result,
                  const std::string& claims);
 

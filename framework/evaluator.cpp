@@ -74,6 +74,7 @@ Vec element_values(const Problem& problem, TermId id, VecIn x, const StopCheck& 
 
 double term_energy(const Problem& problem, TermId id, VecIn x, const StopCheck& stop) {
   require_size("term_energy: x", x.size(), problem.full_size());
+  require_no_stop("term_energy: the stop check", stop, problem.partition().ranks());
   double total = 0;
   add_energy(problem, id, x, stop, total);
   return problem.partition().ranks().sum(total);
@@ -81,6 +82,7 @@ double term_energy(const Problem& problem, TermId id, VecIn x, const StopCheck& 
 
 double Evaluator::value(VecIn y, const StopCheck& stop) {
   require_size("Evaluator::value: y", y.size(), problem_.size());
+  require_no_stop("Evaluator: the stop check", stop, problem_.partition().ranks());
   const AddedSeconds time(counters_.value_seconds);
   ++counters_.values;
   ProblemParts::elimination(problem_).expand(y, x_);
@@ -121,6 +123,7 @@ std::optional<Evaluator::Violation> Evaluator::violation(VecIn x) {
 
 double Evaluator::assemble(VecIn y, BlendedCurvature curvature, Vec& gradient, Vec* hessian_values,
                            const StopCheck& stop) {
+  require_no_stop("Evaluator: the stop check", stop, problem_.partition().ranks());
   ProblemParts::elimination(problem_).expand(y, x_);
   gradient.setZero(problem_.size());
   while (scratch_.size() < at(ThreadCount::current()))

@@ -14,7 +14,8 @@
 //
 // Of a problem that several processes have (Problem::partition): collective; energies and verdicts
 // are those of the whole, gradients are summed at the owners of unknowns, Hessian values are this
-// rank's part of the sum. A stop check would end one rank and leave the others waiting: give none.
+// rank's part of the sum. A stop check would end one rank and leave the others waiting:
+// InvalidArgument.
 #pragma once
 
 #include <memory>

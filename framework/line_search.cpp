@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/internal/backtracking.h"
 #include "majorant/framework/internal/problem_parts.h"
 
@@ -35,6 +36,7 @@ LineSearch::LineSearch(Evaluator& evaluator, const LineSearchOptions& options, c
                     ? kRoundingPart * kResolution * std::abs(energy)
                     : 0.0),
       x_(evaluator.problem().expand(y)) {
+  require_no_stop("LineSearch: the stop check", stop_, evaluator.problem().partition().ranks());
   ProblemParts::elimination(evaluator.problem()).expand_direction(p, d_);
 }
 

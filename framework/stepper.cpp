@@ -17,6 +17,11 @@ Stepper::Stepper(const Problem& problem, const LineSearchOptions& line_search,
       line_search_(line_search),
       decrement_rule_(decrement_rule) {
   require_valid(line_search_);
+  const Ranks& ranks = partition().ranks();
+  if (ranks.count() > 1 && ranks.any(stop_.may_stop()))
+    throw InvalidArgument(
+        "the stop check of a solver may stop one of several processes and leave the others "
+        "waiting; let the observer of rank 0 say when to stop");
 }
 
 Stepper::Step Stepper::step(Vec& y, double& energy) {

@@ -10,7 +10,8 @@
 //
 // Of a problem that several processes have (Problem::partition) every rank runs the same loop on
 // its part. What decides is agreed on: sums, the smallest bound, the directive of rank 0's
-// observer. A stop check would end one rank and leave the others waiting: give none.
+// observer. A stop check would end one rank and leave the others waiting: InvalidArgument, on all
+// of them.
 #pragma once
 
 #include <utility>

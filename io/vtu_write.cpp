@@ -7,6 +7,7 @@
 #include <iterator>
 #include <span>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "majorant/io/internal/atomic_file.h"
@@ -14,6 +15,7 @@
 #include "majorant/io/internal/bezier_cell.h"
 #include "majorant/io/internal/lagrange_cell.h"
 #include "majorant/io/internal/map_check.h"
+#include "majorant/io/internal/vtu_text.h"
 #include "majorant/io/vtu.h"
 
 namespace majorant {
@@ -59,7 +61,7 @@ class VtuText {
     text_ += "\n</DataArray>\n";
   }
 
-  const std::string& text() const { return text_; }
+  std::string take() { return std::move(text_); }
 
  private:
   std::string text_;
@@ -102,8 +104,7 @@ Eigen::VectorXi seam_of_points(const MapFile& map) {
 
 }  // namespace
 
-void write_vtu(const std::string& path, const MapFile& map, VtuCells cells,
-               const FileVerification& verify) {
+std::string vtu_text(const std::string& path, const MapFile& map, VtuCells cells) {
   require_sound(path, map);
   if (cells == VtuCells::Lagrange) require_lagrange_degree(path, map);
   const Points2 uv = cells == VtuCells::Lagrange ? lagrange_nodes(map) : map.uv;
@@ -139,7 +140,12 @@ void write_vtu(const std::string& path, const MapFile& map, VtuCells cells,
   text.add("</Points>\n");
   add_cells(map, cells, text);
   text.add("</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
-  write_file_atomically(path, text.text(), verify);
+  return text.take();
+}
+
+void write_vtu(const std::string& path, const MapFile& map, VtuCells cells,
+               const FileVerification& verify) {
+  write_file_atomically(path, vtu_text(path, map, cells), verify);
 }
 
 void write_vtu(const std::string& path, const MapFile& map, const FileVerification& verify) {

@@ -7,6 +7,13 @@ namespace {
 
 using Parcels = std::vector<Ranks::Parcel>;
 
+template <class List>
+List broadcast_list(const Ranks& ranks, List of_first) {
+  of_first.resize(ranks.of_first(of_first.size()));
+  ranks.broadcast(std::as_writable_bytes(std::span(of_first)));
+  return of_first;
+}
+
 }  // namespace
 
 std::vector<double> scattered(const Ranks& ranks, std::vector<std::vector<double>> of_ranks) {
@@ -53,9 +60,11 @@ std::vector<std::vector<double>> gathered(const Ranks& ranks, std::vector<double
 }
 
 std::vector<double> broadcast(const Ranks& ranks, std::vector<double> of_first) {
-  of_first.resize(ranks.of_first(of_first.size()));
-  ranks.broadcast(std::as_writable_bytes(std::span(of_first)));
-  return of_first;
+  return broadcast_list(ranks, std::move(of_first));
+}
+
+std::string broadcast(const Ranks& ranks, std::string of_first) {
+  return broadcast_list(ranks, std::move(of_first));
 }
 
 }  // namespace majorant

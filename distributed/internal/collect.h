@@ -6,6 +6,7 @@
 // Integers travel as doubles, which have all of them up to 2^53.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "majorant/framework/ranks.h"
@@ -16,6 +17,7 @@ std::vector<double> scattered(const Ranks& ranks, std::vector<std::vector<double
 std::vector<std::vector<double>> gathered(const Ranks& ranks, std::vector<double> mine);
 // What rank 0 has.
 std::vector<double> broadcast(const Ranks& ranks, std::vector<double> of_first);
+std::string broadcast(const Ranks& ranks, std::string of_first);
 
 }  // namespace majorant
 

@@ -19,7 +19,33 @@ Vec of_items(const Ranks& ranks, const std::vector<Index>& items, const Vec& who
   return Eigen::Map<const Vec>(mine.data(), static_cast<Index>(mine.size()));
 }
 
+// whole: of how many items.
+Vec whole_of_items(const Ranks& ranks, const std::vector<Index>& items, const Vec& mine,
+                   GlobalIndex whole, Index width) {
+  if (width == 0) return {};
+  std::vector<double> told(items.begin(), items.end());
+  told.insert(told.end(), mine.begin(), mine.end());
+  const auto lists = gathered(ranks, std::move(told));
+  if (ranks.rank() > 0) return {};
+  Vec all(static_cast<Index>(whole) * width);
+  for (const std::vector<double>& list : lists) {
+    const std::size_t count = list.size() / static_cast<std::size_t>(1 + width);
+    for (std::size_t k = 0; k < count; ++k)
+      all.segment(width * static_cast<Index>(list[k]), width) =
+          Eigen::Map<const Vec>(list.data() + count + k * static_cast<std::size_t>(width), width);
+  }
+  return all;
+}
+
 }  // namespace
+
+Vec whole_of_vertices(const MeshPart& part, const Vec& mine, Index width) {
+  return whole_of_items(part.ranks(), part.vertex, mine, part.whole.vertices, width);
+}
+
+Vec whole_of_faces(const MeshPart& part, const Vec& mine, Index width) {
+  return whole_of_items(part.ranks(), part.face, mine, part.whole.faces, width);
+}
 
 Vec of_vertices(const MeshPart& part, const Vec& whole, Index width) {
   return of_items(part.ranks(), part.vertex, whole, width);

@@ -4,6 +4,9 @@
 
 #include <cmath>
 
+#include "majorant/framework/ranks.h"
+#include "majorant/framework/stop_check.h"
+
 namespace majorant {
 
 void require_size(std::string_view what, Eigen::Index has, Eigen::Index needs) {
@@ -37,6 +40,14 @@ void require_index(std::string_view what, Eigen::Index index, Eigen::Index count
 void require_at_least(std::string_view what, double value, double least) {
   if (!(value >= least))
     throw InvalidArgument(fmt::format("{} is {:g}, at least {:g} is needed", what, value, least));
+}
+
+void require_no_stop(std::string_view what, const StopCheck& stop, const Ranks& ranks) {
+  if (ranks.count() > 1 && stop.may_stop())
+    throw InvalidArgument(
+        fmt::format("{} may stop this rank and leave the others waiting; let the observer of rank "
+                    "0 say when to stop",
+                    what));
 }
 
 void refuse_null(std::string_view what) { throw InvalidArgument(fmt::format("{} is null", what)); }

@@ -15,6 +15,9 @@
 
 namespace majorant {
 
+class Ranks;
+class StopCheck;
+
 void require_size(std::string_view what, Eigen::Index has, Eigen::Index needs);
 // As many or more: of unknowns that begin with those of a space, say.
 void require_enough(std::string_view what, Eigen::Index has, Eigen::Index needs);
@@ -24,6 +27,9 @@ void require_finite_rows(std::string_view what, const Eigen::Ref<const RowMatrix
 // 0 <= index < count.
 void require_index(std::string_view what, Eigen::Index index, Eigen::Index count);
 void require_at_least(std::string_view what, double value, double least);
+// Of what several processes do together: a check that one rank alone obeys would leave the others
+// waiting.
+void require_no_stop(std::string_view what, const StopCheck& stop, const Ranks& ranks);
 [[noreturn]] void refuse_null(std::string_view what);
 
 template <class Pointer>

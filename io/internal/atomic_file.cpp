@@ -76,16 +76,6 @@ Target find_target(const std::string& path) {
   return {follow_links(path), TargetKind::Regular, status.st_mode & kPermissions};
 }
 
-void replace_file(const std::string& path, const Target& target, std::string_view content,
-                  const FileVerification& verify) {
-  TemporaryFile file(folder_of(target.path), extension_of(path), target.mode);
-  if (target.kind == TargetKind::Regular)
-    if (const int code = file.set_exact_mode(target.mode); code != 0) fail(path, code);
-  if (const int code = file.write_and_close(content); code != 0) fail(path, code);
-  if (verify) verify(file.path());
-  if (const int code = file.rename_to(target.path); code != 0) fail(path, code);
-}
-
 void verify_elsewhere(const std::string& path, std::string_view content,
                       const FileVerification& verify) {
   const char* folder = std::getenv("TMPDIR");
@@ -112,18 +102,42 @@ void write_special(const std::string& path, std::string_view content) {
 
 }  // namespace
 
-void write_file_atomically(const std::string& path, std::string_view content,
-                           const FileVerification& verify) {
+PendingFile::PendingFile(const std::string& path, std::string_view content,
+                         const FileVerification& verify)
+    : path_(path) {
+  const Target target = find_target(path);
+  if (target.kind == TargetKind::Special)
+    throw Error(ErrorKind::Usage, fmt::format("cannot write {}: it is no regular file", path));
+  target_ = target.path;
   try {
-    const int stream = standard_stream(path);
-    const Target target = stream < 0 ? find_target(path) : Target{path, TargetKind::Special, 0};
-    if (target.kind != TargetKind::Special) return replace_file(path, target, content, verify);
-    if (verify) verify_elsewhere(path, content, verify);
-    if (stream < 0) return write_special(path, content);
-    if (const int code = write_all(stream, content); code != 0) fail(path, code);
+    file_ = std::make_unique<TemporaryFile>(folder_of(target_), extension_of(path), target.mode);
   } catch (const std::system_error& e) {
     fail(path, e.code().value());
   }
+  if (target.kind == TargetKind::Regular)
+    if (const int code = file_->set_exact_mode(target.mode); code != 0) fail(path, code);
+  if (const int code = file_->write_and_close(content); code != 0) fail(path, code);
+  if (verify) verify(file_->path());
+}
+
+PendingFile::~PendingFile() = default;
+
+void PendingFile::take_place() {
+  if (const int code = file_->rename_to(target_); code != 0) fail(path_, code);
+}
+
+void write_file_atomically(const std::string& path, std::string_view content,
+                           const FileVerification& verify) {
+  const int stream = standard_stream(path);
+  if (stream < 0 && find_target(path).kind != TargetKind::Special)
+    return PendingFile(path, content, verify).take_place();
+  try {
+    if (verify) verify_elsewhere(path, content, verify);
+  } catch (const std::system_error& e) {
+    fail(path, e.code().value());
+  }
+  if (stream < 0) return write_special(path, content);
+  if (const int code = write_all(stream, content); code != 0) fail(path, code);
 }
 
 void require_writable_file(const std::string& path) {

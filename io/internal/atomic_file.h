@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,6 +14,8 @@
 #include "majorant/io/map_file.h"
 
 namespace majorant {
+
+class TemporaryFile;
 
 // Writes `content` to a temporary file beside `path`, lets `verify` judge it and renames it, so
 // that nobody sees half a file and a failure leaves an older file as it was. A symbolic link stays:
@@ -24,6 +27,28 @@ namespace majorant {
 // left behind.
 void write_file_atomically(const std::string& path, std::string_view content,
                            const FileVerification& verify = {});
+
+// One of several files that appear together: complete beside its place until the others are, too.
+//
+//   PendingFile a("a.vtu", text_of_a), b("b.vtu", text_of_b);   // throws: neither appears
+//   a.take_place();
+//   b.take_place();
+//
+// Throws as write_file_atomically(), and Error(Usage) for what is no regular file.
+class PendingFile {
+ public:
+  PendingFile(const std::string& path, std::string_view content,
+              const FileVerification& verify = {});
+  ~PendingFile();  // what has not taken its place is removed
+  PendingFile(const PendingFile&) = delete;
+  PendingFile& operator=(const PendingFile&) = delete;
+
+  void take_place();
+
+ private:
+  std::string path_, target_;  // as it was named, and where links lead
+  std::unique_ptr<TemporaryFile> file_;
+};
 
 // Asks before any work whether write_file_atomically(path, ...) can succeed: makes a temporary file
 // and removes it. Only the disk may still be full. Throws Error(Usage) as above.

@@ -6,7 +6,6 @@
 #include <iterator>
 
 #include "majorant/framework/error.h"
-#include "majorant/io/internal/atomic_file.h"
 #include "majorant/io/internal/input_file.h"
 #include "majorant/io/internal/merge_pieces.h"
 #include "majorant/io/internal/xml_tree.h"
@@ -32,8 +31,7 @@ std::string escaped(const std::string& name) {
 
 }  // namespace
 
-void write_pvtu(const std::string& path, const MapFile& like,
-                const std::vector<std::string>& pieces) {
+std::string pvtu_text(const MapFile& like, const std::vector<std::string>& pieces) {
   std::string text =
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"PUnstructuredGrid\" version=\"1.0\" "
       "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<PUnstructuredGrid GhostLevel=\"0\">\n";
@@ -55,25 +53,30 @@ void write_pvtu(const std::string& path, const MapFile& like,
   for (const std::string& piece : pieces)
     fmt::format_to(std::back_inserter(text), "<Piece Source=\"{}\"/>\n", escaped(piece));
   text += "</PUnstructuredGrid>\n</VTKFile>\n";
-  write_file_atomically(path, text);
+  return text;
 }
 
-MapFile read_pvtu(const std::string& path, const StopCheck& stop) {
+std::vector<std::string> pvtu_pieces(const std::string& path, const StopCheck& stop) {
   const std::string text = read_whole_file(path, stop);
   const XmlElement root = parse_xml(path, text);
   const XmlElement* grid = root.child("PUnstructuredGrid");
   if (root.name != "VTKFile" || !grid)
     throw Error(ErrorKind::Unreadable, path + ": no VTK file of type PUnstructuredGrid");
+  std::vector<std::string> pieces;
+  for (const XmlElement& piece : grid->children)
+    if (piece.name == "Piece") pieces.emplace_back(piece.attribute("Source"));
+  if (pieces.empty()) throw Error(ErrorKind::Unreadable, path + ": it names no pieces");
+  return pieces;
+}
+
+MapFile read_pvtu(const std::string& path, const StopCheck& stop) {
   std::vector<MapFile> pieces;
   std::vector<std::string> names;
-  for (const XmlElement& piece : grid->children) {
-    if (piece.name != "Piece") continue;
+  for (const std::string& source : pvtu_pieces(path, stop)) {
     stop.poll();
-    const std::filesystem::path source = std::string(piece.attribute("Source"));
     names.push_back((std::filesystem::path(path).parent_path() / source).string());
     pieces.push_back(read_vtu(names.back(), stop));
   }
-  if (pieces.empty()) throw Error(ErrorKind::Unreadable, path + ": it names no pieces");
   return merged(pieces, names, path);
 }
 

@@ -1,7 +1,7 @@
 // A map in pieces: a VTK XML PUnstructuredGrid (.pvtu) that names files of write_vtu, one for each
 // part of the surface. What runs of several processes write, so that none of them holds the whole.
 //
-//     write_pvtu("all.pvtu", pieces.front(), {"all_0.vtu", "all_1.vtu"});   // names as it has them
+//     write_file_atomically("all.pvtu", pvtu_text(piece, {"all_0.vtu", "all_1.vtu"}));
 //     const MapFile map = read_pvtu("all.pvtu");
 //
 // Pieces meet in points of the same vertices of the input mesh, with the same bits: nothing is
@@ -16,10 +16,11 @@
 
 namespace majorant {
 
-// like: a map with the arrays that the pieces have. pieces: relative to the folder of `path`.
-// Throws Error(Usage) if the file cannot be written.
-void write_pvtu(const std::string& path, const MapFile& like,
-                const std::vector<std::string>& pieces);
+// like: a map with the arrays that the pieces have. pieces: relative to the folder of the file.
+std::string pvtu_text(const MapFile& like, const std::vector<std::string>& pieces);
+
+// The pieces that a file names, as it names them. Throws Error(Unreadable).
+std::vector<std::string> pvtu_pieces(const std::string& path, const StopCheck& stop = {});
 
 // The whole map: points of the pieces one after the other, cells in the order of their input_face,
 // claims of the first piece that has any; arrays that only some pieces have are left out. Throws

@@ -14,6 +14,7 @@
 #include "majorant/framework/thread_count.h"
 #include "majorant/mesh/internal/mesh_words.h"
 #include "majorant/parametrization/drive/internal/degree_solver.h"
+#include "majorant/parametrization/drive/internal/enter_domain.h"
 #include "majorant/parametrization/drive/internal/free_scale.h"
 #include "majorant/parametrization/drive/internal/normalized_start.h"
 #include "majorant/parametrization/drive/internal/parametrize_by.h"
@@ -137,7 +138,8 @@ class Run {
 
   // solved: of the last degree that was optimized.
   void raise_degree(SolveResult& solved) {
-    if (!std::isfinite(result_.initial_value)) enter_domain();
+    if (!std::isfinite(result_.initial_value))
+      map_ = enter_domain(setup_, *domain_, map_, record_, result_.injectivity_tests);
     for (;;) {
       record_.stop().poll();
       const bool last = map_.degree() == options_.map.degree;
@@ -148,26 +150,6 @@ class Run {
       if (last) return;
       elevate();
     }
-  }
-
-  // Energies that overflow at the start (exponentials of a Tutte map) begin where the symmetric
-  // Dirichlet energy, finite on every injective map, has led at degree 1.
-  void enter_domain() {
-    DegreeSolver::Setup gentle = setup_;
-    gentle.map.energy = {{symmetric_dirichlet(), 1.0}};
-    gentle.solve.curvature = Curvature::Projected;
-    const QuadratureLevels levels(
-        optimizer_ladder(1, setup_.solve.quadrature_points, setup_.rules.quadrature),
-        map_.space().element_count());
-    const DensityTerms terms = energy_terms(setup_.map, map_.shared_space(), levels.rules());
-    gentle.asked_energy = [&](VecIn x) {
-      return energy_of_map(setup_.map, terms, levels.of_faces(), x) + setup_.added.energy(x);
-    };
-    DegreeSolver solver(gentle, *domain_, map_.shared_space(), map_.control_points());
-    solver.soften_start(record_);
-    solver.approach(options_.solve.elevation_tolerance, record_, Phase::Entry);
-    map_ = map_.with(map_.shared_space(), solver.x());
-    add_counts(result_.injectivity_tests, solver.proven());
   }
 
   SolveResult optimize(bool last) {

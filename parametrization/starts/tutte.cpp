@@ -10,24 +10,12 @@
 #include "majorant/mesh/half_edge.h"
 #include "majorant/mesh/internal/mesh_words.h"
 #include "majorant/parametrization/fields/internal/edge_laplacian.h"
+#include "majorant/parametrization/starts/internal/filled_holes.h"
 #include "majorant/parametrization/starts/internal/leaning_map.h"
 #include "majorant/parametrization/starts/internal/room.h"
 
 namespace majorant {
 namespace {
-
-// The boundary loop that goes to the circle: the longest on the surface.
-const std::vector<Index>& outer_loop(const SurfaceMesh& mesh) {
-  const auto length = [&](const std::vector<Index>& loop) {
-    double sum = 0;
-    for (std::size_t k = 0; k < loop.size(); ++k)
-      sum += (mesh.positions().row(loop[(k + 1) % loop.size()]) - mesh.positions().row(loop[k]))
-                 .norm();
-    return sum;
-  };
-  return *std::max_element(mesh.boundary_loops().begin(), mesh.boundary_loops().end(),
-                           [&](const auto& p, const auto& q) { return length(p) < length(q); });
-}
 
 // How the boundary is spaced on its circle: as on the surface, or, halfway to equal angles, so that
 // edges that are tiny there get room.
@@ -50,24 +38,6 @@ void place_boundary(const SurfaceMesh& mesh, Spacing spacing, Vec& x) {
     x[2 * loop[k]] = radius * std::cos(angle);
     x[2 * loop[k] + 1] = radius * std::sin(angle);
   }
-}
-
-// The faces of the surface, and a fan around a new vertex in every hole.
-Cells filled_faces(const SurfaceMesh& mesh) {
-  const std::vector<Index>& outer = outer_loop(mesh);
-  std::vector<std::array<Index, 3>> fans;
-  Index centre = mesh.vertex_count();
-  for (const auto& loop : mesh.boundary_loops()) {
-    if (&loop == &outer) continue;
-    for (std::size_t k = 0; k < loop.size(); ++k)
-      fans.push_back({loop[(k + 1) % loop.size()], loop[k], centre});
-    ++centre;
-  }
-  Cells faces(mesh.face_count() + static_cast<Index>(fans.size()), 3);
-  faces.topRows(mesh.face_count()) = mesh.faces();
-  for (std::size_t k = 0; k < fans.size(); ++k)
-    faces.row(mesh.face_count() + static_cast<Index>(k)) << fans[k][0], fans[k][1], fans[k][2];
-  return faces;
 }
 
 std::string no_solution(const std::string& file) {

@@ -3,8 +3,11 @@
 """What the tests of majorant-mpi share: running it on several ranks of this machine."""
 import json
 import os
+import resource
+import signal
 import subprocess
 import sys
+import time
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), '..', 'apps'))
 from command_helpers import *  # noqa: E402,F403
@@ -36,6 +39,39 @@ def mpirun(ranks, *args, cwd=None):
                                   stderr=subprocess.PIPE, timeout=300))
 
 
+def start(ranks, *args):
+    """The same run, not waited for."""
+    words = ['mpirun', '-n', str(ranks), MPI_BINARY] + [str(a) for a in args]
+    return subprocess.Popen(words, env=ENVIRONMENT, text=True, stdin=subprocess.DEVNULL,
+                            stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+
+
+def processes_of(run, ranks):
+    """The process of each rank of a run, as soon as all are there."""
+    for _ in range(1000):
+        found = subprocess.run(['pgrep', '-P', str(run.pid), '-x', 'majorant-mpi'], stdout=subprocess.PIPE,
+                               text=True).stdout.split()
+        if len(found) == ranks:
+            return [int(pid) for pid in found]
+        if run.poll() is not None:
+            return []
+        time.sleep(0.01)
+    return []
+
+
+def wait_for(run, word):
+    """Until a verbose run says so."""
+    for line in run.stderr:
+        if word in line:
+            return
+
+
+def ended(run):
+    """Exit code and what it said last."""
+    _, said = run.communicate(timeout=120)
+    return run.returncode, said
+
+
 def disk(name):
     """A public mesh, or, where there are none, a bundled one."""
     path = os.path.join(DATA, 'disks', name + '.obj')
@@ -48,6 +84,7 @@ class MpiTest(CommandTest):  # noqa: F405
         report = self.path(out + '.json')
         done = mpirun(ranks, 'parametrize', mesh, '-o', self.path(out + '.pvtu'), '--report', report, *args)
         self.assertEqual(done.code, code, done.err)
+        self.said = done.err
         with open(report) as f:
             return json.load(f)
 

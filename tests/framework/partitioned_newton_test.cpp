@@ -358,6 +358,36 @@ TEST(PartitionedProblem, SolversOfOneProcessRefuse) {
       InvalidArgument);
 }
 
+// Of one rank alone: all are told before anybody waits. Others than solvers tell their own rank.
+TEST(PartitionedProblem, StopChecksAreRefused) {
+  const StopCheck stop([] { return Directive::Continue; });
+  for (const int who : {0, 1})
+    EXPECT_THROW(test::run_ranks(2,
+                                 [&](const auto& ranks) {
+                                   const Part part(ranks);
+                                   NewtonOptions options;
+                                   options.linear_solver = [] {
+                                     return std::make_unique<DenseSolver>();
+                                   };
+                                   if (ranks->rank() == who) options.stop = stop;
+                                   NewtonStepper(part.problem(), options);
+                                 }),
+                 InvalidArgument);
+  test::run_ranks(2, [&](const auto& ranks) {
+    const Problem problem = Part(ranks).problem();
+    const Vec x = Part(ranks).x0(), y = problem.reduce(x);
+    Evaluator evaluator(problem);
+    Vec g, h;
+    EXPECT_THROW(evaluator.value(y, stop), InvalidArgument);
+    EXPECT_THROW(evaluator.gradient(y, g, stop), InvalidArgument);
+    EXPECT_THROW(evaluator.linearize(y, Curvature::Projected, g, h, stop), InvalidArgument);
+    EXPECT_THROW(term_energy(problem, problem.terms().front(), x, stop), InvalidArgument);
+    EXPECT_THROW(LineSearch(evaluator, {}, y, y, 1, 1, stop), InvalidArgument);
+  });
+  Evaluator alone(Part(one_process()).problem());
+  EXPECT_TRUE(std::isfinite(alone.value(alone.problem().reduce(Part(one_process()).x0()), stop)));
+}
+
 }  // namespace
 }  // namespace majorant
 

@@ -136,6 +136,41 @@ TEST(AtomicFile, SpecialFilesAreVerifiedElsewhere) {
   ::unsetenv("TMPDIR");
 }
 
+TEST(PendingFile, AppearsWhenItTakesItsPlace) {
+  const TemporaryFolder folder;
+  folder.write("a", "old");
+  std::filesystem::create_symlink("a", folder.file("link"));
+  {
+    const PendingFile forgotten(folder.file("a"), "new");
+    EXPECT_EQ(content_of(folder.file("a")), "old");
+    EXPECT_EQ(entries(folder), 3u);
+  }
+  EXPECT_EQ(entries(folder), 2u);
+  PendingFile first(folder.file("link"), "one"), second(folder.file("b"), "two");
+  EXPECT_FALSE(std::filesystem::exists(folder.file("b")));
+  first.take_place();
+  EXPECT_EQ(content_of(folder.file("a")), "one");
+  second.take_place();
+  EXPECT_EQ(content_of(folder.file("b")), "two");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.file("link")));
+  EXPECT_EQ(entries(folder), 3u);
+}
+
+TEST(PendingFile, WhatCannotBeWrittenLeavesNothing) {
+  const TemporaryFolder folder;
+  error_message(ErrorKind::Usage, [] { PendingFile("/dev/null", "x"); });
+  error_message(ErrorKind::Usage, [&] { PendingFile(folder.file("absent/a"), "x"); });
+  error_message(ErrorKind::Invalid, [&] {
+    PendingFile(folder.file("a"), "x",
+                [](const std::string&) { throw Error(ErrorKind::Invalid, "refused"); });
+  });
+  PendingFile late(folder.file("a"), "x");
+  std::filesystem::create_directory(folder.file("a"));
+  EXPECT_TRUE(error_message(ErrorKind::Usage, [&] {
+                late.take_place();
+              }).starts_with("cannot write " + folder.file("a")));
+}
+
 TEST(AtomicFile, NamesOfOneFile) {
   const TemporaryFolder folder;
   folder.write("a", "");

@@ -17,7 +17,7 @@ SolveResult DegreeSolver::solve_within_bounds(RunRecord& record) {
   SolveResult result = approach(setup_.solve.elevation_tolerance, record);
   if (was_stopped(result.status)) return result;
   if (added_.met(x_)) {
-    result = exhaust(kRemedies, record);
+    result = exhaust(kRemedies, tries_, record);
     if (was_stopped(result.status) || added_.met(x_)) return result;
   }
   try {
@@ -26,7 +26,8 @@ SolveResult DegreeSolver::solve_within_bounds(RunRecord& record) {
   } catch (const Stopped& stop) {
     return stopped(std::move(result), stop.why());
   }
-  return exhaust(kRemedies, record);
+  tries_ = {};
+  return exhaust(kRemedies, tries_, record);
 }
 
 // Bounds relaxed as far as x_ needs it are tightened as x_ moves away from them. Whether it is

@@ -206,7 +206,7 @@ void DegreeSolver::iterate_until(StoppingTest& test, const Rows& rows, double en
 
 // Newton steps until the rules say so, from x_ to x_.
 SolveResult DegreeSolver::descend(StoppingRules rules, Phase phase, RunRecord& record) {
-  rules.max_iterations = std::min(rules.max_iterations, record.iterations_left());
+  rules.max_iterations = std::min(rules.max_iterations, ranks().of_first(record.iterations_left()));
   SolveResult result;
   try {
     if (follow()) stepper_.reset(built_.problem);
@@ -226,8 +226,10 @@ SolveResult DegreeSolver::descend(StoppingRules rules, Phase phase, RunRecord& r
 }
 
 void DegreeSolver::soften_start(RunRecord& record) {
+  if (softened_) return;
   try {
     soften(record);
+    softened_ = ranks().of_first(record.directive()) == Directive::Continue;
   } catch (const Stopped&) {  // so will be what follows
   }
 }
@@ -235,7 +237,7 @@ void DegreeSolver::soften_start(RunRecord& record) {
 void DegreeSolver::soften(RunRecord& record) {
   x_ = built_.problem.expand(built_.problem.reduce(x_));
   if (ranks().of_first(record.directive()) != Directive::Continue) return;
-  StoppingTest test(brief_rules(record.iterations_left(), kAnyDecrease), 0);
+  StoppingTest test(brief_rules(ranks().of_first(record.iterations_left()), kAnyDecrease), 0);
   SolveResult result;
   bool softened = false;
   while (!test.before_step()) {
@@ -284,6 +286,22 @@ IterationRecord DegreeSolver::try_step() {
   Vec y = built_.problem.reduce(x_);
   double energy = stepper_.evaluator().value(y);
   return stepper_.step(y, energy).record;
+}
+
+std::optional<DegreeSolver::State> DegreeSolver::state() const {
+  if (detours_ > 0) return std::nullopt;
+  return State{softened_,          tries_.stalls, tries_.refinements, barrier_followed_, depth_,
+               levels_.of_faces(), uses_};
+}
+
+void DegreeSolver::resume(State state) {
+  levels_.set(std::move(state.levels));
+  softened_ = state.softened;
+  tries_ = {state.stalls, state.refinements};
+  barrier_followed_ = state.barrier_followed;
+  uses_ = state.remedies;
+  if (state.depth > depth_) set_depth(state.depth);
+  apply_state();
 }
 
 // Refines the elements whose integrals are worst until the rest is within the bound.

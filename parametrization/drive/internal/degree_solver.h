@@ -45,6 +45,17 @@ class DegreeSolver {
         watch = {};
   };
 
+  // With x() what another solver of the same degree needs to go on from there; what Newton's method
+  // has learned of late, it learns again.
+  struct State {
+    bool softened = false;            // soften_start() is through
+    int stalls = 0, refinements = 0;  // remedies tried, times the quadrature was refined
+    bool barrier_followed = false;
+    int depth = 0;               // of certificates
+    std::vector<RuleId> levels;  // of quadrature, by face; empty: the lowest
+    RemedyUses remedies{};
+  };
+
   // x: start, 2 numbers per node of `space`, normalised, locally injective. setup and domain
   // outlive the solver. Throws InvalidArgument when an energy does not support the curvature,
   // Error(Infeasible) when x, moved to where it satisfies added constraints, is not injective;
@@ -61,6 +72,11 @@ class DegreeSolver {
   SolveResult approach(double tolerance, RunRecord& record, Phase phase = Phase::Newton);
   // To the documented stopping rules, with all remedies.
   SolveResult finish(RunRecord& record);
+  // None on the way around a stall: that leads on from x(), or back to where it began. May be asked
+  // by setup.watch.
+  std::optional<State> state() const;
+  // Before any step. Throws InvalidArgument for levels that the setup's quadrature does not have.
+  void resume(State state);
   // What a step from here costs; it is not taken, and in no trace.
   IterationRecord try_step();
 
@@ -120,9 +136,14 @@ class DegreeSolver {
 
   // remedies.cpp
   const RemedyRules& rules() const { return setup_.rules.remedies; }
-  SolveResult exhaust(std::span<const Remedy> remedies, RunRecord& record);
+  // How often something was tried at this degree.
+  struct Tries {
+    int stalls = 0, refinements = 0;
+  };
+  SolveResult exhaust(std::span<const Remedy> remedies, Tries& tries, RunRecord& record);
   bool relieve(std::span<const Remedy> remedies, SolveResult& result, RunRecord& record);
   Effect apply(Remedy remedy, SolveResult& result, RunRecord& record);
+  void set_depth(int depth);
   Effect deepen(RunRecord& record);
   Effect refine(const std::vector<Index>& blocking, RunRecord& record);
   Effect exclude(SolveResult& result, RunRecord& record);
@@ -145,7 +166,10 @@ class DegreeSolver {
   Additions added_;
   DomainProblem built_;
   NewtonStepper stepper_;
-  double began_at_ = 0;            // own energy at the start of the last descent
+  double began_at_ = 0;  // own energy at the start of the last descent
+  bool softened_ = false;
+  Tries tries_;
+  int detours_ = 0;                // remedies that are taking steps
   bool barrier_followed_ = false;  // once a degree
   RemedyUses uses_{};
 };

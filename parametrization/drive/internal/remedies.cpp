@@ -14,6 +14,17 @@ namespace {
 // Symmetric Dirichlet density of an isometry. Origin: |J|^2 + |J^-1|^2 at J = I.
 constexpr double kIsometry = 4;
 
+class Detour {
+ public:
+  explicit Detour(int& count) : count_(count) { ++count_; }
+  ~Detour() { --count_; }
+  Detour(const Detour&) = delete;
+  Detour& operator=(const Detour&) = delete;
+
+ private:
+  int& count_;
+};
+
 void add_use(RemedyUses& uses, Remedy remedy, double gained) {
   RemedyUse& use = uses[static_cast<std::size_t>(remedy)];
   ++use.runs;
@@ -23,20 +34,22 @@ void add_use(RemedyUses& uses, Remedy remedy, double gained) {
 }  // namespace
 
 SolveResult DegreeSolver::finish(RunRecord& record) {
-  SolveResult result = added_.bounded() ? solve_within_bounds(record) : exhaust(kRemedies, record);
+  SolveResult result =
+      added_.bounded() ? solve_within_bounds(record) : exhaust(kRemedies, tries_, record);
   record.forget_mark();  // the last remedy may have had no iteration
   return result;
 }
 
 // Runs again as long as a stall can be left or the quadrature be refined.
-SolveResult DegreeSolver::exhaust(std::span<const Remedy> remedies, RunRecord& record) {
+SolveResult DegreeSolver::exhaust(std::span<const Remedy> remedies, Tries& tries,
+                                  RunRecord& record) {
   SolveResult result = descend(final_rules(), Phase::Newton, record);
   try {
-    for (int stalls = 0, refinements = 0;;) {
-      if (result.status == Status::Stalled && stalls++ < rules().stall_rounds) {
+    for (;;) {
+      if (result.status == Status::Stalled && tries.stalls++ < rules().stall_rounds) {
         if (!relieve(remedies, result, record)) return result;
       } else if (result.status == Status::Converged &&
-                 refinements++ < setup_.rules.accuracy_rounds && refine_inaccurate()) {
+                 tries.refinements++ < setup_.rules.accuracy_rounds && refine_inaccurate()) {
         result = descend(final_rules(), Phase::Newton, record);
       } else {
         return result;
@@ -64,6 +77,7 @@ bool DegreeSolver::relieve(std::span<const Remedy> remedies, SolveResult& result
 }
 
 DegreeSolver::Effect DegreeSolver::apply(Remedy remedy, SolveResult& result, RunRecord& record) {
+  const Detour detour(detours_);
   switch (remedy) {
     case Remedy::Deepen:
       return deepen(record);
@@ -81,12 +95,16 @@ DegreeSolver::Effect DegreeSolver::apply(Remedy remedy, SolveResult& result, Run
 DegreeSolver::Effect DegreeSolver::deepen(RunRecord& record) {
   if (depth_ >= rules().deepest_bisection) return Effect::None;
   setup_.stop.poll();
-  depth_ = std::min(depth_ + rules().bisections_deeper, rules().deepest_bisection);
+  set_depth(std::min(depth_ + rules().bisections_deeper, rules().deepest_bisection));
+  record.mark(Remedy::Deepen);
+  return Effect::GoOn;
+}
+
+void DegreeSolver::set_depth(int depth) {
+  depth_ = depth;
   injectivity_ = std::make_shared<const LocalInjectivity>(space_, 2 * setup_.map.rest.measure,
                                                           depth_, setup_.stop);
   rebuild();
-  record.mark(Remedy::Deepen);
-  return Effect::GoOn;
 }
 
 DegreeSolver::Effect DegreeSolver::refine(const std::vector<Index>& blocking, RunRecord& record) {
@@ -139,8 +157,9 @@ DegreeSolver::Effect DegreeSolver::follow_barrier(SolveResult& result, RunRecord
     const Place best = place();
     if (!step_aside(std::abs(stalled.energy) / kIsometry, record)) break;
     effect = Effect::Ended;
+    Tries tries;
     result = exhaust(std::span(kRemedies).first(static_cast<std::size_t>(Remedy::FollowBarrier)),
-                     record);
+                     tries, record);
     // On the same rules, which may have become finer on the way.
     const double before = own_energy(best.x), gained = before - own_energy(x_);
     add_use(uses_, Remedy::FollowBarrier, std::max(gained, 0.0));

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
+
+#include "majorant/framework/error.h"
 
 namespace majorant {
 namespace {
@@ -49,6 +52,15 @@ std::vector<Quadrature> QuadratureLevels::rules() const {
   std::vector<Quadrature> rules = ladder_.guarded;
   rules.insert(rules.end(), ladder_.plain.begin(), ladder_.plain.end());
   return rules;
+}
+
+void QuadratureLevels::set(std::vector<RuleId> levels) {
+  if (levels.empty()) levels.assign(level_.size(), 0);
+  if (levels.size() != level_.size() ||
+      !std::all_of(levels.begin(), levels.end(),
+                   [&](RuleId level) { return level >= 0 && level <= ladder_.top(); }))
+    throw InvalidArgument("QuadratureLevels::set: the levels are not those of these faces");
+  level_ = std::move(levels);
 }
 
 bool QuadratureLevels::refine(const std::vector<Index>& faces) {

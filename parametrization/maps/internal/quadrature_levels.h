@@ -18,6 +18,9 @@ class QuadratureLevels {
   std::vector<Quadrature> rules() const;
   const std::vector<RuleId>& of_faces() const { return level_; }
 
+  // As of_faces() had them once; none: the lowest. Throws InvalidArgument for another number of
+  // faces and levels that the ladder does not have.
+  void set(std::vector<RuleId> levels);
   // One level finer, where there is one; whether any face here has changed.
   bool refine(const std::vector<Index>& faces);
   // Refines the faces whose integrals are worst, until the error of the rest is below `allowed` of

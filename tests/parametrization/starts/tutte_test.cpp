@@ -4,6 +4,7 @@
 #include <set>
 
 #include "expected_error.h"
+#include "majorant/parametrization/starts/internal/filled_holes.h"
 #include "mesh/obj_file.h"
 #include "mesh/test_meshes.h"
 
@@ -94,6 +95,29 @@ TEST(TutteMap, ScalesWithTheMesh) {
   const Vec uv = tutte_map(*surface(mesh));
   for (Vector3& p : mesh.positions) p *= 1024;
   EXPECT_LT((tutte_map(*surface(mesh)) - 1024 * uv).norm(), 1e-12 * 1024 * uv.norm());
+}
+
+// A band of quads around an axis: one of its two ends is a hole.
+TEST(FilledSurface, IsADiskAroundTheSurface) {
+  constexpr Index n = 9;
+  RowMatrix positions(2 * n, 3);
+  Cells faces(2 * n, 3);
+  for (Index k = 0; k < n; ++k) {
+    const double angle = 2 * kPi * k / n;
+    const Index next = (k + 1) % n;
+    positions.row(2 * k) << 2 * std::cos(angle), 2 * std::sin(angle), 0;
+    positions.row(2 * k + 1) << std::cos(angle), std::sin(angle), 1;
+    faces.row(2 * k) << 2 * k, 2 * next, 2 * next + 1;
+    faces.row(2 * k + 1) << 2 * k, 2 * next + 1, 2 * k + 1;
+  }
+  const SurfaceMesh ring = SurfaceMesh::from_arrays(positions, faces);
+  const SurfaceMesh filled = filled_surface(ring);
+  EXPECT_NO_THROW(filled.require_disk());
+  EXPECT_EQ(filled.face_count(), 3 * n);
+  EXPECT_EQ(filled.faces().topRows(2 * n), ring.faces());
+  ASSERT_EQ(filled.vertex_count(), 2 * n + 1);
+  EXPECT_LT((filled.positions().row(2 * n) - Eigen::RowVector3d(0, 0, 1)).norm(), 1e-15);
+  EXPECT_EQ(filled.boundary_loops().front().size(), outer_loop(ring).size());
 }
 
 }  // namespace

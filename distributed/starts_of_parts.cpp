@@ -1,8 +1,14 @@
-#include "distributed/tutte_of_parts.h"
+#include "distributed/starts_of_parts.h"
+
+#include <optional>
+#include <utility>
 
 #include "distributed/internal/part_data.h"
 #include "majorant/framework/error.h"
+#include "majorant/parametrization/drive/internal/free_scale.h"
+#include "majorant/parametrization/drive/internal/reach_pins.h"
 #include "majorant/parametrization/fields/internal/edge_laplacian.h"
+#include "majorant/parametrization/starts/internal/filled_holes.h"
 #include "majorant/parametrization/starts/internal/room.h"
 #include "majorant/parametrization/starts/tutte.h"
 
@@ -63,18 +69,66 @@ class Means {
   Partition partition_;
 };
 
+// boundary: rank 0's, 2 numbers per vertex of the whole surface, that of `part`.
+Vec means(const MeshPart& part, const Vec& boundary, LinearSolver& solver) {
+  Vec x = of_vertices(part, boundary, 2);
+  Means(part).solve(solver, x);
+  return x;
+}
+
+// The same of the surface with its holes filled, which is divided by itself.
+Vec means_around_holes(const MeshPart& part, const SurfaceMesh* whole, const Vec& boundary,
+                       LinearSolver& solver) {
+  std::optional<SurfaceMesh> filled;
+  std::vector<int> rank_of_face;
+  Vec filled_boundary;
+  if (whole) {
+    filled = filled_surface(*whole);
+    rank_of_face = face_ranks(*filled, part.ranks().count());
+    filled_boundary = Vec::Zero(2 * filled->vertex_count());
+    filled_boundary.head(boundary.size()) = boundary;
+  }
+  const MeshPart around = distributed(filled ? &*filled : nullptr, rank_of_face, part.shared_ranks);
+  const Vec x = whole_of_vertices(around, means(around, filled_boundary, solver), 2);
+  return of_vertices(part, x.head(boundary.size()), 2);
+}
+
 }  // namespace
 
 TutteOfParts tutte_of_parts(const MeshPart& part, const SurfaceMesh* whole,
                             const SolverFactory& solver) {
   TutteOfParts result;
-  result.uv = of_vertices(part, whole ? tutte_boundary(*whole) : Vec(), 2);
-  Means(part).solve(*solver(), result.uv);
+  const bool holes = part.ranks().of_first(whole && whole->boundary_loops().size() > 1);
+  const Vec boundary = whole ? tutte_boundary(*whole) : Vec();
+  result.uv = holes ? means_around_holes(part, whole, boundary, *solver())
+                    : means(part, boundary, *solver());
   const Cells& faces = part.mesh->faces();
   result.on_one_rank =
       part.ranks().any(faces.rows() > 0 && faces_without_room(faces, result.uv) > 0);
   if (result.on_one_rank) result.uv = of_vertices(part, whole ? tutte_map(*whole) : Vec(), 2);
   return result;
+}
+
+bool led_to_pins(const MeshPart& part, const std::shared_ptr<const SurfaceMesh>& whole, Vec& uv,
+                 ParametrizationOptions& options, RunRecord& record) {
+  const Ranks& ranks = part.ranks();
+  if (ranks.of_first(options.map.pins.empty() && options.map.handles.empty())) return false;
+  const Vec of_all = whole_of_vertices(part, uv, 2);
+  bool moves = false;
+  Vec led;
+  if (ranks.rank() == 0) {
+    const BezierMap start = BezierMap::linear(whole, of_all);
+    options = with_targets(start, std::move(options));
+    require_pinned_once(*whole, options.map.pins);
+    moves = !meets_pins(start, options.map.pins);
+    if (moves) {
+      require_scale(options.map, start);
+      led = reach_pins(start, options, record).control_points();
+    }
+  }
+  if (!ranks.of_first(moves)) return false;
+  uv = of_vertices(part, led, 2);
+  return true;
 }
 
 }  // namespace majorant

@@ -1,0 +1,16 @@
+// What write_vtu() writes, where several files are to appear together (atomic_file.h).
+#pragma once
+
+#include <string>
+
+#include "majorant/io/vtu.h"
+
+namespace majorant {
+
+// path: for messages. Throws as write_vtu() for maps that cannot be written.
+std::string vtu_text(const std::string& path, const MapFile& map, VtuCells cells);
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

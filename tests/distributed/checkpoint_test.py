@@ -1,0 +1,227 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs that are stopped or killed go on from their checkpoint, on any number of ranks; what is no
+checkpoint of theirs is refused."""
+import random
+import struct
+import unittest
+
+from mpi_helpers import *
+
+SEED = 1  # of the moments at which runs are killed
+
+
+def alone(*args, **options):
+    """One rank, without mpirun: refusals need no more."""
+    return Outcome(subprocess.run([MPI_BINARY] + [str(a) for a in args], text=True, env=ENVIRONMENT,
+                                  stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                  stderr=subprocess.PIPE, timeout=300, **options))
+
+
+def checksum(data):
+    """FNV-1a, 64 bits."""
+    value = 0xcbf29ce484222325
+    for byte in data:
+        value = (value ^ byte) * 0x100000001b3 % 2**64
+    return struct.pack('<Q', value)
+
+
+class Resumed(MpiTest):
+    def value(self, report):
+        self.assertEqual(report['status'], 'converged')
+        self.assertTrue(report['result']['locally_injective'])
+        return report['result']['value']
+
+    def assertSame(self, report, whole):
+        """Of runs to a tolerance of 1e-9: where they end, paths do not matter any more."""
+        self.assertLess(abs(self.value(report) / self.value(whole) - 1), 1e-8)
+
+    def test_on_any_number_of_ranks(self):
+        """Stopped at each degree, with pins, handles, weights and a fixed boundary."""
+        handles, weights = self.path('handles.json'), self.path('weights.txt')
+        with open(handles, 'w') as f:
+            json.dump({'handles': [{'vertex': 5, 'target': [0.1, 0.2]}, {'vertex': 40, 'target': 'initial'}]}, f)
+        with open(weights, 'w') as f:
+            f.write('\n'.join(str(1 + k % 5) for k in range(500)))
+        kept = self.path('run.ckpt')
+        for steps, ranks, others, options in ((3, 3, (1, 2, 4), []), (14, 2, (3,), ['--handles', handles]),
+                                              (22, 1, (2,), ['--weights', weights]),
+                                              (9, 1, (2,), ['--boundary', 'fixed'])):
+            asked = ['--degree', 3, '--tolerance', 1e-9] + options
+            whole = self.solve(1, disk('nefertiti_500'), *asked)
+            stopped = self.solve(ranks, disk('nefertiti_500'), *asked, '--checkpoint', kept, '--max-iterations',
+                                 steps, code=LIMIT)
+            self.assertEqual(len(stopped['iterations']), steps)
+            self.assertGreater(stopped['checkpoint']['written'], 0)
+            for count in others:
+                with self.subTest(steps=steps, ranks=count, options=options):
+                    report = self.solve(count, disk('nefertiti_500'), *asked, '--resume', kept)
+                    self.assertSame(report, whole)
+                    self.assertEqual(report['resumed']['ranks'], ranks)
+                    self.assertEqual(report['resumed']['iterations'], steps)
+                    self.assertEqual(report['resumed']['degree'], report['iterations'][0]['degree'])
+                    self.assertEqual(report['result']['initial_value'], stopped['result']['initial_value'])
+                    self.assertEqual(report['result']['start'], 'tutte')
+        self.run_ok('check', self.path('all.pvtu'), '--surface', disk('nefertiti_500'))
+
+    def test_the_way_into_the_domain(self):
+        """An energy that overflows at the start: stopped before and after it is finite."""
+        asked = ['--degree', 2, '--energy', 'amips-exponential', '--tolerance', 1e-9]
+        whole = self.solve(1, generated('creature'), *asked)
+        self.assertIsNone(whole['result']['initial_value'])
+        for steps in (3, 12, 30):
+            self.solve(1, generated('creature'), *asked, '--checkpoint', self.path('run.ckpt'), '--every', 1,
+                       '--max-iterations', steps, code=UNSUPPORTED if steps == 3 else LIMIT)
+            self.assertSame(self.solve(2, generated('creature'), *asked, '--resume', self.path('run.ckpt')), whole)
+
+    def test_killed_at_any_moment(self):
+        """bench/kill_and_resume.py does more of them."""
+        moments = random.Random(SEED)
+        mesh, asked = disk('helix_500'), ['--degree', 3, '--tolerance', 1e-9]
+        whole = self.solve(2, mesh, *asked)
+        kept = self.path('run.ckpt')
+        for ranks, others in ((2, 3), (3, 1)):
+            run = start(ranks, 'parametrize', mesh, '-o', self.path('a.pvtu'), *asked, '--checkpoint', kept,
+                        '--every', 1)
+            pids = processes_of(run, ranks)
+            time.sleep(moments.uniform(0, whole['seconds']['total']))
+            if run.poll() is None:
+                os.kill(moments.choice(pids), signal.SIGKILL)
+            ended(run)
+            resume = ['--resume', kept] if os.path.exists(kept) else []
+            self.assertSame(self.solve(others, mesh, *asked, *resume), whole)
+
+    def test_a_signal_and_the_time_limit_keep_it(self):
+        mesh, kept = disk('hand_2500'), self.path('run.ckpt')
+        asked = ['--degree', 1, '--tolerance', 1e-9]
+        run = start(2, 'parametrize', mesh, '-o', self.path('a.pvtu'), *asked, '--checkpoint', kept, '--every',
+                    1000, '--verbose')
+        wait_for(run, 'degree 1')
+        run.send_signal(signal.SIGUSR1)
+        self.assertEqual(ended(run)[0], LIMIT)
+        self.assertTrue(os.path.exists(kept))
+        report = self.solve(3, mesh, *asked, '--resume', kept, '--checkpoint', kept, '--time-limit', 0, code=LIMIT)
+        self.assertEqual(report['iterations'], [])
+        before = report['resumed']['iterations']
+        report = self.solve(2, mesh, *asked, '--resume', kept, '--max-iterations', 2, '--checkpoint', kept,
+                            code=LIMIT)
+        self.assertEqual(report['resumed']['iterations'], before)
+        report = self.solve(2, mesh, *asked, '--resume', kept)
+        self.assertEqual(report['resumed']['iterations'], before + 2)
+        self.assertGreater(report['resumed']['seconds'], 0)
+        self.assertSame(report, self.solve(2, mesh, *asked))
+
+
+class Refused(MpiTest):
+    def setUp(self):
+        super().setUp()
+        self.mesh, self.kept = disk('nefertiti_500'), self.path('run.ckpt')
+        self.asked = ['--degree', '2', '-o', self.path('a.pvtu')]
+        done = alone('parametrize', self.mesh, *self.asked, '--checkpoint', self.kept, '--max-iterations', 4)
+        self.assertEqual(done.code, LIMIT, done.err)
+        with open(self.kept, 'rb') as f:
+            self.data = f.read()
+
+    def refuse(self, word, mesh=None, asked=(), data=None, path=None):
+        path = path or self.path('other.ckpt')
+        if data is not None:
+            with open(path, 'wb') as f:
+                f.write(data)
+        done = alone('parametrize', mesh or self.mesh, *self.asked, *asked, '--resume', path)
+        self.assertEqual(done.code, UNREADABLE, done.err)
+        self.assertEqual(len(done.said()), 1, done.err)
+        self.assertIn(word, done.err)
+        self.assertIn(path, done.err)
+        return done.err
+
+    def test_what_is_no_checkpoint(self):
+        for data in (b'', b'v 0 0 0\n', self.data[:7], b'X' + self.data[1:]):
+            self.refuse('no checkpoint', data=data)
+        self.refuse('check the name', path=self.path('absent.ckpt'))
+
+    def test_damage(self):
+        for length in (8, 20, 31, 100, 500, len(self.data) - 9, len(self.data) - 1):
+            self.refuse('cut short', data=self.data[:length])
+        self.refuse('damaged', data=self.data + b'x')
+        moments = random.Random(SEED)
+        for _ in range(8):
+            place = moments.randrange(16, len(self.data))
+            data = bytearray(self.data)
+            data[place] ^= 1 << moments.randrange(8)
+            self.refuse('damaged', data=bytes(data))
+
+    def test_other_versions_of_the_format(self):
+        for version in (0, 2, 2**40):
+            data = self.data[:8] + struct.pack('<Q', version) + self.data[16:-8]
+            said = self.refuse('version %d' % version, data=data + checksum(data))
+            self.assertIn('version 1', said)
+
+    def test_headers_that_nobody_has_written(self):
+        size = struct.unpack('<Q', self.data[16:24])[0]
+        header, rest = json.loads(self.data[24:24 + size]), self.data[24 + size:-8]
+        for key, value in (('faces', 499), ('faces', 2**62), ('degree', 'two')):
+            text = json.dumps(dict(header, **{key: value})).encode()
+            data = self.data[:16] + struct.pack('<Q', len(text)) + text + rest
+            self.refuse('header', data=data + checksum(data))
+        data = self.data[:16] + struct.pack('<Q', 2**63) + self.data[24:-8]
+        self.refuse('', data=data + checksum(data))
+
+    def test_the_format_is_as_documented(self):
+        self.assertEqual(self.data[:8], b'majorckp')
+        version, size = struct.unpack('<QQ', self.data[8:24])
+        self.assertEqual(version, 1)
+        header = json.loads(self.data[24:24 + size])
+        v, f, n = header['vertices'], header['faces'], header['degree']
+        others = (n + 1) * (n + 2) // 2 - 3
+        self.assertEqual(len(self.data), 24 + size + 16 * v + 16 * v + 16 * others * f + f + 8)
+        self.assertEqual(checksum(self.data[:-8]), self.data[-8:])
+
+    def test_other_surfaces_and_other_wishes(self):
+        pins = self.path('pins.json')
+        with open(pins, 'w') as f:
+            json.dump({'handles': [{'vertex': 3, 'target': 'initial'}]}, f)
+        with open(self.mesh) as f:
+            lines = f.readlines()
+        x = [k for k, line in enumerate(lines) if line.startswith('v ')][7]
+        words = lines[x].split()
+        lines[x] = ' '.join(words[:3] + [repr(float(words[3]) + 1e-7)]) + '\n'
+        with open(self.path('moved.obj'), 'w') as f:
+            f.writelines(lines)
+        self.refuse('another surface', path=self.kept, mesh=self.path('moved.obj'))
+        self.refuse('--energy', path=self.kept, asked=['--energy', 'mips'])
+        self.refuse('--boundary', path=self.kept, asked=['--boundary', 'fixed'])
+        self.refuse('--pins', path=self.kept, asked=['--pins', pins])
+        self.refuse('--handles', path=self.kept, asked=['--handles', pins])
+        self.refuse('--quadrature', path=self.kept, asked=['--quadrature', 36])
+        self.asked[1] = '3'
+        self.assertIn('--degree 2', self.refuse('--degree', path=self.kept))
+
+    def test_on_several_ranks_all_end(self):
+        done = mpirun(2, 'parametrize', disk('helix_500'), *self.asked, '--resume', self.kept)
+        self.assertEqual(done.code, UNREADABLE, done.err)
+
+    def test_names_that_cannot_be_written(self):
+        for name in (self.path('none/run.ckpt'), self.path('run.txt'), self.path('a.pvtu')):
+            done = alone('parametrize', self.mesh, *self.asked, '--checkpoint', name)
+            self.assertEqual(done.code, USAGE, done.err)
+
+    def test_a_full_disk_leaves_the_older_one(self):
+        """Files of more than 10 KB cannot be written from here on: the run goes on, and says so."""
+        run = start(2, 'parametrize', disk('hand_2500'), '-o', self.path('b.pvtu'), '--degree', 1, '--checkpoint',
+                    self.path('b.ckpt'), '--every', 1, '--verbose')
+        wait_for(run, 'degree 1')
+        while not os.path.exists(self.path('b.ckpt')):
+            time.sleep(0.01)
+        for pid in processes_of(run, 2):
+            resource.prlimit(pid, resource.RLIMIT_FSIZE, (10000, 10000))
+        code, said = ended(run)
+        self.assertEqual(code, USAGE)  # nor can the map
+        self.assertIn('b.ckpt: File too large; the run goes on', said)
+        self.assertEqual([n for n in os.listdir(self.folder) if '.tmp' in n], [])
+        report = self.solve(2, disk('hand_2500'), '--degree', 1, '--resume', self.path('b.ckpt'))
+        self.assertGreater(report['resumed']['iterations'], 0)
+
+
+if __name__ == '__main__':
+    need_mpi()
+    unittest.main()
