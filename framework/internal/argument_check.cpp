@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 
 namespace majorant {
 
@@ -37,6 +38,15 @@ void require_index(std::string_view what, Eigen::Index index, Eigen::Index count
 void require_at_least(std::string_view what, double value, double least) {
   if (!(value >= least))
     throw InvalidArgument(fmt::format("{} is {:g}, at least {:g} is needed", what, value, least));
+}
+
+Index counted(std::string_view what, std::size_t count) {
+  if (count > static_cast<std::size_t>(std::numeric_limits<Index>::max()))
+    throw Error(ErrorKind::Unsupported,
+                fmt::format("{}: {} are more than the {} that its integers count; use fewer "
+                            "elements or a lower degree, or divide the problem between processes",
+                            what, count, std::numeric_limits<Index>::max()));
+  return static_cast<Index>(count);
 }
 
 void refuse_null(std::string_view what) { throw InvalidArgument(fmt::format("{} is null", what)); }

@@ -8,6 +8,7 @@
 // Not for what a file says, which is Error with file and line.
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 
 #include "majorant/framework/error.h"
@@ -24,6 +25,8 @@ void require_finite_rows(std::string_view what, const Eigen::Ref<const RowMatrix
 // 0 <= index < count.
 void require_index(std::string_view what, Eigen::Index index, Eigen::Index count);
 void require_at_least(std::string_view what, double value, double least);
+// A count of many things. Throws Error(Unsupported) where there are more than an Index counts.
+Index counted(std::string_view what, std::size_t count);
 [[noreturn]] void refuse_null(std::string_view what);
 
 template <class Pointer>

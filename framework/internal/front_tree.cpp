@@ -8,7 +8,7 @@
 namespace majorant {
 namespace {
 
-Index padded(Index rows) {
+std::ptrdiff_t padded(std::ptrdiff_t rows) {
   return (rows + FrontKernels::kTile - 1) / FrontKernels::kTile * FrontKernels::kTile;
 }
 
@@ -65,8 +65,9 @@ void FrontTree::make_fronts(const BlockElimination& elimination, const std::vect
     front.columns = starts[at(last_block)] - front.first;
     front.panel = panel_size_;
     front.below = rows_below_.size();
-    for (Index k = elimination.touched_starts[g]; k < elimination.touched_starts[g + 1]; ++k) {
-      const Index block = elimination.touched[at(k)];
+    for (std::size_t k = elimination.touched_starts[g]; k < elimination.touched_starts[g + 1];
+         ++k) {
+      const Index block = elimination.touched[k];
       if (block < last_block) continue;
       for (Index i = starts[at(block)]; i < starts[at(block) + 1]; ++i) rows_below_.push_back(i);
     }
@@ -74,7 +75,7 @@ void FrontTree::make_fronts(const BlockElimination& elimination, const std::vect
     front.rows = front.columns + below;
     front.stride = padded(front.rows);
     front.update_stride = padded(below);
-    panel_size_ += at(front.stride) * at(front.columns);
+    panel_size_ += front.panel_size();
     for (Index c = 0; c < front.columns; ++c) {
       front_of_[at(front.first + c)] = static_cast<Index>(g);
       nonzeros_ += front.rows - c;
@@ -135,11 +136,9 @@ void FrontTree::place_entries(const SparsePattern& pattern) {
   visit([&](Index, Index column, Index) { ++starts[at(front_of_[at(column)]) + 2]; });
   for (std::size_t f = 2; f < starts.size(); ++f) starts[f] += starts[f - 1];
   entries_.resize(pattern.rows.size());
-  std::vector<Index> columns(pattern.rows.size());
   visit([&](Index slot, Index column, Index row) {
     const std::size_t place = starts[at(front_of_[at(column)]) + 1]++;
-    entries_[place] = {slot, row};
-    columns[place] = column;
+    entries_[place] = {slot, row, column};
   });
   std::vector<Index> local(order_.size());
   for (std::size_t f = 0; f < count; ++f) {
@@ -148,8 +147,10 @@ void FrontTree::place_entries(const SparsePattern& pattern) {
     for (Index c = 0; c < front.columns; ++c) local[at(front.first + c)] = c;
     Index next = front.columns;
     for (const Index row : rows_below(static_cast<Index>(f))) local[at(row)] = next++;
-    for (std::size_t k = starts[f]; k < starts[f + 1]; ++k)
-      entries_[k].place = (columns[k] - front.first) * front.stride + local[at(entries_[k].place)];
+    for (std::size_t k = starts[f]; k < starts[f + 1]; ++k) {
+      entries_[k].row = local[at(entries_[k].row)];
+      entries_[k].column -= front.first;
+    }
   }
   fronts_[count].entries = entries_.size();
 }
