@@ -76,10 +76,11 @@ std::unique_ptr<LinearSolver> LinearSolvers::instead_of_factor(std::size_t bytes
       missing = e.what();
     }
   if (!quiet_ && !std::exchange(has_said_, true))
-    say("majorant: the factor takes {}, {} are left: {}\n", gigabytes(bytes), gigabytes(*available),
-        petsc_ ? std::string("solving by cg-hypre, which needs none")
-               : fmt::format("going on all the same, since what needs none, cg-hypre, is not "
-                             "there: {}",
+    say("majorant: factorizing takes {} of memory, {} are left: {}\n", gigabytes(bytes),
+        gigabytes(*available),
+        petsc_ ? std::string("solving by cg-hypre, without a factor")
+               : fmt::format("going on all the same, since cg-hypre, which needs no factor, cannot "
+                             "be had: {}",
                              missing));
   return petsc_ ? petsc_() : nullptr;
 }

@@ -125,7 +125,9 @@ class Ladder final : public LinearSolver {
     if (patience_ > 0) --patience_;
     rung_ = patience_ > 0 ? held_ : first_;
     negative_ = false;
-    return prepare();
+    const FactorStatus status = prepare();
+    if (status != FactorStatus::Ok) ++record_->indefinite;
+    return status;
   }
 
   Solution solve(const Vec& r, Vec& p, double tolerance) override {
@@ -177,7 +179,6 @@ class Ladder final : public LinearSolver {
       if (rung_ == Rung::Mumps) {
         if (!mumps_) mumps_ = std::make_unique<MumpsFactor>(matrix_->mat());
         is_ready_ = mumps_->factorize() == FactorStatus::Ok;
-        if (!is_ready_) ++record_->indefinite;
         return is_ready_ ? FactorStatus::Ok : FactorStatus::NotPositiveDefinite;
       }
       gradients_ = std::make_unique<ConjugateGradients>(

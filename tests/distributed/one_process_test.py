@@ -82,6 +82,99 @@ class OneProcess(CommandTest):
         self.assertEqual([line.split()[-1] for line in shown.splitlines()], ['majorant_solver_plugin'])
 
 
+class Memory(CommandTest):
+    def run_with(self, bytes_left, *args, binary=BINARY):
+        report = self.path('report.json')
+        done = Outcome(subprocess.run(
+            [binary, 'parametrize', disk('nefertiti_500'), self.path('a.vtu'), '--report', report, *args],
+            env=dict(os.environ, MAJORANT_MEMORY_BYTES=str(bytes_left)), text=True,
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE))
+        self.assertEqual(done.code, OK, done.err)
+        with open(report) as f:
+            return json.load(f), [line for line in done.err.splitlines() if 'are left' in line]
+
+    def test_a_factor_that_does_not_fit(self):
+        whole, said = self.run_with(1 << 40, '--degree', '2')
+        self.assertEqual(said, [])
+        self.assertIsNone(whole['linear_solver'])
+        needed = whole['memory']['factor_bytes']
+        self.assertEqual(whole['memory']['available_bytes'], 1 << 40)
+        self.assertEqual(self.run_with(needed, '--degree', '2')[1], [], 'exactly as much')
+        # One byte less: the last degree alone is solved otherwise.
+        report, said = self.run_with(needed - 1, '--degree', '2')
+        self.assertEqual(len(said), 1)
+        self.assertIn('cg-hypre', said[0])
+        by = {row['degree']: row['solver_iterations'] for row in report['iterations']}
+        self.assertEqual(by[1], 0)
+        self.assertGreater(report['linear_solver']['cg-hypre']['solves'], 0)
+        self.assertLess(abs(report['result']['value'] / whole['result']['value'] - 1), 1e-6)
+        report, said = self.run_with(1000, '--degree', '2')
+        self.assertEqual(len(said), 1, 'once a run')
+        self.assertGreater(report['iterations'][0]['solver_iterations'], 0)
+
+    def test_asked_for(self):
+        report, said = self.run_with(1000, '--degree', '1', '--linear-solver', 'direct')
+        self.assertEqual(said, [])
+        self.assertIsNone(report['linear_solver'])
+
+    def test_nothing_else_there(self):
+        binary = shutil.copy(BINARY, self.path('majorant'))
+        report, said = self.run_with(1000, '--degree', '1', binary=binary)
+        self.assertIsNone(report['linear_solver'])
+        self.assertEqual(len(said), 1)
+        for part in ('going on', 'libmajorant_petsc.so', 'petsc-dev'):
+            self.assertIn(part, said[0])
+
+
+class Collapsed(CommandTest):
+    """Tutte's map of a long finger: triangles of 1e-10 of the others."""
+
+    def finger(self, around=24, rings=60):
+        points, radius = [(0, 0, rings)], around / (2 * math.pi)
+        for j in range(rings + 5):
+            r, z = (radius, rings - j) if j <= rings else (radius * (1 + 0.5 * (j - rings)), 0)
+            points += [(r * math.cos(2 * math.pi * i / around), r * math.sin(2 * math.pi * i / around), z)
+                       for i in range(around)]
+        faces = [(0, 1 + i, 1 + (i + 1) % around) for i in range(around)]
+        for a in range(1, 1 + around * (rings + 4), around):
+            for i in range(around):
+                j = (i + 1) % around
+                faces += [(a + i, a + around + i, a + around + j), (a + i, a + around + j, a + j)]
+        return self.write('finger.obj', obj_text(points, faces))
+
+    def check_descent(self, mesh, *petsc, falls):
+        out = {}
+        for solver in ('mumps', 'cg-hypre'):
+            report = self.path('report.json')
+            done = Outcome(subprocess.run(
+                [MPI_BINARY, 'parametrize', mesh, '-o', self.path('a.pvtu'), '--degree', '1', '--init', 'tutte',
+                 '--linear-solver', solver, '--report', report, '--quiet', '--petsc', *petsc],
+                env=ENVIRONMENT, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE))
+            self.assertEqual(done.code, OK, done.err)
+            with open(report) as f:
+                out[solver] = json.load(f)
+        self.assertGreater(out['mumps']['result']['initial_value'], 1e5)
+        value = out['mumps']['result']['value']
+        self.assertLess(out['cg-hypre']['result']['value'] / value - 1, 2e-3)
+        self.assertTrue(out['cg-hypre']['result']['locally_injective'])
+        ladder = out['cg-hypre']['linear_solver']
+        self.assertEqual(ladder['cg-hypre']['falls'] > 0, falls, ladder)
+        if falls:
+            self.assertGreater(ladder['cg-icc']['solves'] + ladder['mumps']['solves'], 0)
+
+    def test_multigrid_copes(self):
+        self.check_descent(self.finger(), falls=False)
+
+    def test_where_it_breaks_down(self):
+        """Without a preconditioner conjugate gradients do not converge: down the ladder."""
+        self.check_descent(self.finger(), '-majorant_hypre_pc_type', 'none', falls=True)
+
+    @where(os.path.join(DATA, 'disks', 'scorpion_10000.obj'))
+    def test_scorpion(self):
+        self.check_descent(os.path.join(DATA, 'disks', 'scorpion_10000.obj'), '-majorant_hypre_pc_type', 'none',
+                           falls=True)
+
+
 class Elsewhere(CommandTest):
     """The program somewhere else, with and without the plugin."""
 

@@ -93,15 +93,18 @@ TEST(PetscSolver, NegativeCurvatureIsAnAnswer) {
   EXPECT_EQ(s.solver->solve(m.sampled(wavy), p, 1e-8).status, SolveStatus::Indefinite);
   EXPECT_EQ(s.use(Rung::Amg).falls, 1);
   EXPECT_EQ(s.use(Rung::Icc).solves, 1);
-  EXPECT_EQ(s.use(Rung::Mumps).set_ups, 0);
   EXPECT_EQ(s.record->indefinite, 1);
+  // Factors of the blocks of several ranks may have no opinion.
+  if (test::ranks()->count() == 1) {
+    EXPECT_EQ(s.use(Rung::Mumps).set_ups, 0);
+  }
 }
 
 // A hierarchy of the last matrix would be one for rows where this one has columns.
 TEST(PetscSolver, MultigridIsMadeOfTheMatrixThatIsSolved) {
-  const auto rows = [](Index, Index, bool up) { return up ? 1e-4 : 1.0; };
-  const auto columns = [](Index, Index, bool up) { return up ? 1.0 : 1e-4; };
-  const StripMatrix a(kWidth, rows, 1e-6), b(kWidth, columns, 1e-6);
+  const auto rows = [](Index, Index, bool up) { return up ? 1e-2 : 1.0; };
+  const auto columns = [](Index, Index, bool up) { return up ? 1.0 : 1e-2; };
+  const StripMatrix a(kWidth, rows, 1e-4), b(kWidth, columns, 1e-4);
   for (const Rung rung : {Rung::Gamg, Rung::Amg}) {
     SCOPED_TRACE(name(rung));
     const Vec r = b.sampled(wavy);
