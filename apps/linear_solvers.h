@@ -1,8 +1,8 @@
 // --linear-solver: what solves Newton's systems of a run, and whether a factor fits into memory.
 //
-//   LinearSolvers solvers(solve.linear_solver, common.quiet);   // loads PETSc where it is asked for
+//   LinearSolvers solvers("cg-hypre", common.quiet);   // loads PETSc where it is asked for
 //   solvers.apply(options.solve);
-//   ...
+//   parametrize(mesh, options);
 //   const Json ladder = solvers.ladder(), memory = solvers.memory();   // for the report
 #pragma once
 
