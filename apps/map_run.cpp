@@ -13,6 +13,7 @@ void MapVerb::add_to(CLI::App& verb) {
   map.add_to(verb);
   outputs.add_to(verb);
   solve.add_to(verb, map.curvature);
+  add_linear_solver_to(verb, solve.linear_solver);
   common.add_to(verb);
 }
 
@@ -32,6 +33,7 @@ MapRun::MapRun(std::string verb, MapVerb& request, const std::vector<std::string
                     {{request.solve.scaffold_file}, {".vtu", ".svg"}},
                     {{request.outputs.distortion}, {".csv"}}},
                    inputs);
+  solvers_.emplace(request.solve.linear_solver, request.common.quiet);
   threads_.emplace(start_threads(request.common.threads));
 }
 
@@ -48,6 +50,7 @@ MapInput& MapRun::read(const StartMaker& make_start) {
   record_.begin(Activity::Reading);
   in_ = read_input(request_.map, record_.start_stop(), timed);
   request_.solve.apply(in_.options);
+  solvers_->apply(in_.options.solve);
   if (request_.solve.snapshots > 0) {
     film_.emplace(request_.solve.snapshots, request_.map.degree);
     in_.options.solve.watch = film_->watcher();
@@ -65,10 +68,13 @@ int MapRun::finish(ParametrizationResult result, const Json& extra) {
     placement = place(result);
   Json options = request_.map.to_json();
   options.update(request_.solve.to_json());
+  options["linear_solver"] = request_.solve.linear_solver;
   options.update(extra);
   FinishedMap finished{verb_,   in_.polygons,        *in_.mesh,         in_.options.map,   result,
                        record_, request_.map.energy, request_.map.init, std::move(options)};
   finished.read_seconds = read_seconds_;
+  finished.linear_solver = solvers_->ladder();
+  finished.memory = solvers_->memory();
   if (in_.cuts) finished.cuts = &*in_.cuts;
   if (in_.start) finished.start = &*in_.start;
   if (placement) finished.placement = &*placement;

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "apps/command.h"
+#include "apps/linear_solvers.h"
 #include "apps/map_request.h"
 #include "apps/progress.h"
 #include "apps/result_files.h"
@@ -55,6 +56,7 @@ class MapRun {
   Progress progress_;
   RunRecord record_;
   std::optional<ThreadCount> threads_;
+  std::optional<LinearSolvers> solvers_;
   MapInput in_;
   std::optional<Film> film_;
   double read_seconds_ = 0, start_seconds_ = 0;

@@ -19,9 +19,10 @@ struct SolveRequest {
   int snapshots = 0;  // iterations from one to the next; 0: none
   bool bijective = false, no_flips = false, improve_mesh = false;
   std::string scaffold_file;  // or empty
+  std::string linear_solver = "auto";
   double tolerance = 1e-6, time_limit = std::numeric_limits<double>::infinity();
 
-  // Adds --curvature, which a MapRequest holds, too.
+  // Adds --curvature, which a MapRequest holds, too. Not --linear-solver.
   void add_to(CLI::App& verb, std::string& curvature);
   void add_limits_to(CLI::App& verb, std::string& curvature);  // what any solve can be told
   // Before any work. Throws Error(Usage) for options that do not go together.

@@ -4,6 +4,7 @@
 
 #include "apps/atlas_result.h"
 #include "apps/energy_option.h"
+#include "apps/linear_solvers.h"
 #include "apps/parts.h"
 #include "apps/process.h"
 #include "apps/progress.h"
@@ -43,6 +44,11 @@ void require_usable(Request& request) {
         ErrorKind::Usage,
         "--align: unwrap lays its charts side by side as they fit; leave it out, or ask for "
         ".svg and .png alone");
+  if (request.solve.linear_solver != "auto" && request.solve.linear_solver != "direct")
+    throw Error(ErrorKind::Usage,
+                fmt::format("--linear-solver {}: unwrap solves charts side by side, each by the "
+                            "program's own solver; leave it out",
+                            request.solve.linear_solver));
   if (request.map.degree == 0) request.map.degree = 1;
   if (request.unwrap.seams.seams.empty()) request.unwrap.seams.seams = "auto";
   require_writable(request.common,
@@ -102,6 +108,7 @@ void add_unwrap(CLI::App& app, Action* run) {
   request->outputs.add_to(verb);
   request->unwrap.add_to(verb);
   request->solve.add_limits_to(verb, request->map.curvature);
+  add_linear_solver_to(verb, request->solve.linear_solver);
   request->common.add_to(verb);
   verb.footer(
       energy_help() +

@@ -3,23 +3,11 @@
 #include <numbers>
 
 #include "distributed/internal/collect.h"
+#include "distributed/processes.h"
 #include "majorant/framework/linear_solver.h"
 
 namespace majorant {
 namespace {
-
-Json ladder_section(const LadderRecord& record) {
-  Json section{{"indefinite", record.indefinite}};
-  for (std::size_t k = 0; k < kRungNames.size(); ++k) {
-    const LadderRecord::Use& use = record.rungs[k];
-    section[std::string(kRungNames[k])] = {{"set_ups", use.set_ups},
-                                           {"solves", use.solves},
-                                           {"iterations", use.iterations},
-                                           {"most_iterations", use.most_iterations},
-                                           {"falls", use.falls}};
-  }
-  return section;
-}
 
 Json boundary_section(const GlobalInjectivity& proof) {
   return {{"pairs_tested", proof.pairs_tested},
@@ -56,15 +44,6 @@ Json result_section(const PartsRun& run, GlobalIndex control_points) {
           {"handle_distance", r.handle_distance}};
 }
 
-Json iterations(const std::vector<TraceEntry>& trace) {
-  Json list = iterations_section(trace);
-  for (std::size_t k = 0; k < trace.size(); ++k) {
-    list[k]["residual"] = trace[k].record.residual;
-    list[k]["solver_iterations"] = trace[k].record.solver_iterations;
-  }
-  return list;
-}
-
 }  // namespace
 
 Json parts_report(const PartsRun& run) {
@@ -72,16 +51,21 @@ Json parts_report(const PartsRun& run) {
   const auto nodes = part.unknowns(run.result.map->space());
   double shared = 0;
   for (const auto& n : nodes->neighbours()) shared += static_cast<double>(n.owned.size() / 2);
+  const Traffic sent = traffic();
   const auto all = gathered(part.ranks(), {static_cast<double>(part.mesh->face_count()),
                                            static_cast<double>(nodes->owned_size() / 2), shared,
-                                           static_cast<double>(peak_memory_bytes())});
+                                           static_cast<double>(peak_memory_bytes()), sent.messages,
+                                           sent.bytes, sent.reductions});
   if (part.ranks().rank() > 0) return nullptr;
   Json ranks = Json::array();
   for (const auto& r : all)
     ranks.push_back({{"faces", static_cast<long>(r[0])},
                      {"nodes", static_cast<long>(r[1])},
                      {"shared_nodes", static_cast<long>(r[2])},
-                     {"peak_memory_bytes", static_cast<long>(r[3])}});
+                     {"peak_memory_bytes", static_cast<long>(r[3])},
+                     {"messages", static_cast<long>(r[4])},
+                     {"message_bytes", static_cast<long>(r[5])},
+                     {"reductions", static_cast<long>(r[6])}});
   const PartResult& r = run.result;
   return {{"schema_version", 1},
           {"version", MAJORANT_VERSION},
@@ -95,7 +79,7 @@ Json parts_report(const PartsRun& run) {
             {"faces", part.whole.faces}}},
           {"options", run.options},
           {"result", result_section(run, nodes->global_size() / 2)},
-          {"iterations", iterations(run.record.trace())},
+          {"iterations", iterations_section(run.record.trace())},
           {"injectivity_tests", {{"depth", r.injectivity_tests}}},
           {"remedies", remedies_section(r.remedies)},
           {"linear_solver", ladder_section(run.ladder)},

@@ -50,6 +50,9 @@ class ConjugateGradients {
     }
     most_ = rung == Rung::Icc ? kMostWithIcc : kMostWithMultigrid;
     require_petsc(KSPSetFromOptions(ksp_));
+    const char* prefix = nullptr;
+    require_petsc(KSPGetOptionsPrefix(ksp_, &prefix));
+    require_petsc(PetscOptionsGetReal(nullptr, prefix, "-ksp_rtol", &largest_tolerance_, nullptr));
   }
   ~ConjugateGradients() { KSPDestroy(&ksp_); }
   ConjugateGradients(const ConjugateGradients&) = delete;
@@ -65,7 +68,8 @@ class ConjugateGradients {
 
   // What became of it; none: a failure of the method, not of the matrix.
   std::optional<SolveStatus> solve(::Vec r, ::Vec p, double tolerance, Solution& solution) {
-    require_petsc(KSPSetTolerances(ksp_, tolerance, 0, PETSC_DEFAULT, most_));
+    require_petsc(
+        KSPSetTolerances(ksp_, std::min(tolerance, largest_tolerance_), 0, PETSC_DEFAULT, most_));
     if (KSPSolve(ksp_, r, p) != 0) return {};
     KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
     PetscInt iterations = 0;
@@ -84,6 +88,7 @@ class ConjugateGradients {
  private:
   KSP ksp_ = nullptr;
   PetscInt most_;
+  PetscReal largest_tolerance_ = 1;  // of the options: never less accurate than that
 };
 
 class Ladder final : public LinearSolver {
@@ -120,7 +125,9 @@ class Ladder final : public LinearSolver {
     if (patience_ > 0) --patience_;
     rung_ = patience_ > 0 ? held_ : first_;
     negative_ = false;
-    return prepare();
+    const FactorStatus status = prepare();
+    if (status != FactorStatus::Ok) ++record_->indefinite;
+    return status;
   }
 
   Solution solve(const Vec& r, Vec& p, double tolerance) override {
@@ -172,7 +179,6 @@ class Ladder final : public LinearSolver {
       if (rung_ == Rung::Mumps) {
         if (!mumps_) mumps_ = std::make_unique<MumpsFactor>(matrix_->mat());
         is_ready_ = mumps_->factorize() == FactorStatus::Ok;
-        if (!is_ready_) ++record_->indefinite;
         return is_ready_ ? FactorStatus::Ok : FactorStatus::NotPositiveDefinite;
       }
       gradients_ = std::make_unique<ConjugateGradients>(

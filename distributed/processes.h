@@ -34,6 +34,14 @@ class Processes {
   std::shared_ptr<const Ranks> ranks_;
 };
 
+// What this rank has sent until now, for ranks() and inside PETSc; hypre and MUMPS count for
+// themselves, and are not in it.
+struct Traffic {
+  double messages = 0, bytes = 0;  // to single ranks
+  double reductions = 0;           // among all of them
+};
+Traffic traffic();
+
 }  // namespace majorant
 
 // SPDX-FileCopyrightText: 2026 the majorant developers

@@ -1,3 +1,5 @@
+#include "majorant/framework/internal/direct_solver.h"
+
 #include <fmt/format.h>
 
 #include <memory>
@@ -10,7 +12,6 @@
 #include "majorant/framework/internal/extended_elimination.h"
 #include "majorant/framework/internal/multifrontal.h"
 #include "majorant/framework/internal/symbolic_analysis.h"
-#include "majorant/framework/linear_solver.h"
 
 namespace majorant {
 namespace {
@@ -27,32 +28,43 @@ constexpr double kFewEdges = 0.1, kMoreOperations = 1.6;
 
 class DirectSolver final : public LinearSolver {
  public:
-  explicit DirectSolver(Ordering ordering) : ordering_(ordering) {}
+  DirectSolver(Ordering ordering, InsteadOfFactor instead)
+      : ordering_(ordering), instead_(std::move(instead)) {}
 
   void analyze(const SparsePattern& pattern) override {
     require_valid(pattern);
+    other_.reset();
     factor_.reset();
     tree_.reset();
     size_ = pattern.size;
     nonzeros_ = pattern.nonzeros();
     if (pattern.size == 0) return;
     make_tree(pattern);
-    make_factor();
+    factor_ = std::make_unique<MultifrontalFactor>(*tree_);
+    if (instead_) other_ = instead_(factor_->bytes());
+    if (!other_) return describe();
+    factor_.reset();
+    tree_.reset();
+    last_graph_.reset();
+    elimination_ = {};
+    other_->analyze(pattern);
   }
   FactorStatus factorize(const Vec& values, double shift) override {
     require_size("LinearSolver::factorize: values", values.size(), nonzeros_);
+    if (other_) return other_->factorize(values, shift);
     return !factor_ || factor_->factorize(values, shift) ? FactorStatus::Ok
                                                          : FactorStatus::NotPositiveDefinite;
   }
-  Solution solve(const Vec& r, Vec& p, double) override {
+  Solution solve(const Vec& r, Vec& p, double tolerance) override {
     require_size("LinearSolver::solve: r", r.size(), size_);
+    if (other_) return other_->solve(r, p, tolerance);
     if (factor_)
       factor_->solve(r, p);
     else
       p.resize(r.size());
     return {};
   }
-  std::string description() const override { return description_; }
+  std::string description() const override { return other_ ? other_->description() : description_; }
 
  private:
   void make_tree(const SparsePattern& pattern) {
@@ -86,8 +98,7 @@ class DirectSolver final : public LinearSolver {
     return tree_->operations() <= kMoreOperations * fresh_operations_;
   }
 
-  void make_factor() {
-    factor_ = std::make_unique<MultifrontalFactor>(*tree_);
+  void describe() {
     description_ = fmt::format("multifrontal, {}, {}{}, {:.3g} factor nonzeros, {:.3g} operations",
                                front_kernels().name, chosen_ == Ordering::Metis ? "METIS" : "AMD",
                                extended_ ? " of an earlier pattern" : "", tree_->nonzeros(),
@@ -95,6 +106,7 @@ class DirectSolver final : public LinearSolver {
   }
 
   Ordering ordering_, chosen_ = Ordering::Amd;
+  InsteadOfFactor instead_;
   Index size_ = 0, nonzeros_ = 0;
   std::optional<BlockGraph> last_graph_;
   BlockElimination elimination_;  // of it
@@ -102,6 +114,7 @@ class DirectSolver final : public LinearSolver {
   double fresh_operations_ = 0;   // with its own ordering
   std::unique_ptr<const FrontTree> tree_;
   std::unique_ptr<MultifrontalFactor> factor_;
+  std::unique_ptr<LinearSolver> other_;  // solves, if there is one
   std::string description_;
 };
 
@@ -110,7 +123,11 @@ class DirectSolver final : public LinearSolver {
 std::string_view vector_instructions() { return front_kernels().name; }
 
 std::unique_ptr<LinearSolver> make_direct_solver(Ordering ordering) {
-  return std::make_unique<DirectSolver>(ordering);
+  return make_direct_solver(ordering, {});
+}
+
+std::unique_ptr<LinearSolver> make_direct_solver(Ordering ordering, InsteadOfFactor instead) {
+  return std::make_unique<DirectSolver>(ordering, std::move(instead));
 }
 
 }  // namespace majorant

@@ -20,7 +20,7 @@ void SparsePattern::append_column(const std::vector<Index>& rows_below) {
   const auto first = rows.insert(rows.end(), rows_below.begin(), rows_below.end());
   std::sort(first, rows.end());
   rows.erase(std::unique(first, rows.end()), rows.end());
-  column_starts.push_back(nonzeros());
+  column_starts.push_back(counted("entries of a sparse pattern", rows.size()));
 }
 
 void SparsePattern::order_in_blocks(Index block) {
@@ -48,12 +48,12 @@ SparsePattern SparsePattern::joined(const SparsePattern& more, std::vector<Index
       for (const Index* mine = rows.data() + column_starts[at(c)]; mine != end; ++mine) {
         while (theirs != their_end && *theirs < *mine) out.rows.push_back(*theirs++);
         if (theirs != their_end && *theirs == *mine) ++theirs;
-        places.push_back(out.nonzeros());
+        places.push_back(counted("entries of a sparse pattern", out.rows.size()));
         out.rows.push_back(*mine);
       }
     }
     out.rows.insert(out.rows.end(), theirs, their_end);
-    out.column_starts.push_back(out.nonzeros());
+    out.column_starts.push_back(counted("entries of a sparse pattern", out.rows.size()));
   }
   return out;
 }

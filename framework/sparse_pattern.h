@@ -24,7 +24,8 @@ struct SparsePattern {
   Index nonzeros() const { return static_cast<Index>(rows.size()); }
 
   // Makes the next column, which gets its diagonal entry and these: rows below the diagonal, in any
-  // order, some maybe several times.
+  // order, some maybe several times. Throws Error(Unsupported) where entries become more than an
+  // Index counts.
   void append_column(const std::vector<Index>& rows_below);
   // Unknowns 0 .. block - 1 belong together, the next so many, and so on.
   void order_in_blocks(Index block);

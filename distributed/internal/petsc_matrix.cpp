@@ -2,6 +2,7 @@
 
 #include <petscmat.h>
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -13,6 +14,22 @@ namespace {
 
 PetscInt petsc_index(GlobalIndex i) { return static_cast<PetscInt>(i); }
 
+// Unknowns of a node, where all nodes of all ranks have as many (u and v of a map; a line that is
+// held has fewer); else 1. Collective.
+PetscInt block_size(const SparsePattern& pattern, const Partition& partition) {
+  Index most = 1;
+  for (Index i = 0, first = 0; i < pattern.size; ++i) {
+    if (pattern.block_of[at(i)] != pattern.block_of[at(first)]) first = i;
+    most = std::max(most, i - first + 1);
+  }
+  most = static_cast<Index>(partition.ranks().max(most));
+  bool regular = pattern.size % most == 0;
+  for (Index i = 0; i < pattern.size && regular; ++i)
+    regular =
+        pattern.block_of[at(i)] == i / most && partition.owns(i) == partition.owns(i - i % most);
+  return partition.ranks().all(regular) ? most : 1;
+}
+
 }  // namespace
 
 PetscMatrix::PetscMatrix(const SparsePattern& pattern, const Partition& partition)
@@ -21,6 +38,10 @@ PetscMatrix::PetscMatrix(const SparsePattern& pattern, const Partition& partitio
     throw Error(ErrorKind::Unsupported,
                 "the problem has more unknowns than the integers of this PETSc count; use a PETSc "
                 "with 64-bit integers (petsc64-dev)");
+  if (2 * pattern.rows.size() > static_cast<std::size_t>(std::numeric_limits<PetscInt>::max()))
+    throw Error(ErrorKind::Unsupported,
+                "the matrix of a rank has more entries than the integers of this PETSc count; use "
+                "more ranks, or a PETSc with 64-bit integers (petsc64-dev)");
   // Both triangles, entry by entry of the pattern; PETSc adds those of one place, of other ranks
   // too.
   std::vector<PetscInt> rows, columns;
@@ -39,6 +60,9 @@ PetscMatrix::PetscMatrix(const SparsePattern& pattern, const Partition& partitio
   const PetscInt owned = partition.owned_size(), all = petsc_index(partition.global_size());
   require_petsc(MatCreate(PETSC_COMM_WORLD, &mat_));
   require_petsc(MatSetSizes(mat_, owned, owned, all, all));
+  // Multigrid keeps u and v apart then: what makes one level out of both takes 53 instead of 6
+  // conjugate gradients to 1e-2 (nefertiti_10000, tenth step).
+  require_petsc(MatSetBlockSize(mat_, block_size(pattern, partition)));
   require_petsc(MatSetType(mat_, MATAIJ));
   require_petsc(MatSetPreallocationCOO(mat_, static_cast<PetscCount>(rows.size()), rows.data(),
                                        columns.data()));

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 
 #include "majorant/framework/ranks.h"
 #include "majorant/framework/stop_check.h"
@@ -48,6 +49,15 @@ void require_no_stop(std::string_view what, const StopCheck& stop, const Ranks& 
         fmt::format("{} may stop this rank and leave the others waiting; let the observer of rank "
                     "0 say when to stop",
                     what));
+}
+
+Index counted(std::string_view what, std::size_t count) {
+  if (count > static_cast<std::size_t>(std::numeric_limits<Index>::max()))
+    throw Error(ErrorKind::Unsupported,
+                fmt::format("{}: {} are more than the {} that its integers count; use fewer "
+                            "elements or a lower degree, or divide the problem between processes",
+                            what, count, std::numeric_limits<Index>::max()));
+  return static_cast<Index>(count);
 }
 
 void refuse_null(std::string_view what) { throw InvalidArgument(fmt::format("{} is null", what)); }

@@ -8,6 +8,7 @@
 // Not for what a file says, which is Error with file and line.
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 
 #include "majorant/framework/error.h"
@@ -30,6 +31,8 @@ void require_at_least(std::string_view what, double value, double least);
 // Of what several processes do together: a check that one rank alone obeys would leave the others
 // waiting.
 void require_no_stop(std::string_view what, const StopCheck& stop, const Ranks& ranks);
+// A count of many things. Throws Error(Unsupported) where there are more than an Index counts.
+Index counted(std::string_view what, std::size_t count);
 [[noreturn]] void refuse_null(std::string_view what);
 
 template <class Pointer>

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <type_traits>
 
+#include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/internal/foreign_code.h"
 
 namespace majorant {
@@ -20,6 +21,7 @@ struct Neighbours {
   std::vector<Index> starts, nodes;
 
   explicit Neighbours(const BlockGraph& graph) : starts(at(graph.size()) + 1, 0) {
+    counted("neighbours in the graph of a pattern", 2 * graph.edges());
     const auto visit = [&](const auto& use) {
       for (Index a = 0; a < graph.size(); ++a)
         for (const Index b : graph.larger(a)) use(a, b);
@@ -50,7 +52,9 @@ std::vector<Index> minimum_degree_order(const BlockGraph& graph) {
   std::vector<Index> lengths(at(n)), order(at(n));
   for (std::size_t k = 0; k < lengths.size(); ++k) lengths[k] = near.starts[k + 1] - near.starts[k];
   const auto used = static_cast<Index>(near.nodes.size());
-  near.nodes.resize(near.nodes.size() + near.nodes.size() / 2 + at(n));  // room to work in
+  const std::size_t room = near.nodes.size() + near.nodes.size() / 2 + at(n);  // to work in
+  counted("numbers that AMD works on", room);
+  near.nodes.resize(room);
   // What it needs besides: six arrays, what they are for is AMD's own.
   std::vector<Index> scratch(6 * at(n));
   const auto array = [&](std::size_t k) { return scratch.data() + k * at(n); };

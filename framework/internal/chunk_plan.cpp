@@ -15,7 +15,7 @@ struct NodeToElements {
   explicit NodeToElements(const Cells& nodes) {
     const Index count = nodes.size() ? nodes.maxCoeff() + 1 : 0;
     starts.assign(at(count) + 1, 0);
-    for (Index k = 0; k < nodes.size(); ++k) ++starts[at(nodes.data()[k]) + 1];
+    for (Eigen::Index k = 0; k < nodes.size(); ++k) ++starts[at(nodes.data()[k]) + 1];
     for (std::size_t k = 1; k < starts.size(); ++k) starts[k] += starts[k - 1];
     elements.resize(static_cast<std::size_t>(nodes.size()));
     std::vector<std::size_t> place(starts.begin(), starts.end() - (starts.empty() ? 0 : 1));

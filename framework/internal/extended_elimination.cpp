@@ -44,11 +44,11 @@ class Extension {
     }
     out.group_starts.push_back(static_cast<Index>(out.order.size()));
     for (const Index g : groups) {
-      out.touched_starts.push_back(static_cast<Index>(out.touched.size()));
+      out.touched_starts.push_back(out.touched.size());
       // Groups that one touches stay in their order, whatever the postorder.
       for (const Index p : touched(g)) out.touched.push_back(moved[at(p)]);
     }
-    out.touched_starts.push_back(static_cast<Index>(out.touched.size()));
+    out.touched_starts.push_back(out.touched.size());
     return out;
   }
 

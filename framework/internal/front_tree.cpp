@@ -8,7 +8,7 @@
 namespace majorant {
 namespace {
 
-Index padded(Index rows) {
+std::ptrdiff_t padded(std::ptrdiff_t rows) {
   return (rows + FrontKernels::kTile - 1) / FrontKernels::kTile * FrontKernels::kTile;
 }
 
@@ -65,8 +65,9 @@ void FrontTree::make_fronts(const BlockElimination& elimination, const std::vect
     front.columns = starts[at(last_block)] - front.first;
     front.panel = panel_size_;
     front.below = rows_below_.size();
-    for (Index k = elimination.touched_starts[g]; k < elimination.touched_starts[g + 1]; ++k) {
-      const Index block = elimination.touched[at(k)];
+    for (std::size_t k = elimination.touched_starts[g]; k < elimination.touched_starts[g + 1];
+         ++k) {
+      const Index block = elimination.touched[k];
       if (block < last_block) continue;
       for (Index i = starts[at(block)]; i < starts[at(block) + 1]; ++i) rows_below_.push_back(i);
     }
@@ -74,7 +75,7 @@ void FrontTree::make_fronts(const BlockElimination& elimination, const std::vect
     front.rows = front.columns + below;
     front.stride = padded(front.rows);
     front.update_stride = padded(below);
-    panel_size_ += at(front.stride) * at(front.columns);
+    panel_size_ += front.panel_size();
     for (Index c = 0; c < front.columns; ++c) {
       front_of_[at(front.first + c)] = static_cast<Index>(g);
       nonzeros_ += front.rows - c;
@@ -146,8 +147,8 @@ void FrontTree::place_entries(const SparsePattern& pattern) {
     for (const Index row : rows_below(static_cast<Index>(f))) local[at(row)] = next++;
     for (std::size_t k = starts[f]; k < starts[f + 1]; ++k) {
       Entry& entry = entries_[k];
-      entry.place =
-          (columns[at(entry.slot)] - front.first) * front.stride + local[at(rows[at(entry.slot)])];
+      entry.row = local[at(rows[at(entry.slot)])];
+      entry.column = columns[at(entry.slot)] - front.first;
     }
   }
   fronts_[count].entries = entries_.size();

@@ -27,19 +27,24 @@ struct BlockElimination {
   std::vector<Index> order;         // blocks
   std::vector<Index> group_starts;  // positions: groups of neighbours in that order
   // By group: positions that it touches, ascending, its own first.
-  std::vector<Index> touched_starts, touched;
+  std::vector<std::size_t> touched_starts;
+  std::vector<Index> touched;
 };
 
 class FrontTree {
  public:
   struct Front {
-    Index first, columns, rows, stride;  // rows: columns and those below
-    Index parent;                        // -1: none
-    std::size_t panel;                   // where its part of the factor begins
-    std::size_t below;                   // of its rows below, in the arrays below
-    std::size_t entries;                 // likewise of the matrix's entries
-    Index update_stride;                 // of its update, (rows - columns) columns
-    std::size_t update_size() const { return at(update_stride) * at(rows - columns); }
+    Index first, columns, rows;  // rows: columns and those below
+    Index parent;                // -1: none
+    std::size_t panel;           // where its part of the factor begins
+    std::size_t below;           // of its rows below, in the arrays below
+    std::size_t entries;         // likewise of the matrix's entries
+    // Of the panel, and of its update, (rows - columns) columns.
+    std::ptrdiff_t stride, update_stride;
+    std::size_t panel_size() const { return static_cast<std::size_t>(stride) * at(columns); }
+    std::size_t update_size() const {
+      return static_cast<std::size_t>(update_stride) * at(rows - columns);
+    }
     double operations() const;  // multiplications with an addition, about
   };
 
@@ -53,9 +58,10 @@ class FrontTree {
   std::span<const Index> rows_below(Index f) const;
   // Parallel to rows_below: which row of the parent's front each is.
   const Index* rows_of_parent(Index f) const { return rows_of_parent_.data() + front(f).below; }
-  // Entries of the matrix that front f takes in: slots of the pattern, places in its panel.
+  // Entries of the matrix that front f takes in: slots of the pattern, rows and columns of its
+  // panel.
   struct Entry {
-    Index slot, place;
+    Index slot, row, column;
   };
   std::span<const Entry> entries(Index f) const;
 

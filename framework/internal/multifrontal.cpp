@@ -42,12 +42,20 @@ MultifrontalFactor::MultifrontalFactor(const FrontTree& tree, const FrontKernels
       threads_(tree.operations() < kParallelOperations ? 1 : ThreadCount::current()),
       update_places_(tree.fronts().size()) {
   for (const FrontTree::Front& front : tree_.fronts())
-    largest_stride_ = std::max(largest_stride_, front.stride);
+    largest_stride_ = std::max(largest_stride_, static_cast<std::size_t>(front.stride));
   make_tasks();
+  updates_size_ = place_updates();
+}
+
+std::size_t MultifrontalFactor::bytes() const {
+  return (tree_.panel_size() + updates_size_ + at(threads_) * packed_size()) * sizeof(double);
+}
+
+void MultifrontalFactor::allocate() {
   panels_ = uninitialized(tree_.panel_size());
-  updates_ = uninitialized(place_updates());
+  updates_ = uninitialized(updates_size_);
   packed_ = uninitialized(at(threads_) * packed_size());
-  front_values_.resize(largest_stride_);
+  front_values_.resize(static_cast<Eigen::Index>(largest_stride_));
 }
 
 // From the top down: a subtree that is small enough is a task, the root of another one is above.
@@ -113,10 +121,11 @@ std::size_t MultifrontalFactor::place_updates(const Task& task, std::size_t star
 }
 
 std::size_t MultifrontalFactor::packed_size() const {
-  return at(kPanelColumns) * at(largest_stride_ + FrontKernels::kTile);
+  return at(kPanelColumns) * (largest_stride_ + at(FrontKernels::kTile));
 }
 
 bool MultifrontalFactor::factorize(const Vec& values, double shift) {
+  if (!packed_) allocate();
   const Work work{values, shift};
   std::atomic<bool> positive{true};
   const auto count = static_cast<Index>(tasks_.size());
@@ -142,10 +151,11 @@ bool MultifrontalFactor::factorize_front(Index f, const Work& work, double* pack
     const Index last = std::min(front.columns, first + kPanelColumns), depth = last - first;
     if (!kernels_.factorize(l, front.stride, first, last)) return false;
     if (last < front.columns) {
-      kernels_.pack(l, front.stride, front.stride, last, first, last, packed);
-      subtract_product({l + last * front.stride + last, front.stride, front.columns - last,
-                        front.stride - last, depth},
-                       packed, threads);
+      const auto rows = static_cast<Index>(front.stride);
+      kernels_.pack(l, front.stride, rows, last, first, last, packed);
+      subtract_product(
+          {l + last * front.stride + last, front.stride, front.columns - last, rows - last, depth},
+          packed, threads);
     }
     if (below == 0) continue;
     kernels_.pack(l, front.stride, front.rows, front.columns, first, last, packed);
@@ -171,8 +181,9 @@ void MultifrontalFactor::subtract_product(const Target& target, const double* pa
 void MultifrontalFactor::take_in_entries(Index f, const Work& work) {
   const FrontTree::Front& front = tree_.fronts()[at(f)];
   double* l = panel(f);
-  std::fill_n(l, at(front.stride) * at(front.columns), 0.0);
-  for (const FrontTree::Entry& entry : tree_.entries(f)) l[entry.place] = work.values[entry.slot];
+  std::fill_n(l, front.panel_size(), 0.0);
+  for (const FrontTree::Entry& entry : tree_.entries(f))
+    l[entry.column * front.stride + entry.row] = work.values[entry.slot];
   if (work.shift != 0)
     for (Index c = 0; c < front.columns; ++c) l[c * front.stride + c] += work.shift;
 }

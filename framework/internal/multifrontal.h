@@ -25,8 +25,11 @@ namespace majorant {
 
 class MultifrontalFactor {
  public:
-  // tree outlives this.
+  // tree outlives this. Allocates nothing large before the first factorize().
   explicit MultifrontalFactor(const FrontTree& tree, const FrontKernels& kernels = front_kernels());
+
+  // Of all that factorize() allocates: the factor, updates that wait, scratch.
+  std::size_t bytes() const;
 
   // H + shift * I; values parallel to the pattern's rows. False: not positive definite.
   bool factorize(const Vec& values, double shift);
@@ -44,9 +47,11 @@ class MultifrontalFactor {
   // Where the lower triangle of a product goes: rows by columns, of a sum of `depth` terms.
   struct Target {
     double* values;
-    Index stride, columns, rows, depth;
+    FrontKernels::Stride stride;
+    Index columns, rows, depth;
   };
 
+  void allocate();
   void make_tasks();
   std::size_t place_updates();
   std::size_t place_updates(const Task& task, std::size_t start);
@@ -61,7 +66,7 @@ class MultifrontalFactor {
   const FrontTree& tree_;
   const FrontKernels& kernels_;
   const int threads_;
-  Index largest_stride_ = 0;
+  std::size_t largest_stride_ = 0, updates_size_ = 0;
   std::vector<Task> tasks_;   // the most expensive first
   std::vector<Index> above_;  // fronts of no task, ascending: one by one, on all threads
   std::vector<std::size_t> update_places_;

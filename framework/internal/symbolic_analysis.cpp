@@ -174,14 +174,14 @@ std::vector<Group> groups_of(const Tree& tree) {
 void add_touched(const BlockGraph& graph, const std::vector<Group>& groups, BlockElimination& out) {
   out.touched_starts.assign(1, 0);
   for (const Group& group : groups)
-    out.touched_starts.push_back(out.touched_starts.back() + group.rows);
-  out.touched.resize(at(out.touched_starts.back()));
-  std::vector<Index> next(out.touched_starts.begin(), out.touched_starts.end() - 1);
+    out.touched_starts.push_back(out.touched_starts.back() + at(group.rows));
+  out.touched.resize(out.touched_starts.back());
+  std::vector<std::size_t> next(out.touched_starts.begin(), out.touched_starts.end() - 1);
   std::vector<Index> group_of(out.order.size()), parent(groups.size(), -1);
   for (std::size_t g = 0; g < groups.size(); ++g)
     for (Index p = groups[g].first; p < groups[g].end(); ++p) {
       group_of[at(p)] = static_cast<Index>(g);
-      out.touched[at(next[g]++)] = p;
+      out.touched[next[g]++] = p;
     }
   // Row by row, so that every list is ascending: p goes to all groups on the way up from those
   // that are joined with it.
@@ -193,7 +193,7 @@ void add_touched(const BlockGraph& graph, const std::vector<Group>& groups, Bloc
     for (const Index q : earlier.of(p))
       for (Index g = group_of[at(q)]; seen[at(g)] != p; g = parent[at(g)]) {
         seen[at(g)] = p;
-        out.touched[at(next[at(g)]++)] = p;
+        out.touched[next[at(g)]++] = p;
         if (parent[at(g)] < 0) parent[at(g)] = own;
       }
   }

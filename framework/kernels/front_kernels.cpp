@@ -8,6 +8,7 @@ namespace majorant {
 namespace {
 
 using Batch = xsimd::batch<double>;
+using Stride = FrontKernels::Stride;
 constexpr Index kTile = FrontKernels::kTile;
 constexpr Index kLanes = static_cast<Index>(Batch::size);
 constexpr Index kParts = kTile / kLanes;  // batches in a tile of rows
@@ -52,8 +53,8 @@ inline void subtract(double* from, const Rows& r) {
 
 // Tiles of one row of tiles by kColumns columns of the product; `count` of them at once.
 template <int count>
-inline void multiply(const double* a, Index a_tile, Index a_stride, const double* b, Index b_stride,
-                     Index depth, Rows (&sum)[count][kColumns]) {
+inline void multiply(const double* a, Index a_tile, Stride a_stride, const double* b,
+                     Stride b_stride, Index depth, Rows (&sum)[count][kColumns]) {
   for (int t = 0; t < count; ++t)
     for (Index c = 0; c < kColumns; ++c)
       for (Index i = 0; i < kParts; ++i) sum[t][c].part[i] = Batch(0.0);
@@ -70,7 +71,7 @@ inline void multiply(const double* a, Index a_tile, Index a_stride, const double
 }
 
 // From `width` columns of one tile of rows, what the columns first to column - 1 put on them.
-inline void subtract_earlier(double* panel, Index stride, Index row, Index first, Index column,
+inline void subtract_earlier(double* panel, Stride stride, Index row, Index first, Index column,
                              Index width) {
   for (Index c = 0; c < width; c += kColumns) {
     Rows sum[1][kColumns];
@@ -82,7 +83,7 @@ inline void subtract_earlier(double* panel, Index stride, Index row, Index first
 }
 
 // The triangle at `column`, with the rest of its tile of rows. inverse: of the pivots.
-inline bool factorize_triangle(double* panel, Index stride, Index column, Index width,
+inline bool factorize_triangle(double* panel, Stride stride, Index column, Index width,
                                double* inverse) {
   double* corner = panel + column * stride + column;
   for (Index c = 0; c < width; ++c) {
@@ -105,7 +106,7 @@ inline bool factorize_triangle(double* panel, Index stride, Index column, Index 
 
 // width: 1 .. kTile. A constant where it matters.
 template <class Width>
-inline void eliminate(double* panel, Index stride, Index row, Index column, Width width,
+inline void eliminate(double* panel, Stride stride, Index row, Index column, Width width,
                       const double* inverse) {
   Rows rows[kTile];
   const double* corner = panel + column * stride + column;
@@ -122,7 +123,7 @@ struct FullWidth {
   constexpr operator Index() const { return kTile; }
 };
 
-bool factorize(double* panel, Index stride, Index first, Index last) {
+bool factorize(double* panel, Stride stride, Index first, Index last) {
   double inverse[kTile];
   for (Index column = first; column < last; column += kTile) {
     const Index width = last - column < kTile ? last - column : kTile;
@@ -139,7 +140,7 @@ bool factorize(double* panel, Index stride, Index first, Index last) {
   return true;
 }
 
-void pack(const double* panel, Index stride, Index rows, Index first_row, Index first, Index last,
+void pack(const double* panel, Stride stride, Index rows, Index first_row, Index first, Index last,
           double* packed) {
   const Index depth = last - first;
   Index row = first_row;
@@ -153,7 +154,7 @@ void pack(const double* panel, Index stride, Index rows, Index first_row, Index 
 }
 
 template <int count>
-inline void update_tiles(double* target, Index stride, Index width, const double* a,
+inline void update_tiles(double* target, Stride stride, Index width, const double* a,
                          const double* b, Index depth) {
   for (Index c = 0; c < width; c += kColumns) {
     Rows sum[count][kColumns];
@@ -163,7 +164,7 @@ inline void update_tiles(double* target, Index stride, Index width, const double
   }
 }
 
-void update(double* target, Index stride, Index columns, const double* packed, Index tiles,
+void update(double* target, Stride stride, Index columns, const double* packed, Index tiles,
             Index depth, Index first_tile, Index last_tile) {
   constexpr int together = kParts == 1 ? 2 : 1;
   const Index tile_size = depth * kTile;
@@ -180,7 +181,7 @@ void update(double* target, Index stride, Index columns, const double* packed, I
   }
 }
 
-void forward(const double* panel, Index stride, Index columns, double* x) {
+void forward(const double* panel, Stride stride, Index columns, double* x) {
   for (Index c = 0; c < columns; ++c) {
     const double* column = panel + c * stride;
     const double value = x[c] / column[c];
@@ -195,7 +196,7 @@ void forward(const double* panel, Index stride, Index columns, double* x) {
   }
 }
 
-void backward(const double* panel, Index stride, Index columns, double* x) {
+void backward(const double* panel, Stride stride, Index columns, double* x) {
   for (Index c = columns; c-- > 0;) {
     const double* column = panel + c * stride;
     double sum = x[c];

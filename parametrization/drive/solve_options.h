@@ -2,7 +2,9 @@
 // them but for the path to it, which may lead to another local one.
 #pragma once
 
+#include <cstddef>
 #include <functional>
+#include <memory>
 
 #include "majorant/elements/element_space.h"
 #include "majorant/framework/curvature.h"
@@ -46,6 +48,10 @@ struct SolveOptions {
   // Of Newton's systems; empty: the library's own direct one, which is the fastest up to some
   // millions of faces. The scaffold's relaxation keeps that.
   SolverFactory linear_solver = {};
+  // Where that is empty: asked after every analysis, before the direct solver allocates so many
+  // bytes for a factor and the making of it. What it returns, if anything, solves instead. May be
+  // empty.
+  std::function<std::unique_ptr<LinearSolver>(std::size_t bytes)> instead_of_factor = {};
   int threads = 0;  // 0: as many as the caller has (thread_count.h); results do not depend on it
 };
 

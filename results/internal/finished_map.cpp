@@ -148,6 +148,8 @@ Json map_report(const FinishedMap& run) {
                 {"measure", r.measure_seconds},
                 {"write", nullptr},
                 {"total", nullptr}}},
+              {"linear_solver", run.linear_solver},
+              {"memory", run.memory},
               {"peak_memory_bytes", peak_memory_bytes()},
               {"threads", ThreadCount::current()},
               {"vector_instructions", vector_instructions()}};

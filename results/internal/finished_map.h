@@ -38,6 +38,7 @@ struct FinishedMap {
   const LayoutPlacement* placement = nullptr;      // how result.map was moved
   bool is_aligned = false, is_normalized = false;  // of that, what was asked for
   const Film* film = nullptr;                      // of the run, if asked for
+  Json linear_solver = {}, memory = {};            // sections of the report, or null
 };
 
 // Whether there is a map to write: the run did not fail, and was feasible.

@@ -158,6 +158,8 @@ Json iterations_section(const std::vector<TraceEntry>& trace) {
                     {"shift", r.shift},
                     {"factorizations", r.factorizations},
                     {"failed_factorizations", r.failed_factorizations},
+                    {"residual", r.residual},
+                    {"solver_iterations", r.solver_iterations},
                     {"trials", r.trials},
                     {"elapsed", e.elapsed},
                     {"seconds",
@@ -184,7 +186,7 @@ void write_trace(const std::string& path, const std::vector<TraceEntry>& trace) 
   std::string out =
       "iteration,degree,energy,relative_decrease,step,step_bound,gradient_norm,newton_decrement,"
       "shift,trials,assemble,factorize,solve,line_search,phase,remedy,level,outcome,minimized,"
-      "curvature,factorizations,failed_factorizations,other,elapsed\n";
+      "curvature,factorizations,failed_factorizations,other,elapsed,residual,solver_iterations\n";
   for (const TraceEntry& e : trace) {
     const IterationRecord& r = e.record;
     out += fmt::format("{},{},{},{},{},{},{},{},{},{},", r.iteration, e.degree, e.energy,
@@ -192,9 +194,10 @@ void write_trace(const std::string& path, const std::vector<TraceEntry>& trace) 
                        r.newton_decrement, r.shift, r.trials);
     out += fmt::format("{},{},{},{},{},{},", r.seconds.assemble, r.seconds.factorize,
                        r.seconds.solve, r.seconds.line_search, phase_name(e.phase), remedy_of(e));
-    out += fmt::format("{},{},{},{},{},{},{},{}\n", e.level, outcome_name(e.outcome), r.energy,
-                       curvature_name(r.curvature), r.factorizations, r.failed_factorizations,
-                       e.other_seconds, e.elapsed);
+    out +=
+        fmt::format("{},{},{},{},{},{},{},{},{},{}\n", e.level, outcome_name(e.outcome), r.energy,
+                    curvature_name(r.curvature), r.factorizations, r.failed_factorizations,
+                    e.other_seconds, e.elapsed, r.residual, r.solver_iterations);
   }
   write_file_atomically(path, out);
 }

@@ -102,6 +102,7 @@ def keys(value, path=''):
         for inner in value:
             yield from keys(inner, path + '[]')
     elif path:
+        path = re.sub(r'^(linear_solver)\.[\w-]+\.', r'\1.RUNG.', path)
         path = re.sub(r'^(result\.distortion)\.\w+\.(?=\w+$)', r'\1.QUANTITY.', path)
         yield re.sub(r'^(proofs|methods\[\]\.within)\.(\w+(?:\.\d+)?)',
                      lambda m: m[1] + ('.QUESTION' if m[1] == 'proofs' else '.FRACTION'), path)
@@ -155,6 +156,9 @@ class Reports(CommandTest):
         self.report('info', self.write('twice.obj', helpers.obj_text(points, faces + faces[:1])))
         self.report('info', cut)
         self.report('info', inverted)
+        self.has_petsc = os.path.exists(os.path.join(os.path.dirname(helpers.BINARY), 'libmajorant_petsc.so'))
+        if self.has_petsc:
+            self.report('parametrize', disk, self.path('b.vtu'), '--degree', 1, '--linear-solver', 'mumps')
 
     def test_every_key(self):
         """Keys of no * are in every report of their verbs, the others in one at least."""
@@ -165,6 +169,8 @@ class Reports(CommandTest):
         always, sometimes, listed = {}, {}, []
         for key, where, *_ in rows(section('Reports')):
             name = re.match(r'`(.*?)`', key)[1]
+            if name.startswith('linear_solver.') and not self.has_petsc:
+                continue
             listed.append(name)
             for word in where.split(', '):
                 for verb in verbs.get(word, [word]):

@@ -1,11 +1,14 @@
 // The sparse Cholesky solver against dense linear algebra.
+#include "majorant/framework/internal/direct_solver.h"
+
 #include <gtest/gtest.h>
 
 #include <limits>
 
 #include "framework/random_matrix.h"
+#include "majorant/framework/error.h"
+#include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/internal/front_kernels.h"
-#include "majorant/framework/linear_solver.h"
 
 namespace majorant {
 namespace {
@@ -30,6 +33,39 @@ TEST_P(DirectSolver, SolvesPositiveDefiniteSystems) {
     ASSERT_EQ(solver->factorize(m.values, 0), FactorStatus::Ok) << nodes << ' ' << block;
     expect_solves(*solver, m.dense, random);
     expect_solves(*solver, m.dense, random);
+  }
+}
+
+// Asked with the bytes of the factor after each analysis; what is given instead solves, once.
+TEST_P(DirectSolver, GivesWayBeforeItAllocates) {
+  Random random(9);
+  const Matrix small = random_matrix(random, 20, 2, 60), large = random_matrix(random, 150, 2, 60);
+  std::vector<std::size_t> asked;
+  const auto solver = make_direct_solver(GetParam(), [&](std::size_t bytes) {
+    asked.push_back(bytes);
+    return asked.size() == 2 ? make_eigen_ldlt_solver() : nullptr;
+  });
+  for (const Matrix* m : {&small, &large, &small}) {
+    solver->analyze(m->pattern);
+    ASSERT_EQ(solver->factorize(m->values, 0), FactorStatus::Ok);
+    expect_solves(*solver, m->dense, random);
+    EXPECT_EQ(solver->factorize(m->values, -1e3), FactorStatus::NotPositiveDefinite);
+    EXPECT_EQ(solver->description().find("multifrontal") == std::string::npos, m == &large);
+  }
+  ASSERT_EQ(asked.size(), 3u);
+  EXPECT_EQ(asked[0], asked[2]);
+  EXPECT_LT(asked[0], asked[1]);
+  EXPECT_GE(asked[0], static_cast<std::size_t>(small.pattern.nonzeros()) * sizeof(double));
+}
+
+TEST(SparsePattern, RefusesMoreEntriesThanItCounts) {
+  EXPECT_EQ(counted("entries", 2147483647), 2147483647);
+  try {
+    counted("entries", std::size_t{2147483648});
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_EQ(e.kind(), ErrorKind::Unsupported);
+    EXPECT_NE(std::string(e.what()).find("2147483648"), std::string::npos) << e.what();
   }
 }
 

@@ -20,12 +20,12 @@ BlockElimination chain(Index blocks) {
   for (Index b = 0; b < blocks; ++b) {
     e.order.push_back(b);
     e.group_starts.push_back(b);
-    e.touched_starts.push_back(static_cast<Index>(e.touched.size()));
+    e.touched_starts.push_back(e.touched.size());
     e.touched.push_back(b);
     if (b + 1 < blocks) e.touched.push_back(b + 1);
   }
   e.group_starts.push_back(blocks);
-  e.touched_starts.push_back(static_cast<Index>(e.touched.size()));
+  e.touched_starts.push_back(e.touched.size());
   return e;
 }
 
@@ -69,7 +69,7 @@ TEST(ExtendedElimination, WithoutEdgesItStaysAsItIs) {
 
 TEST(ExtendedElimination, AnEdgePassesThroughAllGroupsUpToItsEnd) {
   const BlockElimination e = extended_elimination(chain(5), {{3, 0}});
-  EXPECT_EQ(e.touched_starts, (std::vector<Index>{0, 3, 6, 8, 10, 11}));
+  EXPECT_EQ(e.touched_starts, (std::vector<std::size_t>{0, 3, 6, 8, 10, 11}));
   EXPECT_EQ(e.touched, (std::vector<Index>{0, 1, 3, 1, 2, 3, 2, 3, 3, 4, 4}));
 }
 

@@ -3,6 +3,7 @@
 #include "majorant/framework/internal/multifrontal.h"
 
 #include <gtest/gtest.h>
+#include <sys/mman.h>
 
 #include <numeric>
 
@@ -19,7 +20,7 @@ using test::random_matrix;
 // One front of all blocks.
 BlockElimination one_front(const SparsePattern& pattern) {
   const Index blocks = pattern.block_of.back() + 1;
-  BlockElimination e{std::vector<Index>(at(blocks)), {0, blocks}, {0, blocks}, {}};
+  BlockElimination e{std::vector<Index>(at(blocks)), {0, blocks}, {0, at(blocks)}, {}};
   std::iota(e.order.begin(), e.order.end(), 0);
   e.touched = e.order;
   return e;
@@ -30,7 +31,7 @@ BlockElimination two_fronts(const SparsePattern& pattern, Index top) {
   BlockElimination e = one_front(pattern);
   const Index blocks = e.group_starts.back();
   e.group_starts = {0, blocks - top, blocks};
-  e.touched_starts = {0, blocks, blocks + top};
+  e.touched_starts = {0, at(blocks), at(blocks + top)};
   for (Index i = blocks - top; i < blocks; ++i) e.touched.push_back(i);
   return e;
 }
@@ -57,6 +58,58 @@ TEST(Multifrontal, FrontsOfAnySize) {
         EXPECT_LE(residual(m, two_fronts(m.pattern, top), *kernels), 1e-14)
             << nodes << ' ' << top << kernels->name;
     }
+}
+
+// Of more than 2^31 numbers, without the memory for them: what is counted, and where entries go.
+TEST(Multifrontal, CountsPanelsOf64Bits) {
+  constexpr Index kSize = 50000;
+  SparsePattern pattern;
+  for (Index c = 0; c < kSize; ++c) pattern.append_column({});
+  pattern.order_in_blocks(1);
+  const FrontTree tree(pattern, two_fronts(pattern, 4));
+  const std::size_t panel = at(kSize - 4) * at(kSize);
+  EXPECT_EQ(tree.fronts()[0].panel_size(), panel);
+  EXPECT_EQ(tree.fronts()[1].panel, panel);
+  EXPECT_EQ(tree.panel_size(), panel + 4 * 8);
+  const FrontTree::Entry last = tree.entries(0).back();
+  EXPECT_EQ(last.slot, kSize - 5);
+  EXPECT_EQ(last.row, kSize - 5);
+  EXPECT_EQ(last.column, kSize - 5);
+  // An update of 4 columns, and room to pack 64 columns for each thread.
+  const std::size_t bytes = MultifrontalFactor(tree).bytes() / sizeof(double);
+  EXPECT_GE(bytes, tree.panel_size() + 4 * 8 + 64 * at(kSize));
+  EXPECT_LE(bytes, tree.panel_size() + 4 * 8 + 64 * at(kSize + 8) * 64);
+}
+
+// The last columns of such a panel, of which nothing else is touched: as those of a small one.
+TEST(Multifrontal, ReachesPanelsOf64Bits) {
+  constexpr FrontKernels::Stride kStride = 47000;
+  constexpr Index kColumns = 16, kFirst = kStride - kColumns;
+  const std::size_t bytes = kStride * kStride * sizeof(double);
+  void* const memory = ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE,
+                              MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  ASSERT_NE(memory, MAP_FAILED);
+  double* const large = static_cast<double*>(memory);
+  Random random(5);
+  for (const FrontKernels* kernels : all_front_kernels()) {
+    SCOPED_TRACE(kernels->name);
+    std::vector<double> small(kColumns * kColumns, 0.0);
+    for (Index c = 0; c < kColumns; ++c)
+      for (Index r = 0; r < kColumns; ++r)
+        large[(kFirst + c) * kStride + kFirst + r] = small[at(c * kColumns + r)] =
+            r == c ? 40 : random.uniform();
+    ASSERT_TRUE(kernels->factorize(small.data(), kColumns, 0, kColumns));
+    ASSERT_TRUE(kernels->factorize(large, kStride, kFirst, static_cast<Index>(kStride)));
+    std::vector<double> packed(kColumns * kColumns), other(packed.size());
+    kernels->pack(small.data(), kColumns, kColumns, 0, 0, kColumns, packed.data());
+    kernels->pack(large, kStride, static_cast<Index>(kStride), kFirst, kFirst,
+                  static_cast<Index>(kStride), other.data());
+    for (Index c = 0; c < kColumns; ++c)
+      for (Index r = c; r < kColumns; ++r)
+        EXPECT_EQ(large[(kFirst + c) * kStride + kFirst + r], small[at(c * kColumns + r)]);
+    EXPECT_EQ(packed, other);
+  }
+  ::munmap(memory, bytes);
 }
 
 Vec solution(const Matrix& m, const BlockElimination& e, const FrontKernels& kernels) {

@@ -55,9 +55,10 @@ class CholmodAnalysis {
       const auto* first = static_cast<const Index*>(values);
       return std::vector<Index>(first, first + count);
     };
+    const std::vector<Index> starts = list(f->pi, f->nsuper + 1);
     BlockElimination out{
-        list(f->Perm, f->n), list(f->super, f->nsuper + 1), list(f->pi, f->nsuper + 1), {}};
-    out.touched = list(f->s, static_cast<std::size_t>(out.touched_starts.back()));
+        list(f->Perm, f->n), list(f->super, f->nsuper + 1), {starts.begin(), starts.end()}, {}};
+    out.touched = list(f->s, out.touched_starts.back());
     cholmod_free_factor(&f, &common_);
     return out;
   }

@@ -39,8 +39,9 @@ DegreeSolver::DegreeSolver(const Setup& setup, MapDomain& domain,
         setup.stop.poll();  // what follows is the analysis of its pattern
         return built;
       }()),
-      stepper_(built_.problem, newton_options(setup.solve.curvature, setup.rules, setup.stop,
-                                              domain.ordering(), setup.solve.linear_solver)) {
+      stepper_(built_.problem,
+               newton_options(setup.solve.curvature, setup.rules, setup.stop, domain.ordering(),
+                              setup.solve.linear_solver, setup.solve.instead_of_factor)) {
   if (added_.constrained()) meet_added_constraints();
 }
 

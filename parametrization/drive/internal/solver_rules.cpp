@@ -33,7 +33,8 @@ void require_curvature(const DensityTerms& terms, Curvature asked) {
 }
 
 NewtonOptions newton_options(Curvature curvature, const SolverRules& rules, const StopCheck& stop,
-                             Ordering ordering, const SolverFactory& linear_solver) {
+                             Ordering ordering, const SolverFactory& linear_solver,
+                             const InsteadOfFactor& instead) {
   NewtonOptions options;
   options.stopping = rules.stopping;
   options.line_search = rules.line_search;
@@ -41,7 +42,7 @@ NewtonOptions newton_options(Curvature curvature, const SolverRules& rules, cons
   options.kept = rules.kept;
   options.curvature = curvature;
   options.stop = stop;
-  options.linear_solver = [ordering] { return make_direct_solver(ordering); };
+  options.linear_solver = [=] { return make_direct_solver(ordering, instead); };
   if (linear_solver) {
     options.linear_solver = linear_solver;
     options.near_null_space = translations;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "majorant/elements/element_space.h"
+#include "majorant/framework/internal/direct_solver.h"
 #include "majorant/framework/newton.h"
 #include "majorant/parametrization/maps/internal/quadrature_ladder.h"
 #include "majorant/parametrization/maps/map_problem.h"
@@ -115,9 +116,10 @@ struct SolverRules {
 // Throws InvalidArgument, listing what there is, when a term has no such curvature model.
 void require_curvature(const DensityTerms& terms, Curvature asked);
 
-// linear_solver: empty for the direct one with that ordering.
+// linear_solver: empty for the direct one with that ordering, or `instead` of it.
 NewtonOptions newton_options(Curvature curvature, const SolverRules& rules, const StopCheck& stop,
-                             Ordering ordering, const SolverFactory& linear_solver = {});
+                             Ordering ordering, const SolverFactory& linear_solver = {},
+                             const InsteadOfFactor& instead = {});
 
 // Whether a limit or Ctrl-C ended a solve.
 bool was_stopped(Status status);

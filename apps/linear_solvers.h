@@ -1,0 +1,55 @@
+// --linear-solver: what solves Newton's systems of a run, and whether a factor fits into memory.
+//
+//   LinearSolvers solvers("cg-hypre", common.quiet);   // loads PETSc where it is asked for
+//   solvers.apply(options.solve);
+//   parametrize(mesh, options);
+//   const Json ladder = solvers.ladder(), memory = solvers.memory();   // for the report
+#pragma once
+
+#include <CLI/App.hpp>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "majorant/parametrization/drive/solve_options.h"
+#include "majorant/results/internal/solver_ladder.h"
+
+namespace majorant::app {
+
+// "auto": direct where the factor fits. "cholmod" is what "direct" was called.
+void add_linear_solver_to(CLI::App& verb, std::string& name);
+
+class LinearSolvers {
+ public:
+  // name: as that option takes it. Throws Error(Unreadable) where PETSc is asked for and not there.
+  LinearSolvers(std::string name, bool quiet);
+  LinearSolvers(const LinearSolvers&) = delete;
+  LinearSolvers& operator=(const LinearSolvers&) = delete;
+
+  // options: of runs on the thread of this object, which outlives them.
+  void apply(SolveOptions& options);
+
+  Json ladder() const;  // null where the direct solver did everything
+  Json memory() const;  // null where there was nothing to factorize by the direct solver
+
+ private:
+  SolverFactory load(Rung first);
+  std::unique_ptr<LinearSolver> instead_of_factor(std::size_t bytes);
+
+  std::string name_;
+  bool quiet_;
+  SolverFactory petsc_;  // empty: not loaded
+  std::shared_ptr<LadderRecord> record_ = std::make_shared<LadderRecord>();
+  struct Factor {  // the largest so far
+    std::size_t bytes = 0, process = 0;
+    std::optional<std::size_t> available;
+  };
+  Factor largest_;
+  bool has_said_ = false;
+};
+
+}  // namespace majorant::app
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,113 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The linear solvers of one process: conjugate gradients a step, seconds, memory, and what was foretold.
+
+Sample runs (larger meshes: bench/subdivide.py):
+  bench/linear_solvers.py ../shared/data/public/disks/*_10000.obj --counts
+  bench/linear_solvers.py nefertiti_40000.obj nefertiti_160000.obj --max-iterations 6
+  bench/linear_solvers.py nefertiti_1000000.obj nefertiti_4000000.obj --solvers direct cg-hypre --init auto
+
+A line a run. With --counts every system is solved to a residual of 1e-2 at least (by majorant-mpi as
+one process): conjugate gradients to there, mean and most. Else seconds of a step by parts, means over all but the first; the peak of
+memory, all of it and for each face; the process and the factor as foretold after the analysis, over
+that peak. One thread.
+"""
+import argparse
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+
+BUILD = os.path.join(os.path.dirname(__file__), '..', 'build', 'release')
+SERIAL = os.path.join(BUILD, 'apps', 'majorant')
+MPI = os.path.join(BUILD, 'distributed', 'majorant-mpi')
+ENVIRONMENT = dict(os.environ, OMP_NUM_THREADS='1', OPENBLAS_NUM_THREADS='1')
+
+
+def report_of(words, folder):
+    path = os.path.join(folder, 'report.json')
+    if os.path.exists(path):
+        os.remove(path)
+    where = words.index('--petsc') if '--petsc' in words else len(words)
+    done = subprocess.run(words[:where] + ['--report', path, '--quiet'] + words[where:], env=ENVIRONMENT,
+                          text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    if not os.path.exists(path):
+        sys.exit('%s: exit %d: %s' % (' '.join(words), done.returncode, done.stdout.strip()[-300:]))
+    with open(path) as f:
+        return json.load(f), done.stdout
+
+
+def common(mesh, args):
+    return [mesh, '--degree', str(args.degree), '--init', args.init, '--max-iterations',
+            str(args.max_iterations)]
+
+
+def solves(text):
+    """Of each solve that a monitor of PETSc saw: its residuals."""
+    found = []
+    for k, residual in re.findall(r'(\d+) KSP Residual norm ([\d.e+-]+)', text):
+        if k == '0':
+            found.append([])
+        found[-1].append(float(residual))
+    return found
+
+
+def counts(mesh, args, folder):
+    words = [MPI, 'parametrize', *common(mesh, args), '-o', os.path.join(folder, 'a.pvtu'),
+             '--linear-solver', 'cg-hypre', '--petsc', '-majorant_hypre_ksp_rtol', '1e-2',
+             '-majorant_hypre_ksp_monitor', *args.petsc]
+    report, said = report_of(words, folder)
+    taken, other = [], 0
+    for residuals in solves(said)[1:]:  # the first is the start's
+        small = [k for k, r in enumerate(residuals) if r <= 1e-2 * residuals[0]]
+        if small:
+            taken.append(small[0])
+        else:
+            other += 1
+    return '%4d steps  %3d solves, cg mean %5.1f most %3d  %d indefinite or given up  energy %.8f' % (
+        len(report['iterations']), len(taken), sum(taken) / max(1, len(taken)), max(taken, default=0), other,
+        report['result']['value'])
+
+
+def cost(mesh, solver, args, folder):
+    words = [SERIAL, 'parametrize', *common(mesh, args), '-o', os.path.join(folder, 'a.vtu'),
+             '--linear-solver', solver, '--threads', '1']
+    report, _ = report_of(words, folder)
+    rows = [r for r in report['iterations'] if r['degree'] == args.degree and r['level'] == 0][1:]
+    part = {key: sum(r['seconds'][key] for r in rows) / max(1, len(rows))
+            for key in ('assemble', 'factorize', 'solve', 'line_search')}
+    peak, faces, memory = report['peak_memory_bytes'], report['input']['faces'], report.get('memory')
+    foretold = (memory['process_bytes'] + memory['factor_bytes']) / peak if memory else 0
+    gradients = [r['solver_iterations'] for r in rows]
+    return ('%3d steps  assemble %.3f factorize %.3f solve %.3f line search %.3f  a step %.3f s  cg %5.1f  '
+            'peak %5d MB, %4.2f KB a face  foretold %.2f  %s' % (
+                len(report['iterations']), *part.values(), sum(part.values()),
+                sum(gradients) / max(1, len(gradients)), peak >> 20, peak / faces / 1000, foretold,
+                report['status']))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument('meshes', nargs='+')
+    parser.add_argument('--solvers', nargs='+', default=['direct', 'mumps', 'cg-hypre'])
+    parser.add_argument('--degree', type=int, default=1)
+    parser.add_argument('--init', default='tutte')
+    parser.add_argument('--max-iterations', type=int, default=1000)
+    parser.add_argument('--counts', action='store_true')
+    parser.add_argument('--petsc', nargs='*', default=[], help='with --counts: more options')
+    args = parser.parse_args()
+    with tempfile.TemporaryDirectory() as folder:
+        for mesh in args.meshes:
+            name = '%-20s %d ' % (os.path.basename(mesh)[:-4], args.degree)
+            if args.counts:
+                print(name + counts(mesh, args, folder), flush=True)
+                continue
+            for solver in args.solvers:
+                print(name + '%-9s' % solver + cost(mesh, solver, args, folder), flush=True)
+
+
+if __name__ == '__main__':
+    sys.exit(main())

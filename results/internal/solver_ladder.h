@@ -1,0 +1,61 @@
+// The ladder of PETSc's linear solvers, as those see it who ask for it: its rungs, what they did,
+// and how a program that does not link PETSc gets it, from a library that is loaded on demand.
+//
+//   auto record = std::make_shared<LadderRecord>();
+//   const SolverPlugin& plugin = load_solver_plugin({"/usr/lib/majorant"});
+//   SolverFactory solver = plugin.ladder({.first = Rung::Mumps}, record);
+//   const Json section = ladder_section(*record);
+//
+// What rungs are and when they fail: distributed/petsc_solver.h.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "majorant/framework/linear_solver.h"
+#include "majorant/results/internal/report.h"
+
+namespace majorant {
+
+enum class Rung { Amg, Gamg, Icc, Mumps };
+inline constexpr std::array<std::string_view, 4> kRungNames{"cg-hypre", "cg-gamg", "cg-icc",
+                                                            "mumps"};
+
+// What the solvers of a run did, rung by rung.
+struct LadderRecord {
+  struct Use {
+    long set_ups = 0, solves = 0, iterations = 0, falls = 0;  // falls: what failed there
+    int most_iterations = 0;                                  // of one solve
+  };
+  std::array<Use, kRungNames.size()> rungs{};
+  long indefinite = 0;  // matrices
+};
+
+struct LadderOptions {
+  // The first rung; Gamg is not on the way down of the others.
+  Rung first = Rung::Amg;
+  // Systems of fewer unknowns begin with MUMPS, 0: none does.
+  GlobalIndex direct_below = 0;
+};
+
+Json ladder_section(const LadderRecord& record);  // of reports
+
+// What the library that is loaded exports, as majorant_solver_plugin.
+struct SolverPlugin {
+  const char* version;  // of the source that it is compiled from
+  // Starts MPI and PETSc when it is called first, as one process; they end with the program.
+  SolverFactory (*ladder)(const LadderOptions&, std::shared_ptr<LadderRecord>);
+};
+
+// libmajorant_petsc.so of the first of these folders that has one; it stays loaded. Throws
+// Error(Unreadable) where none has, where it cannot be loaded (what it needs is missing), and where
+// it is of another version.
+const SolverPlugin& load_solver_plugin(const std::vector<std::string>& folders);
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

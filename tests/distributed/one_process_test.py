@@ -1,0 +1,222 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""--linear-solver of the command: PETSc's solvers in one process, loaded when they are asked for."""
+import os
+import shutil
+import unittest
+
+from mpi_helpers import *
+
+PLUGIN = os.path.join(os.path.dirname(BINARY), 'libmajorant_petsc.so')
+SOLVERS = ['mumps', 'cg-hypre']
+
+
+class OneProcess(CommandTest):
+    def report(self, verb, *args, code=0, name='report'):
+        done = self.run_ok(verb, *args, '-o', self.path(name + '.vtu'), '--report', self.path(name + '.json'),
+                           '--quiet', code=code)
+        self.assertEqual(done.err, '', 'MPI has nothing to say')
+        with open(self.path(name + '.json')) as f:
+            return json.load(f)
+
+    def same(self, verb, *args, tolerance=1e-8):
+        """By both solvers the minimum of the direct one; what they did is in the report."""
+        whole = self.report(verb, *args)
+        self.assertIsNone(whole['linear_solver'])
+        for solver in SOLVERS:
+            with self.subTest(solver=solver, args=args):
+                report = self.report(verb, *args, '--linear-solver', solver)
+                self.assertEqual(report['status'], whole['status'])
+                self.assertLess(abs(report['result']['value'] / whole['result']['value'] - 1), tolerance)
+                used = report['linear_solver'][solver]
+                self.assertGreater(used['solves'], 0)
+                self.assertGreater(used['set_ups'], 0)
+                if solver == 'cg-hypre':
+                    self.assertGreater(used['iterations'], 0)
+                    counted = sum(row['solver_iterations'] for row in report['iterations'])
+                    rungs = [r for r in report['linear_solver'].values() if isinstance(r, dict)]
+                    self.assertLessEqual(counted, sum(r['iterations'] for r in rungs))
+        return whole
+
+    def test_meshes_and_degrees(self):
+        for mesh in ('nefertiti_500', 'helix_500', 'plane_500'):
+            for degree in (1, 2, 3):
+                self.same('parametrize', disk(mesh), '--degree', degree, '--tolerance', '1e-10')
+
+    def test_options(self):
+        mesh = disk('nefertiti_500')
+        self.same('parametrize', mesh, '--degree', 1, '--boundary', 'fixed')
+        self.same('parametrize', mesh, '--degree', 2, '--init', 'tutte')
+        self.same('parametrize', mesh, '--degree', 1, '--energy', 'arap + 0.1*symmetric-dirichlet')
+        self.same('parametrize', disk('helix_500'), '--degree', 1, '--bijective', tolerance=1e-4)
+
+    def test_other_verbs(self):
+        self.same('seamless', generated('buckle'), '--degree', 2)
+        self.same('parametrize', generated('buckle'), '--degree', 1, '--seams', 'auto')
+        flat = self.write('flat.obj', obj_text(*grid(6, lambda x, y: 0)))
+        pull = self.write('pull.json', '{"handles": [{"vertex": 0, "target": [-0.2, 0.3]},'
+                                       '{"vertex": 48, "target": [1.1, 1]}]}')
+        self.same('deform', flat, '--degree', 2, '--handles', pull)
+
+    def test_the_old_name_of_direct(self):
+        mesh, out = disk('nefertiti_500'), []
+        for name in ('auto', 'direct', 'cholmod'):
+            self.report('parametrize', mesh, '--degree', 1, '--linear-solver', name, name=name)
+            out.append(Vtu(self.path(name + '.vtu')).rows('uv'))
+        self.assertEqual(out[0], out[1])
+        self.assertEqual(out[0], out[2])
+
+    def test_unwrap_refuses(self):
+        self.refused(USAGE, 'unwrap', generated('buckle'), self.path('a.obj'), '--linear-solver', 'mumps',
+                     says=['--linear-solver mumps', 'unwrap', 'leave it out'])
+
+    def test_what_it_links(self):
+        """Neither MPI nor PETSc: who does not ask for them does not wait for them."""
+        libraries = subprocess.run(['ldd', BINARY], stdout=subprocess.PIPE, text=True, check=True).stdout
+        for name in ('libmpi', 'libpetsc', 'libHYPRE', 'libdmumps'):
+            self.assertNotIn(name, libraries)
+        needed = subprocess.run(['ldd', PLUGIN], stdout=subprocess.PIPE, text=True, check=True).stdout
+        self.assertIn('libpetsc', needed)
+        shown = subprocess.run(['nm', '-D', '--defined-only', PLUGIN], stdout=subprocess.PIPE, text=True,
+                               check=True).stdout
+        self.assertEqual([line.split()[-1] for line in shown.splitlines()], ['majorant_solver_plugin'])
+
+
+class Memory(CommandTest):
+    def run_with(self, bytes_left, *args, binary=BINARY):
+        report = self.path('report.json')
+        done = Outcome(subprocess.run(
+            [binary, 'parametrize', disk('nefertiti_500'), self.path('a.vtu'), '--report', report, *args],
+            env=dict(os.environ, MAJORANT_MEMORY_BYTES=str(bytes_left)), text=True,
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE))
+        self.assertEqual(done.code, OK, done.err)
+        with open(report) as f:
+            return json.load(f), [line for line in done.err.splitlines() if 'are left' in line]
+
+    def test_a_factor_that_does_not_fit(self):
+        whole, said = self.run_with(1 << 40, '--degree', '2')
+        self.assertEqual(said, [])
+        self.assertIsNone(whole['linear_solver'])
+        needed = whole['memory']['factor_bytes']
+        self.assertEqual(whole['memory']['available_bytes'], 1 << 40)
+        self.assertEqual(self.run_with(needed, '--degree', '2')[1], [], 'exactly as much')
+        # One byte less: the last degree alone is solved otherwise.
+        report, said = self.run_with(needed - 1, '--degree', '2')
+        self.assertEqual(len(said), 1)
+        self.assertIn('cg-hypre', said[0])
+        by = {row['degree']: row['solver_iterations'] for row in report['iterations']}
+        self.assertEqual(by[1], 0)
+        self.assertGreater(report['linear_solver']['cg-hypre']['solves'], 0)
+        self.assertLess(abs(report['result']['value'] / whole['result']['value'] - 1), 1e-6)
+        report, said = self.run_with(1000, '--degree', '2')
+        self.assertEqual(len(said), 1, 'once a run')
+        self.assertGreater(report['iterations'][0]['solver_iterations'], 0)
+
+    def test_asked_for(self):
+        report, said = self.run_with(1000, '--degree', '1', '--linear-solver', 'direct')
+        self.assertEqual(said, [])
+        self.assertIsNone(report['linear_solver'])
+
+    def test_nothing_else_there(self):
+        binary = shutil.copy(BINARY, self.path('majorant'))
+        report, said = self.run_with(1000, '--degree', '1', binary=binary)
+        self.assertIsNone(report['linear_solver'])
+        self.assertEqual(len(said), 1)
+        for part in ('going on', 'libmajorant_petsc.so', 'petsc-dev'):
+            self.assertIn(part, said[0])
+
+
+class Collapsed(CommandTest):
+    """Tutte's map of a long finger: triangles of 1e-10 of the others."""
+
+    def finger(self, around=24, rings=60):
+        points, radius = [(0, 0, rings)], around / (2 * math.pi)
+        for j in range(rings + 5):
+            r, z = (radius, rings - j) if j <= rings else (radius * (1 + 0.5 * (j - rings)), 0)
+            points += [(r * math.cos(2 * math.pi * i / around), r * math.sin(2 * math.pi * i / around), z)
+                       for i in range(around)]
+        faces = [(0, 1 + i, 1 + (i + 1) % around) for i in range(around)]
+        for a in range(1, 1 + around * (rings + 4), around):
+            for i in range(around):
+                j = (i + 1) % around
+                faces += [(a + i, a + around + i, a + around + j), (a + i, a + around + j, a + j)]
+        return self.write('finger.obj', obj_text(points, faces))
+
+    def check_descent(self, mesh, *petsc, falls):
+        out = {}
+        for solver in ('mumps', 'cg-hypre'):
+            report = self.path('report.json')
+            done = Outcome(subprocess.run(
+                [MPI_BINARY, 'parametrize', mesh, '-o', self.path('a.pvtu'), '--degree', '1', '--init', 'tutte',
+                 '--linear-solver', solver, '--report', report, '--quiet', '--petsc', *petsc],
+                env=ENVIRONMENT, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE))
+            self.assertEqual(done.code, OK, done.err)
+            with open(report) as f:
+                out[solver] = json.load(f)
+        self.assertGreater(out['mumps']['result']['initial_value'], 1e5)
+        value = out['mumps']['result']['value']
+        self.assertLess(out['cg-hypre']['result']['value'] / value - 1, 2e-3)
+        self.assertTrue(out['cg-hypre']['result']['locally_injective'])
+        ladder = out['cg-hypre']['linear_solver']
+        self.assertEqual(ladder['cg-hypre']['falls'] > 0, falls, ladder)
+        if falls:
+            self.assertGreater(ladder['cg-icc']['solves'] + ladder['mumps']['solves'], 0)
+
+    def test_multigrid_copes(self):
+        self.check_descent(self.finger(), falls=False)
+
+    def test_where_it_breaks_down(self):
+        """Without a preconditioner conjugate gradients do not converge: down the ladder."""
+        self.check_descent(self.finger(), '-majorant_hypre_pc_type', 'none', falls=True)
+
+    @where(os.path.join(DATA, 'disks', 'scorpion_10000.obj'))
+    def test_scorpion(self):
+        self.check_descent(os.path.join(DATA, 'disks', 'scorpion_10000.obj'), '-majorant_hypre_pc_type', 'none',
+                           falls=True)
+
+
+class Elsewhere(CommandTest):
+    """The program somewhere else, with and without the plugin."""
+
+    def setUp(self):
+        super().setUp()
+        os.makedirs(self.path('bin'))
+        shutil.copy(BINARY, self.path('bin/majorant'))
+        self.mesh = self.write('grid.obj', obj_text(*grid(5)))
+
+    def run_there(self, *args):
+        return Outcome(subprocess.run([self.path('bin/majorant'), 'parametrize', self.mesh, self.path('a.vtu'),
+                                       *args], text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE))
+
+    def test_missing(self):
+        for solver in SOLVERS:
+            done = self.run_there('--linear-solver', solver)
+            self.assertEqual(done.code, UNREADABLE, done.err)
+            self.assertEqual(done.err.count('\n'), 1)
+            for part in ('--linear-solver ' + solver, 'libmajorant_petsc.so', 'petsc-dev', 'leave the option out'):
+                self.assertIn(part, done.err)
+            self.assertFalse(os.path.exists(self.path('a.vtu')))
+        self.assertEqual(self.run_there().code, OK)
+
+    def test_broken(self):
+        self.write('bin/libmajorant_petsc.so', 'nothing')
+        done = self.run_there('--linear-solver', 'mumps')
+        self.assertEqual(done.code, UNREADABLE, done.err)
+        self.assertIn('cannot be loaded', done.err)
+
+    def test_installed(self):
+        """cmake --install of both components, anywhere."""
+        build, tree = os.environ['MAJORANT_BUILD_DIR'], self.path('tree')
+        for component in ('command', 'mpi'):
+            subprocess.run(['cmake', '--install', build, '--prefix', tree, '--component', component], check=True,
+                           stdout=subprocess.DEVNULL)
+        done = Outcome(subprocess.run([os.path.join(tree, 'bin', 'majorant'), 'parametrize', self.mesh,
+                                       self.path('a.vtu'), '--linear-solver', 'cg-hypre', '--quiet'],
+                                      text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE))
+        self.assertEqual(done.code, OK, done.err)
+        self.assertEqual(done.err, '')
+
+
+if __name__ == '__main__':
+    need_mpi()
+    unittest.main()
