@@ -1,5 +1,6 @@
 #include "apps/process.h"
 
+#include <malloc.h>
 #include <pthread.h>
 #include <sys/auxv.h>
 #include <sys/mman.h>
@@ -127,7 +128,13 @@ std::size_t stack_bytes() {
 
 }  // namespace
 
+// What is freed between two steps is not given back to the system, only to be cleared and mapped
+// again for the next one. Origin: page faults of a bijective run at 10K faces, 18,600 to 9,000, and
+// 3 % of its time; no more with 64 MiB.
+constexpr int kKeptMemory = 16 << 20;  // bytes
+
 void prepare_process(char** argv) {
+  mallopt(M_TOP_PAD, kKeptMemory);
   open_standard_streams();
   require_one_blas_thread(argv);
   handle_signals();

@@ -112,9 +112,12 @@ DensityTerm::Gathered DensityTerm::gather(VecIn x, const Chunk& chunk, const Rul
   const int padded = (count + 7) / 8 * 8;
   for (int p = 0; p < padded; ++p) {
     const Index e = chunk.elements[static_cast<std::size_t>(std::min(p, count - 1))];
-    for (int k = 0; k < rows / block; ++k)
-      for (int c = 0; c < block; ++c)
-        memory[(block * k + c) * stride + p] = x[block * stencils_.nodes(e, k) + c];
+    const Index* nodes = stencils_.nodes.data() + at(e) * at(rows / block);
+    double* to = memory + p;
+    for (int k = 0; k < rows / block; ++k) {
+      const double* from = x.data() + block * nodes[k];
+      for (int c = 0; c < block; ++c, to += stride) *to = from[c];
+    }
     if (rest_.curved()) {
       for (int k = 0; k < rest_rows; ++k) rest[k * stride + p] = rule.rest(e, k);
     } else {

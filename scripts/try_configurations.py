@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What shared libraries and a build without GPL parts promise, tried on builds of them.
+"""What shared libraries, a build without GPL parts and one inside another project promise, tried.
 
     cmake -S . -B build/shared -G Ninja -DBUILD_SHARED_LIBS=ON -DMAJORANT_BUILD_TESTS=OFF
     ninja -C build/shared majorant_command
@@ -11,9 +11,12 @@
     ninja -C build/gplfree majorant_command
     scripts/try_configurations.py --gpl-free build/gplfree --default build/release
 
+    scripts/try_configurations.py --parent build/parent
+
 --shared: names and symbols of the libraries; the command before and after install; consumers by CMake and by
 pkg-config, what they are linked to. --gpl-free: what is loaded, which packages every header that was
 compiled comes from, what is refused; with --default DIR that maps are those of that build, bit by bit.
+--parent: a project with majorant in a folder of its own is configured and built there; its programs run.
 """
 import argparse
 import functools
@@ -197,16 +200,28 @@ def try_gpl_free(build, default):
     print('maps are the same bits' if default else 'maps are made and proven')
 
 
+def try_parent(build):
+    run('cmake', '-S', CONSUMERS / 'parent', '-B', build, '-G', 'Ninja', '-DMAJORANT_SOURCE_DIR=%s' % SOURCE)
+    run('ninja', '-C', build, 'parent', 'framework_user')
+    value = float(run(build / 'parent', MESH))
+    print('the parent says', value, 'of cap.obj')
+    assert 4 < value < 6 and abs(float(run(build / 'framework_user')) - 73.5) < 1e-9
+    assert not {'libcholmod', 'libceres', 'libopenblas', 'libgmp'} & set(loaded(build / 'framework_user'))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument('--shared', type=Path)
     parser.add_argument('--gpl-free', type=Path)
     parser.add_argument('--default', type=Path)
+    parser.add_argument('--parent', type=Path)
     arguments = parser.parse_args()
     if arguments.shared:
         try_shared(arguments.shared.resolve())
     if arguments.gpl_free:
         try_gpl_free(arguments.gpl_free.resolve(), arguments.default and arguments.default.resolve())
+    if arguments.parent:
+        try_parent(arguments.parent.resolve())
 
 
 if __name__ == '__main__':

@@ -43,6 +43,12 @@ struct Run {
   }
   // After an exception or a stop every trial point is refused, until Ceres gives up.
   bool is_over() const { return error || directive != Directive::Continue; }
+  // Whether result.y is stationary as far as Ceres was asked for.
+  bool is_flat() {
+    Vec gradient;
+    evaluator.gradient(result.y, gradient);
+    return options.scale * gradient.lpNorm<Eigen::Infinity>() <= options.gradient_tolerance;
+  }
 
   Evaluator evaluator;
   const CeresOptions& options;
@@ -149,10 +155,7 @@ Status status_of(ceres::TerminationType type, Run& run) {
   if (type == ceres::NO_CONVERGENCE) return Status::MaxIterations;
   if (run.directive != Directive::Continue) return stopped_status(run.directive);
   if (type == ceres::FAILURE && !run.started) return Status::Failed;
-  Vec gradient;
-  run.evaluator.gradient(run.result.y, gradient);
-  if (run.options.scale * gradient.lpNorm<Eigen::Infinity>() <= run.options.gradient_tolerance)
-    return Status::Converged;
+  if (run.is_flat()) return Status::Converged;
   return type == ceres::CONVERGENCE && !run.cut_short ? Status::Converged : Status::Stalled;
 }
 
@@ -180,12 +183,18 @@ SolveResult CeresMinimizer::minimize(const Problem& problem, Vec y0,
   CeresSolver::Summary summary;
   ceres::Solve(options, function, y.data(), &summary);
   if (run.error) std::rethrow_exception(run.error);
-  // Ceres calls back after its convergence tests: the last step is still to be told.
-  if (summary.termination_type == ceres::CONVERGENCE && y != run.result.y)
+  // Ceres calls back after its convergence tests: the last step is still to be told. Where there
+  // is none a search found nothing, which Ceres takes for a function that changes little.
+  const bool moved = y != run.result.y;
+  if (summary.termination_type == ceres::CONVERGENCE && moved)
     run.accept(y, summary.iterations.empty() ? 0 : summary.iterations.back().step_size);
   if (run.refused) run.result.blocking = run.blocking;
   run.result.status = status_of(summary.termination_type, run);
   run.result.message = summary.message;
+  if (run.result.status == Status::Converged && !moved && !run.is_flat()) {
+    run.result.status = Status::Stalled;
+    run.result.message = "the last line search ended where it began";
+  }
   // Ceres takes an energy that falls as far as doubles go for converged, or gives up.
   if (run.directive == Directive::Continue)
     if (std::string why = unbounded_along_gradient(run.evaluator, run.result.y, run.result.energy);

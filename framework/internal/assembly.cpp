@@ -1,20 +1,19 @@
 #include "majorant/framework/internal/assembly.h"
 
 #include <algorithm>
+#include <span>
 
 namespace majorant {
 namespace {
 
-// Distinct reduced unknowns of an element, sorted.
-void reduced_unknowns(const Stencils& s, const Elimination& z, Index e, std::vector<Index>& out) {
-  out.clear();
+// Appends the reduced unknowns of an element, some maybe several times.
+void append_reduced_unknowns(const Stencils& s, const Elimination& z, Index e,
+                             std::vector<Index>& out) {
   for (Index k = 0; k < s.nodes.cols(); ++k)
     for (int c = 0; c < s.block; ++c) {
       const Index i = s.block * s.nodes(e, k) + c;
       for (auto q = z.begin(i); q != z.end(i); ++q) out.push_back(q->reduced);
     }
-  std::sort(out.begin(), out.end());
-  out.erase(std::unique(out.begin(), out.end()), out.end());
 }
 
 }  // namespace
@@ -24,14 +23,13 @@ SparsePattern reduced_pattern(const std::vector<const Stencils*>& terms,
   const Index n = elimination.reduced_size();
   // The unknowns of all elements one after the other; by unknown, the elements that have it.
   std::vector<std::size_t> starts{0}, element_starts(at(n) + 2, 0);
-  std::vector<Index> all, unknowns;
+  std::vector<Index> all;
   for (const Stencils* s : terms)
     for (Index e = 0; e < s->element_count(); ++e) {
-      reduced_unknowns(*s, elimination, e, unknowns);
-      for (const Index u : unknowns) ++element_starts[at(u) + 2];
-      all.insert(all.end(), unknowns.begin(), unknowns.end());
+      append_reduced_unknowns(*s, elimination, e, all);
       starts.push_back(all.size());
     }
+  for (const Index u : all) ++element_starts[at(u) + 2];
   for (std::size_t u = 2; u < element_starts.size(); ++u)
     element_starts[u] += element_starts[u - 1];
   std::vector<std::size_t> elements(all.size());
@@ -40,14 +38,24 @@ SparsePattern reduced_pattern(const std::vector<const Stencils*>& terms,
       elements[element_starts[at(all[k]) + 1]++] = e;
   SparsePattern p;
   std::vector<Index> mark(at(n), -1), below;
+  const auto elements_of = [&](Index c) {
+    return std::span(elements).subspan(element_starts[at(c)],
+                                       element_starts[at(c) + 1] - element_starts[at(c)]);
+  };
   for (Index c = 0; c < n; ++c) {
+    const auto with = elements_of(c);
     below.clear();
-    for (std::size_t q = element_starts[at(c)]; q < element_starts[at(c) + 1]; ++q)
-      for (std::size_t k = starts[elements[q]]; k < starts[elements[q] + 1]; ++k)
-        if (const Index r = all[k]; r > c && mark[at(r)] != c) {
-          mark[at(r)] = c;
-          below.push_back(r);
-        }
+    if (c > 0 && !with.empty() && std::ranges::equal(with, elements_of(c - 1))) {
+      // Of one node: the rows of the unknown before it, but that one's and its own.
+      below.assign(p.rows.begin() + p.diagonal_slot(c - 1) + 2, p.rows.end());
+    } else {
+      for (const std::size_t e : with)
+        for (std::size_t k = starts[e]; k < starts[e + 1]; ++k)
+          if (const Index r = all[k]; r > c && mark[at(r)] != c) {
+            mark[at(r)] = c;
+            below.push_back(r);
+          }
+    }
     p.append_column(below);
   }
   p.block_of = node_blocks(terms, elimination);

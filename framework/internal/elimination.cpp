@@ -24,14 +24,18 @@ Elimination::Elimination(Index full_size, const ConstraintRows& rows)
   const Index all = full_size + auxiliary_size_;
   std::vector<Index> reduced(at(all), -1);
   for (Index i = 0; i < all; ++i) {
-    if (solved.count(i)) continue;
+    if (solved.fixed[at(i)] || solved.others.count(i)) continue;
     reduced[at(i)] = static_cast<Index>(free_.size());
     free_.push_back(i);
   }
   offset_ = Vec::Zero(full_size);
   starts_.push_back(0);
+  starts_.reserve(at(full_size) + 1);
+  entries_.reserve(at(full_size));
   for (Index i = 0; i < full_size; ++i) {
-    if (const auto it = solved.find(i); it != solved.end()) {
+    if (solved.fixed[at(i)]) {
+      offset_[i] = solved.fixed_to[i];
+    } else if (const auto it = solved.others.find(i); it != solved.others.end()) {
       for (const auto& [unknown, c] : it->second.terms)
         entries_.push_back({reduced[at(unknown)], c});
       offset_[i] = it->second.constant;

@@ -125,22 +125,18 @@ void FrontTree::place_entries(const SparsePattern& pattern) {
   for (std::size_t k = 0; k < order_.size(); ++k) position[at(order_[k])] = static_cast<Index>(k);
   const std::size_t count = fronts_.size() - 1;
   std::vector<std::size_t> starts(count + 2, 0);
-  const auto visit = [&](const auto& use) {
-    for (Index c = 0; c < pattern.size; ++c)
-      for (Index k = pattern.column_starts[at(c)]; k < pattern.column_starts[at(c) + 1]; ++k) {
-        const Index a = position[at(c)], b = position[at(pattern.rows[at(k)])];
-        use(k, std::min(a, b), std::max(a, b));
-      }
-  };
-  visit([&](Index, Index column, Index) { ++starts[at(front_of_[at(column)]) + 2]; });
+  std::vector<Index> columns(pattern.rows.size()), rows(pattern.rows.size());
+  for (Index c = 0; c < pattern.size; ++c)
+    for (Index k = pattern.column_starts[at(c)]; k < pattern.column_starts[at(c) + 1]; ++k) {
+      const auto [column, row] = std::minmax(position[at(c)], position[at(pattern.rows[at(k)])]);
+      columns[at(k)] = column;
+      rows[at(k)] = row;
+      ++starts[at(front_of_[at(column)]) + 2];
+    }
   for (std::size_t f = 2; f < starts.size(); ++f) starts[f] += starts[f - 1];
   entries_.resize(pattern.rows.size());
-  std::vector<Index> columns(pattern.rows.size());
-  visit([&](Index slot, Index column, Index row) {
-    const std::size_t place = starts[at(front_of_[at(column)]) + 1]++;
-    entries_[place] = {slot, row};
-    columns[place] = column;
-  });
+  for (Index k = 0; k < pattern.nonzeros(); ++k)
+    entries_[starts[at(front_of_[at(columns[at(k)])]) + 1]++].slot = k;
   std::vector<Index> local(order_.size());
   for (std::size_t f = 0; f < count; ++f) {
     Front& front = fronts_[f];
@@ -148,8 +144,11 @@ void FrontTree::place_entries(const SparsePattern& pattern) {
     for (Index c = 0; c < front.columns; ++c) local[at(front.first + c)] = c;
     Index next = front.columns;
     for (const Index row : rows_below(static_cast<Index>(f))) local[at(row)] = next++;
-    for (std::size_t k = starts[f]; k < starts[f + 1]; ++k)
-      entries_[k].place = (columns[k] - front.first) * front.stride + local[at(entries_[k].place)];
+    for (std::size_t k = starts[f]; k < starts[f + 1]; ++k) {
+      Entry& entry = entries_[k];
+      entry.place =
+          (columns[at(entry.slot)] - front.first) * front.stride + local[at(rows[at(entry.slot)])];
+    }
   }
   fronts_[count].entries = entries_.size();
 }

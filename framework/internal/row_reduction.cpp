@@ -108,16 +108,53 @@ bool has_integers_only(const ConstraintRows& rows, std::size_t r) {
                           rows.label(r), residual));
 }
 
+using Expressions = std::unordered_map<Index, AffineExpression>;
+
+// Whether a row is +-x = number, and nothing else is said of x.
+class LoneRows {
+ public:
+  LoneRows(Index full_size, const ConstraintRows& rows) : full_size_(full_size), rows_(rows) {
+    mentions_.resize(at(full_size + rows.auxiliary_count()), 0);
+    for (std::size_t r = 0; r < rows.size(); ++r)
+      for (auto e = rows.begin(r); e != rows.end(r); ++e) ++mentions_[at(unknown(*e))];
+  }
+  bool contains(std::size_t r) const {
+    const auto e = rows_.begin(r);
+    return rows_.end(r) - e == 1 && std::abs(e->coefficient) == 1 &&
+           mentions_[at(unknown(*e))] == 1;
+  }
+  void solve(SolvedUnknowns& solved) const {
+    solved.fixed.assign(mentions_.size(), 0);
+    solved.fixed_to = Vec::Zero(static_cast<Eigen::Index>(mentions_.size()));
+    for (std::size_t r = 0; r < rows_.size(); ++r)
+      if (contains(r)) {
+        const ConstraintRows::Entry& e = *rows_.begin(r);
+        solved.fixed[at(unknown(e))] = 1;
+        solved.fixed_to[unknown(e)] += e.coefficient * rows_.rhs(r);
+      }
+  }
+
+ private:
+  Index unknown(const ConstraintRows::Entry& e) const {
+    return row_position(e.unknown, full_size_);
+  }
+
+  Index full_size_;
+  const ConstraintRows& rows_;
+  std::vector<Index> mentions_;  // by row_position()
+};
+
 // Gauss-Jordan: `solved` expresses eliminated unknowns by free ones only, after every row.
 class IntegerRows {
  public:
-  IntegerRows(Index full_size, const ConstraintRows& rows) : full_size_(full_size), rows_(rows) {
+  IntegerRows(Index full_size, const ConstraintRows& rows, const LoneRows& lone)
+      : full_size_(full_size), rows_(rows) {
     for (std::size_t r = 0; r < rows.size(); ++r) scale_ = std::max(scale_, std::abs(rows.rhs(r)));
     for (std::size_t r = 0; r < rows.size(); ++r)
-      if (has_integers_only(rows, r)) eliminate(r);
+      if (!lone.contains(r) && has_integers_only(rows, r)) eliminate(r);
   }
-  SolvedUnknowns solved() const {
-    SolvedUnknowns rounded;
+  Expressions solved() const {
+    Expressions rounded;
     for (const auto& [unknown, e] : solved_) {
       AffineExpression& out = rounded[unknown];
       out.constant = e.constant;
@@ -185,7 +222,7 @@ class IntegerRows {
 // The rows that have other coefficients, after those of integers.
 class RealRows {
  public:
-  RealRows(Index full_size, const ConstraintRows& rows, SolvedUnknowns solved)
+  RealRows(Index full_size, const ConstraintRows& rows, Expressions solved)
       : full_size_(full_size), rows_(rows), solved_(std::move(solved)) {
     std::vector<std::size_t> own;
     for (std::size_t r = 0; r < rows.size(); ++r)
@@ -194,7 +231,7 @@ class RealRows {
     for (const auto& [unknown, e] : solved_) register_user(unknown, e);
     for (const std::size_t r : own) eliminate(r);
   }
-  SolvedUnknowns take() { return std::move(solved_); }
+  Expressions take() { return std::move(solved_); }
 
  private:
   // A row after subtracting those before it, and the largest numbers that went into it.
@@ -300,7 +337,7 @@ class RealRows {
 
   Index full_size_;
   const ConstraintRows& rows_;
-  SolvedUnknowns solved_;
+  Expressions solved_;
   std::unordered_map<Index, std::set<Index>> users_;  // free unknown -> solved that use it
   std::unordered_map<Index, std::size_t> row_of_;     // solved unknown -> row
 };
@@ -308,7 +345,11 @@ class RealRows {
 }  // namespace
 
 SolvedUnknowns solve_rows(Index full_size, const ConstraintRows& rows) {
-  return RealRows(full_size, rows, IntegerRows(full_size, rows).solved()).take();
+  const LoneRows lone(full_size, rows);
+  SolvedUnknowns solved;
+  lone.solve(solved);
+  solved.others = RealRows(full_size, rows, IntegerRows(full_size, rows, lone).solved()).take();
+  return solved;
 }
 
 }  // namespace majorant

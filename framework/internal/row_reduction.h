@@ -7,11 +7,13 @@
 // with other coefficients follow, in doubles, each solved for its largest coefficient. Such a row
 // follows from those before it where subtracting them leaves no more than kFollows of what was
 // subtracted; where it leaves more but less than kNearlyFollows, nobody can tell, and it is
-// refused by name.
+// refused by name. A row x = number whose unknown no other row has (a pin, most often: thousands of
+// them) takes part in none of this.
 #pragma once
 
 #include <map>
 #include <unordered_map>
+#include <vector>
 
 #include "majorant/framework/constraint.h"
 #include "majorant/framework/types.h"
@@ -32,7 +34,12 @@ struct AffineExpression {
   std::map<Index, double> terms;
   double constant = 0;
 };
-using SolvedUnknowns = std::unordered_map<Index, AffineExpression>;
+struct SolvedUnknowns {
+  // By row_position(): that fixed_to holds the value of an unknown that one row alone fixes.
+  std::vector<char> fixed;
+  Vec fixed_to;
+  std::unordered_map<Index, AffineExpression> others;
+};
 
 // Auxiliary unknowns are numbered after the full ones.
 inline Index row_position(Index unknown, Index full_size) {

@@ -75,6 +75,19 @@ class Components(unittest.TestCase):
         self.assert_runs_alone(program)
 
     @unittest.skipUnless(shutil.which('pkg-config'), 'no pkg-config')
+    def test_pkg_config_of_everything(self):
+        program = os.path.join(self.folder, 'all_by_pkg_config')
+        flags = self.pkg_config('--cflags', '--libs', 'majorant')
+        run(os.environ.get('CXX', 'c++'), '-std=c++20', '-O0', os.path.join(HERE, 'consumer', 'main.cpp'),
+            '-o', program, *flags)
+        mesh, report = os.path.join(SOURCE, 'meshes/cap.obj'), os.path.join(self.folder, 'cap.json')
+        run(os.path.join(self.prefix, 'bin', 'majorant'), 'parametrize', mesh, os.path.join(self.folder, 'cap.vtu'),
+            '--init', 'tutte', '--degree', '3', '--report', report)
+        with open(report) as f:
+            expected = json.load(f)['result']['value']
+        self.assertAlmostEqual(float(run(program, mesh)) / expected, 1, delta=1e-9)  # see package_test.py
+
+    @unittest.skipUnless(shutil.which('pkg-config'), 'no pkg-config')
     def test_pkg_config_knows_the_version_and_every_archive(self):
         version = self.pkg_config('--modversion', 'majorant')
         self.assertEqual(version, run(os.path.join(self.prefix, 'bin', 'majorant'), '--version').split()[1:2])
