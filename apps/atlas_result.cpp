@@ -12,10 +12,6 @@
 namespace majorant::app {
 namespace {
 
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 // Points with targets keep their charts where they put them.
 MapPage page_of(const FinishedUnwrap& run) {
   MapPage page;

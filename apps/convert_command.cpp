@@ -22,7 +22,7 @@
 namespace majorant::app {
 namespace {
 
-struct Request {
+struct ConvertRequest {
   CommonOptions common;
   std::string input, positional_output, distortion;
   std::vector<std::string> outputs;
@@ -86,7 +86,7 @@ MapPage page_of(const MapFile& map, const std::string& name) {
 }
 
 // Arrays of a file whose scale is assumed would claim what it does not.
-void measure(const Request& request, MapFile& map, WrittenFiles& written) {
+void measure(const ConvertRequest& request, MapFile& map, WrittenFiles& written) {
   const MapDistortion measured = measure_distortion(map);
   const bool is_assumed = has_assumed_scale(map);
   map.face_distortion = is_assumed ? FaceDistortion() : finite_or_none(measured.faces);
@@ -98,7 +98,7 @@ void measure(const Request& request, MapFile& map, WrittenFiles& written) {
   written.write(path, [&] { write_distortion(path, map, measured.faces); });
 }
 
-void write_report(const Request& request, WrittenFiles& written) {
+void write_report(const ConvertRequest& request, WrittenFiles& written) {
   const Json report{{"schema_version", 1},
                     {"version", MAJORANT_VERSION},
                     {"command", "convert"},
@@ -107,7 +107,7 @@ void write_report(const Request& request, WrittenFiles& written) {
   written.write(request.common.report, [&] { write_json(request.common.report, report); });
 }
 
-int convert(Request request) {
+int convert(ConvertRequest request) {
   if (!request.positional_output.empty()) request.outputs.push_back(request.positional_output);
   if (request.distortion.empty()) require_some_output(request.outputs, map_extensions());
   require_writable(request.common,
@@ -135,7 +135,7 @@ int convert(Request request) {
 }  // namespace
 
 void add_convert(CLI::App& app, Action* run) {
-  auto request = std::make_shared<Request>();
+  auto request = std::make_shared<ConvertRequest>();
   CLI::App& verb = *app.add_subcommand("convert", "write a finished map in other formats");
   verb.add_option("result", request->input,
                   "result: .vtu, .msh, or .obj or .ply with texture coordinates")

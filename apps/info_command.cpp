@@ -21,7 +21,7 @@
 namespace majorant::app {
 namespace {
 
-struct Request {
+struct InfoRequest {
   CommonOptions common;
   std::string input;
   bool plan = false;
@@ -173,7 +173,7 @@ void describe_plan_or_refusal(const RepairedSurface& surface, Description& out) 
   out.report["plan"] = {{"message", e.what()}};
 }
 
-int info(const Request& request) {
+int info(const InfoRequest& request) {
   require_writable(request.common, {}, {request.input});
   const PolygonMesh polygons = read_mesh(request.input);
   Description out;
@@ -192,7 +192,7 @@ int info(const Request& request) {
 }  // namespace
 
 void add_info(CLI::App& app, Action* run) {
-  auto request = std::make_shared<Request>();
+  auto request = std::make_shared<InfoRequest>();
   CLI::App& verb = *app.add_subcommand("info", "describe a mesh, its defects, and what maps it");
   verb.add_option("input", request->input, "mesh: .obj .off .ply .stl .vtu .msh, also .gz")
       ->required();

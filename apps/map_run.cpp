@@ -90,8 +90,9 @@ std::optional<LayoutPlacement> MapRun::place(ParametrizationResult& result) {
   record_.begin(Activity::Measuring);
   const bool is_turned = request_.outputs.turns_map(), is_scaled = request_.outputs.normalize;
   const Vector2 direction = is_turned ? principal_direction(*result.map) : Vector2(1, 0);
-  auto placed = (is_scaled ? into_unit_square : turned_along)(
-      *result.map, direction, in_.options.map.energy, record_.stop());
+  const EnergySum& energy = in_.options.map.energy;
+  auto placed = is_scaled ? into_unit_square(*result.map, direction, energy, record_.stop())
+                          : turned_along(*result.map, direction, energy, record_.stop());
   if (!placed) {
     result.status = Status::Failed;
     result.message = fmt::format(

@@ -12,13 +12,13 @@
 namespace majorant::app {
 namespace {
 
-struct Request : MapVerb {
+struct ParametrizeRequest : MapVerb {
   SeamRequest seams;
 };
 
 // Tutte's map of the surface cut open to one piece.
-Start cut_start(const Request& request, const PolygonMesh& polygons, const SurfaceMesh& mesh,
-                const StopCheck& stop, std::optional<SurfaceCuts>& cuts) {
+Start cut_start(const ParametrizeRequest& request, const PolygonMesh& polygons,
+                const SurfaceMesh& mesh, const StopCheck& stop, std::optional<SurfaceCuts>& cuts) {
   CutOptions asked = request.seams.options(polygons);
   const MapOptions map = read_options(request.map, polygons, mesh).map;
   for (const auto* points : {&map.pins, &map.handles})
@@ -36,7 +36,7 @@ Start cut_start(const Request& request, const PolygonMesh& polygons, const Surfa
   return Start{BezierMap::linear(open, initial_map(*open, plain, stop))};
 }
 
-int run_job(Request request) {
+int run_job(ParametrizeRequest request) {
   MapRun run("parametrize", request, {request.seams.file()});
   std::optional<SurfaceCuts> cuts;
   const auto cut_open = [&](const PolygonMesh& polygons, const SurfaceMesh& mesh) {
@@ -57,7 +57,7 @@ int run_job(Request request) {
 }  // namespace
 
 void add_parametrize(CLI::App& app, Action* run) {
-  auto request = std::make_shared<Request>();
+  auto request = std::make_shared<ParametrizeRequest>();
   CLI::App& verb = *app.add_subcommand(
       "parametrize", "map a surface mesh onto the plane, injectively and with low distortion");
   request->add_to(verb);

@@ -27,16 +27,14 @@ std::string line(const TraceEntry& e) {
                      e.record.step, phase, level);
 }
 
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
 // What fits on one line: a line that wraps cannot be taken away.
 std::size_t terminal_width() {
   winsize size{};
   if (::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return 80;
   return size.ws_col;
 }
+
+}  // namespace
 
 // The line at the bottom of a terminal.
 class LiveLine {
@@ -115,8 +113,6 @@ class Log {
   std::string held_;
   bool is_open_ = false;  // nothing is held back any more
 };
-
-}  // namespace
 
 class Progress::Display {
  public:

@@ -15,12 +15,17 @@
 // before has said one line, that of the refusal. Ended by an exception, those held back are lost.
 #pragma once
 
+#include <chrono>
 #include <memory>
 
 #include "apps/command.h"
 #include "majorant/framework/run_record.h"
 
 namespace majorant::app {
+
+inline double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
 
 class Progress {
  public:

@@ -14,10 +14,6 @@
 namespace majorant::app {
 namespace {
 
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 void write_table(const FinishedRun& run, const MapFile& file, WrittenFiles& written) {
   const std::string& path = run.outputs.distortion;
   if (path.empty()) return;

@@ -14,7 +14,7 @@
 namespace majorant::app {
 namespace {
 
-struct Request : MapVerb {
+struct SeamlessRequest : MapVerb {
   std::string cones, start = "automatic";
   double curvature_alignment = 0;
 };
@@ -34,7 +34,7 @@ std::vector<Cone> read_cones_of(const std::string& path, const PolygonMesh& poly
   return cones;
 }
 
-int run_job(Request request) {
+int run_job(SeamlessRequest request) {
   MapRun run("seamless", request, {request.cones});
   const auto make_start = [&](const PolygonMesh& polygons, const SurfaceMesh& mesh) {
     SeamlessOptions options;
@@ -55,11 +55,11 @@ int run_job(Request request) {
 }  // namespace
 
 void add_seamless(CLI::App& app, Action* run) {
-  auto request = std::make_shared<Request>();
+  auto request = std::make_shared<SeamlessRequest>();
   CLI::App& verb = *app.add_subcommand(
       "seamless",
       "make a seamless map with cones of a plain mesh, closed or bounded, of any genus");
-  Request& r = *request;
+  SeamlessRequest& r = *request;
   r.map.seamless = true;
   r.add_to(verb);
   verb.add_option("--cones", r.cones, "the cones, JSON (default: those of a smooth cross field)")

@@ -18,7 +18,7 @@
 namespace majorant::app {
 namespace {
 
-struct Request {
+struct UnwrapVerb {
   CommonOptions common;
   MapRequest map;
   OutputRequest outputs;
@@ -26,7 +26,7 @@ struct Request {
   UnwrapRequest unwrap;
 };
 
-Json options_of(const Request& request) {
+Json options_of(const UnwrapVerb& request) {
   Json options = request.map.to_json();
   options.update(request.solve.to_json());
   options.update(request.unwrap.to_json());
@@ -36,7 +36,7 @@ Json options_of(const Request& request) {
   return options;
 }
 
-void require_usable(Request& request) {
+void require_usable(UnwrapVerb& request) {
   require_gpl_parts("unwrap");
   request.outputs.require_usable(request.map);
   if (request.outputs.turns_map())
@@ -58,7 +58,7 @@ void require_usable(Request& request) {
                     request.unwrap.seams.file(), request.outputs.formats.readable_image()});
 }
 
-int unwrap_file(Request request) {
+int unwrap_file(UnwrapVerb request) {
   const auto start = std::chrono::steady_clock::now();
   Progress progress(request.common);
   RunRecord record = request.solve.make_record(progress);
@@ -100,7 +100,7 @@ int unwrap_file(Request request) {
 }  // namespace
 
 void add_unwrap(CLI::App& app, Action* run) {
-  auto request = std::make_shared<Request>();
+  auto request = std::make_shared<UnwrapVerb>();
   CLI::App& verb = *app.add_subcommand(
       "unwrap", "cut any mesh into charts and lay them side by side, without overlaps");
   request->map.add_to(verb);

@@ -1,11 +1,12 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a clean build costs: user CPU seconds of every compiler and linker call, slowest first.
+"""What a clean build costs: CPU seconds of every compiler and linker call, slowest first.
 
 Configures an empty folder, builds with the compiler cache off and lets each call be started by this
-same script, which writes down what the call used. CPU seconds, not wall: they depend little on what
-else runs on the machine and on --jobs. Then --touch FILE... says what a change of FILE builds anew.
+same script, which writes down what the call used. CPU seconds (user and system), not wall: they depend
+little on what else runs on the machine and on --jobs. Then --touch FILE... says what a change of FILE
+builds anew, and --suite runs the tests and prints the row of docs/architecture.md.
 --formulas builds nothing: it compiles files of a user with one energy of their own, as the examples are
 compiled, beside one that only includes majorant.h; the least of --runs.
 
@@ -13,6 +14,8 @@ Sample runs:
   bench/compile_times.py
   bench/compile_times.py --cxx clang++
   bench/compile_times.py --touch energies/densities/arap.h
+  bench/compile_times.py --suite
+  bench/compile_times.py --options=-DCMAKE_UNITY_BUILD=OFF      (every file by itself)
   bench/compile_times.py --formulas
 """
 import argparse
@@ -24,10 +27,14 @@ import shlex
 import shutil
 import subprocess
 import sys
+import time
 from collections import defaultdict
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT / 'scripts'))
+import include_graph  # noqa: E402
+
 LOG = 'MAJORANT_CALL_TIMES'  # the file calls are written to; set: this run starts one call
 ANISOTROPIC = 'J.squaredNorm() + J.inverse().squaredNorm()'
 FORMULAS = [  # what the file has, beside #include "majorant/majorant.h" and main
@@ -48,10 +55,16 @@ EnergyFactory mine() {
 '''
 
 
+def seconds_of_children():
+    """User and system, of those that are over."""
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return usage.ru_utime + usage.ru_stime
+
+
 def timed_call(log, command):
-    """Runs one compiler or linker call and appends its user seconds and its output's name."""
+    """Runs one compiler or linker call and appends its seconds and its output's name."""
     status = subprocess.call(command)
-    seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+    seconds = seconds_of_children()
     output = command[command.index('-o') + 1] if '-o' in command else '?'
     kind = 'compile' if '-c' in command or '-x' in command else 'link'
     with open(log, 'a') as file:
@@ -80,6 +93,7 @@ def part(output):
     if 'cmake_pch' in output:
         return 'precompiled headers'
     for name, key in (('tests', 'tests/'), ('examples', 'examples/'), ('bench', 'bench/'),
+                      ('Python', 'python/'), ('majorant-mpi', 'distributed/'),
                       ('kernels', '_kernels_'), ('command', 'apps/')):
         if key in output:
             return name
@@ -99,6 +113,35 @@ def print_calls(calls, count):
     print('\n| slowest | CPU s |\n|---|---|')
     for seconds, _, output in calls[:count]:
         print(f'| {short(output)} | {seconds:.1f} |')
+
+
+def sizes(source):
+    """Of the library and its commands: files, lines, public headers, constants."""
+    rooms = [source, *(source / room / part for room in include_graph.FLOOR
+                       for part in ('', 'internal', 'detail', 'densities', 'kernels'))]
+    files = {path for room in rooms for path in room.glob('*') if path.suffix in ('.h', '.cpp')}
+    lines = sum(len(path.read_text().splitlines()) for path in files)
+    public = (source / 'tests/package/public_headers.txt').read_text().splitlines()
+    numbers = len(re.findall(r'^\| `', (source / 'docs/constants.md').read_text(), re.M))
+    return [len(files), lines, sum(not line.startswith('#') for line in public), numbers]
+
+
+def suite(folder, jobs):
+    """Runs all tests as `make test` does; CPU seconds, seconds, and whether all have passed."""
+    before, begin = seconds_of_children(), time.monotonic()
+    runs = [subprocess.run(['ctest', '--test-dir', str(folder), '--no-tests=error', *which],
+                           stdout=subprocess.DEVNULL).returncode
+            for which in (['-j', str(jobs), '-LE', 'mpi'], ['-L', 'mpi'])]
+    return seconds_of_children() - before, time.monotonic() - begin, not any(runs)
+
+
+def print_row(source, folder, compiled, jobs):
+    used, elapsed, passed = suite(folder, jobs)
+    print('\n| files | lines | public headers | constants | build, CPU s | tests, CPU s | '
+          'tests, s |\n|---|---|---|---|---|---|---|')
+    print('| %s |' % ' | '.join(f'{x:,.0f}' for x in [*sizes(source), compiled, used, elapsed]))
+    if not passed:
+        sys.exit('tests have failed: ctest --test-dir %s --rerun-failed' % folder)
 
 
 def formula_source(name, formula):
@@ -124,9 +167,9 @@ def print_formulas(folder, runs):
         source = folder / 'formula.cpp'
         source.write_text(formula_source(name, formula))
         for _ in range(runs):
-            before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+            before = seconds_of_children()
             subprocess.run([*command, '-o', folder / 'formula.o', '-c', source], check=True, cwd=folder)
-            seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+            seconds = seconds_of_children() - before
             least[name] = min(seconds, least.get(name, seconds))
     print('| the file has | CPU s | ratio |\n|---|---|---|')
     for name, seconds in least.items():
@@ -143,6 +186,8 @@ def main():
     parser.add_argument('--slowest', type=int, default=15)
     parser.add_argument('--touch', nargs='*', default=[],
                         help='then touch each file and build again')
+    parser.add_argument('--suite', action='store_true', help='then run the tests')
+    parser.add_argument('--options', nargs='*', default=[], help='of cmake')
     parser.add_argument('--formulas', action='store_true', help='compile files of a user instead')
     parser.add_argument('--runs', type=int, default=3, help='of each file of --formulas')
     args = parser.parse_args()
@@ -151,18 +196,22 @@ def main():
     launcher = Path(__file__).resolve()
     subprocess.run(['cmake', '--preset', 'release', '-S', args.source.resolve(), '-B', folder,
                     f'-DCMAKE_CXX_COMPILER={args.cxx}', f'-DCMAKE_CXX_COMPILER_LAUNCHER={launcher}',
-                    f'-DCMAKE_CXX_LINKER_LAUNCHER={launcher}', '-DCMAKE_EXPORT_COMPILE_COMMANDS=ON'],
+                    f'-DCMAKE_CXX_LINKER_LAUNCHER={launcher}', '-DCMAKE_EXPORT_COMPILE_COMMANDS=ON',
+                    *args.options],
                    check=True, stdout=subprocess.DEVNULL, cwd=args.source)
     if args.formulas:
         return print_formulas(folder, args.runs)
     log = folder / 'calls.txt'
-    print_calls(build(folder, log, args.jobs), args.slowest)
+    calls = build(folder, log, args.jobs)
+    print_calls(calls, args.slowest)
     for name in args.touch:
         (args.source / name).touch()
-        calls = build(folder, log, args.jobs)
-        compiled = [short(output) for _, kind, output in calls if kind == 'compile']
-        print(f'\n{name}: {len(compiled)} compiled, {len(calls) - len(compiled)} linked, '
-              f'{sum(call[0] for call in calls):.1f} s\n  ' + '\n  '.join(compiled))
+        again = build(folder, log, args.jobs)
+        compiled = [short(output) for _, kind, output in again if kind == 'compile']
+        print(f'\n{name}: {len(compiled)} compiled, {len(again) - len(compiled)} linked, '
+              f'{sum(call[0] for call in again):.1f} s\n  ' + '\n  '.join(compiled))
+    if args.suite:
+        print_row(args.source, folder, sum(call[0] for call in calls), args.jobs)
 
 
 if __name__ == '__main__':

@@ -122,7 +122,7 @@ class BendingByHand final : public ByHand {
           const double from_b = m > 0 && n > 0 ? (m == n ? 1 : -1) * hb(r, c) : 0;
           h[k] = (g[i] * g[j] + turn * (from_a + from_b)) / kEdge;
         }
-      if (curvature.clamp > 0) clamp_eigenvalues<6>(curvature.clamp, h);
+      if (curvature.clamp > 0) clamp_eigenvalues(6, curvature.clamp, h);
       out.value[p] = turn * turn / (2 * kEdge);
       for (int i = 0; i < 6; ++i)
         out.gradient[at(i * LocalSystem::stride) + p] = turn * g[i] / kEdge;

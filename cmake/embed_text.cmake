@@ -33,15 +33,13 @@ std::string_view ${NAME}();
 #include \"${NAME}.h\"
 
 namespace majorant {
-namespace {
 
-constexpr unsigned char kBytes[] = {
-  ${bytes}
-};
-
-}  // namespace
-
-std::string_view ${NAME}() { return {reinterpret_cast<const char*>(kBytes), sizeof(kBytes)}; }
+std::string_view ${NAME}() {
+  static constexpr unsigned char kBytes[] = {
+    ${bytes}
+  };
+  return {reinterpret_cast<const char*>(kBytes), sizeof(kBytes)};
+}
 
 }  // namespace majorant
 ")

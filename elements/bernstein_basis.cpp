@@ -3,18 +3,13 @@
 #include <algorithm>
 #include <numeric>
 
+#include "majorant/elements/internal/bernstein.h"
 #include "majorant/elements/internal/rounding.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/argument_check.h"
 
 namespace majorant {
 namespace {
-
-double power(double x, int e) {
-  double r = 1;
-  for (; e > 0; --e) r *= x;
-  return r;
-}
 
 double exact(double integer) {
   if (!(integer < kExactIntegers))
@@ -81,7 +76,7 @@ Vec BernsteinBasis::values(VecIn point) const {
   Vec b(count());
   for (int k = 0; k < count(); ++k) {
     b[k] = weight(k);
-    for (std::size_t c = 0; c < to; ++c) b[k] *= power(x[c], exponents(k)[c]);
+    for (std::size_t c = 0; c < to; ++c) b[k] *= integer_power(x[c], exponents(k)[c]);
   }
   return b;
 }

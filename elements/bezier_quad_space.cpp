@@ -7,7 +7,7 @@ namespace {
 
 // VTK_BEZIER_QUADRILATERAL: corners counterclockwise, edges in the direction of s or t, then the
 // interior row by row. Exponents of 1-s, s, 1-t, t.
-std::vector<Exponents> vtk_lattice(const Degrees& degrees) {
+std::vector<Exponents> quad_lattice(const Degrees& degrees) {
   const int p = degrees[0], q = degrees[1];
   std::vector<Exponents> out;
   const auto push = [&](int i, int j) {
@@ -31,7 +31,7 @@ BernsteinElement quad(int degree) {
           .degree = degree,
           .max_degree = BezierQuadSpace::kMaxDegree,
           .factors = {2, 2},
-          .lattice = vtk_lattice,
+          .lattice = quad_lattice,
           .derivatives = {{1, 0}, {3, 2}},
           .bisections = {{0, 1, {0, m, 2, 3}, {m, 1, 2, 3}}, {2, 3, {0, 1, 2, m}, {0, 1, m, 3}}}};
 }

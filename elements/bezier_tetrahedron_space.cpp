@@ -32,7 +32,7 @@ void append_vtk_order(int n, int shift, std::vector<Exponents>& out) {
   append_vtk_order(n - 4, shift + 1, out);
 }
 
-std::vector<Exponents> vtk_lattice(const Degrees& degrees) {
+std::vector<Exponents> tetrahedron_lattice(const Degrees& degrees) {
   std::vector<Exponents> out;
   append_vtk_order(degrees[0], 0, out);
   return out;
@@ -45,7 +45,7 @@ BernsteinElement tetrahedron(int degree) {
           .degree = degree,
           .max_degree = BezierTetrahedronSpace::kMaxDegree,
           .factors = {4},
-          .lattice = vtk_lattice,
+          .lattice = tetrahedron_lattice,
           .derivatives = {{1, 0}, {2, 0}, {3, 0}},
           .bisections = {{0, 3, {0, 1, 2, m}, {1, 2, 3, m}},
                          {0, 2, {0, 1, m, 3}, {1, 2, m, 3}},

@@ -11,7 +11,7 @@
 namespace majorant {
 namespace {
 
-std::vector<Exponents> vtk_lattice(const Degrees& degrees) {
+std::vector<Exponents> triangle_lattice(const Degrees& degrees) {
   const TriangleIndices& ix = TriangleIndices::of_degree(degrees[0]);
   std::vector<Exponents> out;
   for (int l = 0; l < ix.count(); ++l) {
@@ -28,7 +28,7 @@ BernsteinElement triangle(int degree) {
           .degree = degree,
           .max_degree = BezierTriangleSpace::kMaxDegree,
           .factors = {3},
-          .lattice = vtk_lattice,
+          .lattice = triangle_lattice,
           .derivatives = {{0, 2}, {1, 2}},
           .bisections = {{1, 2, {m, 0, 1}, {m, 2, 0}}}};  // the newest vertex comes first
 }

@@ -17,7 +17,7 @@ namespace {
 
 // Of what rules are rounded to. Origin: rules are printed with 15 digits and more, which leaves
 // 1e-15; chosen, not tuned.
-constexpr double kTolerance = 1e-12;
+constexpr double kRuleTolerance = 1e-12;
 
 using Point = Eigen::RowVectorXd;
 // A cell inside the reference one: homogeneous coordinates of the points where each homogeneous
@@ -232,7 +232,7 @@ void require_cell(const Quadrature& rule, const Factors& cell, std::string_view 
       rule.points.cols() != column_count(cell))
     refuse(fmt::format("with {} weights and {} by {} points, {} columns are needed", rule.size(),
                        rule.points.rows(), rule.points.cols(), column_count(cell)));
-  if (!(std::abs(rule.weights.sum() - 1) <= kTolerance * static_cast<double>(rule.size())))
+  if (!(std::abs(rule.weights.sum() - 1) <= kRuleTolerance * static_cast<double>(rule.size())))
     refuse(fmt::format("whose weights add to {} and not to 1", rule.weights.sum()));
   for (Index l = 0; l < rule.size(); ++l) {
     const Point x = homogeneous(cell, rule.points.row(l));
@@ -240,7 +240,8 @@ void require_cell(const Quadrature& rule, const Factors& cell, std::string_view 
     Index from = 0;
     for (const int corners : cell) {
       const auto block = x.segment(from, corners);
-      inside = inside && block.minCoeff() >= -kTolerance && std::abs(block.sum() - 1) <= kTolerance;
+      inside = inside && block.minCoeff() >= -kRuleTolerance &&
+               std::abs(block.sum() - 1) <= kRuleTolerance;
       from += corners;
     }
     if (!inside) refuse(fmt::format("whose point {} is outside of the cell", l));

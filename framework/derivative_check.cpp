@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,6 +12,7 @@
 #include "majorant/framework/internal/chunk_plan.h"
 #include "majorant/framework/internal/curvature_name.h"
 #include "majorant/framework/internal/problem_parts.h"
+#include "majorant/framework/internal/symmetric_eigen.h"
 
 namespace majorant {
 namespace {
@@ -142,7 +142,7 @@ class ElementCheck {
     for (const Curvature curvature : kCurvatures) {
       if (curvature == Curvature::Exact || !term_.supports(curvature)) continue;
       const Eigen::MatrixXd k = probe_.local(x_, curvature).hessian;
-      const double lowest = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(k).eigenvalues()[0];
+      const double lowest = symmetric_eigen(k).values[0];
       definite.update(hessian_scale_, element_,
                       fmt::format("curvature {}", curvature_name(curvature)), std::min(lowest, 0.0),
                       0);
@@ -237,7 +237,7 @@ class ChunkCheck {
       Worst worst;
       const auto compare = [&](double computed, double expected, double scale, auto block) {
         if (computed != expected)
-          worst.update(scale, e, block() + " among others", computed, expected);
+          worst.update(scale, e, fmt::format("{} among others", block()), computed, expected);
       };
       const double g = v.gradient.cwiseAbs().maxCoeff(), h = v.hessian.cwiseAbs().maxCoeff();
       const auto at = static_cast<int>(p);

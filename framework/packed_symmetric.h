@@ -2,10 +2,9 @@
 // (i, j), i >= j, at i (i + 1) / 2 + j.
 //
 //   double k[] = {2, 5, 2};        // [[2, 5], [5, 2]], eigenvalues 7 and -3
-//   clamp_eigenvalues<2>(1, k);    // now 7 and 0
+//   clamp_eigenvalues(2, 1, k);    // now 7 and 0
 #pragma once
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -42,25 +41,8 @@ bool is_semidefinite(const double* k) {
 }
 
 // `clamp` of the negative eigenvalues taken away (BlendedCurvature::clamp), 1: set to 0; where one
-// is not finite, the zero matrix. By an eigendecomposition: for N up to about 30.
-template <int N>
-void clamp_eigenvalues(double clamp, double* k) {
-  using Matrix = Eigen::Matrix<double, N, N>;
-  Matrix m;
-  for (int i = 0, p = 0; i < N; ++i)
-    for (int j = 0; j <= i; ++j, ++p) m(i, j) = m(j, i) = k[p];
-  if (!m.allFinite()) {
-    m.setZero();
-  } else {
-    const Eigen::SelfAdjointEigenSolver<Matrix> eigen(m);
-    if (eigen.eigenvalues()[0] >= 0) return;
-    m = eigen.eigenvectors() *
-        eigen.eigenvalues().cwiseMax((1 - clamp) * eigen.eigenvalues()).asDiagonal() *
-        eigen.eigenvectors().transpose();
-  }
-  for (int i = 0, p = 0; i < N; ++i)
-    for (int j = 0; j <= i; ++j, ++p) k[p] = m(i, j);
-}
+// is not finite, the zero matrix. By an eigendecomposition: for sizes up to about 30.
+void clamp_eigenvalues(int size, double clamp, double* k);
 
 // The same by Jacobi's rotations: faster for N up to 4, and in a few rotations where blocks couple
 // like the ends of a spring, of which half are tried first. Nothing but what is negative changes.
@@ -122,7 +104,7 @@ void make_semidefinite(double clamp, double* k) {
   if (N <= kFew && finite)
     clamp_by_rotations<N>(clamp, k);
   else
-    clamp_eigenvalues<N>(clamp, k);
+    clamp_eigenvalues(N, clamp, k);
 }
 
 }  // namespace majorant

@@ -53,6 +53,8 @@ void require_fitting(const EnergyTerm& term, Index full_size) {
             term.name(), k, e, s.nodes(e, k), full_size, s.block, nodes - 1));
 }
 
+}  // namespace
+
 // What the first terms of a problem fill, whatever comes after them.
 struct LeadingTerms {
   std::size_t count;
@@ -73,6 +75,8 @@ struct LeadingTerms {
     pattern.rows.resize(at(pattern.column_starts.back()));
   }
 };
+
+namespace {
 
 // Of the unknowns that constraints leave, those of this rank's.
 Partition reduced_partition(const Partition* full, const Elimination& elimination) {

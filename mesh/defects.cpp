@@ -18,12 +18,12 @@ namespace {
 
 using Places = std::vector<std::array<Index, 2>>;
 
-struct KindText {
+struct DefectText {
   std::string_view name, one, many, place;
 };
 
-const KindText& text_of(DefectKind kind) {
-  static constexpr std::array<KindText, 14> kTexts = {{
+const DefectText& text_of(DefectKind kind) {
+  static constexpr std::array<DefectText, 14> kTexts = {{
       {"soup", "soup: no face shares a vertex with another", "soups", ""},
       {"repeated_vertex", "face has a vertex twice", "faces have a vertex twice", "face"},
       {"duplicate_face", "face has the vertices of another", "faces have the vertices of others",
@@ -166,7 +166,7 @@ class Finding {
 std::string_view name_of(DefectKind kind) { return text_of(kind).name; }
 
 std::string describe(const Defect& defect) {
-  const KindText& text = text_of(defect.kind);
+  const DefectText& text = text_of(defect.kind);
   const std::string line =
       fmt::format("{} {}", defect.count, defect.count == 1 ? text.one : text.many);
   return line + place_text(text.place, defect.count, defect.places);

@@ -6,13 +6,12 @@
 #include <cmath>
 
 #include "majorant/framework/error.h"
+#include "majorant/parametrization/drive/internal/normalized_start.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 
 namespace majorant {
 namespace {
 
-// As of NormalizedStart. Origin: three of the sixteen digits are lost there.
-constexpr double kFarAway = 1000;
 // Of the start's coordinates, that a pin's target may be away. Origin: pin_tolerance() of one
 // process.
 constexpr double kPinTolerance = 1e-9;
@@ -79,7 +78,7 @@ StartOfPart::StartOfPart(std::shared_ptr<const MeshPart> part, const Vec& uv,
                     spec.boundary == BoundaryCondition::Free;
   const Vector2 gauge = gauge_position(*part, uv);
   if (free) origin_ = gauge;
-  if (origin_.norm() * scale_ <= kFarAway) destination_ = origin_;
+  if (origin_.norm() * scale_ <= kLargestOffset) destination_ = origin_;
   for (auto* points : {&spec.pins, &spec.handles})
     for (FixedPoint& p : *points) p.position = (p.position - origin_) * scale_;
   x_ = translated(uv, -origin_) * scale_;

@@ -23,12 +23,6 @@ void append_vtk_order(int n, int offset, std::vector<MultiIndex>& out) {
   append_vtk_order(n - 3, offset + 1, out);
 }
 
-double power(double x, int e) {
-  double r = 1;
-  for (; e > 0; --e) r *= x;
-  return r;
-}
-
 }  // namespace
 
 int degree_from_control_points(int count) {
@@ -66,7 +60,8 @@ Vec bernstein_values(int n, const Barycentric& xi) {
   Vec b(ix.count());
   for (int l = 0; l < ix.count(); ++l) {
     const auto [i, j, k] = ix.multi(l);
-    b[l] = ix.multinomial(l) * power(xi[0], i) * power(xi[1], j) * power(xi[2], k);
+    b[l] = ix.multinomial(l) * integer_power(xi[0], i) * integer_power(xi[1], j) *
+           integer_power(xi[2], k);
   }
   return b;
 }

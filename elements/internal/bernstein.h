@@ -20,6 +20,13 @@ constexpr int control_point_count(int n) { return (n + 1) * (n + 2) / 2; }
 // Inverse of control_point_count; -1 when `count` is not triangular.
 int degree_from_control_points(int count);
 
+// x^e by e multiplications; 1 where e is not positive.
+inline double integer_power(double x, int e) {
+  double power = 1;
+  for (; e > 0; --e) power *= x;
+  return power;
+}
+
 // The numbering of one degree; tables are built once per degree and shared.
 class TriangleIndices {
  public:

@@ -12,8 +12,6 @@
 namespace majorant {
 namespace {
 
-constexpr double kUnit = kUnitRoundoff<double>;
-
 // Numbers that det J is expanded in: subtract(a, b) of control points, minor(a0, a1, b0, b1) =
 // a0 b1 - a1 b0, product(a, cofactor), and sum += weight * x. A number with the sum of the
 // magnitudes of its terms:
@@ -246,12 +244,13 @@ void DetCoefficients::with_error(const double* c, double unit, double* out, doub
     const Bounded<Real>& sum = sums.data()[t];
     out[t] = static_cast<double>(sum.value);
     error[t] = rounding_error(roundings, unit) * static_cast<double>(sum.size) +
-               (unit < kUnit ? 2 * kUnit * std::abs(out[t]) : 0) + underflow;
+               (unit < kUnitRoundoff<double> ? 2 * kUnitRoundoff<double> * std::abs(out[t]) : 0) +
+               underflow;
   }
 }
 
 void DetCoefficients::at_with_error(const double* c, double* out, double* error) const {
-  with_error<double>(c, kUnit, out, error);
+  with_error<double>(c, kUnitRoundoff<double>, out, error);
 }
 
 void DetCoefficients::at_with_error_quad(const double* c, double* out, double* error) const {
@@ -273,7 +272,8 @@ void DetCoefficients::minor_with_error(const double* c, double* out, double* err
   const Bounded<double> det = only_minor<double>(c);
   const double weight = minors_.entries().front().weight;
   *out = weight * det.value;
-  *error = rounding_error(roundings, kUnit) * (weight * det.size) + underflow_error(roundings);
+  *error = rounding_error(roundings, kUnitRoundoff<double>) * (weight * det.size) +
+           underflow_error(roundings);
 }
 
 StepPolynomial<2> DetCoefficients::minor_along_line(const StepPolynomial<1>* c) const {

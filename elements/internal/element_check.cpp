@@ -14,7 +14,7 @@ namespace {
 
 // Of what is computed without error bounds. Origin: a wrong description is wrong by whole numbers;
 // chosen, not tuned.
-constexpr double kTolerance = 1e-9;
+constexpr double kPartitionTolerance = 1e-9;
 
 [[noreturn]] void refuse(const BernsteinElement& element, const std::string& what) {
   throw InvalidArgument(fmt::format("{}: {}", element.name, what));
@@ -148,7 +148,7 @@ void check_curved(const BernsteinElement& element, const DetCoefficients& det) {
     size += std::abs(term);
   }
   const double expected = determinant(j);
-  if (!(std::abs(sum - expected) <= kTolerance * size))
+  if (!(std::abs(sum - expected) <= kPartitionTolerance * size))
     refuse(element, fmt::format("det J of a curved map is {} where its Bernstein form gives {}",
                                 expected, sum));
 }

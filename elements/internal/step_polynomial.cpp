@@ -9,7 +9,6 @@ namespace majorant {
 namespace {
 
 constexpr double kNone = 2;  // beyond [0, 1]
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // First root of the cubic with these control values on [left, left + width], from below: bisection
 // as long as they are not all positive; `levels` ends what roots next to 0 begin.
@@ -29,7 +28,7 @@ StepPolynomial<2> moderate(const StepPolynomial<2>& p) {
   constexpr double kLarge = 0x1p480;
   const double size = std::max({std::abs(p.power[0]), std::abs(p.power[1]), std::abs(p.power[2])});
   if (size > 1 / kLarge && size < kLarge) return p;
-  const int exponent = size > 0 && size < kInfinity ? std::ilogb(size) : 0;
+  const int exponent = size > 0 && std::isfinite(size) ? std::ilogb(size) : 0;
   StepPolynomial<2> out;
   for (int k = 0; k <= 2; ++k) out.power[k] = std::ldexp(p.power[k], -exponent);
   return out;

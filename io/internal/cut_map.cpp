@@ -20,7 +20,7 @@
 namespace majorant {
 namespace {
 
-SurfaceMesh weld(const MapFile& file, const std::string& name) {
+SurfaceMesh welded(const MapFile& file, const std::string& name) {
   const Eigen::VectorXi vertex =
       knows_vertices(file) ? file.input_vertex : number_by_place(file.points, {});
   const auto corners = file.cells.leftCols<3>();
@@ -92,7 +92,7 @@ Eigen::VectorXi number_by_place(const Points3& points, const PolygonMesh& known)
 CutMap::CutMap(const MapFile& file, std::string name)
     : file_(file),
       name_(std::move(name)),
-      surface_(weld(file, name_)),
+      surface_(welded(file, name_)),
       edge_points_(at(file.degree) + 1),
       differs_(at(surface_.half_edge_count()), 0),
       is_unshared_(differs_) {

@@ -21,11 +21,11 @@ using Piece = MapPieces::Piece;
 
 // Two halvings halve the edges. After 26 of these the area of a piece is 2^-52 of its cell's, which
 // is what doubles of the cell's size resolve. Origin: the 53 bits of a double.
-constexpr int kDeepest = 52;
+constexpr int kDeepestCut = 52;
 // Of a cell, more than there are in the beginning: as many as a lattice of 64 pieces an edge has. A
 // map that is not locally injective would take any number. Origin: chosen, not tuned.
 constexpr std::size_t kMostPieces = 64 * 64;
-constexpr std::size_t kMostNamed = 8;  // cells in a message; then the search ends
+constexpr std::size_t kMostNamedCells = 8;  // cells in a message; then the search ends
 // A diagonal leaves no piece with less than this part of the two. Origin: chosen, not tuned.
 constexpr double kThinnest = 1.0 / 64;
 // Of pieces that were halved more often, diagonals and edges are not chosen by what they repair:
@@ -129,7 +129,7 @@ class Cutter {
     for (const auto& [c, i, j] : sides) {
       for (const Piece& piece : pieces_.pieces(c))
         if (has_edge(piece, i, j)) depth = std::max(depth, piece.depth);
-      if (depth < kDeepest && pieces_.pieces(c).size() < most_pieces_) continue;
+      if (depth < kDeepestCut && pieces_.pieces(c).size() < most_pieces_) continue;
       give_up(c);
       is_within_limits = false;
     }
@@ -141,7 +141,7 @@ class Cutter {
 
   void give_up(Index cell) {
     hopeless_.insert(cell);
-    if (hopeless_.size() >= kMostNamed) refuse();
+    if (hopeless_.size() >= kMostNamedCells) refuse();
   }
 
   [[noreturn]] void refuse() const {
@@ -151,7 +151,7 @@ class Cutter {
                 fmt::format("cell{} {}{}: no straight pieces are proven valid; the map is not "
                             "injective there, or too thin for double precision",
                             cells.size() > 1 ? "s" : "", fmt::join(cells, ", "),
-                            cells.size() >= kMostNamed ? " and others" : ""));
+                            cells.size() >= kMostNamedCells ? " and others" : ""));
   }
 
   // Whether the other diagonal of two pieces of the cell made both positive.

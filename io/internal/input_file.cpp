@@ -45,11 +45,11 @@ void for_each_block(const std::string& path, const StopCheck& stop, const Take& 
     const char* reason = errno != 0 ? std::strerror(errno) : "cannot be opened";
     throw Error(ErrorKind::Unreadable, fmt::format("{}: {}; check the name", path, reason));
   }
-  constexpr std::size_t kBlock = std::size_t{1} << 16;
-  std::string block(kBlock, '\0');
+  constexpr std::size_t kRead = std::size_t{1} << 16;
+  std::string block(kRead, '\0');
   while (stream) {
     stop.poll();
-    stream.read(block.data(), kBlock);
+    stream.read(block.data(), kRead);
     take(std::string_view(block).substr(0, static_cast<std::size_t>(stream.gcount())));
   }
   if (stream.bad()) {

@@ -16,7 +16,7 @@
 namespace majorant {
 namespace {
 
-constexpr Index kMost = std::numeric_limits<Index>::max();
+constexpr Index kLargestIndex = std::numeric_limits<Index>::max();
 
 template <class Value>
 using Tagged = std::pair<long long, Value>;  // gmsh's tag, what has it
@@ -56,7 +56,7 @@ class MshReader {
 
   long long count(std::string_view what) {
     const long long value = cursor_.next_integer(what);
-    if (value < 0 || value > kMost) cursor_.fail(fmt::format("{} is out of range", what));
+    if (value < 0 || value > kLargestIndex) cursor_.fail(fmt::format("{} is out of range", what));
     return value;
   }
 
@@ -196,7 +196,8 @@ class MshReader {
 
   template <class Value>
   void sort(std::vector<Tagged<Value>>& list, std::string_view what) const {
-    if (list.size() > at(kMost)) refuse("more than 2^31 nodes or elements; simplify the mesh");
+    if (list.size() > at(kLargestIndex))
+      refuse("more than 2^31 nodes or elements; simplify the mesh");
     sort_by_tag(list);
     for (std::size_t k = 1; k < list.size(); ++k)
       if (list[k].first == list[k - 1].first)

@@ -36,14 +36,14 @@ bool takes_apart(const RepairedSurface& repaired) {
   });
 }
 
-Corners rotated(const Corners& corners, std::size_t by) {
+Corners turned(const Corners& corners, std::size_t by) {
   return {corners[by % 3], corners[(by + 1) % 3], corners[(by + 2) % 3]};
 }
 
 // Corners of a polygon run as these do, not against them.
 bool is_ascending(const Corners& corners) {
   for (std::size_t by = 0; by < 3; ++by) {
-    const Corners c = rotated(corners, by);
+    const Corners c = turned(corners, by);
     if (c[0] < c[1] && c[1] < c[2]) return true;
   }
   return false;
@@ -127,7 +127,7 @@ class FaceMatcher {
       const auto it =
           std::find_if(cells.begin() + static_cast<std::ptrdiff_t>(k), cells.end(), [&](Index c) {
             const Corners has = places(c);
-            return has == wanted || rotated(has, 1) == wanted || rotated(has, 2) == wanted;
+            return has == wanted || turned(has, 1) == wanted || turned(has, 2) == wanted;
           });
       if (it == cells.end()) return false;
       std::iter_swap(cells.begin() + static_cast<std::ptrdiff_t>(k), it);

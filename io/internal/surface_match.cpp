@@ -21,13 +21,13 @@ constexpr double kClose = kTenDigits;
 
 using DirectedEdge = std::pair<Index, Index>;
 
-struct Defect {
+struct Mismatch {
   std::string line;
 };
 
 template <class... Args>
-[[noreturn]] void refuse(fmt::format_string<Args...> format, Args&&... args) {
-  throw Defect{fmt::format(format, std::forward<Args>(args)...)};
+[[noreturn]] void refuse_match(fmt::format_string<Args...> format, Args&&... args) {
+  throw Mismatch{fmt::format(format, std::forward<Args>(args)...)};
 }
 
 struct Patch {
@@ -82,9 +82,9 @@ class Matcher {
     for (Index v = 0; v < cells_.vertex_count(); ++v) {
       const Index known = surface_vertex(v);
       if (known >= 0 && !((cell_place(v) - place(known)).norm() <= close_))
-        refuse("vertex {} is not where the surface has it", known);
+        refuse_match("vertex {} is not where the surface has it", known);
       if (known < 0 && !face_of_cell_.empty())
-        refuse("the surface has no vertex {}", cells_.input_vertex(v));
+        refuse_match("the surface has no vertex {}", cells_.input_vertex(v));
     }
   }
 
@@ -94,8 +94,8 @@ class Matcher {
       for (std::size_t k = 0; k < polygon.size(); ++k) {
         const DirectedEdge edge{polygon[k], polygon[(k + 1) % polygon.size()]};
         if (!face_of_edge_.emplace(edge, static_cast<Index>(p)).second)
-          refuse("two faces of the surface have edge ({}, {}) in the same direction", edge.first,
-                 edge.second);
+          refuse_match("two faces of the surface have edge ({}, {}) in the same direction",
+                       edge.first, edge.second);
       }
     }
     for (Index h = 0; h < cells_.half_edge_count(); ++h)
@@ -157,7 +157,8 @@ class Matcher {
     const std::vector<Index> vertices = chain(edge);
     if (vertices.empty()) {
       if (other == kOutside)
-        refuse("the cells lack the boundary edge ({}, {}) of the surface", edge.first, edge.second);
+        refuse_match("the cells lack the boundary edge ({}, {}) of the surface", edge.first,
+                     edge.second);
       faces.join(face, other);
       return;
     }
@@ -170,11 +171,11 @@ class Matcher {
   void put(const DirectedEdge& cell_edge, Index face, const DirectedEdge& edge) {
     const auto h = half_edge_.find(cell_edge);
     if (face == kOutside && h != half_edge_.end())
-      refuse("cells lie beyond the boundary edge ({}, {}) of the surface, or are turned over",
-             edge.first, edge.second);
+      refuse_match("cells lie beyond the boundary edge ({}, {}) of the surface, or are turned over",
+                   edge.first, edge.second);
     if (face != kOutside && h == half_edge_.end())
-      refuse("face {}: no cell lies at its edge ({}, {}), or it is turned over", face, edge.first,
-             edge.second);
+      refuse_match("face {}: no cell lies at its edge ({}, {}), or it is turned over", face,
+                   edge.first, edge.second);
     if (h != half_edge_.end()) face_left_[at(h->second)] = face;
   }
 
@@ -183,9 +184,9 @@ class Matcher {
     for (Index h = 0; h < cells_.half_edge_count(); ++h) {
       if (face_left_[at(h)] != kUnknown) continue;
       if (cells_.opposite(h) < 0)
-        refuse("the cells end at edge ({}, {}), inside the surface",
-               cells_.input_vertex(cells_.from_vertex(h)),
-               cells_.input_vertex(cells_.to_vertex(h)));
+        refuse_match("the cells end at edge ({}, {}), inside the surface",
+                     cells_.input_vertex(cells_.from_vertex(h)),
+                     cells_.input_vertex(cells_.to_vertex(h)));
       cells.join(face_of(h), face_of(cells_.opposite(h)));
     }
     constexpr Index kNone = -1;
@@ -199,17 +200,17 @@ class Matcher {
         cells_of[at(theirs)] = mine;
       }
       if (faces_of[at(mine)] != theirs || cells_of[at(theirs)] != mine)
-        refuse("face {} is mapped by cells that are not its own", face_left_[at(h)]);
+        refuse_match("face {} is mapped by cells that are not its own", face_left_[at(h)]);
     }
     std::map<Index, Patch> patches;  // by the smallest of the faces
     for (Index p = 0; p < static_cast<Index>(surface_.polygons.size()); ++p) {
       const Index of = faces.find(p);
-      if (cells_of[at(of)] == kNone) refuse("face {} is mapped by no cell", p);
+      if (cells_of[at(of)] == kNone) refuse_match("face {} is mapped by no cell", p);
       patches[of].faces.push_back(p);
     }
     for (Index c = 0; c < cells_.face_count(); ++c) {
       const Index of = faces_of[at(cells.find(c))];
-      if (of == kNone) refuse("cell {} belongs to no face", cells_.input_face(c));
+      if (of == kNone) refuse_match("cell {} belongs to no face", cells_.input_face(c));
       patches[of].cells.push_back(c);
     }
     for (const auto& [ignored, patch] : patches) compare(patch);
@@ -220,12 +221,12 @@ class Matcher {
       if (face_of_cell_.empty()) break;
       if (std::find(patch.faces.begin(), patch.faces.end(), face_of_cell_[at(c)]) ==
           patch.faces.end())
-        refuse("cell {} is said to belong to face {} of the surface and lies in face {}",
-               cells_.input_face(c), face_of_cell_[at(c)], patch.faces.front());
+        refuse_match("cell {} is said to belong to face {} of the surface and lies in face {}",
+                     cells_.input_face(c), face_of_cell_[at(c)], patch.faces.front());
     }
     if (is_triangulated_polygon(patch)) {
       if (!is_unfolded(patch))
-        refuse("a cell is turned over in face {} of the surface", patch.faces.front());
+        refuse_match("a cell is turned over in face {} of the surface", patch.faces.front());
       ++match_.same;
       return;
     }
@@ -293,22 +294,24 @@ class Matcher {
     Vector3 total = Vector3::Zero();
     for (const auto& corners : of_faces) total += area_vector(corners);
     if (!(total.norm() > close_ * close_))
-      refuse("cells have other edges than the surface around face {}, where it is not flat", face);
+      refuse_match("cells have other edges than the surface around face {}, where it is not flat",
+                   face);
     const Vector3 normal = total.normalized(), origin = of_faces.front().front();
     double areas[2] = {0, 0};
     for (const auto* list : {&of_faces, &of_cells})
       for (const auto& corners : *list) {
         for (const Vector3& p : corners)
           if (!(std::abs(normal.dot(p - origin)) <= close_))
-            refuse("cells leave the plane of face {} of the surface", face);
+            refuse_match("cells leave the plane of face {} of the surface", face);
         const double area = area_vector(corners).dot(normal);
         if (!(area >= -close_ * close_))
-          refuse("a cell is turned over around face {} of the surface, or that is not flat", face);
+          refuse_match("a cell is turned over around face {} of the surface, or that is not flat",
+                       face);
         areas[list == &of_cells] += area;
       }
     if (!(std::abs(areas[0] - areas[1]) <= kClose * areas[0] + close_ * size_of(of_faces)))
-      refuse("cells cover {:.9g} of the area {:.9g} around face {} of the surface", areas[1],
-             areas[0], face);
+      refuse_match("cells cover {:.9g} of the area {:.9g} around face {} of the surface", areas[1],
+                   areas[0], face);
   }
 
   const SurfaceMesh& cells_;
@@ -346,13 +349,13 @@ SurfaceMatch match_surface(const SurfaceMesh& cells, const PolygonMesh& surface,
                            const std::vector<Index>& face_of_cell) {
   try {
     return Matcher(cells, surface, face_of_cell).run();
-  } catch (const Defect& defect) {
+  } catch (const Mismatch& mismatch) {
     const bool has_polygons = std::any_of(surface.polygons.begin(), surface.polygons.end(),
                                           [](const auto& p) { return p.size() > 3; });
-    if (!has_polygons || !face_of_cell.empty()) return {defect.line};
+    if (!has_polygons || !face_of_cell.empty()) return {mismatch.line};
     // Pieces of the triangles of a polygon that is not flat.
     const SurfaceMatch triangles = match_surface(cells, triangulated(surface));
-    return triangles.defect.empty() ? triangles : SurfaceMatch{defect.line};
+    return triangles.defect.empty() ? triangles : SurfaceMatch{mismatch.line};
   }
 }
 

@@ -40,7 +40,7 @@ bool is_simple(const std::vector<Vector2>& corners) {
   return result;
 }
 
-[[noreturn]] void refuse(const std::string& problem) {
+[[noreturn]] void refuse_surface(const std::string& problem) {
   throw Error(ErrorKind::Invalid, problem + "; give the mesh the map was made from");
 }
 
@@ -52,7 +52,7 @@ struct InputFaces {
 
 // By vertex number, else by position; none of `taken`, which are those of the cell's other corners:
 // a polygon may have a vertex twice.
-std::size_t corner_of(const MapFile& map, Index point, const PolygonMesh& input, std::size_t face,
+std::size_t corner_at(const MapFile& map, Index point, const PolygonMesh& input, std::size_t face,
                       std::span<const std::size_t> taken) {
   const auto& polygon = input.polygons[face];
   const auto find = [&](const auto& is_it) {
@@ -68,7 +68,7 @@ std::size_t corner_of(const MapFile& map, Index point, const PolygonMesh& input,
     found = find([&](Index v) { return input.positions[at(v)] == position; });
   }
   if (found == polygon.size())
-    refuse(fmt::format("map point {} is no corner of face {} of the input", point, face));
+    refuse_surface(fmt::format("map point {} is no corner of face {} of the input", point, face));
   return found;
 }
 
@@ -79,13 +79,14 @@ InputFaces find_input(const MapFile& map, const PolygonMesh& input, PolygonMesh&
     const auto cell = static_cast<Index>(coarse.polygon_lines[c] - 1);
     const Index face = map.input_face.size() == 0 ? cell : map.input_face[cell];
     if (face < 0 || at(face) >= input.polygons.size())
-      refuse(fmt::format("cell {} belongs to face {}, which the input does not have", cell, face));
+      refuse_surface(
+          fmt::format("cell {} belongs to face {}, which the input does not have", cell, face));
     faces.cells[at(face)].push_back(static_cast<Index>(c));
     faces.corners.emplace_back();
     for (std::size_t k = 0; k < 3; ++k) {
       const Index point = map.cells(cell, static_cast<Index>(k));
       const std::span<const std::size_t> taken(faces.corners[c].data(), k);
-      faces.corners[c][k] = corner_of(map, point, input, at(face), taken);
+      faces.corners[c][k] = corner_at(map, point, input, at(face), taken);
       coarse.polygons[c][k] = input.polygons[at(face)][faces.corners[c][k]];
     }
   }
@@ -189,7 +190,7 @@ class PolygonTransfer {
     const bool is_covered = std::ranges::count(texcoords, -1) == 0;
     // Cells over corners that are one vertex do not say which of them they are over.
     if (!is_covered && has_each_vertex_once(face))
-      refuse(fmt::format("face {} of the input is not covered by cells", face));
+      refuse_surface(fmt::format("face {} of the input is not covered by cells", face));
     if (!is_whole || !is_covered) return {};
     // Two positive triangles on both sides of a diagonal are a simple polygon.
     constexpr std::size_t kAlwaysSimple = 4;

@@ -17,7 +17,7 @@
 namespace majorant {
 namespace {
 
-[[noreturn]] void refuse(const std::string& file, std::string_view problem) {
+[[noreturn]] void refuse_file(const std::string& file, std::string_view problem) {
   throw Error(ErrorKind::Unreadable, fmt::format("{}: {}", file, problem));
 }
 
@@ -59,12 +59,12 @@ VtuArrays::VtuArrays(const std::string& file, std::string& content, const StopCh
   const std::size_t tag_end = content.find('>', tag);
   const std::size_t close = content.rfind("</AppendedData>");
   if (tag_end == std::string::npos || close == std::string::npos || close < tag_end) {
-    refuse(file_, "AppendedData is not closed; the file is truncated");
+    refuse_file(file_, "AppendedData is not closed; the file is truncated");
   }
   const std::string start_tag = content.substr(tag, tag_end - tag) + "/>";
   appended_encoding_ = parse_xml(file_, start_tag).attribute("encoding", "raw");
   const std::size_t begin = content.find_first_not_of(" \t\r\n", tag_end + 1);
-  if (content[begin] != '_') refuse(file_, "AppendedData does not begin with '_'");
+  if (content[begin] != '_') refuse_file(file_, "AppendedData does not begin with '_'");
   appended_ = content.substr(begin + 1, close - begin - 1);
   content.erase(tag, close + std::string_view("</AppendedData>").size() - tag);
 }
@@ -73,20 +73,21 @@ void VtuArrays::configure(const XmlElement& root) {
   const std::string_view compressor = root.attribute("compressor");
   is_compressed_ = compressor == "vtkZLibDataCompressor";
   if (!compressor.empty() && !is_compressed_) {
-    refuse(file_, fmt::format("arrays compressed by {} are not supported; save the file without "
-                              "compression, or with zlib's",
-                              in_quotes(compressor)));
+    refuse_file(file_,
+                fmt::format("arrays compressed by {} are not supported; save the file without "
+                            "compression, or with zlib's",
+                            in_quotes(compressor)));
   }
   const std::string_view order = root.attribute("byte_order", "LittleEndian");
   const std::string_view header = root.attribute("header_type", "UInt32");
-  if (order != "LittleEndian" && order != "BigEndian") refuse(file_, "unknown byte_order");
-  if (header != "UInt32" && header != "UInt64") refuse(file_, "unknown header_type");
+  if (order != "LittleEndian" && order != "BigEndian") refuse_file(file_, "unknown byte_order");
+  if (header != "UInt32" && header != "UInt64") refuse_file(file_, "unknown header_type");
   order_ = order == "BigEndian" ? ByteOrder::Big : ByteOrder::Little;
   header_size_ = header == "UInt64" ? 8 : 4;
 }
 
 void VtuArrays::fail(const XmlElement& array, std::string_view problem) const {
-  refuse(file_, fmt::format("array {}: {}", in_quotes(array.attribute("Name", "?")), problem));
+  refuse_file(file_, fmt::format("array {}: {}", in_quotes(array.attribute("Name", "?")), problem));
 }
 
 // The number of bytes of an array, which precedes it.

@@ -13,7 +13,7 @@ namespace majorant {
 namespace {
 
 // Of elements. Origin: VTK needs five; chosen, not tuned.
-constexpr std::size_t kDeepest = 64;
+constexpr std::size_t kDeepestElement = 64;
 constexpr std::string_view kSpace = " \t\r\n";
 
 std::string decode_entities(std::string_view value) {
@@ -88,7 +88,7 @@ class XmlParser {
   }
 
   void read_start_tag(std::vector<XmlElement*>& stack) {
-    if (stack.size() > kDeepest) fail("elements nested too deeply; not a VTK file");
+    if (stack.size() > kDeepestElement) fail("elements nested too deeply; not a VTK file");
     XmlElement& element = stack.back()->children.emplace_back();
     element.name = read_name();
     while (true) {

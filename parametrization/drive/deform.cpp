@@ -17,7 +17,7 @@ namespace {
 // Of the mesh's size: deviation from a plane.
 constexpr double kFlat = kTenDigits;
 // Towards the targets. Origin: chosen so that a right angle is turned by 9 degrees at a time.
-constexpr int kSteps = 10;
+constexpr int kDeformSteps = 10;
 
 }  // namespace
 
@@ -56,7 +56,7 @@ ParametrizationResult deform(const BezierMap& start, const ParametrizationOption
     return parametrize(start, resolved, record);
   require_no_contradiction(start, resolved.map);
   PinPull way(start, resolved, record);
-  way.walk(kSteps, resolved.map.handle_weight);
+  way.walk(kDeformSteps, resolved.map.handle_weight);
   if (!resolved.map.pins.empty() && !way.hold()) way.refuse();
   return parametrize(way.map(), resolved, record);
 }

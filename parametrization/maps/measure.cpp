@@ -19,10 +19,10 @@ namespace majorant {
 namespace {
 
 // Of the total, spread over the elements. Origin: ten times finer than energies are compared.
-constexpr double kAgreement = 1e-6;
+constexpr double kEnergyAgreement = 1e-6;
 // Extremes are sampled at the points (i,j,k)/8. Origin: 45 points a face; for reports alone, proofs
 // do not rely on them.
-constexpr int kSamples = 8;
+constexpr int kExtremeSamples = 8;
 
 // A weighted sum of energies on the same rules.
 class Measured {
@@ -55,9 +55,9 @@ class Measured {
 
 std::vector<Barycentric> sample_points() {
   std::vector<Barycentric> points;
-  for (int i = 0; i <= kSamples; ++i)
-    for (int j = 0; j <= kSamples - i; ++j)
-      points.push_back(Barycentric(i, j, kSamples - i - j) / kSamples);
+  for (int i = 0; i <= kExtremeSamples; ++i)
+    for (int j = 0; j <= kExtremeSamples - i; ++j)
+      points.push_back(Barycentric(i, j, kExtremeSamples - i - j) / kExtremeSamples);
   return points;
 }
 
@@ -116,7 +116,7 @@ void measure_energy(const BezierMap& map, const RestShapes& rest, const EnergySu
     for (std::size_t f = 0; f < level.size(); ++f)
       if (open[f]) level[f] = static_cast<RuleId>(top);
     const Vec finer = measured.values(level);
-    const double bound = kAgreement * std::abs(finer.sum()) / static_cast<double>(faces);
+    const double bound = kEnergyAgreement * std::abs(finer.sum()) / static_cast<double>(faces);
     for (Index f = 0; f < faces; ++f)
       if (std::abs(finer[f] - values[f]) <= bound) open[at(f)] = 0;
     values = finer;

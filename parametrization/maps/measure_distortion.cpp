@@ -21,7 +21,7 @@ namespace {
 // Of the integrals of sigma_1 / sigma_2 and of the squared stretch over a face: how much the last
 // two rules may differ. Origin: for reports, read to three or four digits; the finer rule of the
 // two is some 50 times better.
-constexpr double kAgreement = 1e-3;
+constexpr double kDistortionAgreement = 1e-3;
 // Extremes are sampled at the points (i,j,k)/8, too, as measure.cpp does. Origin: for reports
 // alone.
 constexpr int kSamples = 8;
@@ -70,7 +70,7 @@ Means means(const Eigen::RowVectorXd& weights, const Eigen::Ref<const Eigen::Arr
 
 bool agree(const Means& coarse, const Means& fine, Index column) {
   for (const Index row : {3, 4}) {
-    const double bound = kAgreement * fine(row, column);
+    const double bound = kDistortionAgreement * fine(row, column);
     if (std::abs(fine(row, column) - coarse(row, column)) > bound) return false;
   }
   return true;  // infinite, too

@@ -11,7 +11,7 @@ namespace {
 constexpr Color kInk{51, 51, 51};
 constexpr int kWideEnough = 900;  // for letters of twice the size
 // In dots of letters.
-constexpr int kMargin = 6, kBarHeight = 8, kPoint = 5, kTick = 2, kLine = 12, kHeight = 52;
+constexpr int kLegendMargin = 6, kBarHeight = 8, kPoint = 5, kTick = 2, kLine = 12, kHeight = 52;
 
 int zoom_of(int width) { return width >= kWideEnough ? 2 : 1; }
 
@@ -39,7 +39,7 @@ int png_legend_height(int width) { return kHeight * zoom_of(width); }
 
 void draw_legend(PixelImage& image, const Legend& legend) {
   const int zoom = zoom_of(image.width);
-  const int left = (kMargin + kPoint) * zoom;
+  const int left = (kLegendMargin + kPoint) * zoom;
   const int width = std::max(1, std::min(image.width / 2, 400 * zoom) - 2 * left);
   const int top = image.height - (kHeight - 4) * zoom, height = kBarHeight * zoom;
   for (int x = 0; x < width; ++x)
@@ -58,10 +58,10 @@ void draw_legend(PixelImage& image, const Legend& legend) {
     draw_text(image, x - wide / 2, ticks + (kTick + 2) * zoom, zoom, kInk, tick.label);
     free = x - wide / 2 + wide + kGlyphAdvance * zoom / 2;
   }
-  const int room = (image.width - 2 * kMargin * zoom) / (kGlyphAdvance * zoom);
+  const int room = (image.width - 2 * kLegendMargin * zoom) / (kGlyphAdvance * zoom);
   const int text = ticks + (kTick + 3 + kGlyphHeight) * zoom;
-  draw_text(image, kMargin * zoom, text, zoom, kInk, cut_off(legend.title, room));
-  draw_text(image, kMargin * zoom, text + (kLine - 1) * zoom, zoom, kInk,
+  draw_text(image, kLegendMargin * zoom, text, zoom, kInk, cut_off(legend.title, room));
+  draw_text(image, kLegendMargin * zoom, text + (kLine - 1) * zoom, zoom, kInk,
             cut_off(legend.note, room));
 }
 

@@ -11,10 +11,10 @@
 namespace majorant {
 namespace {
 
-constexpr double kUpright = 0.9986;  // cosine of 3 degrees
-constexpr double kMargin = 0.02;     // around what is shown
-constexpr double kChord = 0.1;       // pixels from the curve
-constexpr int kMostPieces = 64;      // along an edge
+constexpr double kUpright = 0.9986;    // cosine of 3 degrees
+constexpr double kSceneMargin = 0.02;  // around what is shown
+constexpr double kChord = 0.1;         // pixels from the curve
+constexpr int kMostPieces = 64;        // along an edge
 constexpr double kMostTriangles = 4e6;
 
 // Rows: right, up, towards the eye.
@@ -37,7 +37,7 @@ struct Frame {
   Frame(const Vector2& low, const Vector2& high, PixelSize pixels)
       : middle(0.5 * low + 0.5 * high), size(pixels) {
     const Vector2 extent = (high - low).cwiseMax(1e-300);
-    const double margin = kMargin * std::min(size.width, size.height);
+    const double margin = kSceneMargin * std::min(size.width, size.height);
     scale = std::min((size.width - 2 * margin) / extent[0], (size.height - 2 * margin) / extent[1]);
   }
 

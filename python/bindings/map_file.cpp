@@ -83,7 +83,7 @@ struct ReadMap {
   Promise promise;
 };
 
-py::tuple read(const std::string& path) {
+py::tuple load_map(const std::string& path) {
   Run run;
   const ReadMap read = run([&] {
     ReadMap out;
@@ -135,7 +135,7 @@ void bind_map_files(py::module_& module) {
   add_array(type, "cone", &MapFile::cone);
   add_array(type, "chart", &MapFile::chart);
   add_array(type, "seam_edges", &MapFile::seam_edges);
-  module.def("read_map", &read, py::arg("path"));
+  module.def("read_map", &load_map, py::arg("path"));
   module.def("save_map", &save, py::arg("path"), py::arg("file"), py::arg("mesh"),
              py::arg("promise"), py::arg("input"), py::arg("refine"), py::arg("lagrange"),
              py::arg("surface"));

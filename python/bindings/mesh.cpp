@@ -56,7 +56,7 @@ py::array rows(const std::vector<Eigen::Matrix<double, N, 1>>& vectors) {
   return moved(std::move(out));
 }
 
-SharedPolygons read(const std::string& path) {
+SharedPolygons load_mesh(const std::string& path) {
   Run run;
   return run([&] { return std::make_shared<PolygonMesh>(read_mesh(path, run.stop())); });
 }
@@ -84,7 +84,7 @@ void bind_meshes(py::module_& module) {
           }));
   module.def("mesh_of_arrays", &mesh_of_arrays, py::arg("positions"), py::arg("polygons"),
              py::arg("texcoords") = py::none(), py::arg("polygon_texcoords") = py::none());
-  module.def("read_mesh", &read, py::arg("path"));
+  module.def("read_mesh", &load_mesh, py::arg("path"));
 }
 
 }  // namespace majorant::python

@@ -2,7 +2,6 @@
 
 #include <pybind11/stl.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,6 +10,7 @@
 #include "arrays.h"
 #include "kept.h"
 #include "majorant/energies/quadratic_penalty.h"
+#include "majorant/framework/internal/symmetric_eigen.h"
 #include "majorant/parametrization/maps/internal/quadrature_ladder.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 #include "majorant/parametrization/starts/tutte.h"
@@ -132,11 +132,10 @@ class PythonTerm final : public EnergyTerm {
   }
 
   static void clamp(Eigen::MatrixXd& H, double clamp) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(H);
-    const Vec& l = eigen.eigenvalues();
+    const SymmetricEigen eigen = symmetric_eigen(H);
+    const Vec& l = eigen.values;
     if (l.size() == 0 || l[0] >= 0) return;
-    H = eigen.eigenvectors() * l.cwiseMax((1 - clamp) * l).asDiagonal() *
-        eigen.eigenvectors().transpose();
+    H = eigen.vectors * l.cwiseMax((1 - clamp) * l).asDiagonal() * eigen.vectors.transpose();
   }
 
   // The chunk's unknowns, an element a row, and the elements' numbers.

@@ -15,6 +15,7 @@
 #include "majorant/energies/internal/instruction_sets.h"
 #include "majorant/energies/make_energy.h"
 #include "majorant/energies/named_energies.h"
+#include "majorant/framework/internal/symmetric_eigen.h"
 #include "support.h"
 
 namespace majorant::test {
@@ -242,13 +243,11 @@ inline std::vector<Eigen::Matrix2d> all_jacobians() {
   return out;
 }
 
-inline double smallest_eigenvalue(const Eigen::MatrixXd& m) {
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(m).eigenvalues()[0];
-}
+inline double smallest_eigenvalue(const Eigen::MatrixXd& m) { return symmetric_eigen(m).values[0]; }
 
 inline Matrix4 clamp_eigenvalues(const Matrix4& m) {
-  const Eigen::SelfAdjointEigenSolver<Matrix4> s(m);
-  return s.eigenvectors() * s.eigenvalues().cwiseMax(0).asDiagonal() * s.eigenvectors().transpose();
+  const SymmetricEigen s = symmetric_eigen(m);
+  return s.vectors * s.values.cwiseMax(0).asDiagonal() * s.vectors.transpose();
 }
 
 }  // namespace majorant::test

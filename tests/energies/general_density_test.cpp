@@ -265,11 +265,10 @@ TEST(GeneralDensity, TetrahedraMatchNestedJets) {
         g[i] = static_cast<double>(f.v[i].a);
         for (int k = 0; k < 9; ++k) h(i, k) = static_cast<double>(f.v[i].v[k]);
       }
-      const Eigen::SelfAdjointEigenSolver<Matrix9> eigen(h);
-      indefinite += eigen.eigenvalues()[0] < -1e-3;
+      const SymmetricEigen eigen = symmetric_eigen(h);
+      indefinite += eigen.values[0] < -1e-3;
       if (curvature == Curvature::Projected)
-        h = eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).asDiagonal() *
-            eigen.eigenvectors().transpose();
+        h = eigen.vectors * eigen.values.cwiseMax(0).asDiagonal() * eigen.vectors.transpose();
       Eigen::Matrix<double, 9, 12> by_x = Eigen::Matrix<double, 9, 12>::Zero();
       for (int node = 0; node < 4; ++node)
         for (int p = 0; p < 3; ++p)

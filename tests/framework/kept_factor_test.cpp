@@ -44,7 +44,9 @@ TEST(KeptFactors, ServeSeveralSteps) {
     run = r.iterations[k].factorizations > 0 ? 0 : run + 1;
     kept += run > 0;
     longest = std::max(longest, run);
-    if (run > 1) EXPECT_GE(r.iterations[k - 1].step, o.kept.short_step);
+    if (run > 1) {
+      EXPECT_GE(r.iterations[k - 1].step, o.kept.short_step);
+    }
   }
   EXPECT_GT(kept, 3);
   EXPECT_EQ(longest, 3);

@@ -6,15 +6,15 @@
 #include <algorithm>
 #include <limits>
 
+#include "majorant/framework/internal/symmetric_eigen.h"
 #include "random.h"
 
 namespace majorant {
 namespace {
 
-template <int N>
-Eigen::Matrix<double, N, N> unpacked(const double* k) {
-  Eigen::Matrix<double, N, N> m;
-  for (int i = 0; i < N; ++i)
+Eigen::MatrixXd unpacked(int size, const double* k) {
+  Eigen::MatrixXd m(size, size);
+  for (int i = 0; i < size; ++i)
     for (int j = 0; j <= i; ++j) m(i, j) = m(j, i) = *k++;
   return m;
 }
@@ -26,19 +26,18 @@ void clamp_random_matrices() {
     for (const double clamp : {0.0, 0.3, 1.0}) {
       double k[N * (N + 1) / 2];
       for (double& entry : k) entry = random.uniform();
-      const auto before = unpacked<N>(k);
+      const Eigen::MatrixXd before = unpacked(N, k);
       double rotated[N * (N + 1) / 2];
       std::copy(std::begin(k), std::end(k), rotated);
-      clamp_eigenvalues<N>(clamp, k);
+      clamp_eigenvalues(N, clamp, k);
       make_semidefinite<N>(clamp, rotated);
-      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, N, N>> eigen(before);
-      Eigen::Matrix<double, N, N> expected = before;
+      const SymmetricEigen eigen = symmetric_eigen(before);
+      Eigen::MatrixXd expected = before;
       for (int i = 0; i < N; ++i)
-        if (const double l = eigen.eigenvalues()[i]; l < 0)
-          expected -=
-              clamp * l * eigen.eigenvectors().col(i) * eigen.eigenvectors().col(i).transpose();
-      EXPECT_LE((unpacked<N>(k) - expected).norm(), 1e-13 * (1 + before.norm())) << N;
-      EXPECT_LE((unpacked<N>(rotated) - expected).norm(), 1e-13 * (1 + before.norm())) << N;
+        if (const double l = eigen.values[i]; l < 0)
+          expected -= clamp * l * eigen.vectors.col(i) * eigen.vectors.col(i).transpose();
+      EXPECT_LE((unpacked(N, k) - expected).norm(), 1e-13 * (1 + before.norm())) << N;
+      EXPECT_LE((unpacked(N, rotated) - expected).norm(), 1e-13 * (1 + before.norm())) << N;
     }
 }
 
@@ -53,26 +52,25 @@ TEST(PackedSymmetric, TakesPartsOfNegativeEigenvaluesAway) {
 TEST(PackedSymmetric, LeavesDefiniteMatricesToTheBit) {
   double k[] = {2, 0.1, 3, 0.3, 0.7, 4};
   const std::vector<double> before(std::begin(k), std::end(k));
-  clamp_eigenvalues<3>(1, k);
+  clamp_eigenvalues(3, 1, k);
   for (std::size_t p = 0; p < before.size(); ++p) EXPECT_EQ(k[p], before[p]);
 }
 
 // Random matrices of full and of lower rank, moved across 0 by a little more than rounding.
 template <int N>
 void judge_random_matrices() {
-  using Matrix = Eigen::Matrix<double, N, N>;
   test::Random random(N);
   for (int trial = 0; trial < 50; ++trial) {
-    Matrix half = Matrix::NullaryExpr([&] { return random.uniform(); });
+    Eigen::MatrixXd half = Eigen::MatrixXd::NullaryExpr(N, N, [&] { return random.uniform(); });
     half.rightCols(random.integer(0, N - 1)).setZero();
     const Vec direction = random.vector(N).normalized();
     const auto judged = [&](double part) {
-      const Matrix m =
+      const Eigen::MatrixXd m =
           half * half.transpose() + part * half.squaredNorm() * direction * direction.transpose();
       double k[N * (N + 1) / 2];
       for (int i = 0, p = 0; i < N; ++i)
         for (int j = 0; j <= i; ++j, ++p) k[p] = m(i, j);
-      const double lowest = Eigen::SelfAdjointEigenSolver<Matrix>(m).eigenvalues()[0];
+      const double lowest = symmetric_eigen(m).values[0];
       return std::pair(is_semidefinite<N>(k), lowest / half.squaredNorm());
     };
     for (const double part : {0.1, 0.01, -0.001, -0.1, -1.0}) {
@@ -97,13 +95,12 @@ TEST(PackedSymmetric, Semidefinite) {
 TEST(PackedSymmetric, RotationsOfAnySize) {
   for (const double size : {1e-300, 1e-20, 1e100, 1e150}) {
     double k[] = {size, 3 * size, -size, 0.1 * size, -2 * size, 5 * size};
-    const auto before = unpacked<3>(k);
+    const Eigen::MatrixXd before = unpacked(3, k);
     make_semidefinite<3>(1, k);
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(before);
-    const Eigen::Matrix3d expected = eigen.eigenvectors() *
-                                     eigen.eigenvalues().cwiseMax(0.0).asDiagonal() *
-                                     eigen.eigenvectors().transpose();
-    EXPECT_LE((unpacked<3>(k) - expected).cwiseAbs().maxCoeff(), 1e-13 * size);
+    const SymmetricEigen eigen = symmetric_eigen(before);
+    const Eigen::MatrixXd expected =
+        eigen.vectors * eigen.values.cwiseMax(0.0).asDiagonal() * eigen.vectors.transpose();
+    EXPECT_LE((unpacked(3, k) - expected).cwiseAbs().maxCoeff(), 1e-13 * size);
   }
 }
 

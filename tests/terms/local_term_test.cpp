@@ -107,7 +107,7 @@ TEST(LocalTerm, PairsAreProjectedAsWhatTheyAre) {
       double packed[21];
       for (int i = 0, p = 0; i < 6; ++i)
         for (int j = 0; j <= i; ++j, ++p) packed[p] = exact[problem.pattern().slot(i, j)];
-      clamp_eigenvalues<6>(0.7, packed);
+      clamp_eigenvalues(6, 0.7, packed);
       for (int i = 0, p = 0; i < 6; ++i)
         for (int j = 0; j <= i; ++j, ++p)
           EXPECT_NEAR(found[problem.pattern().slot(i, j)], packed[p], 1e-11) << anchor;

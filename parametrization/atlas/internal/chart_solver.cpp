@@ -13,7 +13,7 @@
 namespace majorant {
 namespace {
 
-bool is_injective(const BezierMap& map) {
+bool has_proven_boundary(const BezierMap& map) {
   return check_boundary(map).result == Injectivity::Proven;
 }
 
@@ -49,7 +49,7 @@ void ChartSolver::try_texture(RunRecord& record) {
   const std::optional<PreparedTexture> prepared = texture_start(mesh_, record);
   if (!prepared) return;
   if (attempt(prepared->uv, MapInjectivity::Local, record) ||
-      (is_injective(BezierMap::linear(mesh_, prepared->uv)) &&
+      (has_proven_boundary(BezierMap::linear(mesh_, prepared->uv)) &&
        attempt(prepared->uv, MapInjectivity::Global, record)))
     chart_.start = prepared->start;
 }
@@ -65,7 +65,7 @@ void ChartSolver::try_tutte(RunRecord& record) {
 bool ChartSolver::try_unfolded(RunRecord& record) {
   const Vec start = unfolded(*mesh_);
   if (faces_without_room(mesh_->faces(), start) > 0 ||
-      !is_injective(BezierMap::linear(mesh_, start)))
+      !has_proven_boundary(BezierMap::linear(mesh_, start)))
     return false;
   if (!attempt(start, MapInjectivity::Local, record) &&
       !attempt(start, MapInjectivity::Global, record))
@@ -106,7 +106,7 @@ bool ChartSolver::attempt(const Vec& start, MapInjectivity injectivity, RunRecor
     return false;
   }
   const bool has_map = result.map && result.status != Status::Failed;
-  if (!has_map || !is_injective(*result.map) || !has_room(*result.map)) {
+  if (!has_map || !has_proven_boundary(*result.map) || !has_room(*result.map)) {
     chart_.message = result.message;
     return false;
   }
@@ -126,7 +126,7 @@ void ChartSolver::keep_start(const RunRecord& record) {
   chart_.measures = measure_map(map, options_.map.energy, record.stop());
   const Directive why = record.directive();
   chart_.status = why == Directive::Continue ? Status::Stalled : status_of(why);
-  if (!chart_.measures.locally_injective || !is_injective(map)) {
+  if (!chart_.measures.locally_injective || !has_proven_boundary(map)) {
     chart_.status = Status::Failed;
     chart_.message = "no injective map of the chart was found";
   }
@@ -141,7 +141,7 @@ void ChartSolver::to_area_of_surface() {
   BezierMap scaled =
       chart_.map->with(chart_.map->shared_space(), Vec(scale * chart_.map->control_points()));
   MapMeasures measures = measure_map(scaled, options_.map.energy);
-  if (!measures.locally_injective || !is_injective(scaled)) return;
+  if (!measures.locally_injective || !has_proven_boundary(scaled)) return;
   chart_.map = std::move(scaled);
   chart_.measures = std::move(measures);
 }

@@ -12,7 +12,7 @@ namespace {
 // Bound of cotangents, and least area of a vertex in parts of the mean. Origin: needles beyond it
 // are lines, as far as distortion goes.
 constexpr double kMostCotangent = 1e3;
-constexpr double kLeastArea = 1e-6;
+constexpr double kLeastVertexArea = 1e-6;
 
 struct Entry {
   Index unknown;
@@ -77,7 +77,7 @@ void FlatteningStrain::measure(const SurfaceMesh& piece) {
                               : std::copysign(kMostCotangent, cosine);
   }
   area_ /= area_.sum();
-  area_ = area_.cwiseMax(kLeastArea * area_.mean());
+  area_ = area_.cwiseMax(kLeastVertexArea * area_.mean());
 }
 
 // The outer loop is held, any other is one unknown, as every vertex inside.

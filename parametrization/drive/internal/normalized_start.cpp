@@ -18,10 +18,6 @@
 namespace majorant {
 namespace {
 
-// Extents of the surface beyond which the position of a free map is given up for its digits.
-// Origin: three of the sixteen digits are lost there.
-constexpr double kFarAway = 1000;
-
 // The optimizer works on a surface of size about 1: a power of two, so that scaling is exact.
 double normalizing_scale(const SurfaceMesh& mesh) {
   const Eigen::RowVector3d extent =
@@ -221,7 +217,7 @@ NormalizedStart::NormalizedStart(const BezierMap& given, const MapOptions& asked
   if (const auto gauge = gauge_vertices(spec, start.space());
       origin == Origin::Free && !gauge.empty() && spec.pins.empty() && spec.handles.empty())
     origin_ = start.control_points().segment<2>(2 * gauge.front());
-  if (origin_.norm() * scale_ <= kFarAway || spec.boundary == BoundaryCondition::Fixed)
+  if (origin_.norm() * scale_ <= kLargestOffset || spec.boundary == BoundaryCondition::Fixed)
     destination_ = origin_;
   for (auto* points : {&spec.pins, &spec.handles})
     for (FixedPoint& p : *points) p.position = (p.position - origin_) * scale_;

@@ -16,6 +16,10 @@ namespace majorant {
 // Throws InvalidArgument unless face weights and data of energies are for the faces of the mesh.
 void require_face_data(const SurfaceMesh& mesh, const MapObjective& asked);
 
+// Extents of the surface beyond which the position of a free map is given up for its digits.
+// Origin: three of the sixteen digits are lost there.
+inline constexpr double kLargestOffset = 1000;
+
 // Where the origin is: where coordinates have most digits, or where the start has it, because
 // somebody else knows the coordinates.
 enum class Origin { Free, Kept };

@@ -18,12 +18,12 @@ constexpr int kLargestMeanAngle = 120;
 const std::vector<char> kNoneFixed;
 // Cones move one edge a sweep; the smoothest field has them nearly in place. Origin: chosen, not
 // tuned.
-constexpr int kMaxSweeps = 20;
+constexpr int kMostConeSweeps = 20;
 // Origin: a sweep takes a solve for each; chosen, not tuned.
 constexpr Index kMostCones = 1000;
 // Of energy; rounding shall not move cones. Origin: far above the rounding of the solves, far below
 // the gain of a move that matters.
-constexpr double kLeastGain = 1e-6;
+constexpr double kLeastConeGain = 1e-6;
 
 class Cleanup {
  public:
@@ -44,7 +44,8 @@ class Cleanup {
     if (cones > kMostCones) return;
     ConePotential potential(mesh_, geometry_, field_.quarter_turns);
     cancel_pairs(potential, cone_cost, stop);
-    for (int sweep = 0; sweep < kMaxSweeps && improve_places(potential, cone_cost, stop); ++sweep)
+    for (int sweep = 0; sweep < kMostConeSweeps && improve_places(potential, cone_cost, stop);
+         ++sweep)
       cancel_pairs(potential, cone_cost, stop);
   }
 
@@ -139,7 +140,7 @@ class Cleanup {
       if (best < 0) continue;
       const Index w = mesh_.to_vertex(best), from = step > 0 ? v : w, to = step > 0 ? w : v;
       const double gain = potential.change(from, to) + cone_cost * change(from, to);
-      if (gain < -kLeastGain) {
+      if (gain < -kLeastConeGain) {
         potential.move(from, to);
         move(step > 0 ? best : mesh_.opposite(best));
         any = true;

@@ -10,9 +10,9 @@ namespace {
 
 // Of the energy of a loop; rounding shall not turn the field. Origin: far above rounding, far below
 // what a turn changes.
-constexpr double kLeastGain = 1e-9;
+constexpr double kLeastTurnGain = 1e-9;
 // Over the loops; a few suffice. Origin: a bound; chosen, not tuned.
-constexpr int kMaxSweeps = 100;
+constexpr int kMostLoopSweeps = 100;
 
 }  // namespace
 
@@ -53,14 +53,14 @@ void relax_and_round_turning(const SurfaceMesh& mesh, const FieldGeometry& geome
     relaxation.apply(forms.back().angle, forms.back().rotation);
   }
   bool changed = count > 0;
-  for (int sweep = 0; changed && sweep < kMaxSweeps; ++sweep) {
+  for (int sweep = 0; changed && sweep < kMostLoopSweeps; ++sweep) {
     changed = false;
     for (const FieldConnection& form : forms) {
       // Both half-edges of every edge are counted, on both sides of the quotient.
       const Vec weighted = geometry.weight.cwiseProduct(form.rotation);
       const double size = weighted.dot(form.rotation);
       const double best = -weighted.dot(field.rotation) / (kQuarter * size);
-      const double turns = std::round(best * (1 - kLeastGain));
+      const double turns = std::round(best * (1 - kLeastTurnGain));
       if (turns == 0) continue;
       field.angle += turns * kQuarter * form.angle;
       field.rotation += turns * kQuarter * form.rotation;

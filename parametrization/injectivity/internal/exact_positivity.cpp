@@ -68,7 +68,7 @@ Integer factorial(int n) {
 }
 
 // A triangular array of Bernstein coefficients of degree `degree`, and the corners of the piece.
-struct Piece {
+struct DeterminantPiece {
   int degree;
   std::vector<Integer> c;
   std::array<Barycentric, 3> corners;
@@ -83,9 +83,10 @@ struct Piece {
 // (2m)! det J for degree n = m + 1: the coefficient of xi^I is
 //   i! j! k! sum_{alpha + beta = I} C(alpha) C(beta) d_1 b_alpha x d_2 b_beta,
 // C the multinomial coefficients of degree m, d_r b_alpha = b_{alpha + e_r} - b_{alpha + e_0}.
-Piece determinant(const TriangleIndices& ix, const std::vector<IntegerPoint>& b) {
+DeterminantPiece determinant(const TriangleIndices& ix, const std::vector<IntegerPoint>& b) {
   const int m = ix.degree() - 1;
-  Piece det{2 * m, {}, {Barycentric::UnitX(), Barycentric::UnitY(), Barycentric::UnitZ()}, 0};
+  DeterminantPiece det{
+      2 * m, {}, {Barycentric::UnitX(), Barycentric::UnitY(), Barycentric::UnitZ()}, 0};
   det.c.resize(at(control_point_count(2 * m)));
   const TriangleIndices& lower = TriangleIndices::of_degree(m);
   const auto point = [&](int i, int j, int k) -> const IntegerPoint& {
@@ -112,11 +113,12 @@ Piece determinant(const TriangleIndices& ix, const std::vector<IntegerPoint>& b)
 
 // Both halves across the edge from corner 0 to 1, all coefficients times 2^degree. Corners are
 // renamed so that every edge has its turn: 0, 1, 2 become 2, 0, middle and 1, 2, middle.
-std::array<Piece, 2> halves(const Piece& p) {
+std::array<DeterminantPiece, 2> halves(const DeterminantPiece& p) {
   const int n = p.degree;
   const Barycentric middle = (p.corners[0] + p.corners[1]) / 2;
-  std::array<Piece, 2> half{Piece{n, p.c, {p.corners[2], p.corners[0], middle}, p.depth + 1},
-                            Piece{n, p.c, {p.corners[1], p.corners[2], middle}, p.depth + 1}};
+  std::array<DeterminantPiece, 2> half{
+      DeterminantPiece{n, p.c, {p.corners[2], p.corners[0], middle}, p.depth + 1},
+      DeterminantPiece{n, p.c, {p.corners[1], p.corners[2], middle}, p.depth + 1}};
   for (int k = 0; k <= n; ++k) {
     const int d = n - k;  // the row is a polynomial of degree d along the edge
     std::vector<Integer> row;
@@ -139,13 +141,13 @@ ExactPositivity exact_positivity(const Points2& control_points, const StopCheck&
   const int degree = degree_from_control_points(static_cast<int>(control_points.rows()));
   if (degree < 1 || degree > TriangleIndices::kMaxDegree)
     throw InvalidArgument("exact_positivity: no Bezier triangle of degree 1..20");
-  std::vector<Piece> open{
+  std::vector<DeterminantPiece> open{
       determinant(TriangleIndices::of_degree(degree), to_integers(control_points))};
   bool is_left = false;
   for (int pieces = 0; !open.empty(); ++pieces) {
     stop.poll();
     if (pieces == kMostPieces) return {};
-    const Piece piece = std::move(open.back());
+    const DeterminantPiece piece = std::move(open.back());
     open.pop_back();
     const std::array<std::size_t, 3> corners = {piece.at(0, 0), piece.at(piece.degree, 0),
                                                 piece.at(0, piece.degree)};
@@ -155,7 +157,7 @@ ExactPositivity exact_positivity(const Points2& control_points, const StopCheck&
       continue;
     is_left = is_left || piece.depth == kDeepest;
     if (piece.depth == kDeepest) continue;
-    for (Piece& half : halves(piece)) open.push_back(std::move(half));
+    for (DeterminantPiece& half : halves(piece)) open.push_back(std::move(half));
   }
   if (is_left) return {};
   return {Positivity::Certified, Barycentric::Zero()};

@@ -1,7 +1,8 @@
 #include "majorant/parametrization/maps/internal/principal_axes.h"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
+
+#include "majorant/framework/internal/symmetric_eigen.h"
 
 namespace majorant {
 namespace {
@@ -47,17 +48,15 @@ Vector2 principal_direction(const Points2& uv, const Cells& cells) {
   }
   if (!(area > 0)) return {1, 0};
   const Vector2 mean = first / area;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(second / area -
-                                                            mean * mean.transpose());
-  if (!(axes.eigenvalues()[1] > kLeastRatio * axes.eigenvalues()[0])) return {1, 0};
-  const Vector2 direction = axes.eigenvectors().col(1);
+  const SymmetricEigen axes = symmetric_eigen(second / area - mean * mean.transpose());
+  if (!(axes.values[1] > kLeastRatio * axes.values[0])) return {1, 0};
+  const Vector2 direction = axes.vectors.col(1);
   double third = 0;
   for (Index c = 0; c < cells.rows(); ++c) {
     const Triangle t = triangle_at(uv, cells, c, low, size);
     third += t.area * std::pow(direction.dot(t.centre - mean), 3);
   }
-  const bool is_even =
-      std::abs(third) < kLeastSkewness * area * std::pow(axes.eigenvalues()[1], 1.5);
+  const bool is_even = std::abs(third) < kLeastSkewness * area * std::pow(axes.values[1], 1.5);
   const bool turns_back = is_even ? direction.x() < 0 : third < 0;
   return turns_back ? Vector2(-direction) : direction;
 }

@@ -16,8 +16,6 @@
 namespace majorant {
 namespace {
 
-constexpr double kSine = Quadrilateral::kRounding;
-
 // What flips of one degree share.
 class FlipTables {
  public:
@@ -202,7 +200,7 @@ bool flip_edge(BezierMesh& mesh, Index half_edge) {
   if (half_edge < 0 || at(half_edge) >= mesh.opposite.size())
     throw InvalidArgument(fmt::format("flip_edge: no half-edge {}", half_edge));
   if (!has_free_diagonal(mesh, half_edge)) return false;
-  if (!corners(mesh, half_edge).flips_to_positive(kSine)) return false;
+  if (!corners(mesh, half_edge).flips_to_positive(Quadrilateral::kRounding)) return false;
 
   const int n = mesh.degree;
   const Index h = half_edge, o = mesh.opposite[at(h)];
@@ -230,7 +228,8 @@ FlipCounts make_delaunay(BezierMesh& mesh, std::vector<char>& is_fixed) {
   return flip_while(mesh, is_fixed, std::numeric_limits<long>::max(),
                     [](const BezierMesh& m, Index h) {
                       const Quadrilateral quad = corners(m, h);
-                      return quad.is_strictly_convex(kSine) && quad.wants_delaunay_flip(kSine);
+                      return quad.is_strictly_convex(Quadrilateral::kRounding) &&
+                             quad.wants_delaunay_flip(Quadrilateral::kRounding);
                     });
 }
 

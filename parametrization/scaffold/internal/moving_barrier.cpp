@@ -13,7 +13,7 @@ namespace majorant {
 namespace {
 
 // Towards positive B_l. Origin: bounds the cost; failing flips stop long before.
-constexpr int kMostSteps = 40;
+constexpr int kMostBarrierSteps = 40;
 // With all B_l positive. Origin: mostly two are enough.
 constexpr int kQualitySteps = 12;
 // Relative decrease of F below which steps stop to pay. Origin: F only has to be good, not minimal;
@@ -35,11 +35,11 @@ double factorial(const MultiIndex& m) {
 double squared(double x) { return x * x; }
 
 // One term of F_mu and its derivatives by b.
-struct Barrier {
+struct BarrierValue {
   double value, first, second;
 };
 
-Barrier barrier(double b, double mu) {
+BarrierValue barrier(double b, double mu) {
   const double gap = b - mu, log = std::log(gap / (1 - mu));
   return {log * log + squared(b - 1), 2 * log / gap + 2 * (b - 1), 2 * (1 - log) / (gap * gap) + 2};
 }
@@ -180,7 +180,7 @@ void MovingBarrier::fill_model(const Points2& grid, double mu, Workspace& w) con
   Vec first(w.b.size()), root(w.b.size());
   w.model.value = 0;
   for (Index l = 0; l < w.b.size(); ++l) {
-    const Barrier term = barrier(w.b[l], mu);
+    const BarrierValue term = barrier(w.b[l], mu);
     w.model.value += term.value;
     first[l] = term.first;
     root[l] = std::sqrt(term.second);  // > 1.9 for mu <= 0: the logarithm bends by 0.05 at most
@@ -252,7 +252,7 @@ double MovingBarrier::minimize(Points2& grid) const {
   if (variable_count() == 0) return w.b.minCoeff();
   double gap = kWidestGap;
   int quality = 0;
-  for (int k = 0; k < kMostSteps && quality < kQualitySteps; ++k) {
+  for (int k = 0; k < kMostBarrierSteps && quality < kQualitySteps; ++k) {
     const double worst = w.b.minCoeff();
     if (!std::isfinite(worst)) break;
     const bool positive = worst > 0;

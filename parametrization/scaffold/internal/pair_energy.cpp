@@ -14,7 +14,7 @@ namespace majorant {
 namespace {
 
 // Newton steps of a pair. Origin: three times what they need.
-constexpr int kMostSteps = 30;
+constexpr int kMostPairSteps = 30;
 // Of the energy: the predicted decrease that ends a pair. Origin: a fifth of
 // LineSearch::kResolution, since a pair's energy is a sum of few terms.
 constexpr double kConverged = 1e-13;
@@ -182,7 +182,7 @@ void PairEnergy::minimize(Vec& x) const {
   const auto any_active = [&] {
     return std::any_of(pairs.begin(), pairs.end(), [](const Pair& p) { return p.active; });
   };
-  for (int k = 0; k < kMostSteps && any_active(); ++k) {
+  for (int k = 0; k < kMostPairSteps && any_active(); ++k) {
     linearize(x, pairs);
     find_directions(pairs);
     search(x, pairs);

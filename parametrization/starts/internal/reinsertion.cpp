@@ -11,7 +11,7 @@ namespace {
 
 // Halvings of the distance to the vertex that was collapsed onto. Origin: beyond them, doubles
 // cannot tell the points apart.
-constexpr int kHalvings = 50;
+constexpr int kDistanceHalvings = 50;
 
 using Complex = std::complex<double>;
 
@@ -106,7 +106,7 @@ bool put_back(const CollapsingMesh& mesh, const Points3& positions, VertexDescen
   double distance = 0;
   mesh.for_each_leaving(
       v, [&](Index h) { distance = std::max(distance, (descent.place(mesh.to(h)) - u).norm()); });
-  for (int k = 0; k < kHalvings; ++k, distance /= 2) {
+  for (int k = 0; k < kDistanceHalvings; ++k, distance /= 2) {
     descent.put(v, u + distance * direction);
     if (descent.has_room(v)) return true;
   }

@@ -15,7 +15,7 @@ namespace {
 // Of a decrease that the model promises: what a step must give. Origin: [NW06] Sec. 3.1.
 constexpr double kArmijoPart = 1e-4;
 // Halvings of a step. Origin: 2^-12 of a step is not worth more.
-constexpr int kHalvings = 12;
+constexpr int kStepHalvings = 12;
 // Part of the star's energy: a smaller decrement is the end of a vertex's steps. Origin: a
 // tenth of what a level is solved to.
 constexpr double kSmallDecrement = 1e-5;
@@ -157,7 +157,7 @@ double VertexDescent::improve(Index v, int steps) {
     if (!(slope < -kSmallDecrement * std::abs(m.f))) break;
     double s = 1;
     int tries = 0;
-    for (; tries < kHalvings; ++tries, s /= 2) {
+    for (; tries < kStepHalvings; ++tries, s /= 2) {
       const Vector2 there = here + s * direction;
       const StarModel trial = model(there);
       if (!(trial.room > 0) || !(trial.f <= m.f + kArmijoPart * s * slope)) continue;
@@ -165,7 +165,7 @@ double VertexDescent::improve(Index v, int steps) {
       m = trial;
       break;
     }
-    if (tries == kHalvings) break;
+    if (tries == kStepHalvings) break;
   }
   put(v, here);
   return m.f / star_weight_;

@@ -1,0 +1,22 @@
+// Eigenvalues of small dense symmetric matrices. Eigen's solver takes compilers ten seconds, and
+// again for each size: it is compiled here, once.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "majorant/framework/types.h"
+
+namespace majorant {
+
+struct SymmetricEigen {
+  Vec values;               // ascending
+  Eigen::MatrixXd vectors;  // of unit length, in the order of the values, one a column
+};
+
+// Reads the lower triangle of a square matrix, all entries of which are finite.
+SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& matrix);
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
