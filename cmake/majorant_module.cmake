@@ -16,8 +16,9 @@
 # majorant::ROOM, in either case.
 
 # Eigen's heap alignment is part of the binary interface: fixed, so that a consumer compiled with
-# wider vector instructions frees what we allocate.
-set(MAJORANT_ABI_DEFINITIONS EIGEN_MAX_ALIGN_BYTES=16 EIGEN_MALLOC_ALREADY_ALIGNED=0)
+# wider vector instructions frees what we allocate. To what Eigen chooses by itself where nothing is
+# asked for, so that archives like that of Ceres, which have the same inline functions, agree.
+set(MAJORANT_ABI_DEFINITIONS EIGEN_MAX_ALIGN_BYTES=16 EIGEN_MALLOC_ALREADY_ALIGNED=1)
 
 # While the first number is 0 every minor version may break programs: it is part of the name then.
 set(MAJORANT_SOVERSION ${PROJECT_VERSION_MAJOR})

@@ -1,9 +1,17 @@
 #include <petscmat.h>
 
+#include <cstdlib>
+
 #include "distributed/internal/petsc_call.h"
 #include "distributed/mesh_part.h"
 
 namespace majorant {
+namespace {
+
+// PTScotch divides on as many threads as the machine has, and then not the same way in every run.
+void divide_on_one_thread() { setenv("SCOTCH_PTHREAD_NUMBER", "1", 1); }
+
+}  // namespace
 
 // The dual graph on rank 0: a row a face, an entry a neighbour across an edge.
 std::vector<int> face_ranks(const SurfaceMesh& mesh, int count) {
@@ -27,6 +35,7 @@ std::vector<int> face_ranks(const SurfaceMesh& mesh, int count) {
   Mat graph = nullptr;
   MatPartitioning partitioning = nullptr;
   IS of_faces = nullptr;
+  divide_on_one_thread();
   require_petsc(
       MatCreateMPIAdj(PETSC_COMM_SELF, faces, faces, starts, neighbours, nullptr, &graph));
   require_petsc(MatPartitioningCreate(PETSC_COMM_SELF, &partitioning));

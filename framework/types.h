@@ -9,9 +9,9 @@ namespace majorant {
 
 // The library's binaries and their users must agree on how Eigen allocates. The CMake target
 // majorant::majorant defines both; who links by hand has to: -DEIGEN_MAX_ALIGN_BYTES=16
-// -DEIGEN_MALLOC_ALREADY_ALIGNED=0.
-static_assert(EIGEN_MAX_ALIGN_BYTES == 16 && EIGEN_MALLOC_ALREADY_ALIGNED == 0,
-              "compile with -DEIGEN_MAX_ALIGN_BYTES=16 -DEIGEN_MALLOC_ALREADY_ALIGNED=0");
+// -DEIGEN_MALLOC_ALREADY_ALIGNED=1.
+static_assert(EIGEN_MAX_ALIGN_BYTES == 16 && EIGEN_MALLOC_ALREADY_ALIGNED == 1,
+              "compile with -DEIGEN_MAX_ALIGN_BYTES=16 -DEIGEN_MALLOC_ALREADY_ALIGNED=1");
 
 using Index = int;  // sparse patterns, numbering; 32 bits on purpose
 using Vec = Eigen::VectorXd;

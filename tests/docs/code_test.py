@@ -94,7 +94,7 @@ def programs(page):
 
 COMPILER = [os.environ.get('CXX', 'c++'), '-std=c++20', '-Wall', '-Wextra', '-Werror',
             '-Wno-unused', '-Wno-unused-parameter',
-            '-DEIGEN_MAX_ALIGN_BYTES=16', '-DEIGEN_MALLOC_ALREADY_ALIGNED=0',
+            '-DEIGEN_MAX_ALIGN_BYTES=16', '-DEIGEN_MALLOC_ALREADY_ALIGNED=1',
             '-isystem', '/usr/include/eigen3']
 # Eigen, which every header includes, is precompiled: half of the time of a page.
 EIGEN = tempfile.TemporaryDirectory()

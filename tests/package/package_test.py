@@ -121,7 +121,7 @@ class Package(unittest.TestCase):
         root, headers = self.headers()
         compiler = [os.environ.get('CXX', 'c++'), '-std=c++20', '-Wall', '-Wextra', '-I' + root,
                     '-isystem', '/usr/include/eigen3', '-DEIGEN_MAX_ALIGN_BYTES=16',
-                    '-DEIGEN_MALLOC_ALREADY_ALIGNED=0']
+                    '-DEIGEN_MALLOC_ALREADY_ALIGNED=1']
         eigen = os.path.join(self.folder, 'eigen.h')
         with open(eigen, 'w') as f:
             f.write('#include <Eigen/Core>\n')  # precompiled
