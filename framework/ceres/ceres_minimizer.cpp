@@ -129,6 +129,24 @@ class Callback final : public ceres::IterationCallback {
   const Vec& y_;
 };
 
+// Of the energy at the start: what a gradient step has to gain for a point not to be a minimum.
+// Origin: the rounding of energies that are sums over thousands of elements.
+constexpr double kLeastGain = 1e-12;
+
+// Whether some step along the negative gradient gains `least`, from where the linear model of the
+// energy reaches 0 down to the rounding of y.
+bool gains_along_gradient(Evaluator& evaluator, const Vec& y, double energy, double least) {
+  Vec gradient;
+  evaluator.gradient(y, gradient);
+  double step = std::abs(energy) / gradient.squaredNorm();
+  for (Vec trial; std::isfinite(step); step /= 2) {
+    trial = y - step * gradient;
+    if (trial == y) return false;
+    if (evaluator.value(trial) < energy - least) return true;
+  }
+  return false;
+}
+
 CeresSolver::Options ceres_options(const CeresOptions& o) {
   CeresSolver::Options c;
   c.line_search_direction_type =
@@ -171,6 +189,7 @@ SolveResult CeresMinimizer::minimize(const Problem& problem, Vec y0,
   Run run(problem, options_, observer);
   run.result.y = std::move(y0);
   if (!check_start(run.evaluator, run.result)) return std::move(run.result);
+  const double least = kLeastGain * std::abs(run.result.energy);
   if (problem.size() == 0) {
     run.result.status = Status::Converged;
     run.result.message = "no unknowns";
@@ -191,7 +210,8 @@ SolveResult CeresMinimizer::minimize(const Problem& problem, Vec y0,
   if (run.refused) run.result.blocking = run.blocking;
   run.result.status = status_of(summary.termination_type, run);
   run.result.message = summary.message;
-  if (run.result.status == Status::Converged && !moved && !run.is_flat()) {
+  if (run.result.status == Status::Converged && !moved && !run.is_flat() &&
+      gains_along_gradient(run.evaluator, run.result.y, run.result.energy, least)) {
     run.result.status = Status::Stalled;
     run.result.message = "the last line search ended where it began";
   }

@@ -30,7 +30,7 @@ void write_file_atomically(const std::string& path, std::string_view content,
 
 // One of several files that appear together: complete beside its place until the others are, too.
 //
-//   PendingFile a("a.vtu", text_of_a), b("b.vtu", text_of_b);   // throws: neither appears
+//   PendingFile a("a.csv", "1,2"), b("b.csv", "3,4");   // throws: neither appears
 //   a.take_place();
 //   b.take_place();
 //
