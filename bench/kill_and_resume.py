@@ -47,7 +47,11 @@ def kill(mesh, ranks, moment, victim, args, kept, folder):
     time.sleep(moment)
     if run.poll() is None:
         os.kill(int(pids[victim]), signal.SIGKILL)
-    run.wait()
+    try:
+        run.wait(timeout=60)
+    except subprocess.TimeoutExpired:  # see docs/distributed.md: mpirun's own end
+        run.kill()
+        run.wait()
 
 
 def main():

@@ -166,7 +166,7 @@ class Corners(MpiTest):
         wait_for(run, 'degree 1')
         os.kill(victim, signal.SIGKILL)
         code, said = ended(run)
-        self.assertEqual(code, 137, said)
+        self.assertIn(code, (137, None), said)
         self.assertFalse(os.path.exists(self.path('a.pvtu')))
 
     def test_a_user_signal_ends_it_with_the_best_map(self):
