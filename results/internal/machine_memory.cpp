@@ -11,8 +11,8 @@ namespace {
 
 // What cg-hypre takes: PETSc itself, and its matrix and multigrid for every entry of the pattern.
 // Origin: bench/linear_solvers.py, its peak beyond that of direct without the factor: nefertiti cut
-// finer, 10K faces at degrees 1 to 3, 40K at degree 1; 105 to 125 an entry.
-constexpr std::size_t kMultigridBytes = 35'000'000, kMultigridBytesOfEntry = 115;
+// finer, 10K faces at degrees 1 to 3 and 40K at degree 1, from 105 to 125 bytes for each entry.
+constexpr std::size_t kMultigridBytes = 35000000, kMultigridBytesOfEntry = 115;
 
 // What a problem takes for every entry of its pattern, its tables among them. Origin: the process
 // at the analysis of degrees 2 and 3 of nefertiti_10000, over that at degree 1.

@@ -51,7 +51,7 @@ TEST(SolverMemory, DirectWhereItFitsOrTakesLess) {
 }
 
 TEST(SolverMemory, OfAPattern) {
-  const FactorSize needed{7'000'000, 1'000'000};
+  const FactorSize needed{7000000, 1000000};
   EXPECT_EQ(solver_memory(needed, 5u).direct, needed.bytes);
   EXPECT_EQ(solver_memory(needed, 5u).available, 5u);
   // Measured: of 157 entries a face at degree 3 cg-hypre took 18 KB, and 35 MB besides.
@@ -61,7 +61,7 @@ TEST(SolverMemory, OfAPattern) {
   // What the problem takes is not there any more when the factor is made.
   EXPECT_FALSE(foreseen_memory(needed, {}).available);
   EXPECT_EQ(foreseen_memory(needed, 5u).available, 0u);
-  const std::size_t left = foreseen_memory(needed, 100'000'000u).available.value_or(0);
+  const std::size_t left = foreseen_memory(needed, 100000000u).available.value_or(0);
   EXPECT_NEAR(static_cast<double>(left), 67e6, 1e7);
 }
 
