@@ -4,6 +4,7 @@
 checkpoint of theirs is refused."""
 import random
 import struct
+import tempfile
 import unittest
 
 from mpi_helpers import *
@@ -113,14 +114,24 @@ class Resumed(MpiTest):
 
 
 class Refused(MpiTest):
+    @classmethod
+    def setUpClass(cls):
+        """One checkpoint for all, of degree 2 from its first step on."""
+        super().setUpClass()
+        with tempfile.TemporaryDirectory() as folder:
+            kept = os.path.join(folder, 'run.ckpt')
+            done = alone('parametrize', disk('nefertiti_500'), '--degree', '2', '-o', os.path.join(folder, 'a.pvtu'),
+                         '--elevation', 'direct', '--checkpoint', kept, '--max-iterations', 4)
+            assert done.code == LIMIT, done.err
+            with open(kept, 'rb') as f:
+                cls.data = f.read()
+
     def setUp(self):
         super().setUp()
         self.mesh, self.kept = disk('nefertiti_500'), self.path('run.ckpt')
         self.asked = ['--degree', '2', '-o', self.path('a.pvtu')]
-        done = alone('parametrize', self.mesh, *self.asked, '--checkpoint', self.kept, '--max-iterations', 4)
-        self.assertEqual(done.code, LIMIT, done.err)
-        with open(self.kept, 'rb') as f:
-            self.data = f.read()
+        with open(self.kept, 'wb') as f:
+            f.write(self.data)
 
     def refuse(self, word, mesh=None, asked=(), data=None, path=None):
         path = path or self.path('other.ckpt')
@@ -183,6 +194,7 @@ class Refused(MpiTest):
         header = json.loads(self.data[24:24 + size])
         v, f, n = header['vertices'], header['faces'], header['degree']
         others = (n + 1) * (n + 2) // 2 - 3
+        self.assertEqual(others, 3)
         self.assertEqual(len(self.data), 24 + size + 16 * v + 16 * v + 16 * others * f + f + 8)
         self.assertEqual(checksum(self.data[:-8]), self.data[-8:])
         numbers = struct.unpack_from('<%dd' % (4 * v + 2 * others * f), self.data, 24 + size)
