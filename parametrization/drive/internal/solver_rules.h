@@ -9,12 +9,14 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "majorant/elements/element_space.h"
 #include "majorant/framework/internal/direct_solver.h"
 #include "majorant/framework/newton.h"
+#include "majorant/parametrization/drive/solve_options.h"
 #include "majorant/parametrization/maps/internal/quadrature_ladder.h"
 #include "majorant/parametrization/maps/map_problem.h"
 
@@ -123,6 +125,10 @@ void require_curvature(const DensityTerms& terms, Curvature asked);
 NewtonOptions newton_options(Curvature curvature, const SolverRules& rules, const StopCheck& stop,
                              Ordering ordering, const SolverFactory& linear_solver = {},
                              const InsteadOfFactor& instead = {});
+
+// What the direct solver will need at this degree, for maps of the faces of `space`.
+LastDegree last_degree(int degree, const std::shared_ptr<const BezierTriangleSpace>& space,
+                       Ordering ordering);
 
 // Whether a limit or Ctrl-C ended a solve.
 bool was_stopped(Status status);
