@@ -84,9 +84,12 @@ struct ScaffoldRules {
   // Mean density: where the map's vanishes, the scaffold stays. Origin: a small part of the
   // densities of maps that are not isometric, 4 and more where isometries do not have 0.
   double least_energy = 1e-3;
-  // Relative decrease above which the scaffold is relaxed. Origin: bench/tune.py
-  // scaffold.still_moving.
+  // The scaffold is relaxed after flips where the relative decrease is below this: before, the next
+  // step changes everything again. Origin: bench/tune.py scaffold.still_moving.
   double still_moving = 1e-3;
+  // It is relaxed where less than this part of a step was free of inverted triangles. Origin:
+  // bench/tune.py scaffold.short_bound.
+  double short_bound = 0.5;
   // Newton steps that relax it. Origin: bench/tune.py scaffold.relax_steps.
   int relax_steps = 5;
   // Of the tolerance asked for, where the first small step ends a run. Origin: Newton steps never
