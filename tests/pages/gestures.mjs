@@ -17,10 +17,12 @@ const boxOf = (page, selector) => page.evaluate((selector) => {
   return {left, top, width, height};
 }, selector);
 
-// Passes of a view, as lists of r, g, b, a.
-const read = (page, view, names) => page.evaluate(([view, names, size]) => Object.fromEntries(
-    names.map((name) => [name, [...window.majorantPage.readPass(view, name, size, size)]])),
-    [view, names, kSize]);
+// Passes of a view: bytes r, g, b, a in base64, as lists of numbers take the browser's connection seconds.
+const read = (page, view, names) => page.evaluate(([view, names, size]) => {
+  const encoded = (bytes) => btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(''));
+  return Object.fromEntries(names.map(
+      (name) => [name, encoded(window.majorantPage.readPass(view, name, size, size))]));
+}, [view, names, kSize]);
 
 const stateOf = (page) => page.evaluate(() => {
   const {app} = window.majorantPage;
@@ -60,6 +62,7 @@ async function brush(page) {
   await page.evaluate(() => window.majorantPage.app.state.set({edges: false}));
   await settled(page);
   const before = await drawing(page);
+  await page.locator('#scale svg').scrollIntoViewIfNeeded();
   const box = await boxOf(page, '#scale svg');
   const y = box.top + 30;
   await page.mouse.move(box.left + 0.3 * box.width, y);

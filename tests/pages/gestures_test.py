@@ -35,7 +35,7 @@ def position(scale, value):
 
 
 def pixels(passed):
-    return np.array(passed, dtype=float).reshape(SIZE, SIZE, 4)
+    return np.frombuffer(base64.b64decode(passed), np.uint8).reshape(SIZE, SIZE, 4).astype(float)
 
 
 def pair(image):
@@ -193,7 +193,7 @@ class Gestures(CommandTest):
         for name in ('uv', 'layout'):
             self.assertEqual(found['again'][name], found['end'][name])
             self.assertEqual(found['played'][name], found['end'][name])
-            changed = np.array(found['start'][name]) != np.array(found['end'][name])
+            changed = pixels(found['start'][name]) != pixels(found['end'][name])
             self.assertGreater(np.count_nonzero(changed), 1000, name)
         self.assertEqual(found['played']['label'], 'play')
 

@@ -3,7 +3,7 @@
 
 // uv_pass.mjs [PAGE...] COUNT: the surface at random views, fragments read back.
 // Answers for each page {frame, fragments: [{face, xi, uv, pixel, camera}], surprises, requests}.
-import {answer, visit} from './visit.mjs';
+import {answer, visitEach} from './visit.mjs';
 
 const [pages, count] = process.argv.slice(2).map((text) => JSON.parse(text));
 const size = 400;
@@ -46,8 +46,6 @@ function readViews({count, size, seed}) {
           surfaceFrame: {...app.shared?.surfaceFrame ?? app.surface.shared.surfaceFrame}};
 }
 
-const answers = [];
-for (const [k, file] of pages.entries())
-  answers.push(await visit(file, {width: 900, height: 500},
-                           (page) => page.evaluate(readViews, {count, size, seed: k + 1})));
-answer(answers);
+let seed = 0;
+answer(await visitEach(pages, {width: 900, height: 500},
+                       (page) => page.evaluate(readViews, {count, size, seed: ++seed})));
