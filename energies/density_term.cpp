@@ -110,21 +110,20 @@ DensityTerm::Gathered DensityTerm::gather(VecIn x, const Chunk& chunk, const Rul
   double* rest = memory + rows * stride;
   double* values = rest + rest_rows * stride;
   const int padded = (count + 7) / 8 * 8;
-  for (int p = 0; p < padded; ++p) {
-    const Index e = chunk.elements[static_cast<std::size_t>(std::min(p, count - 1))];
-    const Index* nodes = stencils_.nodes.data() + at(e) * at(rows / block);
-    double* to = memory + p;
-    for (int k = 0; k < rows / block; ++k) {
-      const double* from = x.data() + block * nodes[k];
-      for (int c = 0; c < block; ++c, to += stride) *to = from[c];
-    }
-    if (rest_.curved()) {
-      for (int k = 0; k < rest_rows; ++k) rest[k * stride + p] = rule.rest(e, k);
-    } else {
-      for (int k = 0; k < per_point - 1; ++k) rest[k * stride + p] = rest_.inverse(e, k);
-      rest[(per_point - 1) * stride + p] = rest_.measure[e];
-    }
+  Index elements[stride], first[stride];  // and the unknowns that their nodes begin with
+  for (int p = 0; p < padded; ++p) elements[p] = chunk.elements[at(std::min(p, count - 1))];
+  double* to = memory;
+  for (int k = 0; k < rows / block; ++k) {
+    for (int p = 0; p < padded; ++p) first[p] = block * stencils_.nodes(elements[p], k);
+    for (int c = 0; c < block; ++c, to += stride)
+      for (int p = 0; p < padded; ++p) to[p] = x[first[p] + c];
   }
+  to = rest;
+  for (int k = 0; k < rest_rows; ++k, to += stride)
+    for (int p = 0; p < padded; ++p)
+      to[p] = rest_.curved()       ? rule.rest(elements[p], k)
+              : k == per_point - 1 ? rest_.measure[elements[p]]
+                                   : rest_.inverse(elements[p], k);
   const ChunkView view{count, chunk.elements.data(), memory, rest, rest_.curved() ? per_point : 0};
   return {view, values + stride, values};
 }

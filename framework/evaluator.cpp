@@ -2,6 +2,7 @@
 
 #include <omp.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -20,6 +21,23 @@ constexpr Index kParallelChunks = 16;
 
 double weight(const TermState& state, Index element) {
   return state.element_weight.size() ? state.weight * state.element_weight[element] : state.weight;
+}
+
+// run(chunk, workspace), chunk by chunk.
+template <class Run>
+void visit_chunks(Index count, const StopCheck& stop, const Run& run) {
+  ParallelErrors errors;
+#pragma omp parallel if (count >= kParallelChunks)
+  {
+    Workspace workspace;
+#pragma omp for schedule(static)
+    for (Index c = 0; c < count; ++c)
+      errors.guard([&] {
+        stop.poll();
+        run(c, workspace);
+      });
+  }
+  errors.rethrow();
 }
 
 void add_energy(const Problem& problem, TermId id, VecIn x, const StopCheck& stop, double& total) {
@@ -48,21 +66,25 @@ void Evaluator::reset(const Problem& problem) { problem_ = problem; }
 Vec element_values(const EnergyTerm& term, const TermState& state, const ChunkPlan& plan, VecIn x,
                    const StopCheck& stop) {
   Vec f(term.stencils().element_count());
-  ParallelErrors errors;
-#pragma omp parallel if (plan.chunk_count() >= kParallelChunks)
-  {
-    Workspace workspace;
+  visit_chunks(plan.chunk_count(), stop, [&](Index c, Workspace& workspace) {
     double local[Chunk::kMaxSize];
-#pragma omp for schedule(static)
-    for (Index c = 0; c < plan.chunk_count(); ++c)
-      errors.guard([&] {
-        stop.poll();
-        const Chunk chunk = plan.chunk(c);
-        term.values(x, chunk, state, workspace, {local, chunk.elements.size()});
-        for (std::size_t p = 0; p < chunk.elements.size(); ++p) f[chunk.elements[p]] = local[p];
-      });
-  }
-  errors.rethrow();
+    const Chunk chunk = plan.chunk(c);
+    term.values(x, chunk, state, workspace, {local, chunk.elements.size()});
+    for (std::size_t p = 0; p < chunk.elements.size(); ++p) f[chunk.elements[p]] = local[p];
+  });
+  return f;
+}
+
+Vec element_values(const EnergyTerm& term, const TermState& state, RuleId rule,
+                   std::span<const Index> elements, VecIn x) {
+  constexpr std::size_t size = Chunk::kMaxSize;
+  Vec f(static_cast<Index>(elements.size()));
+  visit_chunks(static_cast<Index>((elements.size() + size - 1) / size), {},
+               [&](Index c, Workspace& workspace) {
+                 const std::size_t first = size * at(c);
+                 const auto part = elements.subspan(first, std::min(size, elements.size() - first));
+                 term.values(x, {rule, part}, state, workspace, {f.data() + first, part.size()});
+               });
   return f;
 }
 

@@ -2,7 +2,11 @@
 //
 //   const ChunkPlan plan(energy->stencils(), {});   // all elements on the first rule
 //   const Vec values = element_values(*energy, {}, plan, x);
+//   const std::vector<Index> some{7, 3};
+//   const Vec two = element_values(*energy, {}, 0, some, x);   // of elements 7 and 3
 #pragma once
+
+#include <span>
 
 #include "majorant/framework/energy_term.h"
 #include "majorant/framework/internal/chunk_plan.h"
@@ -14,6 +18,10 @@ namespace majorant {
 // between chunks of elements, as all evaluations do that are given a stop check: Stopped.
 Vec element_values(const EnergyTerm& term, const TermState& state, const ChunkPlan& plan, VecIn x,
                    const StopCheck& stop = {});
+// Parallel to `elements`, all by the same rule of the term, whatever `state` says of rules: a plan
+// is not worth making for one evaluation, or for few elements.
+Vec element_values(const EnergyTerm& term, const TermState& state, RuleId rule,
+                   std::span<const Index> elements, VecIn x);
 
 }  // namespace majorant
 

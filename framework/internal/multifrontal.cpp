@@ -27,6 +27,12 @@ std::unique_ptr<double[]> uninitialized(std::size_t size) {
   return std::unique_ptr<double[]>(new double[size]);
 }
 
+// Columns of a lower triangle, and what of the upper one shares tiles with it.
+void clear_triangle(double* values, std::ptrdiff_t stride, Index columns) {
+  for (Index c = 0; c < columns; ++c, values += stride)
+    std::fill(values + c / FrontKernels::kTile * FrontKernels::kTile, values + stride, 0.0);
+}
+
 Index tiles(Index rows) { return (rows + FrontKernels::kTile - 1) / FrontKernels::kTile; }
 
 }  // namespace
@@ -144,7 +150,7 @@ bool MultifrontalFactor::factorize_front(Index f, const Work& work, double* pack
   const FrontTree::Front& front = tree_.fronts()[at(f)];
   const Index below = front.rows - front.columns;
   take_in_entries(f, work);
-  std::fill_n(update(f), front.update_size(), 0.0);
+  clear_triangle(update(f), front.update_stride, below);
   for (const Index child : tree_.children(f)) take_in_child(child);
   double* l = panel(f);
   for (Index first = 0; first < front.columns; first += kPanelColumns) {
@@ -181,7 +187,7 @@ void MultifrontalFactor::subtract_product(const Target& target, const double* pa
 void MultifrontalFactor::take_in_entries(Index f, const Work& work) {
   const FrontTree::Front& front = tree_.fronts()[at(f)];
   double* l = panel(f);
-  std::fill_n(l, front.panel_size(), 0.0);
+  clear_triangle(l, front.stride, front.columns);
   for (const FrontTree::Entry& entry : tree_.entries(f))
     l[entry.column * front.stride + entry.row] = work.values[entry.slot];
   if (work.shift != 0)

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "majorant/constraints/local_injectivity.h"
@@ -34,14 +35,13 @@ class Measured {
     for (const WeightedEnergy& e : energy)
       terms_.push_back(e.make(map.shared_space(), rest, rules));
   }
-  Vec values(const std::vector<RuleId>& rules) const {
-    TermState state;
-    state.element_rule = rules;
-    const ChunkPlan plan(terms_.front()->stencils(), rules);
-    Vec sum = Vec::Zero(static_cast<Index>(rules.size()));
+  // Parallel to faces.
+  Vec values(RuleId rule, const std::vector<Index>& faces) const {
+    Vec sum = Vec::Zero(static_cast<Index>(faces.size()));
     for (std::size_t k = 0; k < terms_.size(); ++k) {
-      Vec values = energy_[k].weight * element_values(*terms_[k], state, plan, x_);
-      if (energy_[k].face_weight.size() > 0) values.array() *= energy_[k].face_weight.array();
+      Vec values = energy_[k].weight * element_values(*terms_[k], {}, rule, faces, x_);
+      const Vec& weight = energy_[k].face_weight;
+      if (weight.size() > 0) values.array() *= weight(faces).array();
       sum += values;
     }
     return sum;
@@ -52,6 +52,12 @@ class Measured {
   VecIn x_;
   std::vector<std::shared_ptr<const DensityTerm>> terms_;
 };
+
+std::vector<Index> all_faces(const RestShapes& rest) {
+  std::vector<Index> faces(at(static_cast<Index>(rest.measure.size())));
+  std::iota(faces.begin(), faces.end(), 0);
+  return faces;
+}
 
 std::vector<Barycentric> sample_points() {
   std::vector<Barycentric> points;
@@ -78,14 +84,13 @@ void sample_extremes(const BezierMap& map, const RestShapes& rest, const EnergyS
   std::vector<Quadrature> rules;
   for (const Barycentric& xi : points) rules.push_back(single_point(xi));
   const Measured measured(energy, map, rest, rules);
+  const std::vector<Index> faces = all_faces(rest);
   m.sigma_min = std::numeric_limits<double>::infinity();
   m.max_density = -m.sigma_min;
   for (std::size_t k = 0; k < points.size(); ++k) {
     m.cut_short = m.cut_short || (k > 0 && stop() != Directive::Continue);
     if (k > 0 && m.cut_short) return;
-    const std::vector<RuleId> rule(static_cast<std::size_t>(rest.measure.size()),
-                                   static_cast<RuleId>(k));
-    const Vec density = measured.values(rule).cwiseQuotient(rest.measure);
+    const Vec density = measured.values(static_cast<RuleId>(k), faces).cwiseQuotient(rest.measure);
     m.max_density = std::max(m.max_density, density.maxCoeff());
     const Eigen::MatrixX2d g = bernstein_gradients(map.degree(), points[k]);
     for (Index f = 0; f < rest.measure.size(); ++f) {
@@ -106,19 +111,16 @@ void measure_energy(const BezierMap& map, const RestShapes& rest, const EnergySu
                     const StopCheck& stop, MapMeasures& m) {
   const std::vector<Quadrature> ladder = measuring_rules(map.degree());
   const Measured measured(energy, map, rest, ladder);
-  const Index faces = rest.measure.size();
-  std::vector<RuleId> level(at(faces), 0);
-  Vec values = measured.values(level);
-  std::vector<char> open(at(faces), 1);
-  for (std::size_t top = 1; top < ladder.size(); ++top) {
+  std::vector<Index> open = all_faces(rest);  // that a finer rule may change
+  Vec values = measured.values(0, open);
+  for (std::size_t top = 1; top < ladder.size() && !open.empty(); ++top) {
     m.cut_short = stop() != Directive::Continue;
     if (m.cut_short) break;
-    for (std::size_t f = 0; f < level.size(); ++f)
-      if (open[f]) level[f] = static_cast<RuleId>(top);
-    const Vec finer = measured.values(level);
-    const double bound = kEnergyAgreement * std::abs(finer.sum()) / static_cast<double>(faces);
-    for (Index f = 0; f < faces; ++f)
-      if (std::abs(finer[f] - values[f]) <= bound) open[at(f)] = 0;
+    Vec finer = values;
+    finer(open) = measured.values(static_cast<RuleId>(top), open);
+    const double bound =
+        kEnergyAgreement * std::abs(finer.sum()) / static_cast<double>(values.size());
+    std::erase_if(open, [&](Index f) { return std::abs(finer[f] - values[f]) <= bound; });
     values = finer;
   }
   m.face_value = values.cwiseQuotient(rest.measure);

@@ -208,6 +208,24 @@ TEST_P(Assembled, RulesPerElement) {
   EXPECT_NEAR(Evaluator(problem).value(s.x), expected, 1e-13 * expected);
 }
 
+// By one rule: what a plan has for them, to the last bit.
+TEST_P(Assembled, ValuesOfListedElements) {
+  const Fixture s(GetParam());
+  const auto term = symmetric_dirichlet()(s.space, s.rest, {lattice_rule(2), radon_rule()});
+  TermState state;
+  state.element_rule.assign(at(s.space->element_count()), 1);
+  const ChunkPlan plan(term->stencils(), state.element_rule);
+  const Vec all = element_values(*term, state, plan, s.x);
+  std::vector<Index> listed;
+  while (listed.size() < 20 * Chunk::kMaxSize)
+    for (Index e = s.space->element_count(); e-- > 0;) listed.push_back(e);
+  for (const int threads : {1, 2}) {
+    const ThreadCount count(threads);
+    EXPECT_EQ(element_values(*term, {}, 1, listed, s.x), all(listed));
+    EXPECT_EQ(element_values(*term, {}, 1, {}, s.x).size(), 0);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Degrees, Assembled, testing::Range(1, 5));
 
 TEST(EnergyAssembly, SetUpErrors) {
