@@ -16,7 +16,9 @@
 //   build/release/bench/majorant_condensation --degrees 3,4,5 ../shared/data/public/disks/*_2500.obj
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <map>
