@@ -11,7 +11,6 @@
 #include "apps/arguments/suggestion.h"
 #include "apps/streams.h"
 #include "majorant/framework/error.h"
-#include "majorant/results/internal/machine_memory.h"
 
 namespace majorant::app {
 namespace {
@@ -36,13 +35,15 @@ std::string gigabytes(std::size_t bytes) {
 }  // namespace
 
 void add_linear_solver_to(CLI::App& verb, std::string& name) {
-  verb.add_option("--linear-solver", name,
-                  "auto: direct, where its factor fits into memory; direct; with PETSc mumps, or "
-                  "cg-hypre, which takes least memory")
+  verb.add_option(
+          "--linear-solver", name,
+          "auto: direct, or cg-hypre where a factor does not fit into memory and that takes "
+          "less; direct; with PETSc mumps, cg-hypre")
       ->check(one_of({"auto", "direct", "mumps", "cg-hypre", "cholmod"}));
 }
 
-LinearSolvers::LinearSolvers(std::string name, bool quiet) : name_(std::move(name)), quiet_(quiet) {
+LinearSolvers::LinearSolvers(std::string name, bool quiet, Runs runs)
+    : name_(std::move(name)), quiet_(quiet), runs_(runs) {
   const auto* const rung = std::find(kRungNames.begin(), kRungNames.end(), name_);
   if (rung == kRungNames.end()) return;
   try {
@@ -60,38 +61,72 @@ SolverFactory LinearSolvers::load(Rung first) {
 
 void LinearSolvers::apply(SolveOptions& options) {
   options.linear_solver = petsc_;
-  if (!petsc_)
-    options.instead_of_factor = [this](std::size_t bytes) { return instead_of_factor(bytes); };
+  if (petsc_) return;
+  if (name_ == "auto") options.foresee = [this](const LastDegree& last) { foresee(last); };
+  options.instead_of_factor = [this](const FactorSize& needed) {
+    return instead_of_factor(needed);
+  };
 }
 
-// Says so once: what does not fit at one degree does not at the next one either.
-std::unique_ptr<LinearSolver> LinearSolvers::instead_of_factor(std::size_t bytes) {
+// Analyses only where it may not fit.
+void LinearSolvers::foresee(const LastDegree& last) {
   const std::optional<std::size_t> available = available_memory();
-  if (bytes > largest_.bytes) largest_ = {bytes, process_bytes(), available};
-  if (name_ != "auto" || !available || bytes <= *available) return nullptr;
-  std::string missing;
-  if (!petsc_) try {
+  if (foreseen_memory(last.at_most, available).fits_direct()) return;
+  const FactorSize needed = last.analysed();
+  const std::lock_guard lock(mutex_);
+  foreseen_ = std::max(needed.bytes, foreseen_.value_or(0));
+  gives_way(foreseen_memory(needed, available), last.degree);
+}
+
+std::unique_ptr<LinearSolver> LinearSolvers::instead_of_factor(const FactorSize& needed) {
+  const SolverMemory memory = solver_memory(needed, available_memory());
+  const std::lock_guard lock(mutex_);
+  if (memory.direct > largest_.direct) largest_ = memory, process_ = process_bytes();
+  return gives_way(memory, 0) ? petsc_() : nullptr;
+}
+
+// Whether cg-hypre is to solve instead, now or at a degree that is foreseen (0: now). Says so once:
+// what does not fit at one degree does not at the next one either.
+bool LinearSolvers::gives_way(const SolverMemory& memory, int foreseen_degree) {
+  if (name_ != "auto" || memory.fits_direct()) return false;
+  const bool is_foreseen = foreseen_degree > 0;
+  const std::string multigrid = gigabytes(memory.multigrid);
+  std::string outcome = fmt::format("solving by cg-hypre, without a factor, in {}", multigrid);
+  if (runs_ == Runs::Several) {
+    outcome = "going on all the same, since charts are solved without any other";
+  } else if (!memory.prefers_multigrid()) {
+    outcome = fmt::format("going on all the same, since cg-hypre would take {}", multigrid);
+  } else if (!petsc_) {
+    try {
       petsc_ = load(Rung::Amg);
     } catch (const Error& e) {
-      missing = e.what();
+      outcome =
+          fmt::format("going on all the same, since cg-hypre, which takes {}, cannot be had: {}",
+                      multigrid, e.what());
     }
+  }
   if (!quiet_ && !std::exchange(has_said_, true))
-    say("majorant: factorizing takes {} of memory, {} are left: {}\n", gigabytes(bytes),
-        gigabytes(*available),
-        petsc_ ? std::string("solving by cg-hypre, without a factor")
-               : fmt::format("going on all the same, since cg-hypre, which needs no factor, cannot "
-                             "be had: {}",
-                             missing));
-  return petsc_ ? petsc_() : nullptr;
+    say("majorant: {} {} of memory, {} are left{}: {}\n",
+        is_foreseen ? fmt::format("at degree {} factorizing will take", foreseen_degree)
+                    : "factorizing takes",
+        gigabytes(memory.direct), gigabytes(*memory.available), is_foreseen ? " for it now" : "",
+        outcome);
+  return runs_ == Runs::One && memory.prefers_multigrid() && petsc_;
 }
 
-Json LinearSolvers::ladder() const { return petsc_ ? ladder_section(*record_) : Json(); }
+Json LinearSolvers::ladder() const {
+  const auto is_used = [](const LadderRecord::Use& use) { return use.set_ups > 0; };
+  const auto& rungs = record_->rungs;
+  return std::any_of(rungs.begin(), rungs.end(), is_used) ? ladder_section(*record_) : Json();
+}
 
 Json LinearSolvers::memory() const {
-  if (largest_.bytes == 0) return nullptr;
-  return {{"factor_bytes", largest_.bytes},
-          {"process_bytes", largest_.process},
-          {"available_bytes", largest_.available ? Json(*largest_.available) : Json()}};
+  if (largest_.direct == 0) return nullptr;
+  return {{"factor_bytes", largest_.direct},
+          {"multigrid_bytes", largest_.multigrid},
+          {"process_bytes", process_},
+          {"available_bytes", largest_.available ? Json(*largest_.available) : Json()},
+          {"foreseen_bytes", foreseen_ ? Json(*foreseen_) : Json()}};
 }
 
 }  // namespace majorant::app

@@ -9,10 +9,12 @@
 #include <CLI/App.hpp>
 #include <cstddef>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 
 #include "majorant/parametrization/drive/solve_options.h"
+#include "majorant/results/internal/machine_memory.h"
 #include "majorant/results/internal/solver_ladder.h"
 
 namespace majorant::app {
@@ -22,12 +24,14 @@ void add_linear_solver_to(CLI::App& verb, std::string& name);
 
 class LinearSolvers {
  public:
+  enum class Runs { One, Several };  // Several at a time have nothing but the direct one
+
   // name: as that option takes it. Throws Error(Unreadable) where PETSc is asked for and not there.
-  LinearSolvers(std::string name, bool quiet);
+  LinearSolvers(std::string name, bool quiet, Runs runs = Runs::One);
   LinearSolvers(const LinearSolvers&) = delete;
   LinearSolvers& operator=(const LinearSolvers&) = delete;
 
-  // options: of runs on the thread of this object, which outlives them.
+  // options: of runs that this object outlives, on its thread where there is one at a time.
   void apply(SolveOptions& options);
 
   Json ladder() const;  // null where the direct solver did everything
@@ -35,17 +39,19 @@ class LinearSolvers {
 
  private:
   SolverFactory load(Rung first);
-  std::unique_ptr<LinearSolver> instead_of_factor(std::size_t bytes);
+  void foresee(const LastDegree& last);
+  std::unique_ptr<LinearSolver> instead_of_factor(const FactorSize& needed);
+  bool gives_way(const SolverMemory& memory, int foreseen_degree);
 
   std::string name_;
   bool quiet_;
+  Runs runs_;
+  std::mutex mutex_;     // of what follows
   SolverFactory petsc_;  // empty: not loaded
   std::shared_ptr<LadderRecord> record_ = std::make_shared<LadderRecord>();
-  struct Factor {  // the largest so far
-    std::size_t bytes = 0, process = 0;
-    std::optional<std::size_t> available;
-  };
-  Factor largest_;
+  SolverMemory largest_;                 // so far
+  std::size_t process_ = 0;              // bytes it had then
+  std::optional<std::size_t> foreseen_;  // bytes of the last degree's factor
   bool has_said_ = false;
 };
 

@@ -129,8 +129,8 @@ std::size_t stack_bytes() {
 }  // namespace
 
 // What is freed between two steps is not given back to the system, only to be cleared and mapped
-// again for the next one. Origin: page faults of a bijective run at 10K faces, 18,600 to 9,000, and
-// 3 % of its time; no more with 64 MiB.
+// again for the next one. Origin: page faults of a bijective run of helix_10000, 18,600 to 8,500,
+// and 3 % of its time; 8,700 with 64 MiB.
 constexpr int kKeptMemory = 16 << 20;  // bytes
 
 void prepare_process(char** argv) {

@@ -77,6 +77,9 @@ int unwrap_file(UnwrapVerb request) {
     options.chart = read_options(request.map, polygons, *surface.mesh);
   });
   request.solve.apply(options.chart);
+  LinearSolvers solvers(request.solve.linear_solver, request.common.quiet,
+                        LinearSolvers::Runs::Several);
+  solvers.apply(options.chart.solve);
   const double read_seconds = record.seconds();
   Atlas atlas = unless_stopped("unwrapping " + request.map.input,
                                [&] { return unwrap(surface.mesh, options, record); });
@@ -93,6 +96,7 @@ int unwrap_file(UnwrapVerb request) {
   finished.energy = request.map.energy;
   finished.options = options_of(request);
   finished.read_seconds = read_seconds;
+  finished.memory = solvers.memory();
   return write_atlas({request.common, request.outputs, request.map, finished,
                       options.chart.map.handles, start, progress});
 }

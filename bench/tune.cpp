@@ -89,6 +89,7 @@ const std::vector<Rule>& all_rules() {
       {"scaffold.relax_steps", [](Settings& s) { return &s.rules.scaffold.relax_steps; }},
       {"scaffold.same_lambda", [](Settings& s) { return &s.rules.scaffold.same_lambda; }},
       {"scaffold.share", [](Settings& s) { return &s.rules.scaffold.share; }},
+      {"scaffold.short_bound", [](Settings& s) { return &s.rules.scaffold.short_bound; }},
       {"scaffold.still_moving", [](Settings& s) { return &s.rules.scaffold.still_moving; }},
       {"scaffold.tail_steps", [](Settings& s) { return &s.rules.scaffold.tail_steps; }},
       {"soft_start", [](Settings& s) { return &s.rules.soft_start; }},

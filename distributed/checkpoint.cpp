@@ -3,13 +3,16 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
 #include "distributed/internal/collect.h"
 #include "distributed/internal/part_data.h"
+#include "majorant/constraints/local_injectivity.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/stopwatch.h"
+#include "majorant/parametrization/maps/internal/quadrature_ladder.h"
 
 namespace majorant {
 namespace {
@@ -34,21 +37,23 @@ Json to_json(const PartState& state) {
 }
 
 // Of all but the points and the levels.
-PartState from_json(const Json& header) {
-  const Json& told = header.at("state");
+PartState from_json(const HeaderReader& told) {
+  constexpr int kMany = std::numeric_limits<int>::max();
+  const auto count = [&](const HeaderReader& in, const char* key, int most) {
+    return static_cast<int>(in.integer(key, 0, most));
+  };
   PartState state;
-  state.entering = told.at("entering");
-  const Json& initial = told.at("initial_value");
-  state.initial_value =
-      initial.is_null() ? std::numeric_limits<double>::infinity() : initial.get<double>();
-  state.solver.softened = told.at("softened");
-  state.solver.stalls = told.at("stalls");
-  state.solver.refinements = told.at("refinements");
-  state.solver.barrier_followed = told.at("barrier_followed");
-  state.solver.depth = told.at("depth");
-  const Json& remedies = told.at("remedies");
+  state.entering = told.flag("entering");
+  state.initial_value = told.at("initial_value").is_null() ? std::numeric_limits<double>::infinity()
+                                                           : told.finite("initial_value");
+  state.solver.softened = told.flag("softened");
+  state.solver.stalls = count(told, "stalls", kMany);
+  state.solver.refinements = count(told, "refinements", kMany);
+  state.solver.barrier_followed = told.flag("barrier_followed");
+  state.solver.depth = count(told, "depth", LocalInjectivity::kMaxDepth);
+  const HeaderReader remedies = told["remedies"];
   for (std::size_t k = 0; k < state.solver.remedies.size(); ++k)
-    state.solver.remedies[k] = {remedies.at(k).at("runs"), remedies.at(k).at("gained")};
+    state.solver.remedies[k] = {count(remedies[k], "runs", kMany), remedies[k].finite("gained")};
   return state;
 }
 
@@ -94,7 +99,7 @@ void CheckpointWriter::write(const PartState& state, double seconds_of_run) {
   file.header["faces"] = part.whole.faces;
   file.header["degree"] = state.space->degree();
   file.header["ranks"] = part.ranks().count();
-  file.header["iterations"] = about_.value("iterations", 0) + state.iterations;
+  file.header["iterations"] = about_.value("iterations", std::int64_t{0}) + state.iterations;
   file.header["seconds"] = about_.value("seconds", 0.0) + seconds_of_run;
   file.header["state"] = to_json(state);
   file.start = start_;
@@ -117,11 +122,22 @@ std::string fingerprint(const SurfaceMesh& mesh) {
   return fmt::format("{:016x}", hash);
 }
 
+void require_state(const std::string& path, const CheckpointFile& file, int quadrature_points) {
+  const HeaderReader header(path, file.header);
+  from_json(header["state"]);
+  const int degree = file.header.at("degree");
+  const int top = optimizer_ladder(degree, quadrature_points).top();
+  for (const std::uint8_t level : file.levels)
+    if (level > top)
+      refuse_checkpoint(
+          path, fmt::format("it has faces at level {} of {} of the quadrature", level, top));
+}
+
 PartState state_of(const MeshPart& part, const CheckpointFile& file) {
   const Ranks& ranks = part.ranks();
   const Json header =
       Json::parse(broadcast(ranks, ranks.rank() == 0 ? file.header.dump() : std::string()));
-  PartState state = from_json(header);
+  PartState state = from_json(HeaderReader("checkpoint", header)["state"]);
   const int degree = header.at("degree");
   state.space = std::make_shared<const BezierTriangleSpace>(part.mesh->faces(),
                                                             part.mesh->vertex_count(), degree);

@@ -48,7 +48,11 @@ class CheckpointWriter {
 // What the surface is, for a file that is to fit no other: of positions and faces.
 std::string fingerprint(const SurfaceMesh& mesh);
 
-// file: rank 0's, of this surface. Collective.
+// Throws Error(Unreadable) where the state in a file, path, is none of a run with this quadrature
+// (SolveOptions).
+void require_state(const std::string& path, const CheckpointFile& file, int quadrature_points);
+
+// file: rank 0's, of this surface, which has passed require_state(). Collective.
 PartState state_of(const MeshPart& part, const CheckpointFile& file);
 
 }  // namespace majorant

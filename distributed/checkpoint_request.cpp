@@ -40,6 +40,15 @@ std::string difference(const std::string& key, const Json& told, const Json& ask
   return fmt::format("it is of a run with --{} {}, this one has {}", key, text(told), text(asked));
 }
 
+// The points asked for, with targets.
+void require_points(const HeaderReader& told, const std::vector<Pin>& asked) {
+  if (told.size() != asked.size()) refuse_checkpoint(told.file(), "its header has other points");
+  for (std::size_t k = 0; k < asked.size(); ++k) {
+    told[k].integer(std::size_t{0}, asked[k].vertex, asked[k].vertex);
+    for (const std::size_t c : {1, 2}) told[k].finite(c);
+  }
+}
+
 }  // namespace
 
 void CheckpointRequest::add_to(CLI::App& verb) {
@@ -82,14 +91,28 @@ std::vector<Pin> points_from(const Json& json) {
   return points;
 }
 
-CheckpointFile read_fitting(const std::string& path, const Json& identity) {
+CheckpointFile read_fitting(const std::string& path, const MapRequest& request,
+                            const MapInput& in) {
   CheckpointFile file = read_checkpoint_file(path);
-  const Json& told = file.header.at("identity");
-  for (const auto& [key, asked] : identity.items())
-    if (told.at(key) != asked)
+  const HeaderReader header(path, file.header), told = header["identity"];
+  const Json all = identity(request, in);
+  for (const auto& [key, asked] : all.items())
+    if (told.at(key.c_str()) != asked)
       throw Error(ErrorKind::Unreadable,
                   fmt::format("{}: {}; ask for the same, or start anew without --resume", path,
-                              difference(key, told.at(key), asked)));
+                              difference(key, told.at(key.c_str()), asked)));
+  // What a file of this surface and these wishes must say, too.
+  constexpr auto kMany = std::numeric_limits<std::int64_t>::max();
+  header.integer("vertices", in.mesh->vertex_count(), in.mesh->vertex_count());
+  header.integer("faces", in.mesh->face_count(), in.mesh->face_count());
+  header.integer("degree", 1, request.degree);
+  header.integer("iterations", 0, kMany);
+  header.integer("ranks", 1, kMany);
+  header.finite("seconds");
+  header.text("start");
+  require_points(header["pins"], in.options.map.pins);
+  require_points(header["handles"], in.options.map.handles);
+  require_state(path, file, in.options.solve.quadrature_points);
   return file;
 }
 

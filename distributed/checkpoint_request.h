@@ -27,9 +27,9 @@ Json identity(const MapRequest& request, const MapInput& in);
 Json points_json(const std::vector<Pin>& points);
 std::vector<Pin> points_from(const Json& json);
 
-// The file that --resume names. Throws Error(Unreadable) as read_checkpoint_file() and where it is
-// of another surface than `identity`, or something else was asked for.
-CheckpointFile read_fitting(const std::string& path, const Json& identity);
+// The file that --resume names. Throws Error(Unreadable) as read_checkpoint_file(), where it is of
+// another surface, where something else was asked for, and where it says what no run has written.
+CheckpointFile read_fitting(const std::string& path, const MapRequest& request, const MapInput& in);
 
 // Of reports: what was kept, and what the run went on from.
 Json checkpoint_section(const CheckpointRequest& request, const CheckpointWriter& writer);

@@ -152,7 +152,7 @@ class Job {
     record_.begin(Activity::Reading);
     in_.map = read_input(request_.map, record_.start_stop());
     in_.identity = identity(request_.map, in_.map);
-    if (resumes()) in_.checkpoint = read_fitting(request_.checkpoint.resume, in_.identity);
+    if (resumes()) in_.checkpoint = read_fitting(request_.checkpoint.resume, request_.map, in_.map);
     read_seconds_ = record_.seconds();
   }
 

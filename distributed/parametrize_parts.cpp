@@ -47,11 +47,13 @@ class Run {
   }
 
   PartResult solve(const std::optional<PartState>& from) {
-    if (!from) require_injective();
+    if (!from) require_injective(ErrorKind::Infeasible, "the initial map", 0);
     const double started = record_.seconds();
     result_.initial_value = from ? from->initial_value : mean(map_);
     record_.begin(Activity::Solving);
     if (from) go_to(*from);
+    if (before_)
+      require_injective(ErrorKind::Unreadable, "the map of the checkpoint", before_->depth);
     if (from ? from->entering : !std::isfinite(result_.initial_value)) enter();
     const SolveResult solved = raise_degree();
     while (map_.degree() < options_.map.degree) elevate();
@@ -73,23 +75,22 @@ class Run {
     return ranks().sum(here) / ranks().sum(area);
   }
 
-  void require_injective() const {
+  // depth: of bisection, at least.
+  void require_injective(ErrorKind kind, const char* what, int depth) const {
     Verdict faces;
     if (part_->mesh->face_count() > 0)
-      faces = LocalInjectivity(map_.shared_space(), 2 * setup_.map.rest.measure)
+      faces = LocalInjectivity(map_.shared_space(), 2 * setup_.map.rest.measure,
+                               std::max(depth, options_.solve.injectivity_depth))
                   .check(map_.control_points());
     const double wrong = ranks().sum(static_cast<double>(faces.blocking.size()));
     if (wrong > 0)
-      throw Error(ErrorKind::Infeasible,
-                  fmt::format("the initial map is not injective: {:.0f} faces are not positively "
-                              "oriented",
-                              wrong));
+      throw Error(kind, fmt::format("{} is not injective: {:.0f} faces are not positively oriented",
+                                    what, wrong));
     const AnglesOfParts angles = angles_of_parts(*part_, map_);
     if (angles.off > 0)
-      throw Error(ErrorKind::Infeasible,
-                  fmt::format("the initial map is not injective: it covers the neighbourhoods of "
-                              "{} vertices more than once",
-                              angles.off));
+      throw Error(kind, fmt::format("{} is not injective: it covers the neighbourhoods of {} "
+                                    "vertices more than once",
+                                    what, angles.off));
   }
 
   void enter() {

@@ -31,15 +31,14 @@ Index column_count(const Factors& cell) {
 }
 
 // What Quadrature::points holds -> homogeneous coordinates, 1-t and t of a segment.
-Point homogeneous(const Factors& cell, const Point& point) {
-  Point out(std::accumulate(cell.begin(), cell.end(), 0));
+void to_homogeneous(const Factors& cell, Eigen::Ref<const Point> point, Point& out) {
+  out.resize(std::accumulate(cell.begin(), cell.end(), 0));
   Index from = 0, to = 0;
   for (const int corners : cell) {
     if (corners == 2) out[to++] = 1 - point[from];
     for (const Index end = from + (corners == 2 ? 1 : corners); from < end;)
       out[to++] = point[from++];
   }
-  return out;
 }
 
 class RuleBuilder {
@@ -47,20 +46,19 @@ class RuleBuilder {
   explicit RuleBuilder(Factors cell) : cell_(std::move(cell)) {}
 
   void add(const Point& homogeneous, double weight) {
-    Point p(column_count(cell_));
-    Index from = 0, to = 0;
+    Index from = 0;
     for (const int corners : cell_) {
       if (corners == 2) ++from;
       for (const Index end = from + (corners == 2 ? 1 : corners); from < end;)
-        p[to++] = homogeneous[from++];
+        coordinates_.push_back(homogeneous[from++]);
     }
-    points_.push_back(p);
     weights_.push_back(weight);
   }
   void add(const Quadrature& rule, const Piece& piece, double measure) {
+    Point x, p;
     for (Index l = 0; l < rule.size(); ++l) {
-      const Point x = homogeneous(cell_, rule.points.row(l));
-      Point p = x[0] * piece.row(0);
+      to_homogeneous(cell_, rule.points.row(l), x);
+      p = x[0] * piece.row(0);
       for (Index c = 1; c < piece.rows(); ++c) p += x[c] * piece.row(c);
       add(p, measure * rule.weights[l]);
     }
@@ -68,19 +66,15 @@ class RuleBuilder {
   Quadrature build() const {
     Quadrature q;
     q.cell = cell_;
-    q.points.resize(static_cast<Index>(points_.size()), points_.front().size());
-    q.weights.resize(static_cast<Index>(points_.size()));
-    for (std::size_t l = 0; l < points_.size(); ++l) {
-      q.points.row(static_cast<Index>(l)) = points_[l];
-      q.weights[static_cast<Index>(l)] = weights_[l];
-    }
+    const auto size = static_cast<Index>(weights_.size());
+    q.points = Eigen::Map<const RowMatrix>(coordinates_.data(), size, column_count(cell_));
+    q.weights = Eigen::Map<const Vec>(weights_.data(), size);
     return q;
   }
 
  private:
   Factors cell_;
-  std::vector<Point> points_;
-  std::vector<double> weights_;
+  std::vector<double> coordinates_, weights_;  // point by point
 };
 
 void require_composable(const Quadrature& rule, std::string_view name) {
@@ -234,8 +228,9 @@ void require_cell(const Quadrature& rule, const Factors& cell, std::string_view 
                        rule.points.rows(), rule.points.cols(), column_count(cell)));
   if (!(std::abs(rule.weights.sum() - 1) <= kRuleTolerance * static_cast<double>(rule.size())))
     refuse(fmt::format("whose weights add to {} and not to 1", rule.weights.sum()));
+  Point x;
   for (Index l = 0; l < rule.size(); ++l) {
-    const Point x = homogeneous(cell, rule.points.row(l));
+    to_homogeneous(cell, rule.points.row(l), x);
     bool inside = std::isfinite(rule.weights[l]);
     Index from = 0;
     for (const int corners : cell) {
@@ -362,8 +357,11 @@ Quadrature guarded_rule(const Quadrature& rule, int m, double weight) {
         fmt::format("guarded_rule: the weight is {:g}, 0..1 are possible", weight));
   const std::vector<Point> guards = lattice_points(rule.cell, m);
   RuleBuilder builder(rule.cell);
-  for (Index l = 0; l < rule.size(); ++l)
-    builder.add(homogeneous(rule.cell, rule.points.row(l)), (1 - weight) * rule.weights[l]);
+  Point x;
+  for (Index l = 0; l < rule.size(); ++l) {
+    to_homogeneous(rule.cell, rule.points.row(l), x);
+    builder.add(x, (1 - weight) * rule.weights[l]);
+  }
   for (const Point& p : guards) builder.add(p / m, weight / static_cast<double>(guards.size()));
   return builder.build();
 }

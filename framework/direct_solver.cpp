@@ -41,7 +41,7 @@ class DirectSolver final : public LinearSolver {
     if (pattern.size == 0) return;
     make_tree(pattern);
     factor_ = std::make_unique<MultifrontalFactor>(*tree_);
-    if (instead_) other_ = instead_(factor_->bytes());
+    if (instead_) other_ = instead_({factor_->bytes(), pattern.rows.size()});
     if (!other_) return describe();
     factor_.reset();
     tree_.reset();
@@ -128,6 +128,15 @@ std::unique_ptr<LinearSolver> make_direct_solver(Ordering ordering) {
 
 std::unique_ptr<LinearSolver> make_direct_solver(Ordering ordering, InsteadOfFactor instead) {
   return std::make_unique<DirectSolver>(ordering, std::move(instead));
+}
+
+FactorSize factor_size(const SparsePattern& pattern, Ordering ordering) {
+  FactorSize size;
+  DirectSolver(ordering, [&](const FactorSize& needed) {
+    size = needed;
+    return nullptr;
+  }).analyze(pattern);
+  return size;
 }
 
 }  // namespace majorant

@@ -6,6 +6,7 @@
 // docs/choosing_a_solver.md has one.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <string>
@@ -54,6 +55,12 @@ class LinearSolver {
   virtual Solution solve(const Vec& r, Vec& p, double tolerance = 0) = 0;
   // What the analysis chose, for reports: "supernodal, METIS, 1.2e6 nonzeros".
   virtual std::string description() const = 0;
+};
+
+// What a direct solver needs for the matrices of a pattern, known before anything is allocated.
+struct FactorSize {
+  std::size_t bytes = 0;    // of the factor, and of what making it takes besides
+  std::size_t entries = 0;  // of the pattern
 };
 
 // Makes one; minimizers call it once. May be empty where they have one of their own.

@@ -120,6 +120,10 @@ NodeLattice::Part& NodeLattice::part_of(const std::vector<int>& corners) {
   return parts_.emplace_back(Part{corners, {}, {}});
 }
 
+Index with_more_nodes(Index nodes, std::size_t more) {
+  return counted("nodes", at(nodes) + more, 3);
+}
+
 NodeNumbering number_nodes(const NodeLattice& lattice, const Cells& cells, Index vertex_count,
                            std::string_view name) {
   require_at_least(fmt::format("{}: the number of vertices", name), vertex_count, 0);
@@ -127,7 +131,7 @@ NodeNumbering number_nodes(const NodeLattice& lattice, const Cells& cells, Index
   NodeNumbering out;
   out.cells.resize(cells.rows(), lattice.node_count());
   out.cells.leftCols(cells.cols()) = cells;
-  out.node_count = vertex_count;
+  out.node_count = with_more_nodes(0, at(vertex_count));
   const std::vector<Side> sides = sorted_sides(lattice, cells);
   std::vector<const Side*> outer;
   for (auto first = sides.begin(); first != sides.end();) {
@@ -142,15 +146,19 @@ NodeNumbering number_nodes(const NodeLattice& lattice, const Cells& cells, Index
                                 first->vertices.begin() + static_cast<long>(first->corners), ", "),
                       last - first));
     if (facet && last - first == 1) outer.push_back(&*first);
+    const Index before = out.node_count;
+    out.node_count = with_more_nodes(before, part.nodes.size());
     for (auto side = first; side != last && !part.nodes.empty(); ++side) {
-      Index node = out.node_count;
+      Index node = before;
       for (const int l : ordered_nodes(lattice, cells, *side)) out.cells(side->cell, l) = node++;
     }
-    out.node_count += static_cast<Index>(part.nodes.size());
     first = last;
   }
+  Index node = out.node_count;
+  out.node_count =
+      with_more_nodes(node, static_cast<std::size_t>(cells.rows()) * lattice.interior().size());
   for (Index e = 0; e < cells.rows(); ++e)
-    for (const int l : lattice.interior()) out.cells(e, l) = out.node_count++;
+    for (const int l : lattice.interior()) out.cells(e, l) = node++;
   for (const Side* side : outer)
     for (const int l : lattice.parts()[side->part].closure)
       out.boundary_nodes.push_back(out.cells(side->cell, l));

@@ -4,6 +4,7 @@
 // vertices of the cells, so that it does not matter how either of them is turned.
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 #include <vector>
 
@@ -38,6 +39,10 @@ class NodeLattice {
   std::vector<Part> parts_;
   std::vector<int> interior_;
 };
+
+// So many nodes and as many more. Throws Error(Unsupported) where their coordinates, up to three
+// each, are more than an Index counts: what has passed here, may be multiplied by 2 or 3.
+Index with_more_nodes(Index nodes, std::size_t more);
 
 // cells: #E by corners. `name` opens the messages. Throws InvalidArgument for a wrong number
 // of columns, vertex numbers outside 0..vertex_count-1, a vertex twice in a cell and facets of more

@@ -51,12 +51,13 @@ void require_no_stop(std::string_view what, const StopCheck& stop, const Ranks& 
                     what));
 }
 
-Index counted(std::string_view what, std::size_t count) {
-  if (count > static_cast<std::size_t>(std::numeric_limits<Index>::max()))
+Index counted(std::string_view what, std::size_t count, std::size_t numbers_each) {
+  const std::size_t most = static_cast<std::size_t>(std::numeric_limits<Index>::max());
+  if (count > most / numbers_each)
     throw Error(ErrorKind::Unsupported,
-                fmt::format("{}: {} are more than the {} that its integers count; use fewer "
-                            "elements or a lower degree, or divide the problem between processes",
-                            what, count, std::numeric_limits<Index>::max()));
+                fmt::format("{}: {} are more than the {} that integers count; use fewer elements "
+                            "or a lower degree, or divide the problem between processes",
+                            what, count, most / numbers_each));
   return static_cast<Index>(count);
 }
 

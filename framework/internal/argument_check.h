@@ -31,8 +31,9 @@ void require_at_least(std::string_view what, double value, double least);
 // Of what several processes do together: a check that one rank alone obeys would leave the others
 // waiting.
 void require_no_stop(std::string_view what, const StopCheck& stop, const Ranks& ranks);
-// A count of many things. Throws Error(Unsupported) where there are more than an Index counts.
-Index counted(std::string_view what, std::size_t count);
+// A count of many things, of some numbers each. Throws Error(Unsupported) where there are more of
+// them, or of their numbers, than an Index counts.
+Index counted(std::string_view what, std::size_t count, std::size_t numbers_each = 1);
 [[noreturn]] void refuse_null(std::string_view what);
 
 template <class Pointer>

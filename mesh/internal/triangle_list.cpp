@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "majorant/framework/error.h"
+#include "majorant/framework/internal/argument_check.h"
 #include "majorant/mesh/internal/exact_predicates.h"
 #include "majorant/mesh/internal/mesh_words.h"
 #include "majorant/mesh/internal/triangulate_polygon.h"
@@ -65,6 +66,7 @@ Triangles triangles_of(const PolygonMesh& input, Index p, Crossing crossing,
 }
 
 TriangleList triangulate(const PolygonMesh& input, Crossing crossing, const StopCheck& stop) {
+  counted("vertices", input.positions.size(), 3);
   TriangleList list;
   for (Index p = 0; p < static_cast<Index>(input.polygons.size()); ++p) {
     stop.poll_at(at(p));
@@ -77,6 +79,7 @@ TriangleList triangulate(const PolygonMesh& input, Crossing crossing, const Stop
       list.corners.push_back(t);
     }
   }
+  counted("triangles", list.triangles.size(), 3);
   return list;
 }
 

@@ -97,6 +97,7 @@ class Run {
     extend();
     domain_ = make_domain();
     record_.begin(Activity::Solving);
+    foresee();
     SolveResult solved;
     solved.energy = result_.initial_value;
     try {
@@ -109,6 +110,15 @@ class Run {
   }
 
  private:
+  // Lower degrees may take hours: what the last one will need is said before them.
+  void foresee() const {
+    const int last = options_.map.degree;
+    if (!options_.solve.foresee || options_.solve.linear_solver || last == map_.degree() ||
+        options_.solve.elevation != Elevation::Incremental)
+      return;
+    options_.solve.foresee(last_degree(last, map_.shared_space(), domain_->ordering()));
+  }
+
   // Asks for the additions of this degree.
   void extend() {
     if (!options_.extend || (extension_ && extension_->degree() == map_.degree())) return;

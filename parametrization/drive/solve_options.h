@@ -2,7 +2,6 @@
 // them but for the path to it, which may lead to another local one.
 #pragma once
 
-#include <cstddef>
 #include <functional>
 #include <memory>
 
@@ -34,6 +33,13 @@ enum class FactorCost { IfKnown, Measured };
 using MapWatcher =
     std::function<void(const TraceEntry& row, const std::function<BezierMap()>& map)>;
 
+// What the direct solver will need where a run ends, for the map alone, all of it free.
+struct LastDegree {
+  int degree;
+  FactorSize at_most;                    // of surfaces of few handles, by the number of faces
+  std::function<FactorSize()> analysed;  // costs one more analysis of that degree
+};
+
 struct SolveOptions {
   Curvature curvature = Curvature::Projected;
   double tolerance = 1e-6;  // relative energy decrease per iteration, StoppingRules
@@ -48,10 +54,11 @@ struct SolveOptions {
   // Of Newton's systems; empty: the library's own direct one, which is the fastest up to some
   // millions of faces. The scaffold's relaxation keeps that.
   SolverFactory linear_solver = {};
-  // Where that is empty: asked after every analysis, before the direct solver allocates so many
-  // bytes for a factor and the making of it. What it returns, if anything, solves instead. May be
-  // empty.
-  std::function<std::unique_ptr<LinearSolver>(std::size_t bytes)> instead_of_factor = {};
+  // Where that is empty: asked after every analysis, before the direct solver allocates a factor.
+  // What it returns, if anything, solves instead. May be empty.
+  std::function<std::unique_ptr<LinearSolver>(const FactorSize& needed)> instead_of_factor = {};
+  // Likewise, called before the first step of a run that goes through lower degrees. May be empty.
+  std::function<void(const LastDegree&)> foresee = {};
   int threads = 0;  // 0: as many as the caller has (thread_count.h); results do not depend on it
 };
 

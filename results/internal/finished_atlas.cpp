@@ -181,6 +181,7 @@ Json atlas_report(const FinishedAtlas& run) {
             {"pack", atlas.packing_seconds},
             {"write", nullptr},
             {"total", nullptr}}},
+          {"memory", run.memory},
           {"peak_memory_bytes", peak_memory_bytes()},
           {"threads", ThreadCount::current()},
           {"vector_instructions", vector_instructions()}};

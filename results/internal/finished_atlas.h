@@ -28,6 +28,7 @@ struct FinishedAtlas {
   std::string energy = {};        // as said; empty: one without a name
   Json options = Json::object();  // likewise, all of it
   double read_seconds = 0;
+  Json memory = {};  // section of the report, or null
 };
 
 // Units of the surface per unit of uv in the file.

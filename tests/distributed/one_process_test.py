@@ -83,11 +83,13 @@ class OneProcess(CommandTest):
 
 
 class Memory(CommandTest):
-    def run_with(self, bytes_left, *args, binary=BINARY):
+    def run_with(self, bytes_left, *args, multigrid=0, binary=BINARY):
+        """Its report and what it said of memory, where cg-hypre takes so much."""
         report = self.path('report.json')
         done = Outcome(subprocess.run(
             [binary, 'parametrize', disk('nefertiti_500'), self.path('a.vtu'), '--report', report, *args],
-            env=dict(os.environ, MAJORANT_MEMORY_BYTES=str(bytes_left)), text=True,
+            env=dict(os.environ, MAJORANT_MEMORY_BYTES=str(bytes_left), MAJORANT_MULTIGRID_BYTES=str(multigrid)),
+            text=True,
             stdout=subprocess.PIPE, stderr=subprocess.PIPE))
         self.assertEqual(done.code, OK, done.err)
         with open(report) as f:
@@ -99,11 +101,13 @@ class Memory(CommandTest):
         self.assertIsNone(whole['linear_solver'])
         needed = whole['memory']['factor_bytes']
         self.assertEqual(whole['memory']['available_bytes'], 1 << 40)
-        self.assertEqual(self.run_with(needed, '--degree', '2')[1], [], 'exactly as much')
+        report = self.run_with(needed, '--degree', '2')[0]
+        self.assertIsNone(report['linear_solver'], 'exactly as much')
         # One byte less: the last degree alone is solved otherwise.
         report, said = self.run_with(needed - 1, '--degree', '2')
         self.assertEqual(len(said), 1)
-        self.assertIn('cg-hypre', said[0])
+        self.assertIn('at degree 2', said[0], 'foreseen')
+        self.assertIn('solving by cg-hypre', said[0])
         by = {row['degree']: row['solver_iterations'] for row in report['iterations']}
         self.assertEqual(by[1], 0)
         self.assertGreater(report['linear_solver']['cg-hypre']['solves'], 0)
@@ -111,6 +115,53 @@ class Memory(CommandTest):
         report, said = self.run_with(1000, '--degree', '2')
         self.assertEqual(len(said), 1, 'once a run')
         self.assertGreater(report['iterations'][0]['solver_iterations'], 0)
+
+    def test_what_takes_less(self):
+        """Where neither fits; small factors take less than PETSc itself."""
+        report, said = self.run_with(1000, '--degree', '2', multigrid=10**8)
+        self.assertEqual(len(said), 1)
+        self.assertIn('at degree 2', said[0])
+        self.assertIn('going on all the same, since cg-hypre would take 0.1 GB', said[0])
+        self.assertIsNone(report['linear_solver'])
+        self.assertEqual(report['memory']['multigrid_bytes'], 10**8)
+
+    def test_the_last_degree_is_foreseen(self):
+        """Said before the first step, where lower degrees fit."""
+        whole = self.run_with(1 << 40, '--degree', '3')[0]
+        self.assertIsNone(whole['memory']['foreseen_bytes'], 'sure to fit')
+        report = self.path('report.json')
+        left = whole['memory']['factor_bytes'] - 1
+        done = Outcome(subprocess.run(
+            [BINARY, 'parametrize', disk('nefertiti_500'), self.path('a.vtu'), '--degree', '3', '--report', report,
+             '--verbose', '--init', 'tutte'],
+            env=dict(os.environ, MAJORANT_MEMORY_BYTES=str(left), MAJORANT_MULTIGRID_BYTES='0'), text=True,
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE))
+        self.assertEqual(done.code, OK, done.err)
+        lines = done.err.splitlines()
+        said = [k for k, line in enumerate(lines) if 'are left' in line]
+        steps = [k for k, line in enumerate(lines) if 'degree 1' in line]
+        self.assertEqual(len(said), 1, done.err)
+        self.assertLess(said[0], steps[0], done.err)
+        self.assertIn('at degree 3', lines[said[0]])
+        with open(report) as f:
+            run = json.load(f)
+        self.assertLess(abs(run['memory']['foreseen_bytes'] / whole['memory']['factor_bytes'] - 1), 0.2)
+        by = {row['degree']: row['solver_iterations'] for row in run['iterations']}
+        self.assertEqual(by[1], 0)
+        self.assertGreater(by[3], 0)
+
+    def test_charts_say_it_too(self):
+        report = self.path('report.json')
+        done = Outcome(subprocess.run(
+            [BINARY, 'unwrap', generated('buckle'), self.path('a.obj'), '--report', report],
+            env=dict(os.environ, MAJORANT_MEMORY_BYTES='1000'), text=True, stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE))
+        self.assertEqual(done.code, OK, done.err)
+        said = [line for line in done.err.splitlines() if 'are left' in line]
+        self.assertEqual(len(said), 1, done.err)
+        self.assertIn('charts', said[0])
+        with open(report) as f:
+            self.assertEqual(json.load(f)['memory']['available_bytes'], 1000)
 
     def test_asked_for(self):
         report, said = self.run_with(1000, '--degree', '1', '--linear-solver', 'direct')

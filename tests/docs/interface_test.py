@@ -12,6 +12,7 @@ import json
 import math
 import os
 import re
+import subprocess
 import sys
 import unittest
 
@@ -19,6 +20,16 @@ SOURCE = os.environ['MAJORANT_SOURCE_DIR']
 sys.path.insert(0, os.path.join(SOURCE, 'tests', 'apps'))
 import command_helpers as helpers  # noqa: E402
 from command_helpers import INVALID, LIMIT, CommandTest, majorant  # noqa: E402
+
+MPI_BINARY = os.environ.get('MAJORANT_MPI_BINARY', '')
+
+
+def alone(*words):
+    """majorant-mpi on one rank."""
+    environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT='1', OMPI_ALLOW_RUN_AS_ROOT_CONFIRM='1')
+    return helpers.Outcome(subprocess.run([MPI_BINARY, *words], env=environment, text=True, stdin=subprocess.DEVNULL,
+                                          stdout=subprocess.PIPE, stderr=subprocess.PIPE))
+
 
 VERBS = ['parametrize', 'unwrap', 'seamless', 'deform', 'check', 'compare', 'convert', 'info']
 
@@ -66,6 +77,32 @@ class Flags(unittest.TestCase):
             for flag, verbs in documented.items():
                 if verb in verbs:
                     self.assertIn(flag, flags, '%s has no %s' % (verb, flag))
+
+    def test_those_of_several_processes(self):
+        """Of majorant-mpi, where it is built: the same, its own, and those that it refuses by name."""
+        if not os.path.exists(MPI_BINARY):
+            return
+        listed, refused = {}, []
+        for names, kind, _ in rows(section('Flags of majorant-mpi')):
+            for name, value in re.findall(r'`(--[a-z-]+)( \w+)?`', names):
+                self.assertNotIn(name, listed)
+                listed[name] = kind
+                if kind == 'refused':
+                    refused.append([name] + {' FILE': ['a.vtu'], ' K': ['1'], '': []}[value])
+        self.assertEqual(set(listed.values()), {'the same', 'its own', 'refused'})
+        text = alone('parametrize', '--help')
+        flags = set(re.findall(r'^ +(?:-\w,)?(--[a-z][a-z-]*)', text.out, re.M))
+        self.assertIn('--petsc', text.out)
+        self.assertEqual(flags | {'--petsc'}, set(listed))
+        documented = self.documented()
+        for flag, kind in listed.items():
+            if kind == 'the same':
+                self.assertIn('parametrize', documented[flag], flag)
+        for words in refused:
+            done = alone('parametrize', 'none.obj', '-o', 'a.pvtu', *words)
+            self.assertEqual(done.code, helpers.USAGE, done.err)
+            self.assertIn(words[0], done.err)
+            self.assertIn('majorant parametrize', done.err)
 
     def test_every_verb(self):
         text = majorant('--help').out.split('Subcommands:\n')[1].split('\n\n')[0]
@@ -132,6 +169,7 @@ class Reports(CommandTest):
         self.report('parametrize', disk, self.path('b.vtu'), '--time-limit', 0, code=LIMIT)
         self.report('parametrize', disk, self.path('b.html'), '--snapshots', 2)
         self.report('unwrap', helpers.generated('buckle'), self.path('b.obj'), '--normalize')
+        self.report('unwrap', disk, self.path('b.obj'), '--time-limit', 0, code=LIMIT)
         self.report('unwrap', self.write('flipped.obj', helpers.obj_text(
             points, [faces[0][::-1], *faces[1:]])), self.path('b.obj'), '--no-pack')
         self.report('seamless', helpers.generated('buckle'), cut, '--degree', 1)

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "majorant/elements/internal/node_lattice.h"
 #include "majorant/elements/rest_shapes.h"
 #include "majorant/framework/error.h"
 #include "support.h"
@@ -32,6 +33,19 @@ Cells tetrahedron() {
   Cells f(4, 3);
   f << 0, 1, 2, 0, 3, 1, 1, 3, 2, 2, 3, 0;
   return f;
+}
+
+// Their coordinates are counted by integers, too.
+TEST(Nodes, MoreThanIntegersCount) {
+  constexpr Index kMost = 715827882;  // 3 times that is below 2^31
+  EXPECT_EQ(with_more_nodes(kMost - 3, 3), kMost);
+  for (const std::size_t more : {std::size_t{4}, std::size_t{1} << 40}) try {
+      with_more_nodes(kMost - 3, more);
+      FAIL() << more;
+    } catch (const Error& e) {
+      EXPECT_EQ(e.kind(), ErrorKind::Unsupported);
+      EXPECT_NE(std::string(e.what()).find("nodes"), std::string::npos) << e.what();
+    }
 }
 
 class Space : public testing::TestWithParam<int> {

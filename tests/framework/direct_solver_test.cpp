@@ -42,9 +42,9 @@ TEST_P(DirectSolver, SolvesPositiveDefiniteSystems) {
 TEST_P(DirectSolver, GivesWayBeforeItAllocates) {
   Random random(9);
   const Matrix small = random_matrix(random, 20, 2, 60), large = random_matrix(random, 150, 2, 60);
-  std::vector<std::size_t> asked;
-  const auto solver = make_direct_solver(GetParam(), [&](std::size_t bytes) {
-    asked.push_back(bytes);
+  std::vector<FactorSize> asked;
+  const auto solver = make_direct_solver(GetParam(), [&](const FactorSize& needed) {
+    asked.push_back(needed);
     return asked.size() == 2 ? make_eigen_ldlt_solver() : nullptr;
   });
   for (const Matrix* m : {&small, &large, &small}) {
@@ -55,9 +55,13 @@ TEST_P(DirectSolver, GivesWayBeforeItAllocates) {
     EXPECT_EQ(solver->description().find("multifrontal") == std::string::npos, m == &large);
   }
   ASSERT_EQ(asked.size(), 3u);
-  EXPECT_EQ(asked[0], asked[2]);
-  EXPECT_LT(asked[0], asked[1]);
-  EXPECT_GE(asked[0], static_cast<std::size_t>(small.pattern.nonzeros()) * sizeof(double));
+  EXPECT_EQ(asked[0].bytes, asked[2].bytes);
+  EXPECT_LT(asked[0].bytes, asked[1].bytes);
+  EXPECT_EQ(asked[0].entries, small.pattern.rows.size());
+  EXPECT_GE(asked[0].bytes, small.pattern.rows.size() * sizeof(double));
+  EXPECT_EQ(factor_size(small.pattern, GetParam()).bytes, asked[0].bytes);
+  EXPECT_EQ(factor_size(large.pattern, GetParam()).bytes, asked[1].bytes);
+  EXPECT_EQ(factor_size(large.pattern, GetParam()).entries, asked[1].entries);
 }
 
 TEST(SparsePattern, RefusesMoreEntriesThanItCounts) {
@@ -69,6 +73,10 @@ TEST(SparsePattern, RefusesMoreEntriesThanItCounts) {
     EXPECT_EQ(e.kind(), ErrorKind::Unsupported);
     EXPECT_NE(std::string(e.what()).find("2147483648"), std::string::npos) << e.what();
   }
+  // Of three numbers each.
+  EXPECT_EQ(counted("nodes", 715827882, 3), 715827882);
+  EXPECT_THROW(counted("nodes", 715827883, 3), Error);
+  EXPECT_THROW(counted("nodes", std::numeric_limits<std::size_t>::max(), 3), Error);
 }
 
 TEST_P(DirectSolver, RefactorizesOtherValues) {

@@ -164,11 +164,15 @@ TEST(PendingFile, WhatCannotBeWrittenLeavesNothing) {
     PendingFile(folder.file("a"), "x",
                 [](const std::string&) { throw Error(ErrorKind::Invalid, "refused"); });
   });
-  PendingFile late(folder.file("a"), "x");
-  std::filesystem::create_directory(folder.file("a"));
-  EXPECT_TRUE(error_message(ErrorKind::Usage, [&] {
-                late.take_place();
-              }).starts_with("cannot write " + folder.file("a")));
+  EXPECT_EQ(entries(folder), 0u);
+  {
+    PendingFile late(folder.file("a"), "x");
+    std::filesystem::create_directory(folder.file("a"));
+    EXPECT_TRUE(error_message(ErrorKind::Usage, [&] {
+                  late.take_place();
+                }).starts_with("cannot write " + folder.file("a")));
+  }
+  EXPECT_EQ(entries(folder), 1u);
 }
 
 TEST(AtomicFile, NamesOfOneFile) {

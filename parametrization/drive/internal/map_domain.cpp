@@ -89,17 +89,14 @@ double ScaffoldedDomain::foreign_energy(const Problem& problem, VecIn x) const {
   return term_energy(problem, *around_, x);
 }
 
-// The scaffold is enlarged, flipped and relaxed. Near the end of a run that nothing hinders it is
-// left alone.
+// The scaffold is enlarged, flipped and relaxed.
 DomainChange ScaffoldedDomain::after_step(Vec& x, const StepResult& step, const DomainInput& in) {
   const AddedSeconds time(seconds_);
   scaffold_.take(x);
   if (refine(step.blocking, in.space->element_count())) lambda_.reset();
   const bool grown = scaffold_.grow();
   FlipCounts counts = flip();
-  const bool relaxed = grown || counts.performed > 0 ||
-                       step.record.relative_decrease > rules_.still_moving ||
-                       step.record.step_bound < 1;
+  const bool relaxed = grown || needs_relaxing(step.record, counts);
   if (relaxed) {
     NewtonOptions options = relaxing_;
     options.stop = in.stop;
@@ -113,6 +110,12 @@ DomainChange ScaffoldedDomain::after_step(Vec& x, const StepResult& step, const 
   x = scaffold_.joined(x);
   if (grown || counts.performed > 0) return DomainChange::Structure;
   return relaxed ? DomainChange::Values : DomainChange::None;
+}
+
+// A step moves all nodes, the scaffold's as well: that keeps it in shape, as long as it has room.
+bool ScaffoldedDomain::needs_relaxing(const IterationRecord& step, const FlipCounts& flips) const {
+  return step.step_bound < rules_.short_bound ||
+         (flips.performed > 0 && step.relative_decrease < rules_.still_moving);
 }
 
 // Scaffold faces that block a step get a finer quadrature rule: theirs does not see the barrier.

@@ -117,6 +117,7 @@ class ScaffoldedDomain final : public MapDomain {
  private:
   bool refine(const std::vector<Index>& blocking, Index map_faces);
   FlipCounts flip();
+  bool needs_relaxing(const IterationRecord& step, const FlipCounts& flips) const;
 
   double seconds_ = 0;
   Scaffold scaffold_;

@@ -3,10 +3,16 @@
 #include <fmt/format.h>
 
 #include "majorant/framework/error.h"
+#include "majorant/framework/internal/assembly.h"
 #include "majorant/framework/internal/curvature_name.h"
 
 namespace majorant {
 namespace {
+
+// Of a factor and its making, for every entry of the Hessians of faces, from degree 2 on: at most.
+// Origin: nefertiti_10000 takes 35 at degree 3 and 38 at degree 2, and 10 and 12 more for every
+// fourfold number of faces: 87 and 110 where patterns end.
+constexpr std::size_t kFactorBytes = 120;
 
 // Of the plane: what energies of maps do not see, but for points that are held.
 Eigen::MatrixXd translations(const Problem& problem) {
@@ -48,6 +54,18 @@ NewtonOptions newton_options(Curvature curvature, const SolverRules& rules, cons
     options.near_null_space = translations;
   }
   return options;
+}
+
+LastDegree last_degree(int degree, const std::shared_ptr<const BezierTriangleSpace>& space,
+                       Ordering ordering) {
+  const auto local = static_cast<std::size_t>((degree + 1) * (degree + 2));
+  const std::size_t entries = at(space->element_count()) * (local * (local + 1) / 2);
+  return {degree, {kFactorBytes * entries, entries}, [=] {
+            const BezierTriangleSpace higher(space->faces(), space->vertex_count(), degree);
+            const Stencils stencils{higher.cells(), 2};
+            const Elimination all(2 * higher.node_count(), ConstraintRows{});
+            return factor_size(reduced_pattern({&stencils}, all), ordering);
+          }};
 }
 
 bool was_stopped(Status status) {

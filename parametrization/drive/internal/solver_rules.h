@@ -9,12 +9,14 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "majorant/elements/element_space.h"
 #include "majorant/framework/internal/direct_solver.h"
 #include "majorant/framework/newton.h"
+#include "majorant/parametrization/drive/solve_options.h"
 #include "majorant/parametrization/maps/internal/quadrature_ladder.h"
 #include "majorant/parametrization/maps/map_problem.h"
 
@@ -82,9 +84,12 @@ struct ScaffoldRules {
   // Mean density: where the map's vanishes, the scaffold stays. Origin: a small part of the
   // densities of maps that are not isometric, 4 and more where isometries do not have 0.
   double least_energy = 1e-3;
-  // Relative decrease above which the scaffold is relaxed. Origin: bench/tune.py
-  // scaffold.still_moving.
+  // The scaffold is relaxed after flips where the relative decrease is below this: before, the next
+  // step changes everything again. Origin: bench/tune.py scaffold.still_moving.
   double still_moving = 1e-3;
+  // It is relaxed where less than this part of a step was free of inverted triangles. Origin:
+  // bench/tune.py scaffold.short_bound.
+  double short_bound = 0.5;
   // Newton steps that relax it. Origin: bench/tune.py scaffold.relax_steps.
   int relax_steps = 5;
   // Of the tolerance asked for, where the first small step ends a run. Origin: Newton steps never
@@ -120,6 +125,10 @@ void require_curvature(const DensityTerms& terms, Curvature asked);
 NewtonOptions newton_options(Curvature curvature, const SolverRules& rules, const StopCheck& stop,
                              Ordering ordering, const SolverFactory& linear_solver = {},
                              const InsteadOfFactor& instead = {});
+
+// What the direct solver will need at this degree, for maps of the faces of `space`.
+LastDegree last_degree(int degree, const std::shared_ptr<const BezierTriangleSpace>& space,
+                       Ordering ordering);
 
 // Whether a limit or Ctrl-C ended a solve.
 bool was_stopped(Status status);
