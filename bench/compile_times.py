@@ -8,7 +8,7 @@ same script, which writes down what the call used. CPU seconds (user and system)
 little on what else runs on the machine and on --jobs. Then --touch FILE... says what a change of FILE
 builds anew, and --suite runs the tests and prints the row of docs/architecture.md.
 --formulas builds nothing: it compiles files of a user with one energy of their own, as the examples are
-compiled, beside one that only includes majorant.h; the least of --runs.
+compiled, but without precompiled headers, beside one that only includes majorant.h; the least of --runs.
 
 Sample runs:
   bench/compile_times.py
@@ -197,7 +197,7 @@ def main():
     subprocess.run(['cmake', '--preset', 'release', '-S', args.source.resolve(), '-B', folder,
                     f'-DCMAKE_CXX_COMPILER={args.cxx}', f'-DCMAKE_CXX_COMPILER_LAUNCHER={launcher}',
                     f'-DCMAKE_CXX_LINKER_LAUNCHER={launcher}', '-DCMAKE_EXPORT_COMPILE_COMMANDS=ON',
-                    *args.options],
+                    *(['-DMAJORANT_PRECOMPILED_HEADERS=OFF'] if args.formulas else []), *args.options],
                    check=True, stdout=subprocess.DEVNULL, cwd=args.source)
     if args.formulas:
         return print_formulas(folder, args.runs)

@@ -31,7 +31,9 @@
 //   build/release/bench/solver_cost --init tutte --bijective meshes/creature.obj
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cstdio>

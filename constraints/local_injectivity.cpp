@@ -8,6 +8,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "majorant/constraints/internal/sector_angle.h"
 #include "majorant/elements/internal/bernstein.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/argument_check.h"
@@ -121,8 +122,8 @@ Vec vertex_angle_sums(const BezierTriangleSpace& space, VecIn x) {
     for (int k = 0; k < 3; ++k) {
       const Vector2 corner = point(e, k);
       const auto [right, left] = ix.beside_corner(k);
-      const Vector2 a = point(e, right) - corner, b = point(e, left) - corner;
-      sums[space.cells()(e, k)] += std::abs(std::atan2(cross(a, b), a.dot(b)));
+      sums[space.cells()(e, k)] +=
+          std::abs(sector_angle(point(e, right) - corner, point(e, left) - corner));
     }
   return sums;
 }

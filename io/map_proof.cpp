@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 
+#include "majorant/constraints/internal/sector_angle.h"
 #include "majorant/elements/element_space.h"
 #include "majorant/framework/error.h"
 #include "majorant/io/internal/cut_map.h"
@@ -249,13 +250,8 @@ class MapProof::Judge {
     for (Index c = 0; c < file_.cells.rows(); ++c)
       for (int k = 0; k < 3; ++k) {
         const auto point = [&](int local) { return Vector2(file_.uv.row(file_.cells(c, local))); };
-        const auto direction = [&](int local) {  // of length about 1: products do not underflow
-          const Vector2 step = point(local) - point(k);
-          return Vector2(step / step.lpNorm<Eigen::Infinity>());
-        };
         const auto [right, left] = ix.beside_corner(k);
-        const Vector2 a = direction(right), b = direction(left);
-        sum[surface.faces()(c, k)] += std::atan2(cross(a, b), a.dot(b));
+        sum[surface.faces()(c, k)] += sector_angle(point(right) - point(k), point(left) - point(k));
       }
     return sum;
   }

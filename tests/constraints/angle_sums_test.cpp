@@ -53,6 +53,14 @@ TEST_P(Angles, InjectiveMapsSumToFullTurnsInside) {
   EXPECT_NEAR(flat[0], pi / 2, 1e-13);
 }
 
+// Products of tangents that are this small or large are 0 or infinite.
+TEST_P(Angles, AreThoseOfTheSameMapOfAnySize) {
+  const Fan fan(7, 1, true, GetParam());
+  const Vec sums = vertex_angle_sums(*fan.space, fan.x);
+  for (const double size : {0x1p-800, 0x1p-400, 0x1p400, 0x1p800})
+    EXPECT_EQ(vertex_angle_sums(*fan.space, size * fan.x), sums) << size;
+}
+
 // All determinants are positive, yet the map covers the disk twice.
 TEST_P(Angles, DoubleCoversAreRefused) {
   const Fan fan(7, 2, true, GetParam());

@@ -47,5 +47,5 @@ function readViews({count, size, seed}) {
 }
 
 let seed = 0;
-answer(await visitEach(pages, {width: 900, height: 500},
+answer(await visitEach(pages, {width: 700, height: 400},
                        (page) => page.evaluate(readViews, {count, size, seed: ++seed})));

@@ -41,7 +41,7 @@ export async function visitEach(files, options, act) {
 
 async function visitIn(browser, file, options, act) {
   const context = await browser.newContext({
-    viewport: {width: options.width ?? 720, height: options.height ?? 600},
+    viewport: {width: options.width ?? 720, height: options.height ?? 440},
     colorScheme: options.dark ? 'dark' : 'light',
     reducedMotion: options.reducedMotion ?? 'reduce',
     hasTouch: options.touch ?? false,

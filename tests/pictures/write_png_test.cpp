@@ -1,6 +1,5 @@
 #include "majorant/pictures/write_png.h"
 
-#include <Eigen/SVD>
 #include <random>
 
 #include "io/io_test_helpers.h"
@@ -10,6 +9,7 @@
 #include "majorant/pictures/internal/bezier_image.h"
 #include "majorant/pictures/internal/pixel_font.h"
 #include "majorant/pictures/internal/png_file.h"
+#include "singular_values.h"
 
 namespace majorant {
 namespace {
@@ -205,7 +205,7 @@ TEST(WritePng, CurvedCellsAreEvaluatedExactly) {
               (2 * h);
       const Eigen::Matrix<double, 2, 3> J =
           2 * d * (edges.transpose() * edges).inverse() * edges.transpose();
-      const auto sigma = J.jacobiSvd().singularValues();
+      const Eigen::VectorXd sigma = test::singular_values(J);
       const PointDistortion found = image.at(cell, xi).distortion;
       EXPECT_NEAR(found.sigma_1, sigma[0], 1e-5 * sigma[0]) << degree;
       EXPECT_NEAR(std::abs(found.sigma_2), sigma[1], 1e-5 * sigma[0]) << degree;

@@ -225,8 +225,8 @@ def test_memory_is_steady():
 
     work(60)
     before = resident()
-    work(1000)
-    # A leak of one map of this size, 20 kB, would show as 20 MB.
+    work(250)
+    # A leak of one map of this size, 20 kB, would show as 5 MB.
     assert resident() - before < 1.5e6
 
 

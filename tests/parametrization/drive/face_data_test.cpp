@@ -2,7 +2,6 @@
 // the faces through degrees, quadrature rules, normalization and charts, and what is reported is
 // what was minimized, summed here by hand.
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 #include <limits>
 
 #include "expected_error.h"
@@ -15,6 +14,7 @@
 #include "majorant/parametrization/starts/tutte.h"
 #include "parametrization/drive/parametrize_expectations.h"
 #include "random.h"
+#include "singular_values.h"
 
 namespace majorant {
 namespace {
@@ -116,8 +116,7 @@ TEST(FaceData, WeightsOfSummandsAndOfTheWholeMultiply) {
                       {find_energy("arap")->make, arap_weight, second},
                       {mips()}};
   const auto value = [&](Index f, const Matrix2& J) {
-    const Eigen::JacobiSVD<Matrix2> svd(J);
-    const double arap = (svd.singularValues().array() - 1).square().sum();
+    const double arap = (test::singular_values(J).array() - 1).square().sum();
     return 2 * first[f] * symmetric_dirichlet_of(J) + arap_weight * second[f] * arap +
            J.squaredNorm() / J.determinant();
   };

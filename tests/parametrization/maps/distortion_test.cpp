@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 #include <limits>
 
 #include "random.h"
+#include "singular_values.h"
 
 namespace majorant {
 namespace {
@@ -37,7 +37,7 @@ TEST(Distortion, AgreesWithSingularValues) {
   for (int trial = 0; trial < 100; ++trial) {
     Eigen::Matrix2d J;
     for (double& entry : J.reshaped()) entry = random.uniform();
-    const Vector2 sigma = J.jacobiSvd().singularValues();
+    const Vector2 sigma = test::singular_values(J);
     const PointDistortion d = distortion_of(J);
     EXPECT_NEAR(d.sigma_1, sigma[0], 1e-14);
     EXPECT_NEAR(d.sigma_2, std::copysign(sigma[1], J.determinant()), 1e-14);
