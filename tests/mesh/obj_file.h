@@ -37,7 +37,10 @@ inline PolygonMesh obj_file(const std::string& path) {
 
 // A mesh of meshes/, all of them disks.
 inline std::shared_ptr<const SurfaceMesh> generated(const std::string& name) {
-  return surface(obj_file(std::string(MAJORANT_SOURCE_DIR) + "/meshes/" + name + ".obj"));
+  std::string path = MAJORANT_SOURCE_DIR "/meshes/";
+  path += name;
+  path += ".obj";
+  return surface(obj_file(path));
 }
 
 }  // namespace majorant

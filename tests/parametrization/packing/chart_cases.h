@@ -170,7 +170,9 @@ inline void expect_valid(const std::vector<BezierMap>& before, const Packing& pa
   SCOPED_TRACE(name);
   ASSERT_EQ(packing.charts.size(), before.size());
   const double needed = options.padding_pixels / options.resolution * packing.side;
-  if (before.size() > 1) EXPECT_GE(packing.distance, needed);
+  if (before.size() > 1) {
+    EXPECT_GE(packing.distance, needed);
+  }
   std::vector<std::vector<Corners>> loops;
   std::vector<std::pair<Vector2, Vector2>> boxes;
   const auto is_fixed = [&](std::size_t k) { return !options.fixed.empty() && options.fixed[k]; };
