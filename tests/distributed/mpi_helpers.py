@@ -92,6 +92,11 @@ def disk(name):
     return path if DATA and os.path.exists(path) else os.path.join(SOURCE, 'meshes', BUNDLED[name] + '.obj')
 
 
+def face_count(mesh):
+    with open(mesh) as f:
+        return sum(line.startswith('f ') for line in f)
+
+
 class MpiTest(CommandTest):  # noqa: F405
     def solve(self, ranks, mesh, *args, out='all', code=0):
         """The report of a run on so many ranks."""
