@@ -76,7 +76,8 @@ TermChanges ScaffoldedDomain::before_step(const MapProblem& built, VecIn x) {
   double mean = 0;
   for (const TermId id : built.energies) mean += term_energy(built.problem, id, x);
   TermState around = built.problem.state(*around_);
-  const double lambda = share_ * std::max(mean, rules_.least_energy) * around.weight /
+  const double share = stage_ == Stage::AtRest ? rules_.share_at_rest : share_;
+  const double lambda = share * std::max(mean, rules_.least_energy) * around.weight /
                         term_energy(built.problem, *around_, x);
   if (lambda_ && std::abs(lambda - *lambda_) <= rules_.same_lambda * lambda) return {};
   lambda_ = lambda;
@@ -94,6 +95,7 @@ DomainChange ScaffoldedDomain::after_step(Vec& x, const StepResult& step, const 
   const AddedSeconds time(seconds_);
   scaffold_.take(x);
   if (refine(step.blocking, in.space->element_count())) lambda_.reset();
+  if (rests(step)) stage_ = Stage::AtRest;
   const bool grown = scaffold_.grow();
   FlipCounts counts = flip();
   const bool relaxed = grown || needs_relaxing(step.record, counts);
@@ -118,6 +120,14 @@ bool ScaffoldedDomain::needs_relaxing(const IterationRecord& step, const FlipCou
          (flips.performed > 0 && step.relative_decrease < rules_.still_moving);
 }
 
+// Not while a stronger scaffold is followed: that is for leaving places where the image rests.
+bool ScaffoldedDomain::rests(const StepResult& step) const {
+  return stage_ == Stage::Moving && share_ == rules_.share &&
+         step.outcome == StepResult::Outcome::Moved &&
+         step.record.step_bound >= rules_.short_bound &&
+         step.record.relative_decrease < rules_.at_rest;
+}
+
 // Scaffold faces that block a step get a finer quadrature rule: theirs does not see the barrier.
 bool ScaffoldedDomain::refine(const std::vector<Index>& blocking, Index map_faces) {
   std::vector<Index> faces;
@@ -134,7 +144,14 @@ FlipCounts ScaffoldedDomain::flip() {
 bool ScaffoldedDomain::strengthen(double weight) {
   const double share = std::max(rules_.share, weight);
   lambda_.reset();
+  if (stage_ == Stage::AtRest) stage_ = Stage::Moving;
   return std::exchange(share_, share) != share;
+}
+
+bool ScaffoldedDomain::hold() {
+  if (stage_ != Stage::AtRest) return false;
+  stage_ = Stage::Held;
+  return true;
 }
 
 StoppingRules ScaffoldedDomain::final_rules(StoppingRules usual) const {
@@ -145,6 +162,7 @@ StoppingRules ScaffoldedDomain::final_rules(StoppingRules usual) const {
 
 void ScaffoldedDomain::elevate(const std::shared_ptr<const BezierTriangleSpace>& higher) {
   const AddedSeconds time(seconds_);
+  stage_ = Stage::Moving;
   scaffold_ = scaffold_.elevated(higher);
 }
 

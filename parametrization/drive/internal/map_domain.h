@@ -66,6 +66,10 @@ class MapDomain {
   // Whether that changes anything.
   virtual bool strengthen(double /*weight*/) { return false; }
 
+  // Where a run stalls whose surroundings had yielded because the image rested: they do so no more
+  // at this degree. Whether they had.
+  virtual bool hold() { return false; }
+
   // How unknowns are to be ordered for factorizations.
   virtual Ordering ordering() const { return Ordering::Automatic; }
 
@@ -91,7 +95,9 @@ class PlainDomain final : public MapDomain {
 
 // [MC20] Sec. 6. Every iteration is one Newton step on
 //     E(map) + lambda E_conf(scaffold),   lambda = share E(map) / E_conf(scaffold),
-// then the scaffold's edges are flipped and its triangles relaxed with the image fixed.
+// then the scaffold's edges are flipped and its triangles relaxed with the image fixed. The share
+// is large while the image moves and falls when it rests: what remains of it is an error of the
+// map.
 class ScaffoldedDomain final : public MapDomain {
  public:
   // Throws Error(Infeasible) as Scaffold does where the start overlaps itself.
@@ -103,6 +109,7 @@ class ScaffoldedDomain final : public MapDomain {
   DomainChange after_step(Vec& x, const StepResult& step, const DomainInput& input) override;
   double foreign_energy(const Problem& problem, VecIn x) const override;
   bool strengthen(double weight) override;
+  bool hold() override;
   // Flips change the pattern nearly every step: METIS would cost more than it saves
   // (docs/performance.md).
   Ordering ordering() const override { return Ordering::Amd; }
@@ -115,9 +122,12 @@ class ScaffoldedDomain final : public MapDomain {
   void charge(double seconds) override { seconds_ += seconds; }
 
  private:
+  enum class Stage { Moving, AtRest, Held };  // held: as while it moves, although it rests
+
   bool refine(const std::vector<Index>& blocking, Index map_faces);
   FlipCounts flip();
   bool needs_relaxing(const IterationRecord& step, const FlipCounts& flips) const;
+  bool rests(const StepResult& step) const;
 
   double seconds_ = 0;
   Scaffold scaffold_;
@@ -125,7 +135,8 @@ class ScaffoldedDomain final : public MapDomain {
   ScaffoldRules rules_;
   NewtonOptions relaxing_;
   FlipCounts flips_;
-  double share_;                  // lambda E_conf / E
+  double share_;  // lambda E_conf / E while the image moves
+  Stage stage_ = Stage::Moving;
   std::optional<Problem> built_;  // the last one
   std::optional<TermId> around_;  // E_conf in it
   std::optional<double> lambda_;  // none: not set since the problem was built

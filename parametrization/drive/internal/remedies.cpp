@@ -34,8 +34,11 @@ void add_use(RemedyUses& uses, Remedy remedy, double gained) {
 }  // namespace
 
 SolveResult DegreeSolver::finish(RunRecord& record) {
-  SolveResult result =
-      added_.bounded() ? solve_within_bounds(record) : exhaust(kRemedies, tries_, record);
+  const auto solve = [&] {
+    return added_.bounded() ? solve_within_bounds(record) : exhaust(kRemedies, tries_, record);
+  };
+  SolveResult result = solve();
+  if (result.status == Status::Stalled && domain_.hold()) result = solve();
   record.forget_mark();  // the last remedy may have had no iteration
   return result;
 }

@@ -74,10 +74,15 @@ struct BoundRules {
 
 // The space around an image (map_domain.h).
 struct ScaffoldRules {
-  // lambda E_conf / E. Origin: [MC20] Sec. 6 has 1e-4: too weak a barrier where curves touch
-  // (scorpion_500 at degree 3 stalls at 5.386 with 1e-4 and converges to 4.996 with 1e-3, own
-  // energies); elsewhere the energy is 3e-5 to 2e-4 higher (docs/bijective.md).
+  // lambda E_conf / E while the image moves. Origin: [MC20]'s 1e-4 is too weak a barrier where
+  // curves touch (scorpion_500 at degree 3 stalls at 5.386 with it from the start).
   double share = 1e-3;
+  // The same at rest. Origin: [MC20] Sec. 6; energies are 1e-5 to 3e-4 lower than with `share`
+  // where the image would overlap (docs/bijective.md); 1e-5 stalls scorpion_500 at degree 3.
+  double share_at_rest = 1e-4;
+  // The image rests when a step that nothing held back decreases the energy by less than this part.
+  // Origin: bench/tune.py scaffold.at_rest.
+  double at_rest = 1e-5;
   // A change of lambda below this part does not count: the stepper keeps what it has learned.
   // Origin: bench/tune.py scaffold.same_lambda.
   double same_lambda = 0.02;

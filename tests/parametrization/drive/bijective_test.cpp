@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "expected_error.h"
+#include "majorant/parametrization/drive/internal/parametrize_by.h"
 #include "majorant/parametrization/injectivity/global_injectivity.h"
 #include "mesh/obj_file.h"
 #include "parametrization/drive/parametrize_expectations.h"
@@ -54,6 +55,34 @@ TEST(Bijective, ARampThatWouldOverlap) {
     EXPECT_GT(global.flips.performed, 0);
     EXPECT_LE(global.flips.performed, global.flips.intended);
   }
+}
+
+ParametrizationResult ramp_with(double share_at_rest, int n) {
+  SolverRules rules;
+  rules.scaffold.share_at_rest = share_at_rest;
+  const ParametrizationOptions asked = options(n, MapInjectivity::Global);
+  const auto mesh = ramp(1.3, 36);
+  RunRecord record;
+  ParametrizationResult result =
+      parametrize_by(rules, BezierMap::linear(mesh, initial_map(*mesh, asked.map)), asked, record);
+  EXPECT_EQ(status_name(result.status), status_name(Status::Converged)) << n;
+  EXPECT_EQ(proof(result), static_cast<int>(Injectivity::Proven)) << n;
+  return result;
+}
+
+// What the scaffold holds back of the energy is an error of the map: less of it remains at the end.
+TEST(Bijective, TheScaffoldYieldsWhenTheImageRests) {
+  const ScaffoldRules usual;
+  for (int n = 1; n <= 3; ++n)
+    EXPECT_LT(ramp_with(usual.share_at_rest, n).measures.value,
+              (1 - 5e-6) * ramp_with(usual.share, n).measures.value)
+        << n;
+}
+
+// One that yields altogether leaves no room to step: it is as before, and the run converges.
+TEST(Bijective, AScaffoldThatYieldedTooMuchHoldsAgain) {
+  EXPECT_LT(ramp_with(1e-12, 2).measures.value,
+            (1 + 2e-5) * ramp_with(ScaffoldRules().share, 2).measures.value);
 }
 
 TEST(Bijective, CostsNothingWhereNothingOverlaps) {
