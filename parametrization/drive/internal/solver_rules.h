@@ -78,7 +78,7 @@ struct ScaffoldRules {
   // curves touch (scorpion_500 at degree 3 stalls at 5.386 with it from the start).
   double share = 1e-3;
   // The same at rest. Origin: [MC20] Sec. 6; energies are 1e-5 to 3e-4 lower than with `share`
-  // where the image would overlap (docs/bijective.md); 1e-5 stalls scorpion_500 at degree 3.
+  // where the image would overlap (docs/bijective.md); bench/tune.py scaffold.share_at_rest.
   double share_at_rest = 1e-4;
   // The image rests when a step that nothing held back decreases the energy by less than this part.
   // Origin: bench/tune.py scaffold.at_rest.
