@@ -2,7 +2,7 @@
 // them.
 //
 //   const MapOptions asked = with_targets(map, options.map);
-//   if (meets_pins(map, asked.pins)) return;   // else reach_pins.h leads the map there
+//   const bool there = meets_pins(map, asked.pins);   // else reach_pins.h leads the map there
 #pragma once
 
 #include <functional>

@@ -1,8 +1,9 @@
 // Tutte's system: every vertex that is not held is the mean of its neighbours.
 //
-//   const MeanOfNeighbours means(faces, held);
-//   const EdgeLaplacian laplacian = means.laplacian();   // its pattern, and what rows are
-//   Vec rhs = means.right_hand_side(x, 0);               // x: u, v by vertex, where they are held
+//     const MeanOfNeighbours means(faces, held);
+//     const EdgeLaplacian laplacian = means.laplacian();
+//     const Vec values = means.values(laplacian);            // of laplacian.pattern()
+//     const Vec rhs = means.right_hand_side(x, 0);           // x: u, v by vertex, where it is held
 //
 // Of a part of the faces it is what they add to the whole.
 #pragma once
