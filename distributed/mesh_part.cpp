@@ -72,6 +72,17 @@ class Division {
     share_edges();
   }
 
+  // Of the faces of this rank: face, corners.
+  std::vector<double> rest_triangles(int rank) const {
+    std::vector<double> list;
+    for (const RestTriangle& t : mesh_.rest_triangles()) {
+      if (rank_[at(t.face)] != rank) continue;
+      list.push_back(local_face_[at(t.face)]);
+      for (const Vector2& corner : t.corners) list.insert(list.end(), {corner.x(), corner.y()});
+    }
+    return list;
+  }
+
   std::vector<double> message(int rank) {
     const Piece& piece = pieces_[static_cast<std::size_t>(rank)];
     const std::vector<char> on_boundary = mesh_.boundary_flags();
@@ -103,6 +114,8 @@ class Division {
     out.list(half_edges);
     out.list(face_vertices);
     out.list(positions);
+    out.list(mesh_.file());
+    out.list(rest_triangles(rank));
     out.number(piece.borders.size());
     for (const auto& [other, border] : piece.borders) {
       out.number(other);
@@ -184,6 +197,14 @@ SurfaceParts surface_parts(Reader& in, MeshPart& part) {
   parts.positions.resize(static_cast<Index>(part.vertex.size()), 3);
   in.number();  // how many
   for (double& x : parts.positions.reshaped<Eigen::RowMajor>()) x = in.number();
+  for (const Index letter : in.list()) parts.file.push_back(static_cast<char>(letter));
+  const auto numbers = static_cast<int>(in.number());
+  for (int k = 0; k < numbers; k += 7) {
+    RestTriangle& triangle = parts.rest_triangles.emplace_back();
+    triangle.face = in.index();
+    for (Vector2& corner : triangle.corners)
+      for (double& x : corner) x = in.number();
+  }
   return parts;
 }
 

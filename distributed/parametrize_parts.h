@@ -18,18 +18,15 @@
 #include "majorant/parametrization/drive/internal/degree_solver.h"
 #include "majorant/parametrization/drive/parametrize.h"
 #include "majorant/parametrization/maps/bezier_map.h"
+#include "majorant/parametrization/maps/measure.h"
 
 namespace majorant {
 
-// Of the whole map, the same on every rank, but for what is said to be this rank's.
-struct PartMeasures {
-  double value = 0, area = 0, max_density = 0, sigma_max = 0, sigma_min = 0;
-  Vec face_value, min_det;  // of this rank's faces
-  double least_det = 0;
+// Of the whole map, the same on every rank; but face_value and min_det are of this rank's faces,
+// and distortion is of none.
+struct PartMeasures : MapMeasures {
+  double area = 0, least_det = 0;
   Index faces_not_positive = 0, vertices_off = 0;  // vertices_off: angles do not add to full turns
-  double max_boundary_angle = 0;
-  Index boundary_over_full_turn = 0;
-  bool locally_injective = false;
 };
 
 // Where a run is, to go on from there later, on any number of ranks (checkpoint.h).
@@ -65,7 +62,7 @@ struct PartResult {
 
 // uv: the start, 2 numbers per vertex here; options: of this rank (StartOfPart). Collective; the
 // record of rank 0 decides when to stop. Throws Error(Infeasible) where the start is not injective,
-// on all ranks; Error(Usage) for what is refused.
+// on all ranks; Error(Usage) for what is refused and for options out of range; as StartOfPart.
 //
 // from: where an earlier run of the same start and options was; none: at the start.
 PartResult parametrize_parts(std::shared_ptr<const MeshPart> part, const Vec& uv,

@@ -1,7 +1,5 @@
 #include "distributed/parts_report.h"
 
-#include <numbers>
-
 #include "distributed/internal/collect.h"
 #include "distributed/processes.h"
 #include "majorant/framework/linear_solver.h"
@@ -23,25 +21,16 @@ Json result_section(const PartsRun& run, GlobalIndex control_points) {
   Json injective;  // null: not decided
   if (run.boundary.result == Injectivity::Violated) injective = false;
   if (run.boundary.result == Injectivity::Proven && m.locally_injective) injective = true;
-  return {{"degree", r.map->degree()},
-          {"control_points", control_points},
-          {"energy", run.energy},
-          {"value", m.value},
-          {"max_density", m.max_density},
-          {"sigma_max", m.sigma_max},
-          {"sigma_min", m.sigma_min},
-          {"locally_injective", m.locally_injective},
-          {"min_det_bound", m.least_det},
-          {"globally_injective", injective},
-          {"boundary", boundary_section(run.boundary)},
-          {"max_boundary_angle_degrees", m.max_boundary_angle * 180 / std::numbers::pi},
-          {"boundary_vertices_over_360_degrees", m.boundary_over_full_turn},
-          {"start", run.start},
-          {"variables", r.variables},
-          {"initial_value", r.initial_value},
-          {"value_quadrature", r.value_quadrature},
-          {"newton_decrement", r.newton_decrement},
-          {"handle_distance", r.handle_distance}};
+  Json section = measures_section({r.map->degree(), control_points}, m, m.least_det, run.energy);
+  section["globally_injective"] = injective;
+  section.update({{"boundary", boundary_section(run.boundary)},
+                  {"start", run.start},
+                  {"variables", r.variables},
+                  {"initial_value", r.initial_value},
+                  {"value_quadrature", r.value_quadrature},
+                  {"newton_decrement", r.newton_decrement},
+                  {"handle_distance", r.handle_distance}});
+  return section;
 }
 
 }  // namespace

@@ -2,13 +2,15 @@
 
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "distributed/internal/part_data.h"
 #include "majorant/framework/error.h"
 #include "majorant/parametrization/drive/internal/free_scale.h"
+#include "majorant/parametrization/drive/internal/parametrize_by.h"
 #include "majorant/parametrization/drive/internal/reach_pins.h"
-#include "majorant/parametrization/fields/internal/edge_laplacian.h"
 #include "majorant/parametrization/starts/internal/filled_holes.h"
+#include "majorant/parametrization/starts/internal/mean_of_neighbours.h"
 #include "majorant/parametrization/starts/internal/room.h"
 #include "majorant/parametrization/starts/tutte.h"
 
@@ -19,66 +21,35 @@ namespace {
 // those of a factorization to 5e-7 (measured once; no command).
 constexpr double kTutteTolerance = 1e-12;
 
-// Every vertex inside is the mean of its neighbours: the rows that this rank's faces give.
-class Means {
- public:
-  explicit Means(const MeshPart& part) : faces_(part.mesh->faces()) {
-    row_of_.assign(at(part.mesh->vertex_count()), 0);
-    for (const Index v : part.boundary_vertices) row_of_[at(v)] = -1;
-    for (std::size_t v = 0; v < row_of_.size(); ++v) {
-      if (row_of_[v] < 0) continue;
-      row_of_[v] = static_cast<Index>(inside_.size());
-      inside_.push_back(static_cast<Index>(v));
-    }
-    partition_ = part.vertices().part(inside_);
-  }
-
-  void solve(LinearSolver& solver, Vec& x) const {
-    if (partition_.global_size() == 0) return;
-    const EdgeLaplacian laplacian(faces_, row_of_);
-    solver.analyze_shared(laplacian.pattern(), partition_);
-    // An edge counts once, its two half-edges half each, on whichever ranks they are.
-    const Vec values = laplacian.values(Vec::Constant(3 * faces_.rows(), 0.5));
-    if (solver.factorize(values, 0) != FactorStatus::Ok) refuse();
-    for (const int c : {0, 1}) {
-      Vec solution;
-      Vec rhs = right_hand_side(x, c);
-      partition_.add_to_owners(rhs);
-      if (solver.solve(rhs, solution, kTutteTolerance).status == SolveStatus::Indefinite) refuse();
-      for (std::size_t r = 0; r < inside_.size(); ++r)
-        x[2 * inside_[r] + c] = solution[static_cast<Index>(r)];
-    }
-  }
-
- private:
-  [[noreturn]] static void refuse() {
-    throw Error(ErrorKind::Infeasible, "the system of the initial map cannot be solved");
-  }
-
-  Vec right_hand_side(const Vec& x, int c) const {
-    Vec rhs = Vec::Zero(static_cast<Index>(inside_.size()));
-    for (Index h = 0; h < 3 * static_cast<Index>(faces_.rows()); ++h) {
-      const Index row = row_of_[at(from_vertex(faces_, h))], other = to_vertex(faces_, h);
-      if (row >= 0 && row_of_[at(other)] < 0) rhs[row] += x[2 * other + c];
-    }
-    return rhs;
-  }
-
-  const Cells& faces_;
-  std::vector<Index> row_of_, inside_;
-  Partition partition_;
-};
+[[noreturn]] void refuse() {
+  throw Error(ErrorKind::Infeasible, "the system of the initial map cannot be solved");
+}
 
 // boundary: rank 0's, 2 numbers per vertex of the whole surface, that of `part`.
-Vec means(const MeshPart& part, const Vec& boundary, LinearSolver& solver) {
+Vec mean_map(const MeshPart& part, const Vec& boundary, LinearSolver& solver) {
   Vec x = of_vertices(part, boundary, 2);
-  Means(part).solve(solver, x);
+  std::vector<char> held(at(part.mesh->vertex_count()), 0);
+  for (const Index v : part.boundary_vertices) held[at(v)] = 1;
+  const MeanOfNeighbours means(part.mesh->faces(), held);
+  const Partition partition = part.vertices().part(means.vertices());
+  if (partition.global_size() == 0) return x;
+  const EdgeLaplacian laplacian = means.laplacian();
+  solver.analyze_shared(laplacian.pattern(), partition);
+  if (solver.factorize(means.values(laplacian), 0) != FactorStatus::Ok) refuse();
+  for (const int c : {0, 1}) {
+    Vec solution;
+    Vec rhs = means.right_hand_side(x, c);
+    partition.add_to_owners(rhs);
+    if (solver.solve(rhs, solution, kTutteTolerance).status == SolveStatus::Indefinite) refuse();
+    for (std::size_t r = 0; r < means.vertices().size(); ++r)
+      x[2 * means.vertices()[r] + c] = solution[static_cast<Index>(r)];
+  }
   return x;
 }
 
 // The same of the surface with its holes filled, which is divided by itself.
-Vec means_around_holes(const MeshPart& part, const SurfaceMesh* whole, const Vec& boundary,
-                       LinearSolver& solver) {
+Vec mean_map_around_holes(const MeshPart& part, const SurfaceMesh* whole, const Vec& boundary,
+                          LinearSolver& solver) {
   std::optional<SurfaceMesh> filled;
   std::vector<int> rank_of_face;
   Vec filled_boundary;
@@ -89,7 +60,7 @@ Vec means_around_holes(const MeshPart& part, const SurfaceMesh* whole, const Vec
     filled_boundary.head(boundary.size()) = boundary;
   }
   const MeshPart around = distributed(filled ? &*filled : nullptr, rank_of_face, part.shared_ranks);
-  const Vec x = whole_of_vertices(around, means(around, filled_boundary, solver), 2);
+  const Vec x = whole_of_vertices(around, mean_map(around, filled_boundary, solver), 2);
   return of_vertices(part, x.head(boundary.size()), 2);
 }
 
@@ -100,8 +71,8 @@ TutteOfParts tutte_of_parts(const MeshPart& part, const SurfaceMesh* whole,
   TutteOfParts result;
   const bool holes = part.ranks().of_first(whole && whole->boundary_loops().size() > 1);
   const Vec boundary = whole ? tutte_boundary(*whole) : Vec();
-  result.uv = holes ? means_around_holes(part, whole, boundary, *solver())
-                    : means(part, boundary, *solver());
+  result.uv = holes ? mean_map_around_holes(part, whole, boundary, *solver())
+                    : mean_map(part, boundary, *solver());
   const Cells& faces = part.mesh->faces();
   result.on_one_rank =
       part.ranks().any(faces.rows() > 0 && faces_without_room(faces, result.uv) > 0);
@@ -118,12 +89,13 @@ bool led_to_pins(const MeshPart& part, const std::shared_ptr<const SurfaceMesh>&
   Vec led;
   if (ranks.rank() == 0) {
     const BezierMap start = BezierMap::linear(whole, of_all);
-    options = with_targets(start, std::move(options));
+    options.map = with_targets(start, std::move(options.map));
     require_pinned_once(*whole, options.map.pins);
     moves = !meets_pins(start, options.map.pins);
     if (moves) {
       require_scale(options.map, start);
-      led = reach_pins(start, options, record).control_points();
+      led = reach_pins(start, options.map, options.solve, pin_solver(record), record)
+                .control_points();
     }
   }
   if (!ranks.of_first(moves)) return false;

@@ -20,16 +20,7 @@ class GradientFlowStepper final : public Stepper {
  private:
   void advance(Vec& y, double& energy, Step& step) override {
     IterationRecord& r = step.record;
-    if (!factorized_) {
-      factorized_ = metric_.factorize(y, stop_);
-      r.seconds.assemble = metric_.seconds().assemble;
-      r.seconds.factorize = metric_.seconds().factorize;
-      r.factorizations = metric_.factorizations();
-      r.failed_factorizations = metric_.failed_factorizations();
-    }
-    r.curvature = metric_.curvature();
-    r.shift = metric_.shift();
-    if (!factorized_) return;
+    if (!metric_.factorize_once(y, r, stop_)) return;
     Stopwatch watch;
     evaluator_.gradient(y, gradient_, stop_);
     r.seconds.assemble += watch.restart();
@@ -41,7 +32,6 @@ class GradientFlowStepper final : public Stepper {
   }
 
   Metric metric_;
-  bool factorized_ = false;
   double first_ = 1;  // the metric knows nothing of the energy's scale: the last step does
 };
 

@@ -35,23 +35,13 @@ class LbfgsStepper final : public Stepper {
 
   // Metric, gradient and history at y; false: no metric.
   bool prepare(const Vec& y, IterationRecord& r) {
-    const bool first = !factorized_;
-    if (first) {
-      factorized_ = metric_.factorize(y, stop_);
-      r.seconds.assemble = metric_.seconds().assemble;
-      r.seconds.factorize = metric_.seconds().factorize;
-      r.factorizations = metric_.factorizations();
-      r.failed_factorizations = metric_.failed_factorizations();
-    }
-    r.curvature = metric_.curvature();
-    r.shift = metric_.shift();
-    if (!factorized_) return false;
+    if (!metric_.factorize_once(y, r, stop_)) return false;
     Stopwatch watch;
     evaluator_.gradient(y, gradient_, stop_);
-    if (first)
-      history_.start(y, gradient_, partition());
-    else
+    if (std::exchange(started_, true))
       history_.visit(y, gradient_);
+    else
+      history_.start(y, gradient_, partition());
     r.seconds.assemble += watch.restart();
     return true;
   }
@@ -65,7 +55,7 @@ class LbfgsStepper final : public Stepper {
   }
 
   Metric metric_;
-  bool factorized_ = false;
+  bool started_ = false;
   History history_;
 };
 

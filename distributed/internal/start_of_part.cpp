@@ -1,23 +1,18 @@
 #include "distributed/internal/start_of_part.h"
 
-#include <fmt/format.h>
-
+#include <algorithm>
 #include <array>
-#include <cmath>
+#include <limits>
+#include <vector>
 
-#include "majorant/framework/error.h"
-#include "majorant/parametrization/drive/internal/normalized_start.h"
+#include "majorant/parametrization/drive/internal/pins.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 
 namespace majorant {
 namespace {
 
-// Of the start's coordinates, that a pin's target may be away. Origin: pin_tolerance() of one
-// process.
-constexpr double kPinTolerance = 1e-9;
-
 // The larger of the extents of the whole surface along the axes.
-double size_of(const MeshPart& part) {
+double extent_of(const MeshPart& part) {
   std::array<double, 6> least;
   least.fill(std::numeric_limits<double>::infinity());
   for (const auto& p : part.mesh->positions().rowwise())
@@ -45,46 +40,30 @@ Vector2 gauge_position(const MeshPart& part, const Vec& uv) {
   return {sum[0], sum[1]};
 }
 
-Vec translated(Vec x, const Vector2& by) {
-  for (Index k = 0; k < x.size(); k += 2) x.segment<2>(k) += by;
-  return x;
-}
-
 }  // namespace
 
 StartOfPart::StartOfPart(std::shared_ptr<const MeshPart> part, const Vec& uv,
                          const MapOptions& asked)
-    : scale_(std::exp2(-std::round(std::log2(size_of(*part))))) {
+    : frame_{normalizing_scale(extent_of(*part), part->ranks().sum(part->mesh->area()))} {
+  const SurfaceMesh& mesh = *part->mesh;
+  require_face_data(mesh, asked);
   MapSpecification& spec = specification_;
   static_cast<MapObjective&>(spec) = asked;
   spec.part = part;
-  spec.rest = rest_shapes(*part->mesh, scale_);
-  const double tolerance = kPinTolerance * coordinate_size(*part, uv);
-  for (const Pin& pin : asked.pins) {
-    const Vector2 here = uv.segment<2>(2 * pin.vertex);
-    const Vector2 target = pin.target.value_or(here);
-    if (!((target - here).norm() <= tolerance))
-      throw Error(ErrorKind::Infeasible,
-                  fmt::format("the pin of vertex {} is {:.6g} away from the initial map; hold it "
-                              "there with \"target\": \"initial\", start from a map that meets the "
-                              "pins with --init input, or use soft handles",
-                              part->mesh->input_vertex(pin.vertex), (target - here).norm()));
-    spec.pins.push_back({pin.vertex, asked.boundary == BoundaryCondition::Fixed ? here : target});
-  }
-  for (const Pin& handle : asked.handles)
-    spec.handles.push_back(
-        {handle.vertex, handle.target.value_or(uv.segment<2>(2 * handle.vertex))});
+  spec.rest = rest_shapes(mesh, frame_.scale);
+  std::vector<char> on_boundary(at(mesh.vertex_count()), 0);  // of the whole surface
+  for (const Index v : part->boundary_vertices) on_boundary[at(v)] = 1;
+  spec.pins = place_pins(
+      mesh, asked.pins, uv, pin_tolerance(coordinate_size(*part, uv)),
+      [&](Index v) { return asked.boundary == BoundaryCondition::Fixed && on_boundary[at(v)]; });
+  spec.handles = place_handles(mesh, asked.handles, spec.pins, uv, frame_.scale);
   const bool free = !part->ranks().any(!spec.pins.empty() || !spec.handles.empty()) &&
                     spec.boundary == BoundaryCondition::Free;
   const Vector2 gauge = gauge_position(*part, uv);
-  if (free) origin_ = gauge;
-  if (origin_.norm() * scale_ <= kLargestOffset) destination_ = origin_;
-  for (auto* points : {&spec.pins, &spec.handles})
-    for (FixedPoint& p : *points) p.position = (p.position - origin_) * scale_;
-  x_ = translated(uv, -origin_) * scale_;
+  if (free) frame_.move_origin(gauge, spec.boundary);
+  for (auto* points : {&spec.pins, &spec.handles}) frame_.normalize(*points);
+  x_ = frame_.normalized(uv);
 }
-
-Vec StartOfPart::in_model_units(Vec x) const { return translated(x / scale_, destination_); }
 
 }  // namespace majorant
 

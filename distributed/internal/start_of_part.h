@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "distributed/mesh_part.h"
+#include "majorant/parametrization/drive/internal/normalized_start.h"
 #include "majorant/parametrization/drive/map_options.h"
 #include "majorant/parametrization/maps/map_problem.h"
 
@@ -19,17 +20,18 @@ class StartOfPart {
  public:
   // uv: 2 numbers per vertex here. asked: points, weights and data of this part, pins on all ranks
   // that have the vertex, handles on its owner. Collective. Throws on one rank or on several
-  // Error(Infeasible) for pins that the start does not meet.
+  // Error(Infeasible) for pins that the start does not meet, Error(Unsupported) when a vertex is
+  // held twice or a handle's target too far away to compute with, InvalidArgument for vertices that
+  // do not exist and for weights or data of faces that do not fit: as NormalizedStart.
   StartOfPart(std::shared_ptr<const MeshPart> part, const Vec& uv, const MapOptions& asked);
 
   const MapSpecification& specification() const { return specification_; }
   const Vec& x() const { return x_; }
-  double scale() const { return scale_; }
-  Vec in_model_units(Vec x) const;
+  double scale() const { return frame_.scale; }
+  Vec in_model_units(const Vec& x) const { return frame_.in_model_units(x); }
 
  private:
-  double scale_;
-  Vector2 origin_ = Vector2::Zero(), destination_ = Vector2::Zero();
+  NormalFrame frame_;
   MapSpecification specification_;
   Vec x_;
 };

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "majorant/framework/internal/projection.h"
 #include "majorant/framework/internal/row_reduction.h"
 
 namespace majorant {
@@ -110,31 +111,11 @@ Vec Elimination::reduce(VecIn x, double* residual) const {
   return y;
 }
 
-// Conjugate gradients on Z^T Z y = Z^T (x - c), preconditioned by the columns' lengths: Z is well
-// conditioned, and every y satisfies the constraints.
+// Preconditioned by the columns' lengths: Z is well conditioned.
 Vec Elimination::project(VecIn x) const {
-  double residual = 0;
-  Vec y = reduce(x, &residual);
-  if (reduced_size() == 0 || residual <= 1e-14 * x.cwiseAbs().maxCoeff()) return y;
-  Vec scale = Vec::Zero(reduced_size());
-  for (const Entry& e : entries_) scale[e.reduced] += e.coefficient * e.coefficient;
-  Vec image, gradient, product;
-  expand(y, image);
-  restrict_gradient(x - image, gradient);
-  Vec step = gradient.cwiseQuotient(scale), direction = step;
-  double slope = gradient.dot(step);
-  const double enough = 1e-20 * slope;
-  for (int k = 0; k < 1000 && slope > enough; ++k) {
-    expand_direction(direction, image);
-    const double length = slope / image.squaredNorm();
-    y += length * direction;
-    restrict_gradient(image, product);
-    gradient -= length * product;
-    step = gradient.cwiseQuotient(scale);
-    const double before = std::exchange(slope, gradient.dot(step));
-    direction = step + (slope / before) * direction;
-  }
-  return y;
+  Vec lengths = Vec::Zero(reduced_size());
+  for (const Entry& e : entries_) lengths[e.reduced] += e.coefficient * e.coefficient;
+  return projection(*this, x, Identity(), lengths);
 }
 
 }  // namespace majorant

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 #include <span>
 #include <utility>
+
+#include "majorant/framework/internal/symbolic_analysis.h"
 
 namespace majorant {
 namespace {
@@ -32,7 +35,9 @@ class Extension {
   }
 
   BlockElimination in_postorder() const {
-    const std::vector<Index> groups = postorder();
+    std::vector<Index> groups(at(groups_));
+    std::iota(groups.begin(), groups.end(), 0);
+    groups = postorder(parent_, groups);
     BlockElimination out;
     std::vector<Index> moved(old_.order.size());  // positions
     for (const Index g : groups) {
@@ -80,29 +85,6 @@ class Extension {
     if (below == now.end()) return;
     const Index parent = parent_[at(g)] = group_of_[at(*below)];
     if (!more.empty()) more_[at(parent)].insert(more_[at(parent)].end(), below, now.end());
-  }
-
-  std::vector<Index> postorder() const {
-    std::vector<Index> first(at(groups_) + 1, -1), next(at(groups_), -1), order, open;
-    for (Index g = groups_; g-- > 0;) {  // lists of children, ascending; roots in the last one
-      const std::size_t above = parent_[at(g)] < 0 ? at(groups_) : at(parent_[at(g)]);
-      next[at(g)] = first[above];
-      first[above] = g;
-    }
-    for (Index root = first[at(groups_)]; root >= 0; root = next[at(root)]) {
-      open.push_back(root);
-      while (!open.empty()) {
-        const Index g = open.back();
-        if (const Index child = first[at(g)]; child >= 0) {
-          first[at(g)] = next[at(child)];
-          open.push_back(child);
-        } else {
-          order.push_back(g);
-          open.pop_back();
-        }
-      }
-    }
-    return order;
   }
 
   const BlockElimination& old_;

@@ -40,7 +40,7 @@ Metric::Metric(const Problem& problem, Curvature curvature, std::unique_ptr<Line
 bool Metric::factorize(VecIn y, const StopCheck& stop) {
   Stopwatch watch;
   evaluator_.linearize(y, curvature_, gradient_, hessian_, stop);
-  seconds_.assemble = watch.restart();
+  assemble_seconds_ = watch.restart();
   const Problem& problem = evaluator_.problem();
   const double diagonal = problem.partition().global_size() > 0
                               ? mean_diagonal(problem.pattern(), hessian_, problem.partition())
@@ -51,8 +51,21 @@ bool Metric::factorize(VecIn y, const StopCheck& stop) {
   shift_ = f.shift;
   factorizations_ = f.factorizations;
   failed_factorizations_ = f.failed();
-  seconds_.factorize = watch.restart();
+  factorize_seconds_ = watch.restart();
   return f.status == FactorStatus::Ok;
+}
+
+bool Metric::factorize_once(VecIn y, IterationRecord& record, const StopCheck& stop) {
+  if (!factorized_) {
+    factorized_ = factorize(y, stop);
+    record.seconds.assemble = assemble_seconds_;
+    record.seconds.factorize = factorize_seconds_;
+    record.factorizations = factorizations_;
+    record.failed_factorizations = failed_factorizations_;
+  }
+  record.curvature = curvature_;
+  record.shift = shift_;
+  return factorized_;
 }
 
 const Problem& metric_problem(const Problem& problem, const std::optional<Problem>& metric) {

@@ -13,6 +13,7 @@
 #include <optional>
 
 #include "majorant/framework/evaluator.h"
+#include "majorant/framework/iteration.h"
 #include "majorant/framework/linear_solver.h"
 
 namespace majorant {
@@ -26,18 +27,15 @@ class Metric {
   // Assembles the Hessian at y, size() entries, and factorizes it, shifted as little as it takes
   // (factorize_shifted). false when that fails, then solve() must not be called. Stopped.
   bool factorize(VecIn y, const StopCheck& stop = {});
-  // p = M^-1 r, size() entries each; only after factorize() returned true.
+  // The same at the first call alone, whose costs `record` gets; curvature and shift it gets at
+  // every call. false: there is no metric.
+  bool factorize_once(VecIn y, IterationRecord& record, const StopCheck& stop);
+  // p = M^-1 r, size() entries each; only after one of them returned true.
   void solve(const Vec& r, Vec& p) { solver_->solve(r, p, kMetricTolerance); }
 
   Curvature curvature() const { return curvature_; }
   double shift() const { return shift_; }  // in M = H + shift I
   const LinearSolver& linear_solver() const { return *solver_; }
-  struct Seconds {
-    double assemble = 0, factorize = 0;
-  };
-  const Seconds& seconds() const { return seconds_; }     // of the last factorize()
-  int factorizations() const { return factorizations_; }  // that it took, failed ones included
-  int failed_factorizations() const { return failed_factorizations_; }
 
  private:
   Evaluator evaluator_;
@@ -45,8 +43,9 @@ class Metric {
   std::unique_ptr<LinearSolver> solver_;
   Vec gradient_, hessian_;
   double shift_ = 0;
-  int factorizations_ = 0, failed_factorizations_ = 0;
-  Seconds seconds_;
+  bool factorized_ = false;
+  int factorizations_ = 0, failed_factorizations_ = 0;   // of the last factorize()
+  double assemble_seconds_ = 0, factorize_seconds_ = 0;  // likewise
 };
 
 // The problem whose Hessian is the metric: `metric` if there is one, else `problem`. Throws

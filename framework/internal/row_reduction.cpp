@@ -207,7 +207,7 @@ class IntegerRows {
   }
 
   void check_redundant(std::size_t r, double residual) const {
-    if (std::abs(residual) <= 1e-12 * scale_) return;
+    if (std::abs(residual) <= kFollows * scale_) return;
     refuse_contradiction(rows_, r, residual);
   }
 

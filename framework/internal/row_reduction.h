@@ -20,8 +20,9 @@
 
 namespace majorant {
 
-// Of the largest product that a coefficient is a sum of. Origin: thousands of roundings, whose
-// number grows with the rows that are subtracted.
+// Of the largest product that a coefficient is a sum of; of the largest right-hand side, what a row
+// of integers that follows from others may be off. Origin: thousands of roundings, whose number
+// grows with the rows that are subtracted.
 inline constexpr double kFollows = 1e-12;
 // Below, half of the digits are lost. Origin: square root of the unit roundoff.
 inline constexpr double kNearlyFollows = 1e-8;

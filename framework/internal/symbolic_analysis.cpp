@@ -78,31 +78,12 @@ std::vector<Index> touched_counts(const Earlier& earlier, const std::vector<Inde
   return count;
 }
 
-// Children before parents, the one that touches most last: it can be eliminated with its parent.
-std::vector<Index> postorder(const Tree& tree) {
-  const std::size_t size = tree.parent.size();
-  std::vector<Index> by_count(size), first(size + 1, -1), next(size, -1), order, open;
-  std::iota(by_count.begin(), by_count.end(), 0);
-  std::stable_sort(by_count.begin(), by_count.end(),
+// The child that touches most comes last: it can be eliminated with its parent.
+std::vector<Index> by_count(const Tree& tree) {
+  std::vector<Index> order(tree.parent.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
                    [&](Index p, Index q) { return tree.count[at(p)] < tree.count[at(q)]; });
-  for (std::size_t k = size; k-- > 0;) {  // roots below an imaginary one
-    const Index p = by_count[k];
-    Index& head = first[tree.parent[at(p)] < 0 ? size : at(tree.parent[at(p)])];
-    next[at(p)] = std::exchange(head, p);
-  }
-  for (Index root = first[size]; root >= 0; root = next[at(root)]) {
-    open.push_back(root);
-    while (!open.empty()) {
-      const Index p = open.back();
-      if (const Index child = first[at(p)]; child >= 0) {
-        first[at(p)] = next[at(child)];
-        open.push_back(child);
-      } else {
-        order.push_back(p);
-        open.pop_back();
-      }
-    }
-  }
   return order;
 }
 
@@ -201,6 +182,30 @@ void add_touched(const BlockGraph& graph, const std::vector<Group>& groups, Bloc
 
 }  // namespace
 
+std::vector<Index> postorder(const std::vector<Index>& parent, const std::vector<Index>& siblings) {
+  const std::size_t size = parent.size();
+  std::vector<Index> first(size + 1, -1), next(size, -1), order, open;
+  for (std::size_t k = size; k-- > 0;) {  // roots below an imaginary one
+    const Index p = siblings[k];
+    Index& head = first[parent[at(p)] < 0 ? size : at(parent[at(p)])];
+    next[at(p)] = std::exchange(head, p);
+  }
+  for (Index root = first[size]; root >= 0; root = next[at(root)]) {
+    open.push_back(root);
+    while (!open.empty()) {
+      const Index p = open.back();
+      if (const Index child = first[at(p)]; child >= 0) {
+        first[at(p)] = next[at(child)];
+        open.push_back(child);
+      } else {
+        order.push_back(p);
+        open.pop_back();
+      }
+    }
+  }
+  return order;
+}
+
 BlockElimination analyze_elimination(const BlockGraph& graph, std::vector<Index> order) {
   Tree tree;
   {
@@ -208,7 +213,7 @@ BlockElimination analyze_elimination(const BlockGraph& graph, std::vector<Index>
     tree.parent = elimination_tree(earlier, graph.size());
     tree.count = touched_counts(earlier, tree.parent);
   }
-  const std::vector<Index> positions = postorder(tree);
+  const std::vector<Index> positions = postorder(tree.parent, by_count(tree));
   BlockElimination out;
   for (const Index p : positions) out.order.push_back(order[at(p)]);
   const std::vector<Group> groups = groups_of(renumbered(tree, positions));

@@ -18,6 +18,10 @@ namespace majorant {
 // more. Time as the factor's structure, blocks counted.
 BlockElimination analyze_elimination(const BlockGraph& graph, std::vector<Index> order);
 
+// The nodes of a forest, children before parents, children of one and roots in the order in which
+// `siblings`, every node once, has them. parent: -1 for roots.
+std::vector<Index> postorder(const std::vector<Index>& parent, const std::vector<Index>& siblings);
+
 }  // namespace majorant
 
 // SPDX-FileCopyrightText: 2026 the majorant developers

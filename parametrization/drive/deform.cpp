@@ -9,6 +9,7 @@
 #include "majorant/framework/internal/argument_check.h"
 #include "majorant/mesh/internal/mesh_words.h"
 #include "majorant/parametrization/drive/internal/free_scale.h"
+#include "majorant/parametrization/drive/internal/parametrize_by.h"
 #include "majorant/parametrization/drive/internal/reach_pins.h"
 
 namespace majorant {
@@ -50,12 +51,14 @@ BezierMap planar_map(std::shared_ptr<const SurfaceMesh> mesh) {
 
 ParametrizationResult deform(const BezierMap& start, const ParametrizationOptions& options,
                              RunRecord& record) {
-  const ParametrizationOptions resolved = with_targets(start, options);
+  ParametrizationOptions resolved = options;
+  resolved.map = with_targets(start, options.map);
   require_scale(resolved.map, start);
   if (resolved.map.handles.empty() && resolved.map.pins.empty())
     return parametrize(start, resolved, record);
   require_no_contradiction(start, resolved.map);
-  PinPull way(start, resolved, record);
+  const PinSolver solver = pin_solver(record);
+  PinPull way(start, resolved.map, resolved.solve, solver, record);
   way.walk(kDeformSteps, resolved.map.handle_weight);
   if (!resolved.map.pins.empty() && !way.hold()) way.refuse();
   return parametrize(way.map(), resolved, record);

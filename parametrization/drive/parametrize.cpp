@@ -9,67 +9,26 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/argument_check.h"
-#include "majorant/framework/internal/curvature_name.h"
 #include "majorant/framework/internal/element_values.h"
 #include "majorant/framework/thread_count.h"
 #include "majorant/mesh/internal/mesh_words.h"
-#include "majorant/parametrization/drive/internal/degree_solver.h"
-#include "majorant/parametrization/drive/internal/enter_domain.h"
+#include "majorant/parametrization/drive/internal/degree_schedule.h"
 #include "majorant/parametrization/drive/internal/free_scale.h"
 #include "majorant/parametrization/drive/internal/normalized_start.h"
 #include "majorant/parametrization/drive/internal/parametrize_by.h"
 #include "majorant/parametrization/drive/internal/reach_pins.h"
+#include "majorant/parametrization/drive/internal/valid_options.h"
 #include "majorant/parametrization/injectivity/global_injectivity.h"
 #include "majorant/parametrization/scaffold/internal/improve_mesh.h"
 
 namespace majorant {
 namespace {
 
-void require_valid(const MapOptions& asked) {
-  const auto refuse = [](const std::string& what) { throw InvalidArgument(what); };
-  if (asked.degree < 1 || asked.degree > BezierTriangleSpace::kMaxDegree)
-    refuse(fmt::format("degree {} is not one of 1..{}", asked.degree,
-                       BezierTriangleSpace::kMaxDegree));
-  if (asked.energy.empty()) refuse("no energy is given");
-  for (const WeightedEnergy& e : asked.energy)
-    if (!is_usable_weight(e.weight))
-      refuse(fmt::format("the weight {:g} of an energy is not in {:g}..{:g}", e.weight,
-                         1 / kLargestFactor, kLargestFactor));
-  if (!is_usable_weight(asked.handle_weight))
-    refuse(fmt::format("the weight {:g} of soft handles is not in {:g}..{:g}", asked.handle_weight,
-                       1 / kLargestFactor, kLargestFactor));
-  for (const auto* points : {&asked.pins, &asked.handles})
-    for (const Pin& p : *points)
-      if (p.target && !p.target->allFinite())
-        refuse(fmt::format("the target of vertex {} is ({:g}, {:g}), finite numbers are needed",
-                           p.vertex, p.target->x(), p.target->y()));
-}
-
 void require_valid(const ParametrizationOptions& o) {
-  const auto refuse = [](const std::string& what) { throw InvalidArgument(what); };
-  require_valid(o.map);
-  if (!(o.solve.tolerance > 0) || !std::isfinite(o.solve.tolerance))
-    refuse("the tolerance must be a positive number");
-  if (!(o.solve.elevation_tolerance >= 0)) refuse("the elevation tolerance must not be negative");
-  if (o.solve.injectivity_depth < 0) refuse("the depth of certificates must not be negative");
-  if (o.solve.threads < 0) refuse("the number of threads must not be negative");
-  if (o.solve.quadrature_points < 0) refuse("the number of quadrature points must not be negative");
-  if (o.map.injectivity == MapInjectivity::Global &&
-      (o.solve.curvature == Curvature::Reweighted ||
-       o.solve.curvature == Curvature::PaperMajorizer))
-    refuse(
-        fmt::format("the scaffold's energy has no curvature model '{}'; use projected, majorizer "
-                    "or exact",
-                    curvature_name(o.solve.curvature)));
-  if (o.solve.triangles == Triangles::Flipped &&
-      (o.map.face_weight.size() > 0 || knows_elements(o.map.energy)))
-    refuse("flipping edges changes the faces that weights and data are for; leave one out");
-  if (o.solve.triangles == Triangles::Flipped && o.extend)
-    refuse(
-        "flipping edges changes the faces and nodes that were added to; leave one of the two out");
+  require_valid(o.map, o.solve, static_cast<bool>(o.extend));
 }
 
-// One degree after the other, from 1 (or, when asked, directly at the highest).
+// What is around the degree schedule of a whole map: additions, a scaffold, proofs, measures.
 class Run {
  public:
   Run(const SolverRules& rules, const BezierMap& start, const ParametrizationOptions& options,
@@ -94,18 +53,18 @@ class Run {
     result_.initial_value = mean_density(map_, setup_.map.rest, options_.map.energy, unused);
     show_start();
     if (options_.map.injectivity == MapInjectivity::Global) record_.begin(Activity::Scaffold);
-    extend();
+    extend(map_);
     domain_ = make_domain();
     record_.begin(Activity::Solving);
     foresee();
-    SolveResult solved;
-    solved.energy = result_.initial_value;
-    try {
-      raise_degree(solved);
-    } catch (const Stopped& stop) {  // between two solves
-      solved = stopped(std::move(solved), stop.why());
-    }
+    DegreeSchedule schedule(setup_, *domain_, map_, options_.map.degree, record_,
+                            [this](const BezierMap& map) { extend(map); });
+    if (!std::isfinite(result_.initial_value)) schedule.enter();
+    const SolveResult solved = schedule.raise_degree(result_.initial_value);
     result_.optimize_seconds = record_.seconds() - started;
+    schedule.elevate_to_last();
+    map_ = schedule.map();
+    account(schedule.counts());
     return conclude(solved);
   }
 
@@ -120,10 +79,10 @@ class Run {
   }
 
   // Asks for the additions of this degree.
-  void extend() {
-    if (!options_.extend || (extension_ && extension_->degree() == map_.degree())) return;
+  void extend(const BezierMap& map) {
+    if (!options_.extend || (extension_ && extension_->degree() == map.degree())) return;
     auto extension =
-        std::make_shared<MapExtension>(map_, start_.specification().rest, start_.scale());
+        std::make_shared<MapExtension>(map, start_.specification().rest, start_.scale());
     options_.extend(*extension);
     extension_ = std::move(extension);
     setup_.added = Additions(extension_);
@@ -146,33 +105,6 @@ class Run {
     setup_.watch(row, map_.shared_space(), map_.control_points());
   }
 
-  // solved: of the last degree that was optimized.
-  void raise_degree(SolveResult& solved) {
-    if (!std::isfinite(result_.initial_value))
-      map_ = enter_domain(setup_, *domain_, map_, record_, result_.injectivity_tests);
-    for (;;) {
-      record_.stop().poll();
-      const bool last = map_.degree() == options_.map.degree;
-      if (last || options_.solve.elevation == Elevation::Incremental) {
-        solved = optimize(last);
-        if (limited(solved.status)) return;
-      }
-      if (last) return;
-      elevate();
-    }
-  }
-
-  SolveResult optimize(bool last) {
-    extend();
-    DegreeSolver solver(setup_, *domain_, map_.shared_space(), map_.control_points());
-    solver.soften_start(record_);
-    SolveResult solved = last ? solver.finish(record_)
-                              : solver.approach(options_.solve.elevation_tolerance, record_);
-    map_ = map_.with(map_.shared_space(), solver.x());
-    account(solver);
-    return solved;
-  }
-
   std::unique_ptr<MapDomain> make_domain() const {
     if (options_.map.injectivity == MapInjectivity::Local) return std::make_unique<PlainDomain>();
     try {
@@ -192,30 +124,16 @@ class Run {
                        given ? " or --init input" : "");
   }
 
-  void elevate() {
-    map_ = map_.elevated();
-    domain_->elevate(map_.shared_space());
+  void account(const DegreeSchedule::Counts& counts) {
+    result_.injectivity_tests = counts.injectivity_tests;
+    result_.remedies = counts.remedies;
+    result_.variables = static_cast<Index>(counts.variables);
+    result_.constraint_residual = counts.constraint_residual / start_.scale();
+    result_.handle_distance = farthest_handle(setup_.map, map_) / start_.scale();
   }
 
-  static bool limited(Status s) { return s != Status::Converged && s != Status::Stalled; }
-
-  void account(const DegreeSolver& solver) {
-    add_counts(result_.injectivity_tests, solver.proven());
-    result_.remedies = solver.remedies();
-    result_.variables = static_cast<Index>(solver.variables());
-    result_.constraint_residual = solver.constraint_residual() / start_.scale();
-    result_.handle_distance = 0;
-    for (const FixedPoint& h : setup_.map.handles)
-      result_.handle_distance = std::max(
-          result_.handle_distance,
-          (map_.control_points().segment<2>(2 * h.node) - h.position).norm() / start_.scale());
-  }
-
-  // A run that a limit ended below the degree asked for is elevated all the same: valid, and of
-  // the promised degree.
   ParametrizationResult conclude(const SolveResult& solved) {
-    while (map_.degree() < options_.map.degree) elevate();
-    extend();
+    extend(map_);
     report_additions();
     result_.status = solved.status;
     result_.message = solved.message;
@@ -227,10 +145,7 @@ class Run {
     const std::optional<Scaffold> scaffold = domain_->surroundings();
     if (scaffold) result_.scaffold = start_.in_model_units(scaffold->mesh());
     take_measures();
-    if (!result_.measures.locally_injective)
-      fail(unproven());
-    else if (solved.status == Status::Failed)
-      result_.status = Status::Stalled;
+    judge(unproven());
     if (scaffold && result_.status != Status::Failed) prove_no_overlaps();
     if (options_.solve.triangles == Triangles::Flipped && result_.status != Status::Failed &&
         record_.directive() == Directive::Continue)
@@ -284,14 +199,13 @@ class Run {
     take_measures();
   }
 
-  // The solver is done, its result is not what it should be.
-  void fail(const std::string& proof) {
-    result_.status = Status::Failed;
-    result_.message = fmt::format("the result fails its own proof: {} (the solver ended with: {})",
-                                  proof, result_.message);
+  void judge(const std::string& unproven) {
+    majorant::judge(unproven, result_.status, result_.message);
   }
 
+  // Empty: nothing is amiss.
   std::string unproven() const {
+    if (result_.measures.locally_injective) return {};
     const SurfaceMesh& mesh = result_.map->mesh();
     Index face = 0;
     const double least = result_.measures.min_det.minCoeff(&face);
@@ -308,7 +222,7 @@ class Run {
     const GlobalInjectivity proof = check_boundary(*result_.map);
     result_.measure_seconds += record_.seconds() - started;
     if (proof.result == Injectivity::Violated)
-      fail("the image overlaps itself" + (proof.reason.empty() ? "" : ": " + proof.reason));
+      judge("the image overlaps itself" + (proof.reason.empty() ? "" : ": " + proof.reason));
     if (proof.result != Injectivity::Undecided || result_.status != Status::Converged) return;
     result_.status = Status::Stalled;
     result_.message = "boundary curves touch to within rounding: " + proof.reason;
@@ -317,11 +231,11 @@ class Run {
   const ParametrizationOptions& options_;
   RunRecord& record_;
   NormalizedStart start_;
-  BezierMap map_;  // normalised
+  BezierMap map_;  // normalised: the start, then the result
   DegreeSolver::Setup setup_;
   std::shared_ptr<const MapExtension> extension_;  // of the degree of map_, or of one below
   Directive observed_ = Directive::Continue;
-  std::unique_ptr<MapDomain> domain_;  // around map_
+  std::unique_ptr<MapDomain> domain_;
   ParametrizationResult result_;
 };
 
@@ -335,17 +249,29 @@ ParametrizationResult parametrize_by(const SolverRules& rules, const BezierMap& 
         fmt::format("a start must have degree 1, this one has {}", start.degree()));
   require_finite("the start", start.control_points());
   const ThreadCount threads(options.solve.threads);
-  const ParametrizationOptions resolved = with_targets(start, options);
+  ParametrizationOptions resolved = options;
+  resolved.map = with_targets(start, options.map);
   // Edges that stay parallel to an axis leave a start no way to turn.
   ParametrizationResult result;
   if (meets_pins(start, resolved.map.pins) || !options.map.aligned.empty()) {
     result = Run(rules, start, options, record).solve();
   } else {
     require_scale(resolved.map, start);
-    result = Run(rules, reach_pins(start, resolved, record), resolved, record).solve();
+    const PinSolver solver = pin_solver(record, rules);
+    const BezierMap led = reach_pins(start, resolved.map, options.solve, solver, record);
+    result = Run(rules, led, resolved, record).solve();
   }
   result.handles = resolved.map.handles;
   return result;
+}
+
+PinSolver pin_solver(RunRecord& record, const SolverRules& rules) {
+  return [&record, rules](const BezierMap& start, const MapOptions& asked,
+                          const SolveOptions& how) -> std::optional<BezierMap> {
+    ParametrizationResult result = parametrize_by(rules, start, {asked, how, {}}, record);
+    if (result.status == Status::Failed) return std::nullopt;
+    return std::move(result.map);
+  };
 }
 
 ParametrizationResult parametrize(const BezierMap& start, const ParametrizationOptions& options,

@@ -31,6 +31,15 @@ Vec weight_of_faces(const MapSpecification& spec, const WeightedEnergy& summand,
   return product;
 }
 
+// area: of the whole map.
+TermState state_of(const MapSpecification& spec, const WeightedEnergy& summand, double area,
+                   const Vec& element_weight) {
+  TermState state;
+  state.weight = summand.weight / area;
+  state.element_weight = weight_of_faces(spec, summand, element_weight);
+  return state;
+}
+
 }  // namespace
 
 const Ranks& ranks_of(const MapSpecification& spec) {
@@ -116,10 +125,7 @@ EnergyIds add_map(ProblemBuilder& builder, const MapSpecification& spec,
   const double area = whole_area(spec);
   EnergyIds energies;
   for (std::size_t k = 0; k < terms.size(); ++k) {
-    TermState state;
-    state.weight = spec.energy[k].weight / area;
-    state.element_weight = weight_of_faces(spec, spec.energy[k], {});
-    energies.push_back(builder.add(terms[k], state));
+    energies.push_back(builder.add(terms[k], state_of(spec, spec.energy[k], area, {})));
   }
   if (spec.boundary_angles == BoundaryAngles::AtMostFullTurn)
     builder.add(
@@ -152,10 +158,8 @@ TermChanges energy_states(const MapSpecification& spec, const EnergyIds& energie
   const double area = whole_area(spec);
   TermChanges changes;
   for (std::size_t k = 0; k < energies.size(); ++k) {
-    TermState state;
-    state.weight = spec.energy[k].weight / area;
+    TermState state = state_of(spec, spec.energy[k], area, element_weight);
     state.element_rule = rules;
-    state.element_weight = weight_of_faces(spec, spec.energy[k], element_weight);
     changes.emplace_back(energies[k], std::move(state));
   }
   return changes;

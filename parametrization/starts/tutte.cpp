@@ -9,9 +9,9 @@
 #include "majorant/framework/internal/sparse_spd.h"
 #include "majorant/mesh/half_edge.h"
 #include "majorant/mesh/internal/mesh_words.h"
-#include "majorant/parametrization/fields/internal/edge_laplacian.h"
 #include "majorant/parametrization/starts/internal/filled_holes.h"
 #include "majorant/parametrization/starts/internal/leaning_map.h"
+#include "majorant/parametrization/starts/internal/mean_of_neighbours.h"
 #include "majorant/parametrization/starts/internal/room.h"
 
 namespace majorant {
@@ -46,54 +46,22 @@ std::string no_solution(const std::string& file) {
          std::string(either(file, "`majorant info`", "find_defects()"));
 }
 
-// Every vertex but those of the outer loop, whose places are known, is the mean of its neighbours.
-class MeanOfNeighbours {
- public:
-  explicit MeanOfNeighbours(const SurfaceMesh& mesh) : faces_(filled_faces(mesh)) {
-    row_of_.assign(at(mesh.vertex_count()) + mesh.boundary_loops().size() - 1, 0);
-    for (const Index v : outer_loop(mesh)) row_of_[at(v)] = -1;
-    for (std::size_t v = 0; v < row_of_.size(); ++v) {
-      if (row_of_[v] < 0) continue;
-      row_of_[v] = static_cast<Index>(vertices_.size());
-      vertices_.push_back(static_cast<Index>(v));
-    }
-  }
-
-  const std::vector<Index>& vertices() const { return vertices_; }  // by row
-
-  SparseSpd matrix(const std::string& file, const StopCheck& stop) const {
-    const EdgeLaplacian laplacian(faces_, row_of_);
-    // An edge counts once, its two half-edges half each.
-    const Vec values = laplacian.values(Vec::Constant(3 * faces_.rows(), 0.5));
-    stop.poll();
-    return SparseSpd(laplacian.pattern(), values, no_solution(file), stop);
-  }
-
-  // Of coordinate c: sums over the neighbours on the outer loop. x: u, v by vertex.
-  Vec right_hand_side(const Vec& x, int c) const {
-    std::vector<std::pair<Index, Index>> links;  // row, neighbour
-    for (Index h = 0; h < 3 * static_cast<Index>(faces_.rows()); ++h) {
-      const Index row = row_of_[at(from_vertex(faces_, h))], neighbour = to_vertex(faces_, h);
-      if (row >= 0 && row_of_[at(neighbour)] < 0) links.emplace_back(row, neighbour);
-    }
-    std::sort(links.begin(), links.end());  // sums do not depend on the order of faces
-    Vec rhs = Vec::Zero(static_cast<Index>(vertices_.size()));
-    for (const auto& [row, neighbour] : links) rhs[row] += x[2 * neighbour + c];
-    return rhs;
-  }
-
- private:
-  Cells faces_;
-  std::vector<Index> row_of_;  // by vertex, -1 on the outer loop
-  std::vector<Index> vertices_;
-};
+// Vertices of the outer loop, those that fill holes behind all of the mesh.
+std::vector<char> on_outer_loop(const SurfaceMesh& mesh) {
+  std::vector<char> held(at(mesh.vertex_count()) + mesh.boundary_loops().size() - 1, 0);
+  for (const Index v : outer_loop(mesh)) held[at(v)] = 1;
+  return held;
+}
 
 // Tutte's map, as far as doubles can tell points apart.
 Vec mean_map(const SurfaceMesh& mesh, const StopCheck& stop) {
   Vec x = tutte_boundary(mesh);
-  const MeanOfNeighbours means(mesh);
+  const MeanOfNeighbours means(filled_faces(mesh), on_outer_loop(mesh));
   if (means.vertices().empty()) return x;
-  const SparseSpd matrix = means.matrix(mesh.file(), stop);
+  const EdgeLaplacian laplacian = means.laplacian();
+  const Vec values = means.values(laplacian);
+  stop.poll();
+  const SparseSpd matrix(laplacian.pattern(), values, no_solution(mesh.file()), stop);
   const Vec u = matrix.solve(means.right_hand_side(x, 0));
   const Vec v = matrix.solve(means.right_hand_side(x, 1));
   for (std::size_t r = 0; r < means.vertices().size(); ++r) {
@@ -111,8 +79,7 @@ Vec map_with_room(const SurfaceMesh& mesh, Vec best, const StopCheck& stop) {
   Index least = faces_without_room(mesh.faces(), best);
   if (least == 0) return best;
   const Cells faces = filled_faces(mesh);
-  std::vector<char> held(at(mesh.vertex_count()) + mesh.boundary_loops().size() - 1, 0);
-  for (const Index v : outer_loop(mesh)) held[at(v)] = 1;
+  const std::vector<char> held = on_outer_loop(mesh);
   for (const Spacing spacing : {Spacing::ArcLength, Spacing::Halfway})
     for (const double leaning : kLeanings) {
       Vec x = Vec::Zero(2 * static_cast<Index>(held.size()));

@@ -51,22 +51,29 @@ double seam_residual_ulp(const BezierMap& map, double seam_residual) {
 
 }  // namespace
 
+Json measures_section(const MapSize& size, const MapMeasures& m, double least_det,
+                      const std::string& energy) {
+  return {{"degree", size.degree},
+          {"control_points", size.control_points},
+          {"energy", energy},
+          {"value", m.value},
+          {"measuring_cut_short", m.cut_short},
+          {"max_density", m.max_density},
+          {"sigma_max", m.sigma_max},
+          {"sigma_min", m.sigma_min},
+          {"locally_injective", m.locally_injective},
+          {"min_det_bound", least_det},
+          {"globally_injective", nullptr},
+          {"seam_residual", nullptr},
+          {"max_boundary_angle_degrees", m.max_boundary_angle * 180 / std::numbers::pi},
+          {"boundary_vertices_over_360_degrees", m.boundary_over_full_turn}};
+}
+
 Json measures_section(const BezierMap& map, const MapMeasures& m, const std::string& energy) {
-  Json section{{"degree", map.degree()},
-               {"control_points", map.space().node_count()},
-               {"energy", energy},
-               {"value", m.value},
-               {"measuring_cut_short", m.cut_short},
-               {"max_density", m.max_density},
-               {"sigma_max", m.sigma_max},
-               {"sigma_min", m.sigma_min},
-               {"locally_injective", m.locally_injective},
-               {"min_det_bound", m.min_det.minCoeff()},
-               {"globally_injective", nullptr},
-               {"seam_residual", map.seams().trivial() ? Json() : Json(m.seam_residual)},
-               {"max_boundary_angle_degrees", m.max_boundary_angle * 180 / std::numbers::pi},
-               {"boundary_vertices_over_360_degrees", m.boundary_over_full_turn}};
+  Json section =
+      measures_section({map.degree(), map.space().node_count()}, m, m.min_det.minCoeff(), energy);
   if (map.seams().trivial()) return section;
+  section["seam_residual"] = m.seam_residual;
   section["seam_residual_ulp"] = seam_residual_ulp(map, m.seam_residual);
   section["cones"] = cones_section(map);
   return section;

@@ -18,8 +18,15 @@ using Json = nlohmann::ordered_json;
 Json input_section(const PolygonMesh& polygons, const SurfaceMesh& mesh);
 // [{"vertex": of the input, "quarter_turns": q, "index": (4 - q) / 4}].
 Json cones_section(const BezierMap& map);
-// value, extremes, injectivity, and cones of maps with seams: the part of "result" that any map
-// has.
+struct MapSize {
+  int degree;
+  GlobalIndex control_points;
+};
+// value, extremes, injectivity: the part of "result" that any map has, also one in parts.
+// least_det: the least of measures.min_det of all of them.
+Json measures_section(const MapSize& size, const MapMeasures& measures, double least_det,
+                      const std::string& energy);
+// The same, with the cones of maps with seams.
 Json measures_section(const BezierMap& map, const MapMeasures& measures, const std::string& energy);
 // Percentiles, means and stretch of all parts as one map, measured at that scale of the layout.
 Json distortion_section(const std::vector<const MapDistortion*>& parts, double scale);

@@ -87,6 +87,19 @@ class Corners(MpiTest):
             self.assertEqual(done.code, whole.code, done.err)
             self.assertIn(whole.said()[-1].split('majorant: ')[-1], done.err)
 
+    def test_points_that_cannot_be_held_are_refused_as_by_one_process(self):
+        """Wherever their owner is."""
+        for vertex in (0, 48):
+            pins = self.constraints('pins.json', [{'vertex': vertex, 'target': 'initial'}])
+            handles = self.constraints('handles.json', [{'vertex': vertex, 'target': [2, 2]}])
+            far = self.constraints('far.json', [{'vertex': vertex, 'target': [1e200, 2]}])
+            for words in (['--pins', pins, '--handles', handles], ['--handles', far]):
+                whole = majorant('parametrize', self.mesh, '-o', self.path('a.vtu'), '--init', 'tutte', *words)
+                done = mpirun(2, 'parametrize', self.mesh, '-o', self.path('a.pvtu'), *words)
+                self.assertEqual(whole.code, UNSUPPORTED, whole.err)
+                self.assertEqual(done.code, whole.code, done.err)
+                self.assertIn(whole.said()[-1].split('majorant: ')[-1], done.err)
+
     def test_holes(self):
         """One in the middle, two that a border may meet, and a strip that closes."""
         ring = self.path('ring.obj')

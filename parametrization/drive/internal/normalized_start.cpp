@@ -11,20 +11,17 @@
 #include "majorant/framework/internal/elimination.h"
 #include "majorant/mesh/internal/mesh_words.h"
 #include "majorant/parametrization/drive/internal/free_scale.h"
-#include "majorant/parametrization/drive/internal/reach_pins.h"
+#include "majorant/parametrization/drive/internal/pins.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 #include "majorant/parametrization/starts/texture_seams.h"
 
 namespace majorant {
 namespace {
 
-// The optimizer works on a surface of size about 1: a power of two, so that scaling is exact.
-double normalizing_scale(const SurfaceMesh& mesh) {
+double scale_of(const SurfaceMesh& mesh) {
   const Eigen::RowVector3d extent =
       mesh.positions().colwise().maxCoeff() - mesh.positions().colwise().minCoeff();
-  // All vertices at one place: the triangles that stand for such faces have a size.
-  const double size = extent.maxCoeff() > 0 ? extent.maxCoeff() : std::sqrt(mesh.area());
-  return std::exp2(-std::round(std::log2(size)));
+  return normalizing_scale(extent.maxCoeff(), mesh.area());
 }
 
 void require_face_weights(const SurfaceMesh& mesh, const Vec& weights) {
@@ -36,74 +33,10 @@ void require_face_weights(const SurfaceMesh& mesh, const Vec& weights) {
                     1 / kLargestFactor, kLargestFactor));
 }
 
-void require_vertex(const SurfaceMesh& mesh, const Pin& pin) {
-  if (pin.vertex < 0 || pin.vertex >= mesh.vertex_count())
-    throw InvalidArgument(
-        fmt::format("{}pinned vertex {} does not exist", opening(mesh), pin.vertex));
-}
-
-bool contains(const std::vector<FixedPoint>& points, Index node) {
-  return std::any_of(points.begin(), points.end(),
-                     [&](const FixedPoint& p) { return p.node == node; });
-}
-
 bool on_boundary(const SurfaceMesh& mesh, Index vertex) {
   return std::any_of(
       mesh.boundary_loops().begin(), mesh.boundary_loops().end(),
       [&](const auto& loop) { return std::find(loop.begin(), loop.end(), vertex) != loop.end(); });
-}
-
-// Soft handles may be anywhere that numbers reach. scale: to model sizes.
-std::vector<FixedPoint> place_handles(const SurfaceMesh& mesh, const std::vector<Pin>& handles,
-                                      const std::vector<FixedPoint>& pins, const Vec& start,
-                                      double scale) {
-  std::vector<FixedPoint> points;
-  for (const Pin& handle : handles) {
-    require_vertex(mesh, handle);
-    if (contains(points, handle.vertex) || contains(pins, handle.vertex))
-      throw Error(ErrorKind::Unsupported,
-                  fmt::format("{}vertex {} has two handles, or a pin and a handle; keep one",
-                              opening(mesh), mesh.input_vertex(handle.vertex)));
-    const Vector2 here = start.segment<2>(2 * handle.vertex);
-    points.push_back({handle.vertex, handle.target.value_or(here)});
-    const double distance = ((points.back().position - here) * scale).stableNorm();
-    if (!(distance <= kLargestFactor))
-      throw Error(ErrorKind::Unsupported,
-                  fmt::format("{}the target of vertex {} is {:.3g} sizes of the model away from "
-                              "it, too far to compute with; give a nearer one",
-                              opening(mesh), mesh.input_vertex(handle.vertex), distance));
-  }
-  return points;
-}
-
-// Pins as fixed points: a target must be where the start has the vertex, up to rounding, because
-// the solver moves along maps that satisfy the constraints.
-std::vector<FixedPoint> place_pins(const SurfaceMesh& mesh, const Seams& seams,
-                                   const MapOptions& asked, const Vec& start) {
-  const double tolerance = pin_tolerance(start);
-  std::vector<FixedPoint> points;
-  for (const Pin& pin : asked.pins) {
-    require_vertex(mesh, pin);
-    const Vector2 here = start.segment<2>(2 * pin.vertex);
-    const Vector2 target = pin.target.value_or(here);
-    const double distance = (target - here).stableNorm();
-    if (distance > tolerance)
-      throw Error(
-          ErrorKind::Infeasible,
-          fmt::format("{}the pin of vertex {} is {:.6g} away from the initial map ({}, {}); "
-                      "{}, or use soft handles",
-                      opening(mesh), mesh.input_vertex(pin.vertex), distance, here.x(), here.y(),
-                      either(mesh,
-                             "hold it there with \"target\": \"initial\", start from a map that "
-                             "meets the pins with --init input",
-                             "leave out its target, start from a map that meets the pins")));
-    // A fixed boundary, a seam or an aligned edge may already say the same, up to rounding.
-    const bool held = !seams.empty() || !asked.aligned.empty() ||
-                      (asked.boundary == BoundaryCondition::Fixed && on_boundary(mesh, pin.vertex));
-    points.push_back({pin.vertex, held ? here : target});
-  }
-  require_pinned_once(mesh, asked.pins);
-  return points;
 }
 
 // Of the normalized map: as it is solved, whatever the size of the mesh. asked: what the map would
@@ -187,6 +120,24 @@ Vec translated(Vec x, const Vector2& by) {
 
 }  // namespace
 
+double normalizing_scale(double extent, double area) {
+  const double size = extent > 0 ? extent : std::sqrt(area);
+  return std::exp2(-std::round(std::log2(size)));
+}
+
+void NormalFrame::move_origin(const Vector2& to, BoundaryCondition boundary) {
+  origin = to;
+  if (to.norm() * scale <= kLargestOffset || boundary == BoundaryCondition::Fixed) destination = to;
+}
+
+void NormalFrame::normalize(std::vector<FixedPoint>& points) const {
+  for (FixedPoint& p : points) p.position = (p.position - origin) * scale;
+}
+
+Vec NormalFrame::normalized(const Vec& uv) const { return translated(uv, -origin) * scale; }
+
+Vec NormalFrame::in_model_units(const Vec& x) const { return translated(x / scale, destination); }
+
 void require_face_data(const SurfaceMesh& mesh, const MapObjective& asked) {
   require_face_weights(mesh, asked.face_weight);
   for (const WeightedEnergy& e : asked.energy) {
@@ -200,39 +151,41 @@ void require_face_data(const SurfaceMesh& mesh, const MapObjective& asked) {
 }
 
 NormalizedStart::NormalizedStart(const BezierMap& given, const MapOptions& asked, Origin origin)
-    : scale_(normalizing_scale(given.mesh())), map_(given) {
+    : frame_{scale_of(given.mesh())}, map_(given) {
   require_face_data(given.mesh(), asked);
   MapSpecification& spec = specification_;
   static_cast<MapObjective&>(spec) = asked;
   spec.aligned = nearest_axes(given, asked.aligned);
   const BezierMap start = spec.aligned.empty() ? given : aligned_map(given, spec.aligned);
   moved_ = largest_distance(given.control_points(), start.control_points());
-  spec.rest = rest_shapes(start.mesh(), scale_);
+  const SurfaceMesh& mesh = start.mesh();
+  const Vec& uv = start.control_points();
+  spec.rest = rest_shapes(mesh, frame_.scale);
   spec.seams = start.shared_seams();
-  spec.pins = place_pins(start.mesh(), start.seams(), asked, start.control_points());
-  spec.handles =
-      place_handles(start.mesh(), asked.handles, spec.pins, start.control_points(), scale_);
+  const bool tied = !start.seams().empty() || !asked.aligned.empty();
+  spec.pins = place_pins(mesh, asked.pins, uv, pin_tolerance(uv), [&](Index v) {
+    return tied || (asked.boundary == BoundaryCondition::Fixed && on_boundary(mesh, v));
+  });
+  spec.handles = place_handles(mesh, asked.handles, spec.pins, uv, frame_.scale);
   require_scale(asked, start);
   // Where nothing holds the map, its first held vertex moves to the origin.
   if (const auto gauge = gauge_vertices(spec, start.space());
       origin == Origin::Free && !gauge.empty() && spec.pins.empty() && spec.handles.empty())
-    origin_ = start.control_points().segment<2>(2 * gauge.front());
-  if (origin_.norm() * scale_ <= kLargestOffset || spec.boundary == BoundaryCondition::Fixed)
-    destination_ = origin_;
-  for (auto* points : {&spec.pins, &spec.handles})
-    for (FixedPoint& p : *points) p.position = (p.position - origin_) * scale_;
-  map_ = start.with(start.shared_space(), translated(start.control_points(), -origin_) * scale_);
+    frame_.move_origin(uv.segment<2>(2 * gauge.front()), spec.boundary);
+  for (auto* points : {&spec.pins, &spec.handles}) frame_.normalize(*points);
+  map_ = start.with(start.shared_space(), frame_.normalized(uv));
   require_injective(map_, spec.rest, asked);
 }
 
 BezierMap NormalizedStart::in_model_units(const BezierMap& normalized) const {
   return normalized.with(normalized.shared_space(),
-                         translated(normalized.control_points() / scale_, destination_));
+                         frame_.in_model_units(normalized.control_points()));
 }
 
 BezierMesh NormalizedStart::in_model_units(BezierMesh normalized) const {
   for (Index k = 0; k < normalized.points.cols(); ++k)
-    normalized.points.col(k) = (normalized.points.col(k) / scale_).array() + destination_[k % 2];
+    normalized.points.col(k) =
+        (normalized.points.col(k) / frame_.scale).array() + frame_.destination[k % 2];
   return normalized;
 }
 

@@ -24,6 +24,25 @@ inline constexpr double kLargestOffset = 1000;
 // somebody else knows the coordinates.
 enum class Origin { Free, Kept };
 
+// The optimizer works on a surface of size about 1: a power of two, so that scaling is exact.
+// extent: the largest along an axis; area: where that is 0, the triangles that stand for such faces
+// have a size.
+double normalizing_scale(double extent, double area);
+
+// The coordinates that a map is optimized in: (uv - origin) scale.
+struct NormalFrame {
+  double scale = 1;
+  // Where a free map's held vertex is, else 0, and where it is put back to: the same place unless
+  // that is so far from 0 that coordinates would lose digits. Model units.
+  Vector2 origin = Vector2::Zero(), destination = Vector2::Zero();
+
+  // With a fixed boundary a map comes back to where it was, however far.
+  void move_origin(const Vector2& to, BoundaryCondition boundary);
+  void normalize(std::vector<FixedPoint>& points) const;
+  Vec normalized(const Vec& uv) const;
+  Vec in_model_units(const Vec& x) const;
+};
+
 class NormalizedStart {
  public:
   // asked.aligned: edges are projected onto their axis, seams kept, before anything else.
@@ -34,7 +53,7 @@ class NormalizedStart {
   // faces that do not fit, and an energy that would shrink the map to a point (free_scale.h).
   NormalizedStart(const BezierMap& start, const MapOptions& asked, Origin origin = Origin::Free);
 
-  double scale() const { return scale_; }
+  double scale() const { return frame_.scale; }
   const BezierMap& map() const { return map_; }  // (uv - origin) * scale
   // How far aligning edges moved the start, at most; model units.
   double moved() const { return moved_; }
@@ -43,10 +62,8 @@ class NormalizedStart {
   BezierMesh in_model_units(BezierMesh normalized) const;
 
  private:
-  double scale_, moved_ = 0;
-  // Where a free map's held vertex is, else 0, and where it is put back to: the same place unless
-  // that is so far from 0 that coordinates would lose digits. Model units.
-  Vector2 origin_ = Vector2::Zero(), destination_ = Vector2::Zero();
+  NormalFrame frame_;
+  double moved_ = 0;
   BezierMap map_;
   MapSpecification specification_;
 };

@@ -19,9 +19,6 @@
 namespace majorant {
 namespace {
 
-// Of the largest coordinate: pins this close to where the start has their vertex are there. Origin:
-// targets in files have ten digits.
-constexpr double kPinned = 1e-9;
 // Relative decrease that ends a solve on the way. Origin: a thousand times the final one: they only
 // lead there.
 constexpr double kRoughly = 1e-3;
@@ -55,19 +52,24 @@ Index name_of(const BezierMap& map, Index vertex) { return map.mesh().input_vert
 // Nothing but pins holds the map: it may be turned, and is worth optimizing before.
 bool may_move(const MapOptions& asked) { return asked.boundary == BoundaryCondition::Free; }
 
+// How a map of degree 1 is solved that only leads to another one.
+SolveOptions roughly(SolveOptions how) {
+  how.tolerance = kRoughly;
+  how.triangles = Triangles::Kept;
+  return how;
+}
+
 // The map without pins, by an energy that holds its own scale.
-BezierMap roughly_optimized(const BezierMap& start, const ParametrizationOptions& options,
-                            RunRecord& record) {
-  ParametrizationOptions o = options;
-  o.map.degree = 1;
-  o.map.energy = {{symmetric_dirichlet(), 1.0}};
-  o.extend = {};
-  o.map.pins.clear();
-  o.map.handles.clear();
-  o.solve.curvature = Curvature::Projected;
-  o.solve.tolerance = kRoughly;
-  o.solve.triangles = Triangles::Kept;
-  return parametrize(start, o, record).map.value_or(start);
+BezierMap roughly_optimized(const BezierMap& start, const MapOptions& asked,
+                            const SolveOptions& how, const PinSolver& solver) {
+  MapOptions free = asked;
+  free.degree = 1;
+  free.energy = {{symmetric_dirichlet(), 1.0}};
+  free.pins.clear();
+  free.handles.clear();
+  SolveOptions projected = roughly(how);
+  projected.curvature = Curvature::Projected;
+  return solver(start, free, projected).value_or(start);
 }
 
 // The map moved so that its pins are closest to their targets, by z -> a z + b; a = 1 for one.
@@ -108,34 +110,6 @@ std::vector<FixedPoint> fixed_points(const std::vector<Pin>& pins) {
 }
 
 }  // namespace
-
-ParametrizationOptions with_targets(const BezierMap& start, ParametrizationOptions options) {
-  for (auto* points : {&options.map.pins, &options.map.handles})
-    for (Pin& p : *points) {
-      if (p.vertex < 0 || p.vertex >= start.mesh().vertex_count())
-        throw InvalidArgument(
-            fmt::format("{}pinned vertex {} does not exist", opening(start.mesh()), p.vertex));
-      if (!p.target) p.target = place_of(start, p.vertex);
-    }
-  return options;
-}
-
-double pin_tolerance(VecIn start) { return kPinned * start.cwiseAbs().maxCoeff(); }
-
-bool meets_pins(const BezierMap& start, const std::vector<Pin>& pins) {
-  const double tolerance = pin_tolerance(start.control_points());
-  return std::all_of(pins.begin(), pins.end(), [&](const Pin& p) {
-    return (*p.target - place_of(start, p.vertex)).stableNorm() <= tolerance;
-  });
-}
-
-void require_pinned_once(const SurfaceMesh& mesh, const std::vector<Pin>& pins) {
-  std::vector<char> is_pinned(at(mesh.vertex_count()), 0);
-  for (const Pin& p : pins)
-    if (std::exchange(is_pinned[at(p.vertex)], 1))
-      throw Error(ErrorKind::Unsupported, fmt::format("{}vertex {} is pinned twice; pin it once",
-                                                      opening(mesh), mesh.input_vertex(p.vertex)));
-}
 
 void require_no_contradiction(const BezierMap& start, const MapOptions& asked) {
   require_pinned_once(start.mesh(), asked.pins);
@@ -186,7 +160,7 @@ bool PinPull::going_on() const {
 
 std::vector<Pin> PinPull::on_the_way(double part) const {
   std::vector<Pin> to;
-  for (const auto* points : {&options_.map.handles, &options_.map.pins})
+  for (const auto* points : {&asked_.handles, &asked_.pins})
     for (const Pin& p : *points) {
       const Vector2 from = place_of(start_, p.vertex);
       to.push_back({p.vertex, Vector2(from + part * (*p.target - from))});
@@ -195,16 +169,12 @@ std::vector<Pin> PinPull::on_the_way(double part) const {
 }
 
 void PinPull::pull(std::vector<Pin> to, double weight) {
-  ParametrizationOptions o = options_;
-  o.map.degree = 1;
-  o.map.handle_weight = weight;
-  o.extend = {};
-  o.map.handles = std::move(to);
-  o.map.pins.clear();
-  o.solve.tolerance = kRoughly;
-  o.solve.triangles = Triangles::Kept;
-  const ParametrizationResult r = parametrize(map_, o, record_);
-  if (r.map && r.status != Status::Failed) map_ = *r.map;
+  MapOptions pulled = asked_;
+  pulled.degree = 1;
+  pulled.handle_weight = weight;
+  pulled.handles = std::move(to);
+  pulled.pins.clear();
+  map_ = solver_(map_, pulled, roughly(how_)).value_or(map_);
 }
 
 void PinPull::walk(int steps, double weight) {
@@ -240,10 +210,10 @@ bool PinPull::hold() {
 std::optional<BezierMap> PinPull::with_pins() const {
   Vec x = map_.control_points();
   if (map_.seams().empty()) {
-    for (const Pin& p : options_.map.pins) x.segment<2>(2 * p.vertex) = *p.target;
+    for (const Pin& p : asked_.pins) x.segment<2>(2 * p.vertex) = *p.target;
   } else {
     ConstraintRows rows;
-    FixedPoints(fixed_points(options_.map.pins)).append_rows(rows);
+    FixedPoints(fixed_points(asked_.pins)).append_rows(rows);
     SeamlessConstraint(map_.shared_space(), map_.shared_seams()).append_rows(rows);
     try {
       const Elimination elimination(static_cast<Index>(x.size()), rows);
@@ -263,7 +233,7 @@ bool PinPull::is_valid(const BezierMap& map) const {
            .check(map.control_points())
            .feasible)
     return false;
-  return options_.map.injectivity == MapInjectivity::Local ||
+  return asked_.injectivity == MapInjectivity::Local ||
          check_boundary(map).result == Injectivity::Proven;
 }
 
@@ -280,8 +250,8 @@ bool PinPull::untangle_with_pins() {
   MapSpecification spec;
   spec.rest = rest_shapes(map_.mesh());
   spec.seams = map_.shared_seams();
-  spec.boundary = options_.map.boundary;
-  spec.pins = fixed_points(options_.map.pins);
+  spec.boundary = asked_.boundary;
+  spec.pins = fixed_points(asked_.pins);
   UntangleResult untangled = untangle(spec, map_.shared_space(), held->control_points(), record_);
   BezierMap map = map_.with(map_.shared_space(), std::move(untangled.x));
   if (!untangled.inverted.empty() || !is_valid(map)) return false;
@@ -298,7 +268,7 @@ void PinPull::refuse() const {
                                        "the limits of the RunRecord")));
   Index farthest = -1;
   double distance = -1;
-  for (const Pin& p : options_.map.pins)
+  for (const Pin& p : asked_.pins)
     if (const double d = (place_of(map_, p.vertex) - *p.target).norm(); d > distance) {
       distance = d;
       farthest = p.vertex;
@@ -308,31 +278,31 @@ void PinPull::refuse() const {
                                   name_of(start_, farthest), distance));
 }
 
-BezierMap reach_pins(const BezierMap& given, const ParametrizationOptions& options,
-                     RunRecord& record) {
-  require_no_contradiction(given, options.map);
+BezierMap reach_pins(const BezierMap& given, const MapOptions& asked, const SolveOptions& how,
+                     const PinSolver& solver, RunRecord& record) {
+  require_no_contradiction(given, asked);
   BezierMap start = given;
-  if (may_move(options.map)) {
-    if (options.map.pins.size() > 1) start = roughly_optimized(start, options, record);
-    start = moved_to_pins(start, options.map.pins);
+  if (may_move(asked)) {
+    if (asked.pins.size() > 1) start = roughly_optimized(start, asked, how, solver);
+    start = moved_to_pins(start, asked.pins);
   }
-  PinPull way(start, options, record);
+  PinPull way(start, asked, how, solver, record);
   if (way.set_pins()) return way.map();
   way.walk(kSteps, kFirstStiffness);
   if (way.hold()) return way.map();
   if (!way.going_on()) way.refuse();
-  PinPull at_once(start, options, record);
+  PinPull at_once(start, asked, how, solver, record);
   if (at_once.untangle_with_pins()) return at_once.map();
-  std::vector<Pin> order = options.map.pins;
+  std::vector<Pin> order = asked.pins;
   std::mt19937 random;
   for (int k = 0; k < kMostOrders && order.size() > 1; ++k) {
-    PinPull in_turn(given, options, record);
+    PinPull in_turn(given, asked, how, solver, record);
     if (in_turn.walk_in_turn(order, kStepsInTurn, kFirstStiffness) && in_turn.hold())
       return in_turn.map();
     if (!in_turn.going_on()) in_turn.refuse();
     shuffle(order, random);
   }
-  PinPull slowly(start, options, record);
+  PinPull slowly(start, asked, how, solver, record);
   slowly.walk(kSmallSteps, kFirstStiffness);
   if (!slowly.hold()) slowly.refuse();
   return slowly.map();

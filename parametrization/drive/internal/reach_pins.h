@@ -1,8 +1,9 @@
 // Brings a start to its pins: hard pins may have targets anywhere, but the solver moves along maps
 // that meet them already.
 //
-//   const ParametrizationOptions resolved = with_targets(map, options);
-//   if (!meets_pins(map, resolved.map.pins)) map = reach_pins(map, resolved, record);
+//   const MapOptions asked = with_targets(map, options.map);
+//   if (!meets_pins(map, asked.pins))
+//     map = reach_pins(map, asked, options.solve, pin_solver(record), record);
 //
 // Nothing is paid for a rigid motion: one pin is met by a translation. For more, the map is roughly
 // optimized without them and moved by the similarity that fits best, which meets two. The others
@@ -11,21 +12,20 @@
 // they go one after the other, in several orders.
 #pragma once
 
-#include "majorant/parametrization/drive/parametrize.h"
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "majorant/framework/run_record.h"
+#include "majorant/parametrization/drive/internal/pins.h"
+#include "majorant/parametrization/drive/solve_options.h"
 
 namespace majorant {
 
-// The same, where pins and handles without a target get the place that `start` has for them.
-ParametrizationOptions with_targets(const BezierMap& start, ParametrizationOptions options);
-
-// Pins this close to where the start has their vertex are there, up to rounding. Model units.
-double pin_tolerance(VecIn start);
-
-// Whether all pins are where the start has them. They must have targets and exist.
-bool meets_pins(const BezierMap& start, const std::vector<Pin>& pins);
-
-// Throws Error(Unsupported) for a vertex that is pinned twice.
-void require_pinned_once(const SurfaceMesh& mesh, const std::vector<Pin>& pins);
+// A map as it is asked for, from a start of degree 1; none where no valid one was found. Made of
+// parametrize(), which itself asks for ways to pins: pin_solver() (parametrize_by.h).
+using PinSolver = std::function<std::optional<BezierMap>(const BezierMap& start, const MapOptions&,
+                                                         const SolveOptions&)>;
 
 // Throws Error(Infeasible) where pins (with targets) leave no map: two at one place, a face that
 // they turn over, one on a fixed boundary; as require_pinned_once().
@@ -35,9 +35,11 @@ void require_no_contradiction(const BezierMap& start, const MapOptions& asked);
 // with MapInjectivity::Global that nothing overlaps.
 class PinPull {
  public:
-  // options: with targets; options and record outlive this.
-  PinPull(const BezierMap& start, const ParametrizationOptions& options, RunRecord& record)
-      : start_(start), options_(options), record_(record), map_(start) {}
+  // asked: with targets. Everything but `start` outlives this; the solver notes its steps in
+  // `record`.
+  PinPull(const BezierMap& start, const MapOptions& asked, const SolveOptions& how,
+          const PinSolver& solver, RunRecord& record)
+      : start_(start), asked_(asked), how_(how), solver_(solver), record_(record), map_(start) {}
 
   const BezierMap& map() const { return map_; }
   // Solves at degree 1 with all pins and handles soft, at equal parts of their ways.
@@ -63,16 +65,18 @@ class PinPull {
   bool is_valid(const BezierMap& map) const;
 
   BezierMap start_;
-  const ParametrizationOptions& options_;
+  const MapOptions& asked_;
+  const SolveOptions& how_;
+  const PinSolver& solver_;
   RunRecord& record_;
   BezierMap map_;
 };
 
-// A start that has all pins exactly at their targets. options: with targets. Throws
-// Error(Infeasible) that says why the pins contradict each other, which could not be reached, or
-// that a limit came first; otherwise as parametrize().
-BezierMap reach_pins(const BezierMap& start, const ParametrizationOptions& options,
-                     RunRecord& record);
+// A start that has all pins exactly at their targets. asked: with targets; the solver notes its
+// steps in `record`. Throws Error(Infeasible) that says why the pins contradict each other, which
+// could not be reached, or that a limit came first; otherwise as the solver.
+BezierMap reach_pins(const BezierMap& start, const MapOptions& asked, const SolveOptions& how,
+                     const PinSolver& solver, RunRecord& record);
 
 }  // namespace majorant
 

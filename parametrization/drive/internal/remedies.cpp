@@ -5,14 +5,12 @@
 #include <cmath>
 #include <utility>
 
+#include "majorant/energies/densities/symmetric_dirichlet.h"
 #include "majorant/parametrization/drive/internal/degree_solver.h"
 #include "majorant/parametrization/drive/internal/solver_rules.h"
 
 namespace majorant {
 namespace {
-
-// Symmetric Dirichlet density of an isometry. Origin: |J|^2 + |J^-1|^2 at J = I.
-constexpr double kIsometry = 4;
 
 class Detour {
  public:
@@ -24,6 +22,9 @@ class Detour {
  private:
   int& count_;
 };
+
+// The symmetric Dirichlet density of isometries.
+double least_density() { return symmetric_dirichlet_density().value({1.0, 0.0, 0.0, 0.0}); }
 
 void add_use(RemedyUses& uses, Remedy remedy, double gained) {
   RemedyUse& use = uses[static_cast<std::size_t>(remedy)];
@@ -158,7 +159,7 @@ DegreeSolver::Effect DegreeSolver::follow_barrier(SolveResult& result, RunRecord
   for (int round = 0; round < rules().barrier_rounds && result.status == Status::Stalled; ++round) {
     const SolveResult stalled = result;
     const Place best = place();
-    if (!step_aside(std::abs(stalled.energy) / kIsometry, record)) break;
+    if (!step_aside(std::abs(stalled.energy) / least_density(), record)) break;
     effect = Effect::Ended;
     Tries tries;
     result = exhaust(std::span(kRemedies).first(static_cast<std::size_t>(Remedy::FollowBarrier)),

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "majorant/elements/element_space.h"
+#include "majorant/framework/barrier_minimizer.h"
 #include "majorant/framework/internal/direct_solver.h"
 #include "majorant/framework/newton.h"
 #include "majorant/parametrization/drive/solve_options.h"
@@ -49,29 +50,6 @@ struct RemedyRules {
   double worth_another_round = 1e-4;
 };
 
-// Bounds with a barrier (bounds.cpp).
-struct BoundRules {
-  // Of the energy: the first weight times the absolute values of the barrier's elements. Origin:
-  // strong enough to lead away from the bound, weak enough to leave the energy its say.
-  double first_share = 0.1;
-  // Mean density: where the map's vanishes, a barrier has a weight. Origin: as
-  // ScaffoldRules::least_energy.
-  double least_energy = 1e-3;
-  // The same of a barrier's values, which are 0 where rooms are 1. Origin: no weight is infinite.
-  double least_barrier = 1e-6;
-  // Relative decrease that ends a round on the way inside. Origin: they only lead there.
-  double entry_tolerance = 1e-3;
-  // Of the margin, by which a round comes nearer; else the weight grows. Origin: a small part of
-  // the tenth by which bounds are relaxed; chosen, not tuned.
-  double least_progress = 0.02;
-  // By so much. Origin: chosen, not tuned: a round costs a few steps.
-  double harder = 10;
-  // The weight from round to round. Origin: as BarrierOptions::fall.
-  double fall = 0.1;
-  // Origin: bounds the cost of what leads nowhere; chosen, not tuned.
-  int most_rounds = 40;
-};
-
 // The space around an image (map_domain.h).
 struct ScaffoldRules {
   // lambda E_conf / E while the image moves. Origin: [MC20]'s 1e-4 is too weak a barrier where
@@ -105,6 +83,28 @@ struct ScaffoldRules {
   double part_of_tolerance = 0.25;
   // StoppingRules::tail_steps. Origin: bench/tune.py scaffold.tail_steps.
   int tail_steps = 1;
+};
+
+// Bounds with a barrier (bounds.cpp).
+struct BoundRules {
+  // Of the energy: the first weight times the absolute values of the barrier's elements. Origin:
+  // strong enough to lead away from the bound, weak enough to leave the energy its say.
+  double first_share = 0.1;
+  // Mean density: where the map's vanishes, a barrier has a weight.
+  double least_energy = ScaffoldRules{}.least_energy;
+  // The same of a barrier's values, which are 0 where rooms are 1. Origin: no weight is infinite.
+  double least_barrier = 1e-6;
+  // Relative decrease that ends a round on the way inside. Origin: they only lead there.
+  double entry_tolerance = 1e-3;
+  // Of the margin, by which a round comes nearer; else the weight grows. Origin: a small part of
+  // the tenth by which bounds are relaxed; chosen, not tuned.
+  double least_progress = 0.02;
+  // By so much. Origin: chosen, not tuned: a round costs a few steps.
+  double harder = 10;
+  // The weight from round to round.
+  double fall = BarrierOptions{}.fall;
+  // Origin: bounds the cost of what leads nowhere; chosen, not tuned.
+  int most_rounds = 40;
 };
 
 struct SolverRules {

@@ -8,14 +8,13 @@
 #include "majorant/elements/bezier_triangle_space.h"
 #include "majorant/elements/quadrature.h"
 #include "majorant/framework/error.h"
+#include "majorant/framework/internal/backtracking.h"
 
 namespace majorant {
 namespace {
 
-// Of a decrease that the model promises: what a step must give. Origin: [NW06] Sec. 3.1.
-constexpr double kArmijoPart = 1e-4;
-// Halvings of a step. Origin: 2^-12 of a step is not worth more.
-constexpr int kStepHalvings = 12;
+// Lengths of a step that are tried. Origin: 2^-12 of a step is not worth more.
+constexpr int kMostLengths = 12;
 // Part of the star's energy: a smaller decrement is the end of a vertex's steps. Origin: a
 // tenth of what a level is solved to.
 constexpr double kSmallDecrement = 1e-5;
@@ -155,17 +154,15 @@ double VertexDescent::improve(Index v, int steps) {
     const Vector2 direction = newton_step(m);
     const double slope = direction.x() * m.gx + direction.y() * m.gy;
     if (!(slope < -kSmallDecrement * std::abs(m.f))) break;
-    double s = 1;
-    int tries = 0;
-    for (; tries < kStepHalvings; ++tries, s /= 2) {
+    const auto attempt = [&](double s) {
       const Vector2 there = here + s * direction;
       const StarModel trial = model(there);
-      if (!(trial.room > 0) || !(trial.f <= m.f + kArmijoPart * s * slope)) continue;
+      if (!(trial.room > 0) || !(trial.f <= m.f + kArmijo * s * slope)) return kHalve;
       here = there;
       m = trial;
-      break;
-    }
-    if (tries == kStepHalvings) break;
+      return kTake;
+    };
+    if (!backtrack(1, {.most_trials = kMostLengths}, attempt)) break;
   }
   put(v, here);
   return m.f / star_weight_;

@@ -129,6 +129,19 @@ TEST(Stop, Deformations) {
                 });
 }
 
+TEST(Stop, BeforeTheFirstStepHandlesAreAsFarAsTheStartHasThem) {
+  const BezierMap start = planar_map(surface(grid(2)));
+  ParametrizationOptions options;
+  options.map.degree = 2;
+  options.map.handles = {{8, Vector2(1.25, 1)}};
+  const CountedStop stop(1);
+  RunRecord record(stop.check());
+  const ParametrizationResult result = parametrize(start, options, record);
+  EXPECT_EQ(result.status, Status::Interrupted);
+  EXPECT_EQ(result.variables, 0);
+  EXPECT_NEAR(result.handle_distance, 0.25, 1e-12);
+}
+
 TEST(Stop, Measuring) {
   const auto mesh = surface(grid(5, bumpy));
   const BezierMap map = elevated_to(BezierMap::linear(mesh, initial_map(*mesh, MapOptions())), 3);
