@@ -6,6 +6,7 @@
 
 #include "apps/energy_option.h"
 #include "apps/process.h"
+#include "apps/progress.h"
 
 namespace majorant::app {
 
@@ -105,9 +106,7 @@ std::optional<LayoutPlacement> MapRun::place(ParametrizationResult& result) {
   return placed->placement;
 }
 
-double MapRun::seconds() const {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-}
+double MapRun::seconds() const { return seconds_since(start_); }
 
 }  // namespace majorant::app
 

@@ -7,6 +7,7 @@
 //   build/release/bench/majorant_tune --list
 //   build/release/bench/majorant_tune --degree 2 ../shared/data/public/disks/spot_500.obj
 //   build/release/bench/majorant_tune --bijective --set scaffold.share=1e-4 meshes/creature.obj
+//   build/release/bench/majorant_tune --bounded 1.2 --set bounds.fall=0.3 meshes/creature.obj
 #include <fmt/format.h>
 
 #include <CLI/App.hpp>
@@ -20,6 +21,7 @@
 #include <variant>
 #include <vector>
 
+#include "../examples/stretch_bound.h"
 #include "majorant/energies/named_energies.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/parametrization/drive/internal/parametrize_by.h"
@@ -31,6 +33,9 @@ namespace {
 struct Settings {
   SolverRules rules;
   ParametrizationOptions options;
+  // The largest stretch of the free map over that of a second one, whose line is printed; 0: the
+  // free map's line is.
+  double tighter = 0;
 };
 
 struct Rule {
@@ -48,6 +53,14 @@ const std::vector<Rule>& all_rules() {
       {"blend.short_bound", [](Settings& s) { return &s.rules.blend.short_bound; }},
       {"blend.short_step", [](Settings& s) { return &s.rules.blend.short_step; }},
       {"blend.whole_steps", [](Settings& s) { return &s.rules.blend.whole_steps; }},
+      {"bounds.entry_tolerance", [](Settings& s) { return &s.rules.bounds.entry_tolerance; }},
+      {"bounds.fall", [](Settings& s) { return &s.rules.bounds.fall; }},
+      {"bounds.first_share", [](Settings& s) { return &s.rules.bounds.first_share; }},
+      {"bounds.harder", [](Settings& s) { return &s.rules.bounds.harder; }},
+      {"bounds.least_barrier", [](Settings& s) { return &s.rules.bounds.least_barrier; }},
+      {"bounds.least_energy", [](Settings& s) { return &s.rules.bounds.least_energy; }},
+      {"bounds.least_progress", [](Settings& s) { return &s.rules.bounds.least_progress; }},
+      {"bounds.most_rounds", [](Settings& s) { return &s.rules.bounds.most_rounds; }},
       {"depth", [](Settings& s) { return &s.options.solve.injectivity_depth; }},
       {"elevation_tolerance", [](Settings& s) { return &s.options.solve.elevation_tolerance; }},
       {"kept.below", [](Settings& s) { return &s.rules.kept.below; }},
@@ -97,11 +110,16 @@ const std::vector<Rule>& all_rules() {
       {"soft_start", [](Settings& s) { return &s.rules.soft_start; }},
       {"stopping.anchor_step", [](Settings& s) { return &s.rules.stopping.anchor_step; }},
       {"stopping.decrement", [](Settings& s) { return &s.rules.stopping.decrement; }},
+      {"stopping.plateau_factor", [](Settings& s) { return &s.rules.stopping.plateau_factor; }},
+      {"stopping.plateau_steps", [](Settings& s) { return &s.rules.stopping.plateau_steps; }},
+      {"stopping.plateau_window", [](Settings& s) { return &s.rules.stopping.plateau_window; }},
       {"stopping.relative_decrease", [](Settings& s) { return &s.options.solve.tolerance; }},
+      {"stopping.saddle_part", [](Settings& s) { return &s.rules.stopping.saddle_part; }},
       {"stopping.stall_decrement", [](Settings& s) { return &s.rules.stopping.stall_decrement; }},
       {"stopping.stall_iterations", [](Settings& s) { return &s.rules.stopping.stall_iterations; }},
       {"stopping.stall_step", [](Settings& s) { return &s.rules.stopping.stall_step; }},
       {"stopping.tail_factor", [](Settings& s) { return &s.rules.stopping.tail_factor; }},
+      {"stopping.tail_steps", [](Settings& s) { return &s.rules.stopping.tail_steps; }},
   };
   return rules;
 }
@@ -126,12 +144,28 @@ void list(Settings& settings) {
                rule.value(settings));
 }
 
+// By the rules of parametrize(): the bound is the same whatever is varied.
+double free_stretch(const BezierMap& start, const ParametrizationOptions& options) {
+  RunRecord record;
+  const ParametrizationResult free = parametrize_by({}, start, options, record);
+  const RestShapes rest = flat_triangles(start.mesh().positions(), start.mesh().faces());
+  return largest_stretch(jacobian_net(free.map->space(), rest), free.map->control_points())
+      .maxCoeff();
+}
+
 void solve(const std::string& path, const Settings& settings) {
   const auto mesh =
       std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(read_mesh(path)));
-  RunRecord record;
   const BezierMap start = BezierMap::linear(mesh, initial_map(*mesh, settings.options.map));
-  const ParametrizationResult r = parametrize_by(settings.rules, start, settings.options, record);
+  ParametrizationOptions options = settings.options;
+  if (settings.tighter > 0) {
+    const double bound = free_stretch(start, options) / settings.tighter;
+    options.extend = [bound](MapExtension& map) {
+      map.add(std::make_shared<const StretchBound>(jacobian_net(map.space(), map.rest()), bound));
+    };
+  }
+  RunRecord record;
+  const ParametrizationResult r = parametrize_by(settings.rules, start, options, record);
   int remedies = 0;
   for (const RemedyUse& use : r.remedies) remedies += use.runs;
   fmt::print(
@@ -156,6 +190,8 @@ int main(int argc, char** argv) {
   app.add_option("--threads", threads);
   app.add_option("--energy", energy, "a name, such as arap");
   app.add_flag("--bijective", bijective);
+  app.add_option("--bounded", settings.tighter,
+                 "X: with a bound of the largest stretch, X times below that of the free map");
   app.add_flag("--fixed", fixed, "the boundary stays where the start has it");
   app.add_flag("--list", list_only, "names and values of the rules");
   CLI11_PARSE(app, argc, argv);

@@ -6,11 +6,12 @@
 The first row has the rules of parametrize(). The others: iterations and remedies of all meshes
 together, how many runs stalled, and the energy against the first row, in parts: the worst, the best
 and the mean over the meshes (positive: higher). What cannot matter in a run (scaffold.* without
---bijective) is skipped. Exit code 0 unless a run fails.
+--bijective, bounds.* without --bounded) is skipped. Exit code 0 unless a run fails.
 
 Sample runs:
   bench/tune.py --degree 3                                 (the first table of docs/constants.md)
   bench/tune.py --bijective --degree 3 scaffold.share remedies.barrier_rounds
+  bench/tune.py --bounded 1.2 --meshes '^(spot|koala)_500$' bounds.fall bounds.first_share
   bench/tune.py --values 1e-5,1e-3 --meshes '^spot_500$' stopping.stall_decrement
 """
 import argparse
@@ -31,9 +32,18 @@ VALUES = {
     'blend.short_bound': '0,0.6',
     'blend.short_step': '0,0.5',
     'blend.whole_steps': '0,5',
+    'bounds.entry_tolerance': '1e-2,1e-4',
+    'bounds.fall': '0.03,0.3',
+    'bounds.first_share': '0.01,1',
+    'bounds.harder': '3,100',
+    'bounds.least_barrier': '1e-9,1e-3',
+    'bounds.least_energy': '1e-6,1',
+    'bounds.least_progress': '0,0.1',
+    'bounds.most_rounds': '20,80',
     'deepest_bisection': '5,9,20',
     'depth': '3,9',
-    'kept.below': '1e-4,1e-3,1e-2',
+    'elevation_tolerance': '1e-2,1e-6',
+    'kept.below': '0,1e-3,1e-2',
     'kept.history': '4,16',
     'kept.short_bound': '0.01,0.3',
     'kept.short_step': '0.01,0.2',
@@ -62,10 +72,16 @@ VALUES = {
     'scaffold.tail_steps': '2,3',
     'soft_start': '1e3,1e300',
     'stopping.anchor_step': '0.01,0.5',
+    'stopping.plateau_factor': '0.5,8,1e300',
+    'stopping.plateau_steps': '100,10000',
+    'stopping.plateau_window': '6,24',
     'stopping.relative_decrease': '1e-4,1e-8',
+    'stopping.saddle_part': '1e-3,1',
     'stopping.stall_decrement': '1e-6,1e-2',
     'stopping.stall_iterations': '1,10',
     'stopping.stall_step': '1e-5,1e-1',
+    'stopping.tail_factor': '3,100',
+    'stopping.tail_steps': '1,3',
 }
 HEADER = ['rule', 'value', 'iterations', 'remedies', 'stalled', 'energy, worst', 'best', 'mean']
 
@@ -75,6 +91,7 @@ def solve(options, mesh, changes):
     command = [options.tune, mesh, '--degree', options.degree]
     command += ['--energy', options.energy]
     command += ['--bijective'] * options.bijective + ['--fixed'] * options.fixed
+    command += ['--bounded', options.bounded] if options.bounded else []
     for change in changes:
         command += ['--set', change]
     done = common.run(command, options.timeout)
@@ -104,6 +121,7 @@ def parse_arguments():
     parser.add_argument('--energy', default='symmetric-dirichlet')
     parser.add_argument('--bijective', action='store_true')
     parser.add_argument('--fixed', action='store_true')
+    parser.add_argument('--bounded', metavar='X', help='the largest stretch X times below the free map\'s')
     return parser.parse_args()
 
 
@@ -117,6 +135,8 @@ def main():
     print('\n'.join(common.markdown_table(HEADER, [row('as it is', '', usual, usual)])), flush=True)
     for name in options.rules or VALUES:
         if name.startswith('scaffold.') and not options.bijective:
+            continue
+        if name.startswith('bounds.') and not options.bounded:
             continue
         for value in (options.values or VALUES[name]).split(','):
             runs = [solve(options, mesh, ['%s=%s' % (name, value)]) for mesh in meshes]

@@ -4,9 +4,9 @@
 #include <numeric>
 
 #include "majorant/elements/internal/bernstein.h"
-#include "majorant/elements/internal/rounding.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/argument_check.h"
+#include "majorant/framework/internal/rounding.h"
 
 namespace majorant {
 namespace {

@@ -1,9 +1,10 @@
 #include "majorant/elements/jacobian_net.h"
 
 #include <cmath>
-#include <limits>
 
+#include "majorant/elements/internal/singular_values.h"
 #include "majorant/framework/error.h"
+#include "majorant/framework/internal/rounding.h"
 
 namespace majorant {
 namespace {
@@ -67,19 +68,17 @@ Eigen::Matrix2d jacobian_coefficient(const JacobianNet& net, Index t, VecIn x) {
 Vec largest_stretch(const JacobianNet& net, VecIn x) {
   // Differences, two products, sums and the norms below: each entry of J is off by no more than 4
   // roundings of |edges| |M|, in the Frobenius norms, and what follows by 8 of |J|.
-  constexpr double kUnit = std::numeric_limits<double>::epsilon();
+  constexpr double kRounding = 2 * kUnitRoundoff<double>;
   Vec stretch(net.triangles->element_count());
   for (Index t = 0; t < stretch.size(); ++t) {
-    const Eigen::Matrix2d J = jacobian_coefficient(net, t, x);
-    const double alpha = std::hypot(J(0, 0) + J(1, 1), J(1, 0) - J(0, 1)) / 2;
-    const double beta = std::hypot(J(0, 0) - J(1, 1), J(1, 0) + J(0, 1)) / 2;
     double edges = 0;
     for (int k = 0; k < 2; ++k)
       edges = std::max(edges, (x.segment<2>(2 * net.triangles->cells()(t, k)) -
                                x.segment<2>(2 * net.triangles->cells()(t, 2)))
                                   .norm());
+    const double larger = singular_values(jacobian_coefficient(net, t, x)).first;
     stretch[t] =
-        (alpha + beta) * (1 + 8 * kUnit) + 16 * kUnit * edges * net.rest.inverse.row(t).norm();
+        larger * (1 + 8 * kRounding) + 16 * kRounding * edges * net.rest.inverse.row(t).norm();
   }
   return stretch;
 }

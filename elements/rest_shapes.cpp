@@ -4,12 +4,12 @@
 
 #include <Eigen/Dense>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "majorant/elements/internal/tangent_part.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/argument_check.h"
+#include "majorant/framework/internal/rounding.h"
 
 namespace majorant {
 namespace {
@@ -60,7 +60,7 @@ std::optional<Eigen::RowVector2d> tangent_part(const Points3& positions, const C
   const Vector3 x = e0.stableNormalized(), y = (e1 - x.dot(e1) * x).stableNormalized();
   const Eigen::RowVector2d part(x.dot(vector), y.dot(vector));
   // Rounding leaves as much of a vector along the normal.
-  const double least = 16 * std::numeric_limits<double>::epsilon() * vector.stableNorm();
+  const double least = 32 * kUnitRoundoff<double> * vector.stableNorm();
   if (!part.allFinite() || !(part.stableNorm() > least) || y.isZero()) return std::nullopt;
   return part;
 }

@@ -192,8 +192,10 @@ class SpectralDensity : public IsotropicDensity<SpectralDensity<H, Majorant>, Ma
     const T a = sqrt(x), b = sqrt(y);
     return h_(a + b, a - b, data...);
   }
-  // k_A = h_S + h_s, k_B = h_S - h_s. Below B = 5e-6 A the even expansion in B takes over: there
-  // k_B / B = k_BB to a few 1e-11, while the quotient has lost as much to cancellation.
+  // k_A = h_S + h_s, k_B = h_S - h_s. Below B = kEvenBelow A the even expansion in B takes over.
+  // Origin: there k_B / B = k_BB to a few 1e-11, while the quotient has lost as much to
+  // cancellation.
+  static constexpr double kEvenBelow = 5e-6;
   template <class T, class... Data>
   IsotropicJet<T> jet(const T& x, const T& y, const Data&... data) const {
     using namespace scalar_math;
@@ -203,7 +205,7 @@ class SpectralDensity : public IsotropicDensity<SpectralDensity<H, Majorant>, Ma
     const T kA = h.d[0] + h.d[1], kB = h.d[0] - h.d[1];
     const T sum = h.hess(0, 0) + h.hess(1, 1), twice = T(2.0) * h.hess(1, 0);
     const T kAA = sum + twice, kBB = sum - twice, kAB = h.hess(0, 0) - h.hess(1, 1);
-    const T tiny(kSmallestA), small = T(5e-6) * a;
+    const T tiny(kSmallestA), small = T(kEvenBelow) * a;
     const T safe_a = max(a, tiny), safe_b = max(b, max(small, tiny));
     IsotropicJet<T> j;
     j.f = h.v;

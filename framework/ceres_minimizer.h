@@ -25,12 +25,17 @@ namespace majorant {
 struct CeresOptions {
   enum class Method { Lbfgs, NonlinearConjugateGradient };
   Method method = Method::Lbfgs;
+  // Origin: as first_order_rules().
   int max_iterations = 10000;
+  // Origin: as first_order_rules(), steps without a gain.
   double function_tolerance = 1e-14;
-  double gradient_tolerance = 1e-10;  // absolute: an energy per unknown, times scale
+  // Absolute: an energy per unknown, times scale. Origin: Ceres' default.
+  double gradient_tolerance = 1e-10;
+  // Origin: 100 unit roundoffs, below which points do not differ.
   double parameter_tolerance = 1e-14;
-  double scale = 1;     // Ceres minimizes scale * E; 1 / |E_0| makes gradient_tolerance relative
-  int history = 20;     // pairs that L-BFGS keeps
+  double scale = 1;  // Ceres minimizes scale * E; 1 / |E_0| makes gradient_tolerance relative
+  // Pairs that L-BFGS keeps. Origin: Ceres' default.
+  int history = 20;
   StopCheck stop = {};  // ends a run between evaluations and chunks of elements
 };
 

@@ -20,16 +20,18 @@ constexpr double kUnbounded = 1e100;
 
 }  // namespace
 
-// Origins. relative_decrease: below LineSearch::kResolution, so that only steps without a gain
-// count. stall_decrement: square root of the unit roundoff, as good as a gradient is. stall_step:
-// chosen, not tuned. max_iterations: ten times Newton's.
 StoppingRules first_order_rules() {
   StoppingRules rules;
+  // Origin: below LineSearch::kResolution, so that only steps without a gain count.
   rules.relative_decrease = 1e-14;
   rules.plateau_factor = std::numeric_limits<double>::infinity();
+  // Origin: square root of the unit roundoff, as good as a gradient is.
   rules.stall_decrement = 1e-8;
+  // Origin: chosen, not tuned.
   rules.stall_step = 1e-9;
+  // Origin: steps are short anyway, every point is one to return to.
   rules.anchor_step = 0;
+  // Origin: ten times Newton's.
   rules.max_iterations = 10000;
   return rules;
 }
@@ -37,6 +39,7 @@ StoppingRules first_order_rules() {
 StoppingRules brief_rules(int steps, double relative_decrease) {
   StoppingRules rules;
   rules.relative_decrease = relative_decrease;
+  // Origin: the first small step ends it, exact Hessian or not, and no other rule does.
   rules.tail_factor = 0;
   rules.plateau_factor = std::numeric_limits<double>::infinity();
   rules.stall_decrement = std::numeric_limits<double>::infinity();

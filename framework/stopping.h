@@ -59,7 +59,7 @@ struct StoppingRules {
   // Of relative_decrease, that may be left. Origin: docs/performance.md, Plateaus.
   double plateau_factor = 2;
   // Of that, where Hessians are indefinite. Origin: hand_500 passes a saddle with decreases of
-  // 1e-7.
+  // 1e-7; bench/tune.py stopping.saddle_part.
   double saddle_part = 0.01;
   // Steps in each of the two sums. Origin: docs/performance.md, Plateaus.
   int plateau_window = 12;

@@ -11,6 +11,7 @@
 #include "majorant/constraints/internal/sector_angle.h"
 #include "majorant/elements/element_space.h"
 #include "majorant/framework/error.h"
+#include "majorant/io/internal/close_of.h"
 #include "majorant/io/internal/cut_map.h"
 #include "majorant/io/internal/glued_map.h"
 #include "majorant/io/internal/repaired_match.h"
@@ -153,7 +154,8 @@ class MapProof::Judge {
   void judge_flatness() {
     const TriangleIndices& ix = TriangleIndices::of_degree(file_.degree);
     const Points3 used = file_.points(file_.cells.reshaped(), Eigen::all);
-    const double size = (used.colwise().maxCoeff() - used.colwise().minCoeff()).maxCoeff();
+    const Eigen::AlignedBox3d box(used.colwise().minCoeff().transpose(),
+                                  used.colwise().maxCoeff().transpose());
     double worst = 0;
     for (Index c = 0; c < file_.cells.rows(); ++c)
       for (int l = 0; l < ix.count(); ++l) {
@@ -162,8 +164,7 @@ class MapProof::Judge {
           flat += ix.multi(l)[at(k)] / double(file_.degree) * file_.points.row(file_.cells(c, k));
         worst = std::max(worst, (flat - file_.points.row(file_.cells(c, l))).norm());
       }
-    const double rounding = 8 * std::numeric_limits<double>::epsilon() * used.cwiseAbs().maxCoeff();
-    if (std::isfinite(worst) && worst <= kTenDigits * size + rounding)
+    if (std::isfinite(worst) && worst <= close_of(box))
       proof_.flat = {Answer::Proven, counted(static_cast<Index>(file_.cells.rows()), "cell")};
     else
       proof_.flat = {

@@ -1,9 +1,7 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <numeric>
 
-#include "majorant/framework/error.h"
+#include "majorant/io/internal/vertex_positions.h"
 #include "majorant/io/read_mesh.h"
 
 namespace majorant {
@@ -35,30 +33,6 @@ std::vector<Index> number_vertices(const MapFile& map) {
   return vertices;
 }
 
-void place_vertices(const MapFile& map, const std::vector<Index>& vertices, PolygonMesh& mesh) {
-  const Index largest = *std::max_element(vertices.begin(), vertices.end());
-  constexpr long long kUnsuspicious = 1LL << 22;  // vertices without a cell may exist, to a limit
-  if (largest > std::max(kUnsuspicious, 4LL * map.points.rows())) {
-    throw Error(ErrorKind::Unreadable,
-                fmt::format("{}: input_vertex {} in a map of {} points; damaged file", mesh.file,
-                            largest, map.points.rows()));
-  }
-  const Vector3 somewhere = map.points.row(map.cells(0, 0)).transpose();
-  mesh.positions.assign(at(largest) + 1, somewhere);
-  std::vector<bool> is_placed(mesh.positions.size(), false);
-  for (std::size_t p = 0; p < vertices.size(); ++p) {
-    if (vertices[p] < 0) continue;
-    const auto v = at(vertices[p]);
-    const Vector3 position = map.points.row(static_cast<Eigen::Index>(p)).transpose();
-    if (is_placed[v] && mesh.positions[v] != position) {
-      throw Error(ErrorKind::Unreadable,
-                  fmt::format("{}: input_vertex {} is at two places; damaged file", mesh.file, v));
-    }
-    mesh.positions[v] = position;
-    is_placed[v] = true;
-  }
-}
-
 // Cells in the order of the input's faces where that is known.
 std::vector<Index> order_cells(const MapFile& map) {
   std::vector<Index> order(static_cast<std::size_t>(map.cells.rows()));
@@ -76,7 +50,8 @@ PolygonMesh mesh_from_map(const MapFile& map, const std::string& file) {
   PolygonMesh mesh;
   mesh.file = file;
   const std::vector<Index> vertices = number_vertices(map);
-  place_vertices(map, vertices, mesh);
+  mesh.positions = vertex_positions(
+      map, Eigen::Map<const Eigen::VectorXi>(vertices.data(), map.points.rows()), file);
   std::vector<Index> texcoords(vertices.size(), -1);  // of a map point
   for (std::size_t p = 0; p < vertices.size(); ++p) {
     if (vertices[p] < 0) continue;

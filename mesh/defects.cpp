@@ -18,12 +18,8 @@ namespace {
 
 using Places = std::vector<std::array<Index, 2>>;
 
-struct DefectText {
-  std::string_view name, one, many, place;
-};
-
-const DefectText& text_of(DefectKind kind) {
-  static constexpr std::array<DefectText, 14> kTexts = {{
+const FindingText& text_of(DefectKind kind) {
+  static constexpr std::array<FindingText, 14> kTexts = {{
       {"soup", "soup: no face shares a vertex with another", "soups", ""},
       {"repeated_vertex", "face has a vertex twice", "faces have a vertex twice", "face"},
       {"duplicate_face", "face has the vertices of another", "faces have the vertices of others",
@@ -142,7 +138,7 @@ class Finding {
     for (Index h = 0; h < mesh.half_edge_count(); ++h) {
       ComponentShape& c = shape(face_of(h));
       if (c.faces == 0) c.first_face = mesh.input_face(face_of(h));
-      if (h % 3 == 0) {
+      if (corner_of(h) == 0) {
         ++c.faces;
         ++c.euler_characteristic;
       }
@@ -166,10 +162,7 @@ class Finding {
 std::string_view name_of(DefectKind kind) { return text_of(kind).name; }
 
 std::string describe(const Defect& defect) {
-  const DefectText& text = text_of(defect.kind);
-  const std::string line =
-      fmt::format("{} {}", defect.count, defect.count == 1 ? text.one : text.many);
-  return line + place_text(text.place, defect.count, defect.places);
+  return described(text_of(defect.kind), defect.count, defect.places);
 }
 
 MeshDefects find_defects(const PolygonMesh& input, const StopCheck& stop) {

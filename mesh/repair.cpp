@@ -26,13 +26,8 @@ namespace {
 
 using Places = std::vector<std::array<Index, 2>>;
 
-struct RepairText {
-  std::string_view name, one, many;  // of what, and what was done
-  std::string_view place;
-};
-
-const RepairText& text_of(RepairKind kind) {
-  static constexpr std::array<RepairText, 10> kTexts = {{
+const FindingText& text_of(RepairKind kind) {
+  static constexpr std::array<FindingText, 10> kTexts = {{
       {"welded", "vertex welded to another", "vertices welded to others", "vertex"},
       {"repeated_vertex", "face with a repeated vertex split off",
        "faces with a repeated vertex split off", "face"},
@@ -291,10 +286,7 @@ class Repairing {
 std::string_view name_of(RepairKind kind) { return text_of(kind).name; }
 
 std::string describe(const Repair& repair) {
-  const RepairText& text = text_of(repair.kind);
-  const std::string line =
-      fmt::format("{} {}", repair.count, repair.count == 1 ? text.one : text.many);
-  return line + place_text(text.place, repair.count, repair.places);
+  return described(text_of(repair.kind), repair.count, repair.places);
 }
 
 RepairedSurface repair(const PolygonMesh& input, const RepairOptions& options,

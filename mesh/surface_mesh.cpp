@@ -11,7 +11,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/argument_check.h"
-#include "majorant/mesh/internal/length_of.h"
+#include "majorant/mesh/internal/geometry.h"
 #include "majorant/mesh/internal/mesh_validation.h"
 #include "majorant/mesh/internal/mesh_words.h"
 #include "majorant/mesh/internal/triangle_list.h"
@@ -106,6 +106,18 @@ SurfaceMesh SurfaceMesh::from_parts(SurfaceParts parts, const StopCheck& stop) {
   return mesh;
 }
 
+SurfaceParts SurfaceMesh::parts() const {
+  return {.file = file_,
+          .origin = origin_,
+          .positions = positions_,
+          .faces = faces_,
+          .input_vertex = input_vertex_,
+          .input_face = input_face_,
+          .corner_texcoords = corner_texcoords_,
+          .texcoord_ids = texcoord_ids_,
+          .rest_triangles = rest_triangles_};
+}
+
 // The faces are edge-manifold and oriented by now.
 void SurfaceMesh::build_connectivity(const StopCheck& stop) {
   for (Index v = 0; v < vertex_count(); ++v) vertex_of_input_.emplace_back(input_vertex(v), v);
@@ -159,15 +171,8 @@ SurfaceMesh SurfaceMesh::cut_along(const std::vector<char>& is_cut,
           fmt::format("SurfaceMesh::cut_along: half-edge {} is cut, its opposite "
                       "{} is not",
                       is_cut[at(h)] ? h : o, is_cut[at(h)] ? o : h));
-  SurfaceParts out;
-  out.file = file_;
-  out.origin = origin_;
-  out.input_face = input_face_;
-  out.corner_texcoords = corner_texcoords_;
-  out.texcoord_ids = texcoord_ids_;
-  out.rest_triangles = rest_triangles_;
-  out.faces = Cells::Constant(face_count(), 3, -1);
-  out.input_vertex = input_vertex_;
+  SurfaceParts out = parts();
+  out.faces.setConstant(-1);
   std::vector<Index> copy_of(at(vertex_count()));
   std::iota(copy_of.begin(), copy_of.end(), 0);
   std::vector<char> met(copy_of.size(), 0);

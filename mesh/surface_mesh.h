@@ -87,6 +87,8 @@ class SurfaceMesh {
   // more than two faces or two that run the same way, sizes do not fit or vertices do not exist,
   // Error(Unsupported) where sheets touch in a vertex.
   static SurfaceMesh from_parts(SurfaceParts parts, const StopCheck& stop = {});
+  // Copies of what from_parts() makes this surface of.
+  SurfaceParts parts() const;
 
   // Throws Error(Unsupported) unless the surface is a disk (connected, one boundary loop, Euler
   // characteristic 1).

@@ -3,8 +3,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The numbers that decide results, with their origins: prints the tables of docs/constants.md.
 
-What counts: in ROOMS, every `constexpr` number kName, and every number with a default in a struct
-whose name ends in Rules or that is in OPTIONS. A value without a digit names another constant and
+What counts: in ROOMS, every `constexpr` kName whatever its type; every number with a default in a
+struct whose name ends in Rules or Options or that is in OPTIONS, and every number that a field of
+another such struct begins with there (`kept{.below = 1e-4}`); every number that a function
+*_rules() assigns to a field. A value without a digit outside of strings names other constants and
 does not count; neither do those in EXEMPT, which change no digit of a result. The comment in front
 of a declaration (it holds down to the next blank line or comment) or behind it says what the number
 is and, after `Origin:`, where it comes from.
@@ -24,16 +26,17 @@ from pathlib import Path
 ROOMS = ['framework', 'terms', 'elements', 'mesh', 'energies', 'constraints', 'parametrization/fields',
          'parametrization/cuts', 'parametrization/maps', 'parametrization/injectivity',
          'parametrization/starts', 'parametrization/scaffold', 'parametrization/packing',
-         'parametrization/drive', 'parametrization/atlas', 'io', 'pictures', 'distributed']
-OPTIONS = ('LineSearchOptions', 'NewtonOptions', 'LbfgsOptions', 'BarrierOptions')
+         'parametrization/drive', 'parametrization/atlas', 'io', 'pictures', 'results', 'distributed',
+         'apps/compare']
+OPTIONS = ('MapObjective',)  # beside all *Rules and *Options
 # "file kName", or a file with all of its constants.
 EXEMPT = {
     'distributed/processes.cpp kTag': 'a mark',
     'elements/bernstein_element.h kMidpoint': 'a mark',
     'elements/internal/bernstein.h kMaxDegree': 'size of a table',
     'elements/internal/node_lattice.cpp kMaxCorners': 'size of a table',
-    'elements/internal/rounding.h kExactIntegers': 'mathematics',
-    'elements/internal/rounding.h kUnitRoundoff': 'mathematics',
+    'framework/internal/rounding.h kExactIntegers': 'mathematics',
+    'framework/internal/rounding.h kUnitRoundoff': 'mathematics',
     'elements/internal/step_polynomial.cpp kLarge': 'range of doubles',
     'elements/internal/step_polynomial.cpp kNone': 'a mark',
     'mesh/internal/triangulate_polygon.cpp kSmall': 'how often limits are looked at',
@@ -109,15 +112,52 @@ EXEMPT = {
     'constraints/local_injectivity.cpp kTwoPi': 'mathematics',
     'parametrization/maps/map_objective.h kLargestFactor': 'range of doubles',
     'parametrization/starts/make_seamless.cpp kNamedCones': 'length of a message',
+    'elements/bezier_tetrahedron_space.cpp kEdges': 'numbering',
+    'elements/bezier_tetrahedron_space.cpp kFaces': 'numbering',
+    'mesh/internal/cut_shortening.cpp kNoSide': 'a mark',
+    'constraints/seamless_constraint.cpp kTable': 'mathematics',
+    'parametrization/starts/make_seamless.h SeamlessOptions.threads': 'threads',
+    'parametrization/drive/solve_options.h SolveOptions.quadrature_points': 'a mark',
+    'parametrization/drive/solve_options.h SolveOptions.threads': 'threads',
+    'parametrization/maps/map_objective.h MapObjective.energy': 'mathematics',
+    'framework/ceres_minimizer.h CeresOptions.scale': 'mathematics',
+    'io/internal/atomic_file.cpp kNewFileMode': 'as the kernel',
+    'io/internal/atomic_file.cpp kPermissions': 'as the kernel',
+    'io/internal/atomic_file.cpp kOwnerOnly': 'as the kernel',
+    'io/internal/base64.cpp kInvalid': 'a mark',
+    'io/internal/msh_content.h kMshTriangles': 'the format',
+    'io/internal/ply_header.cpp kSizes': 'the format',
+    'io/vtu_read.cpp kTriangle': 'the format',
+    'io/vtu_read.cpp kQuadraticTriangle': 'the format',
+    'io/vtu_read.cpp kLagrangeTriangle': 'the format',
+    'io/vtu_read.cpp kBezierTriangle': 'the format',
+    'io/write_obj.h TessellationOptions.refine': 'mathematics',
+    'pictures/color_scale.h kFlippedColor': 'looks of a picture',
+    'pictures/internal/pixel_font.cpp kBox': 'looks of a picture',
+    'pictures/internal/pixel_font.cpp kGlyphs': 'looks of a picture',
+    'pictures/internal/png_file.cpp kLargestImage': 'size of a read',
+    'elements/jacobian_net.cpp kRounding': 'mathematics',
+    'results/internal/check_claims.cpp kEpsilon': 'mathematics',
+    'results/internal/solver_ladder.h LadderOptions.direct_below': 'a mark',
+    'distributed/internal/checkpoint_file.cpp kPrime': 'the format',
+    'distributed/internal/checkpoint_file.h kNothingHashed': 'the format',
+    'apps/compare/comparison_table.cpp kTextColumns': 'looks of a table',
+    'apps/compare/comparison_table.h kComparisonFractions': 'what is reported',
+    'apps/compare/methods.cpp kNoExactTail': 'a mark',
+    'apps/compare/write_comparison.cpp kDrawnPoints': 'looks of a picture',
+    'apps/compare/write_comparison.cpp kHalf': 'looks of a picture',
 }
 PAGE = 'docs/constants.md'
 BEGIN, END = '<!-- begin: scripts/constants.py -->\n', '<!-- end: scripts/constants.py -->\n'
 
-NUMBER = r'(?:double|int|long|Index|std::size_t|std::array<(?:double|int), \d+>)'
-CONSTANT = re.compile(r'^\s*(?:inline |static )*constexpr ' + NUMBER + r' (k[A-Z].*)$')
-FIELD = re.compile(r'^\s+' + NUMBER + r' ([a-z]\w*(?: = |\{).*)$')
-STRUCT = re.compile(r'^struct (\w+Rules|' + '|'.join(OPTIONS) + r') \{$')
-ONE = re.compile(r'(\w+)\s*(?:=\s*([^,]+)|\{([^}]*)\})(?:,\s*|$)')
+TYPE = r'[A-Za-z_][\w:]*(?: (?:long|int))?(?:<[^=;(]*>)?'
+CONSTANT = re.compile(r'^\s*(?:inline |static )*constexpr (?:const )?(?:' + TYPE + r'[ *&]+)(k[A-Z].*)$')
+FIELD = re.compile(r'^\s+(?:' + TYPE + r') ([a-z]\w*(?: = |\{).*)$')
+STRUCT = re.compile(r'^struct (\w+Rules|\w+Options|' + '|'.join(OPTIONS) + r') (?:final )?\{$')
+FUNCTION = re.compile(r'^\w+ (\w+_rules)\(.*\{$')
+ASSIGNED = re.compile(r'^\s+\w+\.([a-z][\w.]* = .*)$')
+DECLARATOR = re.compile(r'^(\.?\w[\w.]*)(?:<\w+>)?(?:\[\w*\])*\s*(?:=\s*(.+)|([{(].*[})]))$')
+WORDS = re.compile(r'"[^"]*"|\'[^\']*\'')  # digits of strings count nothing
 
 Constant = namedtuple('Constant', 'file name value what origin')
 
@@ -127,17 +167,44 @@ def statement(lines, k, first):
     code, _, behind = first.partition('//')
     while ';' not in code:
         k += 1
-        code += ' ' + lines[k].strip()
+        code += ' ' + lines[k].partition('//')[0].strip()
     return code.strip().rstrip(';'), behind.strip()
 
 
+def parts(code):
+    """Splits at commas that are in no brackets."""
+    depth, start = 0, 0
+    for k, c in enumerate(code):
+        depth += (c in '{([') - (c in '})]')
+        if c == ',' and depth == 0:
+            yield code[start:k].strip()
+            start = k + 1
+    yield code[start:].strip()
+
+
+def numbers_of(code):
+    """(name, value) of what a declaration begins with: `kA = 1, kB = 2`, `kept{.below = 1e-4}`."""
+    for part in parts(code):
+        match = DECLARATOR.match(part)
+        if not match or not re.search(r'(?<!\w)\d', WORDS.sub('', part[match.end(1):])):
+            continue
+        value = match[2] or match[3][1:-1]
+        inner = value[1:-1].strip() if value.startswith('{') else value
+        if inner.startswith('.'):
+            yield from ((match[1] + name, number) for name, number in numbers_of(inner))
+        else:
+            yield match[1], value.strip()
+
+
 def constants_of(text, file):
-    found, comment, struct, lines = [], [], None, text.splitlines()
-    after_comment = False
+    found, comment, owner, lines = [], [], None, text.splitlines()
+    after_comment = in_function = False
     for k, line in enumerate(lines):
-        started = STRUCT.match(line)
-        if started or line.startswith('};'):
-            struct = started[1] if started else None
+        struct, function = STRUCT.match(line), FUNCTION.match(line)
+        if struct or function:
+            owner, in_function = (struct or function)[1], bool(function)
+        elif line.startswith('}'):
+            owner, in_function = None, False
         stripped = line.strip()
         if stripped.startswith('//'):
             comment = comment + [stripped[2:].strip()] if after_comment else [stripped[2:].strip()]
@@ -146,17 +213,14 @@ def constants_of(text, file):
         after_comment = False
         if not stripped:
             comment = []
-        match = CONSTANT.match(line) or (FIELD.match(line) if struct else None)
+        match = CONSTANT.match(line) or owner and (ASSIGNED if in_function else FIELD).match(line)
         if not match:
             continue
         code, behind = statement(lines, k, match[1])
-        for name, value, braced in ONE.findall(code):
-            value = value or braced
-            if not re.search(r'(?<![A-Za-z_])\d', value):
-                continue
+        for name, value in numbers_of(code):
             what, _, origin = (behind or ' '.join(comment)).partition('Origin:')
-            full = name if name.startswith('k') else '%s.%s' % (struct, name)
-            found.append(Constant(file, full, value.strip(), what.strip(), origin.strip()))
+            full = name if name.startswith('k') and name[1:2].isupper() else '%s.%s' % (owner, name)
+            found.append(Constant(file, full, value, what.strip(), origin.strip()))
     return found
 
 

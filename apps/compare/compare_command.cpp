@@ -24,6 +24,7 @@
 #include "apps/map_request.h"
 #include "apps/outputs.h"
 #include "apps/process.h"
+#include "apps/progress.h"
 #include "apps/streams.h"
 #include "apps/unless_stopped.h"
 #include "majorant/framework/evaluator.h"
@@ -45,9 +46,9 @@ struct Request {
 
 // Every point of a run measured in the same way, whatever the method says of itself. The clock
 // stands still while measuring.
-class Stopwatch {
+class PointMeter {
  public:
-  Stopwatch(const Contest& contest, double time_limit)
+  PointMeter(const Contest& contest, double time_limit)
       : evaluator_(contest.problem),
         injectivity_(contest.space, 2 * contest.specification.rest.measure),
         vertices_(contest.space, AngleSums::Vertices::Interior),
@@ -58,7 +59,7 @@ class Stopwatch {
     resumed_ = Clock::now();
   }
   Directive operator()(const IterationRecord& record, const Vec& y) {
-    running_ += std::chrono::duration<double>(Clock::now() - resumed_).count();
+    running_ += seconds_since(resumed_);
     measure(record.iteration, running_, record.step, y);
     resumed_ = Clock::now();
     if (interrupted_->load()) return Directive::Interrupt;
@@ -68,7 +69,7 @@ class Stopwatch {
   StopCheck stop() const {
     return StopCheck([this] {
       if (interrupted_->load(std::memory_order_relaxed)) return Directive::Interrupt;
-      const double now = std::chrono::duration<double>(Clock::now() - resumed_).count();
+      const double now = seconds_since(resumed_);
       return running_ + now > time_limit_ ? Directive::TimeLimit : Directive::Continue;
     });
   }
@@ -167,7 +168,7 @@ std::vector<const Method*> choose(const Request& request, const Contest& contest
 
 MethodRun race(const Method& method, const Contest& contest, double time_limit) {
   const Vec y0 = contest.problem.reduce(contest.start);
-  Stopwatch watch(contest, time_limit);
+  PointMeter watch(contest, time_limit);
   Contest timed = contest;
   timed.stop = watch.stop();
   const std::unique_ptr<Minimizer> minimizer = method.make(timed);

@@ -18,10 +18,14 @@
 namespace majorant {
 
 struct LeastSquaresOptions {
+  // Origin: as StoppingRules.
   int max_iterations = 1000;
-  double function_tolerance = 1e-12;   // |cost decrease| / cost
-  double gradient_tolerance = 1e-12;   // largest gradient entry
-  double parameter_tolerance = 1e-14;  // |step| / |x|
+  // |cost decrease| / cost; largest gradient entry. Origin: as StoppingRules::decrement: no energy
+  // could tell what is left.
+  double function_tolerance = 1e-12;
+  double gradient_tolerance = 1e-12;
+  // |step| / |x|. Origin: 100 unit roundoffs.
+  double parameter_tolerance = 1e-14;
 };
 
 class LeastSquaresMinimizer final : public Minimizer {

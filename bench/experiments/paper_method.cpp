@@ -92,7 +92,9 @@ class Level {
         y_(built_.problem.reduce(map.control_points())),
         energy_(stepper_.evaluator().value(y_)) {}
 
-  // Appends rows; seconds: of the processor up to here, kept up to date.
+  // Appends rows; seconds: of the processor up to here, kept up to date. Ends as the paper does, at
+  // the first step that gains less than `decrease`, and reports `stuck` for itself: StoppingTest is
+  // one of the parts of parametrize() whose worth is asked for here.
   void descend(double decrease, nlohmann::json& rows, double& seconds) {
     double began = cpu_seconds();
     for (int rounds = 0; static_cast<int>(rows.size()) <= asked_.most_iterations;) {

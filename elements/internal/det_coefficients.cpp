@@ -5,9 +5,9 @@
 #include <limits>
 #include <type_traits>
 
-#include "majorant/elements/internal/rounding.h"
 #include "majorant/elements/internal/small_buffer.h"
 #include "majorant/framework/error.h"
+#include "majorant/framework/internal/rounding.h"
 
 namespace majorant {
 namespace {

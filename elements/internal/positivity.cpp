@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "majorant/elements/internal/rounding.h"
+#include "majorant/framework/internal/rounding.h"
 
 namespace majorant {
 namespace {

@@ -26,6 +26,14 @@ namespace majorant {
 // A below which quotients by A stop growing: its inverse cube is finite.
 inline constexpr double kSmallestA = 1e-75;
 
+// B / A that counts as 0 where a curvature divides by B. Origin: ten times the root of the unit
+// roundoff; chosen, not tuned.
+inline constexpr double kLeastRatio = 1e-7;
+
+// Distance of a singular value from 1 where a quotient by it gives way to its limit. Origin:
+// rounding leaves 1e-10 of the quotient there, the limit is off by about 1e-6.
+inline constexpr double kNearOne = 1e-6;
+
 template <class T>
 struct IsotropicJet {
   T f, ga, gb, caa, cab, cbb;
@@ -92,11 +100,11 @@ CurvatureCoefficients<T> general_projection(const IsotropicJet<T>& j, const T& x
 
 // [MC20] App. A, Eq. A.1 (H^t of Eq. 11, sign corrected): 2x2 block as it is, perpendicular
 // coefficients ((h_S)_+ + (h_s)_+)/A and ((h_S)_+ - (h_s)_-)/B. The latter grows without bound as
-// B -> 0 (method.md N2): B is kept above 1e-7 A.
+// B -> 0 (method.md N2): B is kept above kLeastRatio A.
 template <class T>
 CurvatureCoefficients<T> paper_majorizer(const IsotropicJet<T>& j, const T& x, const T& y) {
   using namespace scalar_math;
-  const T zero(0.0), sx = max(x, T(kSmallestA * kSmallestA)), guard = T(1e-7) * sqrt(sx);
+  const T zero(0.0), sx = max(x, T(kSmallestA * kSmallestA)), guard = T(kLeastRatio) * sqrt(sx);
   const T a = sqrt(sx), b = max(sqrt(y), guard);
   const T kA = j.ga * a, kB = j.gb * b;
   const T hS = T(0.5) * (kA + kB), hs = T(0.5) * (kA - kB);
@@ -132,12 +140,13 @@ void write_curvature(const CurvatureCoefficients<T>& c, const T (&z)[4], PointMo
 // alpha beta (as complex numbers), so no SVD is needed:
 //     4 m (|d alpha|^2 + |d beta|^2) + 8 d Re(conj(u) d alpha d beta),
 //     u = alpha beta / |alpha beta|,
-// m and d half the sum and half the difference of the weights.
+// m and d half the sum and half the difference of the weights. Within kNearOne of 1 the limit is
+// taken.
 template <class T>
 void write_reweighted(const IsotropicJet<T>& j, const T& x, const T& y, const T (&z)[4],
                       PointModel<T, 4>& m) {
   using namespace scalar_math;
-  const T zero(0.0), tiny(kSmallestA), near(1e-6);
+  const T zero(0.0), tiny(kSmallestA), near(kNearOne);
   const T a = sqrt(x), b = sqrt(y), kA = j.ga * a, kB = j.gb * b;
   const T kAA = j.ga + j.caa * x, kBB = j.gb + j.cbb * y, kAB = j.cab * a * b;
   const auto weight = [&](const T& excess, const T& slope, const T& curvature) {

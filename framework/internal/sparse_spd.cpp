@@ -1,22 +1,17 @@
 #include "majorant/framework/internal/sparse_spd.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "majorant/framework/error.h"
+#include "majorant/framework/internal/pattern_of_pairs.h"
 
 namespace majorant {
 namespace {
 
 SparsePattern pattern_of(Index size, Index block, const std::vector<SparseSpd::Entry>& entries) {
-  std::vector<std::vector<Index>> below(at(size));
-  for (const SparseSpd::Entry& e : entries)
-    if (e.row != e.column)
-      below[at(std::min(e.row, e.column))].push_back(std::max(e.row, e.column));
-  SparsePattern pattern;
-  for (const auto& rows : below) pattern.append_column(rows);
-  pattern.order_in_blocks(block);
-  return pattern;
+  return pattern_of_pairs(size, block, [&](const auto& add) {
+    for (const SparseSpd::Entry& e : entries) add(e.row, e.column);
+  });
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "majorant/mesh/half_edge.h"
+
 namespace majorant {
 
 int bezier_cell_degree(long long size) {
@@ -31,7 +33,7 @@ std::vector<std::array<int, 3>> bezier_multi_indices(int degree) {
 std::vector<int> bezier_edge_points(int degree, int edge) {
   std::vector<int> result = {edge};
   for (int s = 0; s < degree - 1; ++s) result.push_back(3 + edge * (degree - 1) + s);
-  result.push_back((edge + 1) % 3);
+  result.push_back(next(edge));
   return result;
 }
 

@@ -13,6 +13,8 @@
 #include "majorant/constraints/local_injectivity.h"
 #include "majorant/elements/internal/bernstein.h"
 #include "majorant/framework/error.h"
+#include "majorant/io/internal/vertex_positions.h"
+#include "majorant/mesh/internal/geometry.h"
 #include "majorant/mesh/repair.h"
 #include "majorant/parametrization/starts/internal/cut_surface.h"
 #include "majorant/parametrization/starts/texture_seams.h"
@@ -24,28 +26,12 @@ SurfaceMesh welded(const MapFile& file, const std::string& name) {
   const Eigen::VectorXi vertex =
       knows_vertices(file) ? file.input_vertex : number_by_place(file.points, {});
   const auto corners = file.cells.leftCols<3>();
-  const Index largest = vertex(corners.reshaped()).maxCoeff();
-  constexpr long long kUnsuspicious = 1LL << 22;  // vertices without a cell may exist, to a limit
-  if (largest > std::max(kUnsuspicious, 4LL * file.points.rows()))
-    throw Error(ErrorKind::Unreadable,
-                fmt::format("{}: input_vertex {} in a map of {} points; damaged file", name,
-                            largest, file.points.rows()));
   PolygonMesh polygons;
   polygons.file = name;
-  polygons.positions.assign(at(largest) + 1, file.points.row(corners(0, 0)));
-  std::vector<char> is_placed(polygons.positions.size(), 0);
+  polygons.positions = vertex_positions(file, vertex, name);
   for (Index c = 0; c < corners.rows(); ++c) {
     polygons.polygons.emplace_back();
-    for (Index k = 0; k < 3; ++k) {
-      const Vector3 position = file.points.row(corners(c, k));
-      const Index v = vertex[corners(c, k)];
-      if (is_placed[at(v)] && polygons.positions[at(v)] != position)
-        throw Error(ErrorKind::Unreadable,
-                    fmt::format("{}: input_vertex {} is at two places; damaged file", name, v));
-      polygons.positions[at(v)] = position;
-      is_placed[at(v)] = 1;
-      polygons.polygons.back().push_back(v);
-    }
+    for (Index k = 0; k < 3; ++k) polygons.polygons.back().push_back(vertex[corners(c, k)]);
   }
   return *repair(polygons, {.orientation = Orientation::AsGiven, .numerics = Numerics::AsGiven})
               .mesh;
@@ -136,8 +122,7 @@ CutMap::Fit CutMap::fit(Index h) const {
 }
 
 double CutMap::extent() const {
-  const Points2 used = file_.uv(file_.cells.reshaped(), Eigen::all);
-  return (used.colwise().maxCoeff() - used.colwise().minCoeff()).maxCoeff();
+  return majorant::extent(Points2(file_.uv(file_.cells.reshaped(), Eigen::all)));
 }
 
 double CutMap::mean_length() const {

@@ -11,6 +11,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/io/internal/piece_boundary.h"
+#include "majorant/mesh/half_edge.h"
 #include "majorant/mesh/internal/exact_predicates.h"
 
 namespace majorant {
@@ -159,13 +160,13 @@ class Cutter {
     const std::vector<Piece>& all = pieces_.pieces(c);
     if (all[at(first)].depth > kTriedDepth) return false;
     const std::array<int, 3> corners = all[at(first)].corners;
-    for (std::size_t e = 0; e < 3; ++e) {
-      const int i = corners[e], j = corners[(e + 1) % 3], k = corners[(e + 2) % 3];
+    for (Index e = 0; e < 3; ++e) {
+      const int i = corners[at(e)], j = corners[at(next(e))], k = corners[at(previous(e))];
       for (std::size_t second = 0; second < all.size(); ++second) {
         const std::array<int, 3>& q = all[second].corners;
-        const auto place = std::ranges::find(q, j) - q.begin();
-        if (place == 3 || q[at(static_cast<int>(place + 1) % 3)] != i) continue;
-        const int l = q[at(static_cast<int>(place + 2) % 3)];
+        const auto place = static_cast<Index>(std::ranges::find(q, j) - q.begin());
+        if (place == 3 || q[at(next(place))] != i) continue;
+        const int l = q[at(previous(place))];
         const std::array<std::array<int, 3>, 2> flipped = {{{i, l, k}, {l, j, k}}};
         if (all[second].depth > kTriedDepth || !may_be_pieces(c, flipped)) continue;
         pieces_.flip(c, {first, static_cast<int>(second)}, flipped);
@@ -241,8 +242,8 @@ class Cutter {
 
   LongEdge longest_edge(Index c, const std::array<int, 3>& p) const {
     LongEdge result{-1, {c, p[0], p[1]}};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Edge edge{c, p[k], p[(k + 1) % 3]};
+    for (Index k = 0; k < 3; ++k) {
+      const Edge edge{c, p[at(k)], p[at(next(k))]};
       if (const double l = length(edge); l > result.length) result = {l, edge};
     }
     return result;

@@ -8,8 +8,8 @@
 #include <limits>
 #include <vector>
 
-#include "majorant/elements/internal/rounding.h"
 #include "majorant/framework/error.h"
+#include "majorant/framework/internal/rounding.h"
 #include "majorant/io/internal/bezier_cell.h"
 
 namespace majorant {

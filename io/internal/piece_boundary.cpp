@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "majorant/mesh/half_edge.h"
 #include "majorant/mesh/internal/exact_predicates.h"
 #include "majorant/mesh/internal/union_find.h"
 #include "majorant/parametrization/injectivity/internal/box_pairs.h"
@@ -22,8 +23,8 @@ template <class Visit>
 void visit_edges(const MapPieces& pieces, const Visit& visit) {
   for (Index c = 0; c < pieces.cell_count(); ++c)
     for (const MapPieces::Piece& piece : pieces.pieces(c))
-      for (std::size_t k = 0; k < 3; ++k) {
-        const Edge edge{c, piece.corners[k], piece.corners[(k + 1) % 3]};
+      for (Index k = 0; k < 3; ++k) {
+        const Edge edge{c, piece.corners[at(k)], piece.corners[at(next(k))]};
         visit(edge, pieces.points(c)[at(edge.i)].vt, pieces.points(c)[at(edge.j)].vt);
       }
 }
@@ -144,12 +145,12 @@ std::vector<Edge> spokes_of_wound_vertices(const MapPieces& pieces) {
   std::vector<int> turns(pieces.texcoords().size(), 0);
   for (Index c = 0; c < pieces.cell_count(); ++c)
     for (const MapPieces::Piece& piece : pieces.pieces(c))
-      for (std::size_t k = 0; k < 3; ++k) {
-        const Vector2& p = pieces.uv(c, piece.corners[k]);
-        const Vector2& a = pieces.uv(c, piece.corners[(k + 1) % 3]);
-        const Vector2& b = pieces.uv(c, piece.corners[(k + 2) % 3]);
-        if (is_above(p, b) && !is_above(p, a))
-          ++turns[at(pieces.points(c)[at(piece.corners[k])].vt)];
+      for (Index k = 0; k < 3; ++k) {
+        const int corner = piece.corners[at(k)];
+        const Vector2& p = pieces.uv(c, corner);
+        const Vector2& a = pieces.uv(c, piece.corners[at(next(k))]);
+        const Vector2& b = pieces.uv(c, piece.corners[at(previous(k))]);
+        if (is_above(p, b) && !is_above(p, a)) ++turns[at(pieces.points(c)[at(corner)].vt)];
       }
   visit_edges(pieces, [&](const Edge& edge, Index from, Index to) {
     if (!is_on_plane_boundary(pieces, edge)) return;

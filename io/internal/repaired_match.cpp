@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <set>
 #include <string>
 #include <utility>
 
+#include "majorant/io/internal/close_of.h"
+#include "majorant/mesh/half_edge.h"
 #include "majorant/mesh/internal/weld.h"
 #include "majorant/mesh/repair.h"
 
@@ -16,19 +17,6 @@ namespace majorant {
 namespace {
 
 using Corners = std::array<Index, 3>;  // of a cell or face: vertices, or corners of its polygon
-
-// As SurfaceMatch promises: of the surface's size, and rounding far from the origin.
-double close_of(const PolygonMesh& surface) {
-  Vector3 low = Vector3::Constant(std::numeric_limits<double>::infinity()), high = -low;
-  for (const auto& polygon : surface.polygons)
-    for (const Index v : polygon) {
-      low = low.cwiseMin(surface.positions[at(v)]);
-      high = high.cwiseMax(surface.positions[at(v)]);
-    }
-  const double farthest = std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff());
-  return kTenDigits * (high - low).maxCoeff() +
-         8 * std::numeric_limits<double>::epsilon() * farthest;
-}
 
 bool takes_apart(const RepairedSurface& repaired) {
   return std::any_of(repaired.repairs.begin(), repaired.repairs.end(), [](const Repair& r) {
@@ -82,7 +70,7 @@ class FaceMatcher {
  private:
   // The first cell with a vertex that the surface lacks, or has elsewhere.
   std::string misplaced() const {
-    const double close = close_of(surface_);
+    const double close = close_of(box_of(surface_));
     for (Index v = 0; v < cells_.vertex_count(); ++v) {
       const Index name = cells_.input_vertex(v);
       if (at(name) >= place_.size()) return fmt::format("the surface has no vertex {}", name);
@@ -156,8 +144,8 @@ class FaceMatcher {
     for (const Index c : cells) {
       const Corners corners = places(c);
       if (!(area_vector(cells_, c).dot(side) > 0)) return false;
-      for (std::size_t k = 0; k < 3; ++k)
-        if (!edges.emplace(corners[k], corners[(k + 1) % 3]).second) return false;
+      for (Index k = 0; k < 3; ++k)
+        if (!edges.emplace(corners[at(k)], corners[at(next(k))]).second) return false;
     }
     std::erase_if(edges, [edges](const auto& e) { return edges.contains({e.second, e.first}); });
     return edges == wanted;

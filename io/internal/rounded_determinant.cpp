@@ -1,8 +1,7 @@
 #include "majorant/io/internal/rounded_determinant.h"
 
-#include <limits>
-
 #include "majorant/elements/internal/bernstein.h"
+#include "majorant/framework/internal/rounding.h"
 
 namespace majorant {
 namespace {
@@ -42,7 +41,7 @@ Determinant determinant(const MapFile& file, Index cell, const Barycentric& at) 
   const double operations = file.degree == 1 ? 4 : 32.0 * static_cast<double>(gradients.rows());
   return {cross(first, second),
           rounding_of_determinant(file, cell) +
-              operations * std::numeric_limits<double>::epsilon() * reach_of(file, cell).prod()};
+              operations * 2 * kUnitRoundoff<double> * reach_of(file, cell).prod()};
 }
 
 }  // namespace

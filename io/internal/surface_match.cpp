@@ -4,20 +4,17 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <optional>
 #include <set>
 #include <utility>
 
+#include "majorant/io/internal/close_of.h"
 #include "majorant/mesh/internal/triangulate_polygon.h"
 #include "majorant/mesh/internal/union_find.h"
 
 namespace majorant {
 namespace {
-
-// Of the surface's size: what a point computed on an edge, or printed with ten digits, may be off.
-constexpr double kClose = kTenDigits;
 
 using DirectedEdge = std::pair<Index, Index>;
 
@@ -69,13 +66,9 @@ class Matcher {
     used_.assign(surface_.positions.size(), 0);
     for (const auto& polygon : surface_.polygons)
       for (const Index v : polygon) used_[at(v)] = 1;
-    Eigen::AlignedBox3d box;
-    for (std::size_t v = 0; v < used_.size(); ++v)
-      if (used_[v]) box.extend(surface_.positions[v]);
+    const Eigen::AlignedBox3d box = box_of(surface_);
     size_ = box.sizes().maxCoeff();
-    const double farthest =
-        std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
-    close_ = kClose * size_ + 8 * std::numeric_limits<double>::epsilon() * farthest;
+    close_ = close_of(box);
   }
 
   void check_vertices() const {
@@ -309,7 +302,7 @@ class Matcher {
                        face);
         areas[list == &of_cells] += area;
       }
-    if (!(std::abs(areas[0] - areas[1]) <= kClose * areas[0] + close_ * size_of(of_faces)))
+    if (!(std::abs(areas[0] - areas[1]) <= kTenDigits * areas[0] + close_ * size_of(of_faces)))
       refuse_match("cells cover {:.9g} of the area {:.9g} around face {} of the surface", areas[1],
                    areas[0], face);
   }

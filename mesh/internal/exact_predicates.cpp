@@ -7,6 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include "majorant/framework/internal/rounding.h"
+
 namespace majorant {
 namespace {
 
@@ -41,8 +43,7 @@ int exact_orientation(const Vector2& a, const Vector2& b, const Vector2& c) {
 
 int orientation(const Vector2& a, const Vector2& b, const Vector2& c) {
   // Of the two products. Origin: what four roundings can be off [She97].
-  constexpr double kRounding =
-      (3 + 8 * std::numeric_limits<double>::epsilon()) * std::numeric_limits<double>::epsilon() / 2;
+  constexpr double kRounding = (3 + 16 * kUnitRoundoff<double>)*kUnitRoundoff<double>;
   const double left = (b.x() - a.x()) * (c.y() - a.y()), right = (b.y() - a.y()) * (c.x() - a.x());
   const double area = left - right;
   // The last: more than products lose that underflow.

@@ -11,6 +11,7 @@
 #include <set>
 
 #include "majorant/framework/error.h"
+#include "majorant/mesh/half_edge.h"
 #include "majorant/mesh/internal/mesh_words.h"
 #include "majorant/mesh/internal/union_find.h"
 
@@ -60,8 +61,8 @@ struct HalfEdge {
 std::vector<HalfEdge> sorted_half_edges(const TriangleList& list) {
   std::vector<HalfEdge> edges;
   for (std::size_t t = 0; t < list.triangles.size(); ++t)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Index a = list.triangles[t][k], b = list.triangles[t][(k + 1) % 3];
+    for (Index k = 0; k < 3; ++k) {
+      const Index a = list.triangles[t][at(k)], b = list.triangles[t][at(next(k))];
       edges.push_back({std::min(a, b), std::max(a, b), static_cast<Index>(t), a < b});
     }
   std::sort(edges.begin(), edges.end(), [](const HalfEdge& a, const HalfEdge& b) {

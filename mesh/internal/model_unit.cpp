@@ -3,6 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "majorant/mesh/internal/geometry.h"
+
 namespace majorant {
 namespace {
 
@@ -13,26 +15,16 @@ constexpr int kOrdinary = 100;
 }  // namespace
 
 double model_unit(const SurfaceMesh& mesh) {
-  const Points3& p = mesh.positions();
-  const double extent =
-      p.rows() == 0 ? 0 : (p.colwise().maxCoeff() - p.colwise().minCoeff()).maxCoeff();
-  if (!(extent > 0) || !std::isfinite(extent)) return 1;
-  const int exponent = std::ilogb(extent);
+  const double size = extent(mesh.positions());
+  if (!(size > 0) || !std::isfinite(size)) return 1;
+  const int exponent = std::ilogb(size);
   return std::abs(exponent) <= kOrdinary ? 1 : std::ldexp(1.0, exponent);
 }
 
 std::shared_ptr<const SurfaceMesh> in_units(const SurfaceMesh& mesh, double unit) {
-  SurfaceParts parts;
-  parts.file = mesh.file();
-  parts.origin = mesh.origin() / unit;
-  parts.positions = mesh.positions() / unit;
-  parts.faces = mesh.faces();
-  for (Index v = 0; v < mesh.vertex_count(); ++v)
-    parts.input_vertex.push_back(mesh.input_vertex(v));
-  for (Index f = 0; f < mesh.face_count(); ++f) parts.input_face.push_back(mesh.input_face(f));
-  parts.corner_texcoords = mesh.corner_texcoords();
-  parts.texcoord_ids = mesh.texcoord_ids();
-  parts.rest_triangles = mesh.rest_triangles();
+  SurfaceParts parts = mesh.parts();
+  parts.origin /= unit;
+  parts.positions /= unit;
   for (RestTriangle& rest : parts.rest_triangles)
     for (Vector2& corner : rest.corners) corner /= unit;
   return std::make_shared<const SurfaceMesh>(SurfaceMesh::from_parts(std::move(parts)));

@@ -20,6 +20,12 @@ std::string place_text(std::string_view of_what, Index count,
   return text + (at(count) > shown ? ", ...)" : ")");
 }
 
+std::string described(const FindingText& text, Index count,
+                      const std::vector<std::array<Index, 2>>& places) {
+  return fmt::format("{} {}", count, count == 1 ? text.one : text.many) +
+         place_text(text.place, count, places);
+}
+
 }  // namespace majorant
 
 // SPDX-FileCopyrightText: 2026 the majorant developers

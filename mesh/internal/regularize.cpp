@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "majorant/mesh/half_edge.h"
 #include "majorant/mesh/internal/mesh_validation.h"
 
 namespace majorant {
@@ -20,7 +21,7 @@ class Regularizing {
       for (Index k = 0; k < 3; ++k) {
         const double l = length(f, k);
         if (!(l > 0)) continue;
-        for (const Index v : {faces(f, k), faces(f, (k + 1) % 3)}) {
+        for (const Index v : {faces(f, k), faces(f, next(k))}) {
           sum_[at(v)] += l;
           ++count_[at(v)];
         }
@@ -48,7 +49,7 @@ class Regularizing {
  private:
   Index vertices() const { return static_cast<Index>(positions_.rows()); }
   Vector3 edge(Index f, Index k) const {
-    return positions_.row(faces_(f, (k + 1) % 3)) - positions_.row(faces_(f, k));
+    return positions_.row(faces_(f, next(k))) - positions_.row(faces_(f, k));
   }
   double length(Index f, Index k) const { return edge(f, k).stableNorm(); }
 
@@ -60,11 +61,11 @@ class Regularizing {
 
   // The foot of its height stays where it is.
   std::array<Vector2, 3> needle(Index f, Index longest, double size) const {
-    const Vector3 along = edge(f, longest) / size, up = -edge(f, (longest + 2) % 3);
+    const Vector3 along = edge(f, longest) / size, up = -edge(f, previous(longest));
     std::array<Vector2, 3> corners;
     corners[at(longest)] = {0, 0};
-    corners[at((longest + 1) % 3)] = {size, 0};
-    corners[at((longest + 2) % 3)] = {std::clamp(along.dot(up), 0.0, size), kNeedleHeight * size};
+    corners[at(next(longest))] = {size, 0};
+    corners[at(previous(longest))] = {std::clamp(along.dot(up), 0.0, size), kNeedleHeight * size};
     return corners;
   }
 

@@ -37,9 +37,11 @@ double smallest_angle(const Vector2& a, const Vector2& b, const Vector2& c) {
 }
 
 bool contains(const Vector2& a, const Vector2& b, const Vector2& c, const Vector2& p) {
-  // A corner on an edge counts, whatever rounding makes of it.
+  // A corner on an edge counts, whatever rounding makes of it: of the squared longest edge. Origin:
+  // some thousand roundings; chosen, not tuned.
+  constexpr double kOnEdge = 1e-12;
   const double slack =
-      -1e-12 * std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+      -kOnEdge * std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
   return cross(b - a, p - a) >= slack && cross(c - b, p - b) >= slack &&
          cross(a - c, p - c) >= slack;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "majorant/elements/internal/bernstein.h"
+#include "majorant/elements/internal/singular_values.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 
 namespace majorant {
@@ -52,12 +53,10 @@ Stretch measure_stretch(const BezierMap& map) {
         j += map.control_points().segment<2>(2 * map.space().cells()(f, q)) * gradients.row(q);
       j *= rest.inverse_of(f);
       const double det = j.determinant(), area = rest.measure[f] / double(points.size());
-      const double alpha = 0.5 * std::hypot(j(0, 0) + j(1, 1), j(1, 0) - j(0, 1));
-      const double beta = 0.5 * std::hypot(j(0, 0) - j(1, 1), j(1, 0) + j(0, 1));
       s.surface_area += area;
       s.image_area += det * area;
       s.square += area * 0.5 * j.squaredNorm() / (det * det);
-      s.largest = std::max(s.largest, (alpha + beta) / det);  // 1 / sigma
+      s.largest = std::max(s.largest, singular_values(j).first / det);  // 1 / sigma
     }
   }
   return normalized(s);

@@ -7,6 +7,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/argument_check.h"
+#include "majorant/mesh/internal/geometry.h"
 #include "majorant/mesh/internal/mesh_words.h"
 #include "majorant/parametrization/drive/internal/free_scale.h"
 #include "majorant/parametrization/drive/internal/parametrize_by.h"
@@ -25,7 +26,7 @@ constexpr int kDeformSteps = 10;
 BezierMap planar_map(std::shared_ptr<const SurfaceMesh> mesh) {
   require_given("planar_map: the mesh", mesh);
   const Points3& p = mesh->positions();
-  const double size = (p.colwise().maxCoeff() - p.colwise().minCoeff()).maxCoeff();
+  const double size = extent(p);
   for (Index v = 0; v < mesh->vertex_count(); ++v)
     if (!(std::abs(p(v, 2) - p(0, 2)) <= kFlat * size))
       throw Error(ErrorKind::Unsupported,

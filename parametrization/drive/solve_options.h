@@ -42,9 +42,11 @@ struct LastDegree {
 
 struct SolveOptions {
   Curvature curvature = Curvature::Projected;
-  double tolerance = 1e-6;  // relative energy decrease per iteration, StoppingRules
+  // Relative energy decrease per iteration. Origin: as StoppingRules::relative_decrease.
+  double tolerance = 1e-6;
   Elevation elevation = Elevation::Incremental;
-  double elevation_tolerance = 1e-4;           // the degree is raised below this decrease
+  // The degree is raised below this decrease. Origin: bench/tune.py elevation_tolerance.
+  double elevation_tolerance = 1e-4;
   int quadrature_points = 0;                   // lattice points per triangle; 0: our own rule
   int injectivity_depth = ProofDepth::kStart;  // of bisection; deeper when a run is held back
   ScaffoldFlips scaffold_flips = ScaffoldFlips::Performed;  // of MapInjectivity::Global

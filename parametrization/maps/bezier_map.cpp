@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "majorant/elements/internal/bernstein.h"
+#include "majorant/elements/internal/singular_values.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/argument_check.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
@@ -54,10 +55,7 @@ Eigen::Matrix2d BezierMap::jacobian(Index face, const Barycentric& xi) const {
 }
 
 std::pair<double, double> BezierMap::singular_values(Index face, const Barycentric& xi) const {
-  const Eigen::Matrix2d j = jacobian(face, xi);
-  const double alpha = 0.5 * std::hypot(j(0, 0) + j(1, 1), j(1, 0) - j(0, 1));
-  const double beta = 0.5 * std::hypot(j(0, 0) - j(1, 1), j(1, 0) + j(0, 1));
-  return {alpha + beta, alpha - beta};
+  return majorant::singular_values(jacobian(face, xi));
 }
 
 Points2 BezierMap::corner_uv() const {

@@ -43,11 +43,7 @@ struct PointDistortion {
 };
 
 // J: any 2 by 2 matrix, columns the images of an orthonormal frame of the surface.
-inline PointDistortion distortion_of(const Eigen::Matrix2d& J) {
-  const double alpha = 0.5 * std::hypot(J(0, 0) + J(1, 1), J(1, 0) - J(0, 1));
-  const double beta = 0.5 * std::hypot(J(0, 0) - J(1, 1), J(1, 0) + J(0, 1));
-  return {alpha + beta, alpha - beta};
-}
+PointDistortion distortion_of(const Eigen::Matrix2d& J);
 
 }  // namespace majorant
 

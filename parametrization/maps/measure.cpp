@@ -11,6 +11,7 @@
 #include "majorant/constraints/seamless_constraint.h"
 #include "majorant/elements/element_space.h"
 #include "majorant/elements/internal/bernstein.h"
+#include "majorant/elements/internal/singular_values.h"
 #include "majorant/framework/evaluator.h"
 #include "majorant/framework/internal/element_values.h"
 #include "majorant/parametrization/maps/internal/quadrature_ladder.h"
@@ -98,10 +99,9 @@ void sample_extremes(const BezierMap& map, const RestShapes& rest, const EnergyS
       for (Index q = 0; q < g.rows(); ++q)
         j += map.control_points().segment<2>(2 * map.space().cells()(f, q)) * g.row(q);
       j *= rest.inverse_of(f);
-      const double alpha = 0.5 * std::hypot(j(0, 0) + j(1, 1), j(1, 0) - j(0, 1));
-      const double beta = 0.5 * std::hypot(j(0, 0) - j(1, 1), j(1, 0) + j(0, 1));
-      m.sigma_max = std::max(m.sigma_max, alpha + beta);
-      m.sigma_min = std::min(m.sigma_min, alpha - beta);
+      const auto [larger, smaller] = singular_values(j);
+      m.sigma_max = std::max(m.sigma_max, larger);
+      m.sigma_min = std::min(m.sigma_min, smaller);
     }
   }
 }

@@ -28,6 +28,12 @@ constexpr double kLeastGap = 1e-6;
 constexpr double kGapMargin = 1e-5;
 // Origin: the side to within 1e-4 or so, and a fraction of a second for 10,000 boxes.
 constexpr int kSkylineTries = 14;
+// First width of the skyline, in roots of the area, and the factor from square to square until one
+// holds all. Origin: chosen, not tuned.
+constexpr double kFirstWidth = 1.5, kSkylineFactor = 1.25;
+// The same of the raster, in sides that the skyline found, and of nesting, in the best side of
+// these two. Origin: chosen, not tuned.
+constexpr double kRasterWidth = 0.9, kNestingWidth = 0.97, kFactor = 1.08;
 
 // Cells of the raster along the side. Origin: bench/packing.cpp, twice as many gain less than 0.01
 // of fill for few charts, and 0.02 to 0.04 for many.
@@ -99,17 +105,20 @@ class Packer {
     };
     const auto skyline = [&](double width) { return skyline_strip(job, width); };
     add(PackMethod::Skyline,
-        smallest_square(job, skyline, {1.5 * std::sqrt(job.area), 1.25, kSkylineTries}));
+        smallest_square(job, skyline,
+                        {kFirstWidth * std::sqrt(job.area), kSkylineFactor, kSkylineTries}));
     if (candidates.empty()) return candidates;
     const double of_boxes = candidates[0].arrangement.side;
     const int cells = charts_.size() > kFew ? kFineCells : kCoarseCells;
     const int tries = charts_.size() > kMany ? kFewTries : kTries;
     const auto raster = [&](double width) { return raster_strip(job, cells, width); };
-    add(PackMethod::Raster, smallest_square(job, raster, {0.9 * of_boxes, 1.08, tries}));
+    add(PackMethod::Raster,
+        smallest_square(job, raster, {kRasterWidth * of_boxes, kFactor, tries}));
     if (charts_.size() > kMostNested || charts_.size() < 2) return candidates;
     const double best = std::min(of_boxes, candidates.back().arrangement.side);
     const auto nesting = [&](double width) { return nested_strip(job, width); };
-    add(PackMethod::Nesting, smallest_square(job, nesting, {0.97 * best, 1.08, kTries, best}));
+    add(PackMethod::Nesting,
+        smallest_square(job, nesting, {kNestingWidth * best, kFactor, kTries, best}));
     return candidates;
   }
 

@@ -27,8 +27,10 @@ namespace majorant {
 
 struct PackOptions {
   // Any two charts are at least padding_pixels / resolution of the square's side apart.
-  double padding_pixels = 4;  // >= 0
-  double resolution = 1024;   // pixels along the side, > 0
+  // padding_pixels >= 0, resolution, the pixels along the side, > 0. Origin: a usual texture, and
+  // two levels of its mipmaps that do not bleed; chosen, not tuned.
+  double padding_pixels = 4;
+  double resolution = 1024;
   // One flag a chart (empty: none): it stays where it is, to the bit. The square's lower left
   // corner is that of their common box. Nothing is promised of the distance of two of them.
   std::vector<char> fixed = {};

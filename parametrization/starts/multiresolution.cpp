@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "majorant/framework/newton.h"
+#include "majorant/mesh/internal/geometry.h"
 #include "majorant/parametrization/maps/map_problem.h"
 #include "majorant/parametrization/starts/internal/decimation.h"
 #include "majorant/parametrization/starts/internal/reinsertion.h"
@@ -84,8 +85,7 @@ SurfaceMesh surface_of(const Level& level, const std::string& file) {
 
 // A power of two that brings positions to a size of about 1: exact, and exactly undone.
 double unit_scale(const Points3& positions) {
-  const double size = (positions.colwise().maxCoeff() - positions.colwise().minCoeff()).maxCoeff();
-  return std::exp2(-std::round(std::log2(size)));
+  return std::exp2(-std::round(std::log2(extent(positions))));
 }
 
 class Multiresolution {

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "majorant/constraints/internal/sector_angle.h"
 #include "majorant/framework/error.h"
 #include "majorant/mesh/half_edge.h"
 #include "majorant/mesh/internal/mesh_words.h"
@@ -35,10 +36,7 @@ class CornerView {
   double mean_length() const { return mean_length_; }
 
   double signed_area(Index face) const { return 0.5 * cross(edge(3 * face), edge(3 * face + 1)); }
-  double angle(Index h) const {
-    const Vector2 a = edge(h), b = -edge(previous(h));
-    return std::abs(std::atan2(cross(a, b), a.dot(b)));
-  }
+  double angle(Index h) const { return std::abs(sector_angle(edge(h), -edge(previous(h)))); }
   // k for which this edge is closest to i^k times its opposite, and how far it is from that.
   std::pair<int, double> transition(Index h) const {
     const Vector2 mine = edge(h), other = -edge(mesh_.opposite(h));

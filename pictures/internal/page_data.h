@@ -4,12 +4,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include "majorant/elements/bezier_triangle_space.h"
 #include "majorant/pictures/write_page.h"
 
 namespace majorant {
 
-// The highest degree a page evaluates. Origin: the highest the command solves; chosen, not tuned.
-inline constexpr int kHighestPageDegree = 8;
+// The highest degree a page evaluates: the highest there are maps of.
+inline constexpr int kHighestPageDegree = BezierTriangleSpace::kMaxDegree;
 
 // Throws Error(Invalid) that says what of the page does not fit its map.
 nlohmann::ordered_json page_data(const MapPage& page);

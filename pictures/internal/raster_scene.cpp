@@ -6,6 +6,7 @@
 #include <map>
 
 #include "majorant/io/internal/bezier_cell.h"
+#include "majorant/mesh/half_edge.h"
 #include "majorant/pictures/internal/bezier_image.h"
 
 namespace majorant {
@@ -150,16 +151,16 @@ SmoothNormals::SmoothNormals(const MapFile& map) : normals_(3 * map.cells.rows()
 
 std::vector<std::array<bool, 3>> cut_edges(const MapFile& map) {
   std::map<std::pair<Place, Place>, std::vector<std::pair<Index, Index>>> sides;  // from, to
-  const auto end = [&](Index c, Index k, Index step) { return map.cells(c, (k + step) % 3); };
+  const auto ends = [&](Index c, Index k) -> std::pair<Place, Place> {  // across from corner k
+    return std::minmax(place_of(map, c, next(k)), place_of(map, c, previous(k)));
+  };
   for (Index c = 0; c < map.cells.rows(); ++c)
     for (Index k = 0; k < 3; ++k)
-      sides[std::minmax(place_of(map, c, (k + 1) % 3), place_of(map, c, (k + 2) % 3))].emplace_back(
-          std::minmax(end(c, k, 1), end(c, k, 2)));
+      sides[ends(c, k)].emplace_back(std::minmax(map.cells(c, next(k)), map.cells(c, previous(k))));
   std::vector<std::array<bool, 3>> cut(majorant::at(static_cast<Index>(map.cells.rows())));
   for (Index c = 0; c < map.cells.rows(); ++c)
     for (Index k = 0; k < 3; ++k) {
-      const auto& same =
-          sides.at(std::minmax(place_of(map, c, (k + 1) % 3), place_of(map, c, (k + 2) % 3)));
+      const auto& same = sides.at(ends(c, k));
       cut[majorant::at(c)][majorant::at(k)] =
           std::any_of(same.begin(), same.end(), [&](const auto& side) { return side != same[0]; });
     }

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "majorant/framework/error.h"
+#include "majorant/mesh/half_edge.h"
 
 namespace majorant {
 namespace {
@@ -30,17 +31,26 @@ struct CellEdge {
   int edge;
 };
 
-// Edges between points without a neighbour, by the point they start at.
-std::multimap<Index, CellEdge> boundary_edges(const MapFile& map) {
-  std::set<std::pair<Index, Index>> edges;
+// f(edge, cell beyond it or -1) for every edge between points. Files may hold cells that are no
+// surface, which opposite_half_edges() refuses; where several cells are beyond, it is the last.
+template <class F>
+void for_each_edge(const MapFile& map, const F& f) {
+  std::map<std::pair<Index, Index>, Index> cell_of;
   for (Index c = 0; c < map.cells.rows(); ++c)
-    for (int k = 0; k < 3; ++k) edges.emplace(map.cells(c, k), map.cells(c, (k + 1) % 3));
-  std::multimap<Index, CellEdge> boundary;
+    for (int k = 0; k < 3; ++k) cell_of[{map.cells(c, k), map.cells(c, next(k))}] = c;
   for (Index c = 0; c < map.cells.rows(); ++c)
     for (int k = 0; k < 3; ++k) {
-      const Index from = map.cells(c, k), to = map.cells(c, (k + 1) % 3);
-      if (!edges.contains({to, from})) boundary.emplace(from, CellEdge{c, k});
+      const auto other = cell_of.find({map.cells(c, next(k)), map.cells(c, k)});
+      f(CellEdge{c, k}, other == cell_of.end() ? -1 : other->second);
     }
+}
+
+// Edges between points without a neighbour, by the point they start at.
+std::multimap<Index, CellEdge> boundary_edges(const MapFile& map) {
+  std::multimap<Index, CellEdge> boundary;
+  for_each_edge(map, [&](const CellEdge& edge, Index other) {
+    if (other < 0) boundary.emplace(map.cells(edge.cell, edge.edge), edge);
+  });
   return boundary;
 }
 
@@ -58,13 +68,13 @@ void add_boundary_path(SvgLayout& layout) {
   const MapFile& map = layout.map();
   std::multimap<Index, CellEdge> boundary = boundary_edges(map);
   while (!boundary.empty()) {
-    auto next = boundary.begin();
-    layout.add_point('M', layout.place(next->first));
-    while (next != boundary.end()) {
-      const CellEdge at = next->second;
-      boundary.erase(next);
+    auto leaving = boundary.begin();
+    layout.add_point('M', layout.place(leaving->first));
+    while (leaving != boundary.end()) {
+      const CellEdge at = leaving->second;
+      boundary.erase(leaving);
       layout.add_edge(at.cell, at.edge);
-      next = boundary.find(map.cells(at.cell, (at.edge + 1) % 3));
+      leaving = boundary.find(map.cells(at.cell, next(at.edge)));
     }
     layout.add("Z");
   }
@@ -131,17 +141,11 @@ const char* chart_color(Index chart) { return kColors[at(chart) % std::size(kCol
 void add_chart_outlines(SvgLayout& layout) {
   const MapFile& map = layout.map();
   if (!has_charts(map)) return;
-  std::map<std::pair<Index, Index>, Index> chart_of_edge;
-  for (Index c = 0; c < map.cells.rows(); ++c)
-    for (int k = 0; k < 3; ++k)
-      chart_of_edge[{map.cells(c, k), map.cells(c, (k + 1) % 3)}] = map.chart[c];
   std::map<Index, std::vector<CellEdge>> outlines;
-  for (Index c = 0; c < map.cells.rows(); ++c)
-    for (int k = 0; k < 3; ++k) {
-      const auto other = chart_of_edge.find({map.cells(c, (k + 1) % 3), map.cells(c, k)});
-      if (other == chart_of_edge.end() || other->second != map.chart[c])
-        outlines[map.chart[c]].push_back({c, k});
-    }
+  for_each_edge(map, [&](const CellEdge& edge, Index other) {
+    const Index chart = map.chart[edge.cell];
+    if (other < 0 || map.chart[other] != chart) outlines[chart].push_back(edge);
+  });
   layout.add("<g fill=\"none\" stroke-width=\"{}\" stroke-linecap=\"round\">\n", kOutlineWidth);
   for (const auto& [chart, edges] : outlines) add_edges(layout, edges, chart_color(chart));
   layout.add("</g>\n");

@@ -5,6 +5,7 @@
 
 #include "check.h"
 #include "errors.h"
+#include "majorant/elements/bezier_triangle_space.h"
 #include "majorant/energies/named_energies.h"
 #include "majorant/framework/linear_solver.h"
 #include "majorant/parametrization/maps/internal/energy_text.h"
@@ -44,6 +45,7 @@ std::vector<std::pair<std::string, std::string>> energies() {
 PYBIND11_MODULE(_core, module) {
   using namespace majorant::python;
   module.attr("version") = MAJORANT_VERSION;
+  module.attr("max_degree") = majorant::BezierTriangleSpace::kMaxDegree;
   translate_errors();
   bind_steps(module);
   bind_meshes(module);

@@ -26,7 +26,8 @@ class Space:
     """
 
     def __init__(self, V: Any, F: Any, degree: int = 1):
-        self._core = _core.Space(_arrays.mesh(V, F), _options.integer('degree', degree, 1, 8))
+        n = _options.integer('degree', degree, 1, _core.max_degree)
+        self._core = _core.Space(_arrays.mesh(V, F), n)
         self.degree: int = self._core.degree
         self.node_count: int = self._core.node_count
         self.size: int = 2 * self.node_count  #: of x

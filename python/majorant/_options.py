@@ -96,7 +96,7 @@ def wishes(mesh: _core.Mesh, said: Mapping[str, Any]) -> dict[str, Any]:
     out = {
         'energies': summands,
         'energy_text': text,
-        'degree': integer('degree', get('degree', 1), 1, 8),
+        'degree': integer('degree', get('degree', 1), 1, _core.max_degree),
         'boundary': choice('boundary', get('boundary', 'free'), ('free', 'fixed')),
         'boundary_angles': truth('boundary_angles', get('boundary_angles', False)),
         'bijective': truth('bijective', get('bijective', False)),

@@ -5,12 +5,13 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 #include "majorant/energies/named_energies.h"
 #include "majorant/framework/error.h"
+#include "majorant/framework/internal/rounding.h"
 #include "majorant/io/internal/lagrange_cell.h"
+#include "majorant/mesh/internal/geometry.h"
 #include "majorant/parametrization/maps/internal/energy_text.h"
 #include "majorant/parametrization/starts/texture_seams.h"
 #include "majorant/parametrization/starts/tutte.h"
@@ -19,9 +20,13 @@
 namespace majorant {
 namespace {
 
-constexpr double kEnergyClose = 1e-4;      // what reported energies are good to
-constexpr double kDistortionClose = 1e-2;  // of faces; what rounding does to tiny ones is less
-constexpr double kZeroEnergy = 1e-9;       // energies may vanish at isometries
+// What reported energies are good to. Origin: a hundred times kEnergyAgreement of measure.cpp,
+// since rounded control points are measured anew.
+constexpr double kEnergyClose = 1e-4;
+// Of faces. Origin: what rounding does to tiny ones is less; chosen, not tuned.
+constexpr double kDistortionClose = 1e-2;
+// Energies may vanish at isometries. Origin: as kTenDigits.
+constexpr double kZeroEnergy = 1e-9;
 
 // Points of the map by vertex of the input mesh.
 std::vector<Index> find_vertex(const MapFile& file, Index input_vertex) {
@@ -90,7 +95,7 @@ void check_fixed_boundary(const CheckedMap& checked, Findings& findings) {
 // uv was rounded after turning and normalizing, and again as values of Lagrange cells, whose errors
 // grow by `amplification`.
 double rounding_of_uv(const CheckedMap& checked, Index cell, double amplification) {
-  constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+  constexpr double kEpsilon = 2 * kUnitRoundoff<double>;
   const MapFile& file = checked.file;
   double size = 1, unit = 0;
   if (checked.claims.normalized) {

@@ -32,11 +32,6 @@ class Findings {
   std::vector<std::string> list_;
 };
 
-// The larger side of the bounding box of points, one a row.
-inline double extent(const Eigen::Ref<const Eigen::MatrixXd>& points) {
-  return (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff();
-}
-
 }  // namespace majorant
 
 // SPDX-FileCopyrightText: 2026 the majorant developers

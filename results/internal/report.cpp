@@ -4,11 +4,12 @@
 #include <sys/resource.h>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "majorant/framework/internal/curvature_name.h"
+#include "majorant/framework/internal/rounding.h"
 #include "majorant/io/internal/atomic_file.h"
+#include "majorant/mesh/internal/geometry.h"
 
 namespace majorant {
 
@@ -44,9 +45,7 @@ namespace {
 
 // In units of what doubles of the layout's size can tell apart.
 double seam_residual_ulp(const BezierMap& map, double seam_residual) {
-  const auto uv = map.control_points().reshaped(2, map.space().node_count());
-  const double size = (uv.rowwise().maxCoeff() - uv.rowwise().minCoeff()).maxCoeff();
-  return seam_residual / (std::numeric_limits<double>::epsilon() * size);
+  return seam_residual / (2 * kUnitRoundoff<double> * extent(map.control_uv()));
 }
 
 }  // namespace

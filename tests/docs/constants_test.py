@@ -65,11 +65,48 @@ class PlantedFaults(unittest.TestCase):
         self.assertEqual([c.name for c in self.parse(text % 'NewRules')], ['NewRules.a', 'NewRules.b'])
         self.assertEqual(self.parse(text % 'NewRecord'), [])
 
+    def test_parts_of_a_default(self):
+        found = self.parse('struct MyRules {\n  // Things. Origin: here.\n'
+                           '  Other kept{.below = 1e-4, .names = {"a1"}, .steps = {2, 3}};\n};\n')
+        self.assertEqual([(c.name, c.value, c.origin) for c in found],
+                         [('MyRules.kept.below', '1e-4', 'here.'), ('MyRules.kept.steps', '{2, 3}', 'here.')])
+
+    def test_functions(self):
+        found = self.parse('MyRules brief_rules(int steps) {\n  MyRules rules;\n  // Origin: here.\n'
+                           '  rules.a = 2;\n  rules.b.c = 1e-3;\n  rules.d = steps;\n}\n\n'
+                           'void f() {\n  x.a = 1;\n}\n')
+        self.assertEqual([(c.name, c.value, c.origin) for c in found],
+                         [('brief_rules.a', '2', 'here.'), ('brief_rules.b.c', '1e-3', 'here.')])
+
+    def test_what_is_no_number(self):
+        self.assertEqual(self.parse('constexpr std::string_view kA = "1 2";\nconstexpr char kB = \'3\';\n'
+                                    'constexpr std::array<std::string_view, 2> kC = {"x", "y"};\n'
+                                    'constexpr auto kD = std::numeric_limits<std::int64_t>::max();\n'
+                                    'constexpr double kE = Other::kF;\n'), [])
+
     def test_without_an_origin(self):
-        for text in 'constexpr double kA = 1;  // of a thing\n', 'struct MyRules {\n  int a = 1;\n};\n':
+        for text in ('constexpr double kA = 1;  // of a thing\n', 'struct MyRules {\n  int a = 1;\n};\n',
+                     'constexpr long long kA = 1LL << 22;  // of a thing\n', 'constexpr PetscInt kA = 300;\n',
+                     'constexpr GlobalIndex kA = 2;\n', 'constexpr std::uint64_t kA = 3;\n',
+                     'constexpr double kA[] = {0.1, 0.5, 1};\n', 'constexpr Table<Index, 3> kA{4, 8};\n',
+                     'constexpr Size kA(3, 4);\n', 'struct MyOptions {\n  double a = 1.015;\n};\n',
+                     'struct MapObjective {\n  double a = 1e3;\n};\n',
+                     'struct MyRules {\n  Other kept{.below = 1e-4};\n};\n',
+                     'MyRules my_rules() {\n  MyRules rules;\n  rules.a = 1e-8;\n}\n'):
             found = self.parse(text)
-            self.assertEqual(len(found), 1)
+            self.assertEqual(len(found), 1, text)
             self.assertTrue(any('framework/x.cpp' in fault for fault in constants.faults(found)), text)
+
+    def test_rooms(self):
+        """Every folder of sources that may decide a result."""
+        rooms = {path.parent.parent if path.parent.name in ('internal', 'detail') else path.parent
+                 for path in SOURCE.glob('*/**/*.cpp')
+                 if path.parts[len(SOURCE.parts)] in ('framework', 'terms', 'elements', 'mesh', 'energies',
+                                                      'constraints', 'parametrization', 'io', 'pictures',
+                                                      'results', 'distributed')}
+        for room in sorted(rooms):
+            name = str(room.relative_to(SOURCE))
+            self.assertTrue(any(name == r or name.startswith(r + '/') for r in constants.ROOMS), name)
 
     def test_the_script_fails(self):
         done = subprocess.run([sys.executable, SOURCE / 'scripts/constants.py', '--root', SOURCE / 'scripts'],

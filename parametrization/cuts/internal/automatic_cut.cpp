@@ -8,6 +8,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/mesh/internal/cut_graph.h"
+#include "majorant/mesh/internal/geometry.h"
 #include "majorant/parametrization/cuts/internal/cut_tree.h"
 #include "majorant/parametrization/cuts/internal/flattening_strain.h"
 #include "majorant/parametrization/cuts/internal/pieces.h"
@@ -68,12 +69,8 @@ class Cutter {
  private:
   static Vec angle_defects(const SurfaceMesh& mesh) {
     Vec defect = Vec::Constant(mesh.vertex_count(), 2 * std::numbers::pi);
-    for (Index h = 0; h < mesh.half_edge_count(); ++h) {
-      const Vector3 p = mesh.positions().row(mesh.from_vertex(h));
-      const Vector3 a = mesh.positions().row(mesh.to_vertex(h)).transpose() - p;
-      const Vector3 b = mesh.positions().row(mesh.from_vertex(previous(h))).transpose() - p;
-      defect[mesh.from_vertex(h)] -= std::atan2(a.cross(b).norm(), a.dot(b));
-    }
+    for (Index h = 0; h < mesh.half_edge_count(); ++h)
+      defect[mesh.from_vertex(h)] -= corner_angle(mesh, h).radians();
     for (const auto& loop : mesh.boundary_loops())
       for (const Index v : loop) defect[v] = 0;
     return defect;

@@ -6,6 +6,9 @@
 #include <limits>
 #include <numbers>
 
+#include "majorant/framework/internal/pattern_of_pairs.h"
+#include "majorant/mesh/internal/geometry.h"
+
 namespace majorant {
 namespace {
 
@@ -66,15 +69,12 @@ void FlatteningStrain::measure(const SurfaceMesh& piece) {
   cotangent_.resize(piece.half_edge_count());
   for (Index h = 0; h < piece.half_edge_count(); ++h) {
     const Index v = piece.from_vertex(h);
-    const Vector3 p = piece.positions().row(v);
-    const Vector3 a = piece.positions().row(piece.to_vertex(h)).transpose() - p;
-    const Vector3 b = piece.positions().row(piece.from_vertex(previous(h))).transpose() - p;
-    const double sine = a.cross(b).norm(), cosine = a.dot(b);
-    load_[v] -= std::atan2(sine, cosine);
-    area_[v] += sine / 6;
-    cotangent_[next(h)] = sine * kMostCotangent > std::abs(cosine)
-                              ? cosine / sine
-                              : std::copysign(kMostCotangent, cosine);
+    const CornerAngle angle = corner_angle(piece, h);
+    load_[v] -= angle.radians();
+    area_[v] += angle.sine / 6;
+    cotangent_[next(h)] = angle.sine * kMostCotangent > std::abs(angle.cosine)
+                              ? angle.cosine / angle.sine
+                              : std::copysign(kMostCotangent, angle.cosine);
   }
   area_ /= area_.sum();
   area_ = area_.cwiseMax(kLeastVertexArea * area_.mean());
@@ -108,14 +108,13 @@ void FlatteningStrain::factorize(const SurfaceMesh& piece, const StopCheck& stop
     if (r >= 0) add(rows[at(a)], r, w), add(rows[at(b)], r, -w);
     if (s >= 0) add(rows[at(b)], s, w), add(rows[at(a)], s, -w);
   }
-  std::vector<std::vector<Index>> below(at(unknowns_));
-  for (const Row& row : rows)
-    for (const Entry& x : row)
-      for (const Entry& y : row)
-        if (y.unknown > x.unknown) below[at(x.unknown)].push_back(y.unknown);
-  pattern_ = std::make_unique<SparsePattern>();
-  for (const auto& column : below) pattern_->append_column(column);
-  pattern_->order_in_blocks(1);
+  pattern_ =
+      std::make_unique<const SparsePattern>(pattern_of_pairs(unknowns_, 1, [&](const auto& add) {
+        for (const Row& row : rows)
+          for (const Entry& x : row)
+            for (const Entry& y : row)
+              if (y.unknown > x.unknown) add(y.unknown, x.unknown);
+      }));
   Vec values = Vec::Zero(pattern_->nonzeros());
   for (std::size_t v = 0; v < rows.size(); ++v)
     for (const Entry& x : rows[v])

@@ -55,7 +55,7 @@ class FlatteningStrain {
   Vec cotangent_;           // 3 #F: of the angle opposite the half-edge
   std::vector<Index> row_;  // #V: unknown, -1 on the outer loop
   Index unknowns_ = 0;
-  std::unique_ptr<SparsePattern> pattern_;
+  std::unique_ptr<const SparsePattern> pattern_;
   std::unique_ptr<LinearSolver> solver_;
   Vec chi_;
   double strain_ = 0;

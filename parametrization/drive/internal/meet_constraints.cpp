@@ -3,6 +3,7 @@
 #include "majorant/elements/jacobian_net.h"
 #include "majorant/framework/internal/problem_parts.h"
 #include "majorant/framework/internal/projection.h"
+#include "majorant/mesh/half_edge.h"
 
 namespace majorant {
 namespace {
@@ -26,7 +27,7 @@ class Stiffness {
     out.head(map_size_) *= kAnchor;
     for (Index t = 0; t < triangles_.rows(); ++t)
       for (int k = 0; k < 3; ++k) {
-        const Index a = triangles_(t, k), b = triangles_(t, (k + 1) % 3);
+        const Index a = triangles_(t, k), b = triangles_(t, next(k));
         const Vector2 edge = d.segment<2>(2 * a) - d.segment<2>(2 * b);
         out.segment<2>(2 * a) += edge;
         out.segment<2>(2 * b) -= edge;

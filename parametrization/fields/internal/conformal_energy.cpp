@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "majorant/mesh/half_edge.h"
+
 namespace majorant {
 ConformalEnergy::ConformalEnergy(const SurfaceMesh& mesh, Vec wanted_angles)
     : triangulation_(mesh),
@@ -18,7 +20,7 @@ ConformalDerivatives ConformalEnergy::derivatives(const Vec& log_factor) const {
     const TriangleShape shape = IntrinsicTriangulation::shape(lengths, f);
     for (Index k = 0; k < 3; ++k) {
       out.gradient[triangulation_.faces()(f, k)] -= shape.angle[at(k)];
-      out.hessian_weights[3 * f + k] = 0.5 * shape.cotangent[at((k + 2) % 3)];
+      out.hessian_weights[3 * f + k] = 0.5 * shape.cotangent[at(previous(k))];
     }
   }
   bool closed = true;

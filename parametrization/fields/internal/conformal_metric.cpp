@@ -19,9 +19,11 @@
 namespace majorant {
 namespace {
 
-// Below this error of the angle sums (radians) only full steps that still halve it are taken: a few
-// steps of polishing down to rounding. Origin: a thousand roundings of 2 pi.
+// Below this error of the angle sums (radians) only full steps that leave less than a part of it
+// are taken: a few steps of polishing down to rounding. Origin: a thousand roundings of 2 pi.
 constexpr double kPolishedAngle = 1e-12;
+// That part. Origin: Newton's steps leave far less until rounding is all there is.
+constexpr double kPolishedPart = 0.5;
 // Per minimization; at most 29 in both together were seen on the public meshes. Origin: three times
 // what was seen.
 constexpr int kMostSteps = 100;
@@ -163,7 +165,7 @@ class ConformalNewton {
     ConformalDerivatives there = energy.derivatives(u);
     const double slope = there.gradient.dot(p), norm = there.gradient.norm();
     const bool descends = slope <= 0 && angle_error() > kPolishedAngle;
-    if (!descends && norm > 0.5 * least_gradient_) return slope;
+    if (!descends && norm > kPolishedPart * least_gradient_) return slope;
     u_ = u;
     here_ = std::move(there);
     least_gradient_ = std::min(least_gradient_, norm);
@@ -220,7 +222,7 @@ void scale_to_area(const SurfaceMesh& mesh, const IntrinsicTriangulation& triang
 void count_broken(ConformalMetric& metric) {
   const Points2& vectors = metric.edge_vectors;
   for (Index h = 0; h < vectors.rows(); h += 3) {
-    if (vectors(h, 0) * vectors(h + 1, 1) - vectors(h, 1) * vectors(h + 1, 0) > 0) continue;
+    if (cross(vectors.row(h), vectors.row(h + 1)) > 0) continue;
     ++metric.broken_faces;
     const double longest = vectors.middleRows(h, 3).rowwise().norm().maxCoeff();
     if (vectors.middleRows(h, 3).colwise().sum().norm() > kClosingTolerance * longest)

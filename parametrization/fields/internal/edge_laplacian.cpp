@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "majorant/framework/internal/pattern_of_pairs.h"
 #include "majorant/mesh/half_edge.h"
 
 namespace majorant {
@@ -17,13 +18,10 @@ std::array<Index, 2> ends(const Cells& faces, const std::vector<Index>& row_of, 
 EdgeLaplacian::EdgeLaplacian(const Cells& faces, const std::vector<Index>& row_of) {
   const Index size = row_of.empty() ? 0 : *std::max_element(row_of.begin(), row_of.end()) + 1;
   const Index half_edges = static_cast<Index>(3 * faces.rows());
-  std::vector<std::vector<Index>> below(at(size));
-  for (Index h = 0; h < half_edges; ++h) {
-    const auto [a, b] = ends(faces, row_of, h);
-    if (a >= 0 && b >= 0 && a != b) below[at(std::min(a, b))].push_back(std::max(a, b));
-  }
-  for (const auto& rows : below) pattern_.append_column(rows);
-  pattern_.order_in_blocks(1);
+  pattern_ = pattern_of_pairs(size, 1, [&](const auto& add) {
+    for (Index h = 0; h < half_edges; ++h)
+      if (const auto [a, b] = ends(faces, row_of, h); a >= 0 && b >= 0) add(a, b);
+  });
   for (Index h = 0; h < half_edges; ++h) {
     const auto [a, b] = ends(faces, row_of, h);
     Slots slots{-1, -1, -1};

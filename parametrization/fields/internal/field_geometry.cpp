@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "majorant/mesh/internal/length_of.h"
+#include "majorant/mesh/internal/geometry.h"
 
 namespace majorant {
 namespace {
@@ -24,14 +24,11 @@ FieldGeometry::FieldGeometry(const SurfaceMesh& mesh)
       is_boundary(mesh.boundary_flags()),
       valence(at(mesh.vertex_count()), 0) {
   for (Index f = 0; f < mesh.face_count(); ++f) {
-    Vector3 p[3];
     double corner[3];
-    for (int k = 0; k < 3; ++k) p[k] = mesh.positions().row(mesh.faces()(f, k));
     for (int k = 0; k < 3; ++k) {
-      const Vector3 a = p[(k + 1) % 3] - p[k], b = p[(k + 2) % 3] - p[k];
-      const double twice_area = length_of(a.cross(b));
-      corner[k] = std::atan2(twice_area, a.dot(b));
-      if (k == 0) face_area[f] = twice_area / 2;
+      const CornerAngle angle = corner_angle(mesh, 3 * f + k);
+      corner[k] = angle.radians();
+      if (k == 0) face_area[f] = angle.sine / 2;
       angle_sum[mesh.faces()(f, k)] += corner[k];
       ++valence[at(mesh.faces()(f, k))];
     }

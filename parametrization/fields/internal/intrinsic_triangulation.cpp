@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "majorant/mesh/half_edge.h"
+
 namespace majorant {
 namespace {
 
@@ -64,10 +66,11 @@ TriangleShape triangle_shape(const std::array<double, 3>& log_sides) {
     shape.broken = true;
     return shape;
   }
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double opposite = perimeter * rest[k], adjacent = rest[(k + 1) % 3] * rest[(k + 2) % 3];
-    shape.angle[order[k]] = 2 * std::atan2(std::sqrt(adjacent), std::sqrt(opposite));
-    shape.cotangent[order[k]] = (opposite - adjacent) / (2 * four_areas);
+  for (Index k = 0; k < 3; ++k) {
+    const double opposite = perimeter * rest[at(k)];
+    const double adjacent = rest[at(next(k))] * rest[at(previous(k))];
+    shape.angle[order[at(k)]] = 2 * std::atan2(std::sqrt(adjacent), std::sqrt(opposite));
+    shape.cotangent[order[at(k)]] = (opposite - adjacent) / (2 * four_areas);
   }
   shape.log_area = std::log(four_areas / 4) + 2 * unit;
   return shape;
@@ -175,7 +178,7 @@ Points2 IntrinsicTriangulation::surface_vectors(const Vec& log_factor) const {
     const TriangleShape triangle = shape(lengths, f);
     Complex direction = 1;
     for (Index k = 0; k < 3; ++k) {
-      const double turn = std::numbers::pi - triangle.angle[at((k + 1) % 3)];
+      const double turn = std::numbers::pi - triangle.angle[at(next(k))];
       const double length = std::clamp(lengths[3 * f + k], -kLargestLog, kLargestLog);
       set_vector(vectors, 3 * f + k, std::exp(length) * direction);
       // Exactly straight at a broken triangle's corners of 0 and pi.

@@ -23,18 +23,15 @@ using curve_piece::split;
 // Origin: chosen, not tuned.
 constexpr long kStepsAfterDoubt = 1 << 6;
 
-// kDepth: of bisection, below the rounding of either kind of numbers. kSteps: pairs of pieces
-// looked at before a pair of curves is given up. kCost: a step's share of a budget, by time.
-// Origin: what is decided at all takes a few dozen steps, curves along each other at 1e-12 of their
-// size 20 to 300 (degrees 2 and 8).
+// kSteps: pairs of pieces looked at before a pair of curves is given up. kCost: a step's share of a
+// budget, by time. Origin: what is decided at all takes a few dozen steps, curves along each other
+// at 1e-12 of their size 20 to 300 (degrees 2 and 8).
 template <class Real>
 struct Limits {
-  static constexpr int kDepth = 60;
   static constexpr long kSteps = 1 << 12, kCost = 1;
 };
 template <>
 struct Limits<Quad> {
-  static constexpr int kDepth = 120;
   static constexpr long kSteps = 1 << 8, kCost = 64;
 };
 
@@ -260,7 +257,7 @@ class Search {
   }
   // Pieces about as small as their errors cannot be told apart any better.
   static bool can_split(const Piece<Real>& a) {
-    return a.depth < Limits<Real>::kDepth && a.size() > 4 * a.largest_error();
+    return a.depth < Piece<Real>::kDeepest && a.size() > 4 * a.largest_error();
   }
   // 0: a, 1: b, -1: none.
   static int to_split(const Piece<Real>& a, const Piece<Real>& b) {

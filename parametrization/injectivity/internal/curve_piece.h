@@ -10,9 +10,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 #include <utility>
 
-#include "majorant/elements/internal/rounding.h"
+#include "majorant/framework/internal/rounding.h"
 #include "majorant/parametrization/injectivity/internal/curve_contact.h"
 
 namespace majorant::curve_piece {
@@ -34,6 +35,9 @@ struct Interval {
 template <class Real>
 struct Piece {
   static constexpr Real kUnit = kUnitRoundoff<Real>;
+  // Bisections of a curve. Origin: 60 and 120, beyond which pieces are below the rounding of their
+  // points, of 53 and 113 digits.
+  static constexpr int kDeepest = std::is_same_v<Real, Quad> ? 120 : 60;
   int degree = 1, depth = 0;
   std::array<Real, PlanarCurve::kMaxDegree + 1> x{}, y{}, error{};
 

@@ -86,10 +86,8 @@ std::optional<int> crossings_of_piece(const Piece<double>& piece) {
     const bool contains_ray = range.low > 0 ? axis.x > 0 : axis.x < 0;
     return contains_ray ? (piece.y[at(piece.degree)] > 0) - (piece.y[0] > 0) : 0;
   }
-  // Of bisection. Origin: as Limits of curve_contact.cpp: beyond, pieces are below the rounding of
-  // their points.
-  constexpr int kDepth = 60;
-  if (piece.depth >= kDepth || !(piece.size() > 4 * piece.largest_error())) return {};
+  if (piece.depth >= Piece<double>::kDeepest || !(piece.size() > 4 * piece.largest_error()))
+    return {};
   const auto [first, second] = split(piece);
   const auto one = crossings_of_piece(first);
   if (!one) return {};

@@ -32,6 +32,13 @@ struct QuadratureLadder {
   int top() const { return static_cast<int>(guarded.size()) - 1; }
 };
 
+// The first level has this many pieces along an edge of an element. Origin: the degree, up
+// to 4 of them with 112 points; chosen, not tuned, since elements that need more are refined.
+constexpr int kMostFirstPieces = 4;
+constexpr int first_pieces(int degree) {
+  return degree < kMostFirstPieces ? degree : kMostFirstPieces;
+}
+
 // Ladder for maps of degree n. lattice_points > 0 replaces level 0's interior rule by the lattice
 // (i) of method.md E5 with the smallest m such that m(m+1)/2 >= lattice_points.
 QuadratureLadder optimizer_ladder(int n, int lattice_points, const QuadratureRules& rules = {});

@@ -6,6 +6,9 @@
 namespace majorant {
 namespace {
 
+// Of the side: sums of sizes may be rounded so much. Origin: some thousand roundings.
+constexpr double kSlack = 1e-12;
+
 // A square that does not do whatever the packer: of less area, or smaller than a parcel.
 double too_small(const PackingJob& job) {
   double side = std::sqrt(job.area);
@@ -13,7 +16,7 @@ double too_small(const PackingJob& job) {
     const Vector2& size = job.parcels[k].size;
     side = std::max(side, job.fixed[k] ? (*job.fixed[k] + size).maxCoeff() : size.maxCoeff());
   }
-  return side * (1 - 1e-12);
+  return side * (1 - kSlack);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "majorant/elements/element_space.h"
 #include "majorant/elements/internal/bernstein.h"
 #include "majorant/framework/error.h"
+#include "majorant/mesh/half_edge.h"
 #include "majorant/parametrization/scaffold/internal/moving_barrier.h"
 #include "majorant/parametrization/scaffold/internal/quadrilateral.h"
 
@@ -46,11 +47,11 @@ class FlipTables {
  private:
   explicit FlipTables(int n) : triangle_((Cells(1, 3) << 0, 1, 2).finished(), 3, n) {
     const TriangleIndices& indices = TriangleIndices::of_degree(n);
-    for (std::size_t slot = 0; slot < 3; ++slot)
+    for (Index slot = 0; slot < 3; ++slot)
       for (int local = 0; local < indices.count(); ++local) {
         const MultiIndex& m = indices.multi(local);
-        const int to = m[(slot + 1) % 3], apex = m[(slot + 2) % 3];
-        half_[slot].push_back({(to + apex) * (n + 1) + to, local});
+        const int to = m[at(next(slot))], apex = m[at(previous(slot))];
+        half_[at(slot)].push_back({(to + apex) * (n + 1) + to, local});
       }
   }
 

@@ -7,8 +7,7 @@
 // Tolerances are sines of angles: what does not exceed them counts as 0, whatever the scale.
 #pragma once
 
-#include <limits>
-
+#include "majorant/framework/internal/rounding.h"
 #include "majorant/framework/types.h"
 
 namespace majorant {
@@ -16,7 +15,7 @@ namespace majorant {
 struct Quadrilateral {
   // What differences and products of coordinates may add to the sine of an angle. Origin: 32 unit
   // roundoffs, more than the operations of wants_delaunay_flip() on one path.
-  static constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
+  static constexpr double kRounding = 32 * kUnitRoundoff<double>;
   // The same where the corners come from unfolding two triangles in space. Origin: that rounds more
   // than the plane does; 300 times kRounding leaves its distances room.
   static constexpr double kUnfoldedRounding = 1e-12;

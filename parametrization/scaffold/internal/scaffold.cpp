@@ -12,6 +12,8 @@
 #include "majorant/elements/quadrature.h"
 #include "majorant/energies/named_energies.h"
 #include "majorant/framework/newton.h"
+#include "majorant/mesh/half_edge.h"
+#include "majorant/parametrization/maps/internal/quadrature_ladder.h"
 #include "majorant/parametrization/scaffold/internal/scaffold_triangulation.h"
 
 namespace majorant {
@@ -39,19 +41,24 @@ Quadrature with_edges(const Quadrature& rule, int pieces) {
     for (int i = 0; i < pieces; ++i) {
       Eigen::RowVector3d xi = Eigen::RowVector3d::Zero();
       xi[k] = 1 - static_cast<double>(i) / pieces;
-      xi[(k + 1) % 3] = static_cast<double>(i) / pieces;
+      xi[next(k)] = static_cast<double>(i) / pieces;
       out.points.row(inside + k * pieces + i) = xi;
     }
   return out;
 }
 
+// Points on an edge, times the degree, by level. Origin: each level has four times as many;
+// chosen, not tuned.
+constexpr std::array<int, 3> kEdgePoints{8, 32, 128};
+
 // Accuracy does not matter here, seeing det J fall towards 0 does, and it does so on the edges
 // first: rules with many points there, by level.
 std::vector<Quadrature> scaffold_rules(int degree) {
   if (degree == 1) return {lattice_rule(1)};
-  const Quadrature inside = composite_rule(radon_rule(), std::min(degree, 4));
-  return {with_edges(inside, 8 * degree), with_edges(inside, 32 * degree),
-          with_edges(inside, 128 * degree)};
+  const Quadrature inside = composite_rule(radon_rule(), first_pieces(degree));
+  std::vector<Quadrature> rules;
+  for (const int points : kEdgePoints) rules.push_back(with_edges(inside, points * degree));
+  return rules;
 }
 
 // Between points kept by face and unknowns numbered by `cells`.

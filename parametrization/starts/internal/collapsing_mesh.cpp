@@ -29,7 +29,7 @@ void CollapsingMesh::ring(Index v, std::vector<Index>& ring) const {
   if (on_boundary(v)) ring.push_back(from(previous(last)));
 }
 
-bool CollapsingMesh::may_collapse(Index h, End leaves, int most) const {
+bool CollapsingMesh::may_collapse(Index h, End leaves, int most) {
   const Index v = leaves == End::Start ? from(h) : to(h),
               u = leaves == End::Start ? to(h) : from(h);
   const Index o = opposite(h);

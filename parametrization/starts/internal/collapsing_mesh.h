@@ -55,8 +55,8 @@ class CollapsingMesh {
   // Whether the result is a surface of the same topology, with boundary loops of three vertices at
   // least (the link condition), and has at most `most` neighbours at the vertex that stays. Never
   // of an inner vertex with one of the boundary: where the image of that has more than a full turn
-  // around it, there would be no way back.
-  bool may_collapse(Index h, End leaves, int most) const;
+  // around it, there would be no way back. Not const: it works in memory of this object.
+  bool may_collapse(Index h, End leaves, int most);
   void collapse(Index h, End leaves);
 
   struct Restored {
@@ -82,7 +82,7 @@ class CollapsingMesh {
   std::vector<char> is_present_, has_face_;
   std::vector<Gone> gone_;
   Index faces_left_;
-  mutable std::vector<Index> ring_, other_ring_;
+  std::vector<Index> ring_, other_ring_;  // of may_collapse()
 };
 
 }  // namespace majorant

@@ -10,7 +10,8 @@
 #include "majorant/constraints/seamless_constraint.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/newton.h"
-#include "majorant/mesh/internal/length_of.h"
+#include "majorant/mesh/half_edge.h"
+#include "majorant/mesh/internal/geometry.h"
 #include "majorant/mesh/internal/mesh_words.h"
 #include "majorant/parametrization/maps/map_problem.h"
 #include "majorant/parametrization/starts/internal/cut_surface.h"
@@ -69,8 +70,7 @@ class FieldTerm final : public EnergyTerm {
     const double twice_area = q1.x() * q2.y();
     const std::array<Vector2, 3> corner{Vector2(0, 0), q1, q2};
     for (int k = 0; k < 3; ++k) {
-      const auto next = at((k + 1) % 3);
-      const Vector2 e = corner[(next + 1) % 3] - corner[next];  // opposite edge
+      const Vector2 e = corner[at(previous(k))] - corner[at(next(k))];  // opposite edge
       gradients_.row(f).segment<2>(2 * k) << -e.y() / twice_area, e.x() / twice_area;
     }
     const Vector2 x = scale * Vector2(std::cos(field.angle[f]), std::sin(field.angle[f]));

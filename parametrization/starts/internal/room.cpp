@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "majorant/framework/internal/rounding.h"
 #include "majorant/mesh/internal/exact_predicates.h"
 
 namespace majorant {
@@ -20,7 +20,7 @@ Index faces_without_room(const Cells& faces, const Vec& uv) {
   if (!(largest > 0)) return static_cast<Index>(faces.rows());
   // Exact signs are exact as long as products neither over- nor underflow.
   const int exponent = -std::ilogb(largest);
-  const double least = kLeastHeight * std::numeric_limits<double>::epsilon() * 2;
+  const double least = kLeastHeight * 4 * kUnitRoundoff<double>;
   const auto point = [&](Index v) {
     return Vector2(std::scalbn(uv[2 * v], exponent), std::scalbn(uv[2 * v + 1], exponent));
   };

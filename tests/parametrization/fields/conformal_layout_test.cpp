@@ -11,13 +11,13 @@ namespace majorant {
 namespace {
 
 Vector2 corner(const CornerPoints& uv, Index c) {
-  return uv.row(c / 3).segment<2>(2 * (c % 3)).transpose();
+  return uv.row(face_of(c)).segment<2>(2 * corner_of(c)).transpose();
 }
 Vector2 edge(const CornerPoints& uv, Index h) { return corner(uv, next(h)) - corner(uv, h); }
 
 double signed_area(const CornerPoints& uv, Index f) {
   const Vector2 b = edge(uv, 3 * f), c = -edge(uv, 3 * f + 2);
-  return 0.5 * (b.x() * c.y() - b.y() * c.x());
+  return 0.5 * cross(b, c);
 }
 
 // What a layout of an exact metric is. Corners are the same doubles across edges that are not cut;
@@ -139,8 +139,7 @@ TEST(LayOut, PublicModels) {
       const Vector2 here = edge(uv, h), there = -edge(uv, o);
       EXPECT_NEAR(here.norm(), there.norm(), 1e-9 * here.norm() + rounding);
       // Parallel or perpendicular.
-      const double cross = here.x() * there.y() - here.y() * there.x(), dot = here.dot(there);
-      EXPECT_LT(std::min(std::abs(cross), std::abs(dot)),
+      EXPECT_LT(std::min(std::abs(cross(here, there)), std::abs(here.dot(there))),
                 here.norm() * (1e-8 * there.norm() + rounding));
     }
   }

@@ -206,7 +206,7 @@ bool meets_itself(const Points2& p) {
   const Index count = static_cast<Index>(p.rows());
   const auto side = [&](Index a, Index b, Index c) {
     const Vector2 x = p.row(b) - p.row(a), y = p.row(c) - p.row(a);
-    const double area = x.x() * y.y() - x.y() * y.x();
+    const double area = cross(x, y);
     return area > 0 ? 1 : area < 0 ? -1 : 0;
   };
   const auto holds = [&](Index a, Index b, Index c) {  // whether c is on the edge ab

@@ -106,23 +106,23 @@ TEST(CollapsingMesh, KeepsHoles) { expect_way_there_and_back(with_holes(), 60); 
 
 TEST(CollapsingMesh, RefusesWhatWouldTearOrFold) {
   const auto both_ends = {CollapsingMesh::End::Start, CollapsingMesh::End::Target};
-  const CollapsingMesh single =
+  CollapsingMesh single =
       collapsing(*surface(polygon_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}})));
   for (const Index h : {0, 1, 2})
     for (const auto end : both_ends) EXPECT_FALSE(single.may_collapse(h, end, 16));
   // Two triangles: their common edge joins boundary vertices, the others may go.
-  const CollapsingMesh pair = collapsing(*surface(grid(1)));
+  CollapsingMesh pair = collapsing(*surface(grid(1)));
   for (Index h = 0; h < 6; ++h)
     for (const auto end : both_ends)
       EXPECT_EQ(pair.may_collapse(h, end, 16), pair.opposite(h) < 0) << h;
   // The apex of a closed fan inside, the rim outside: an inner vertex does not go to the boundary.
-  const CollapsingMesh fan = collapsing(*surface(cone(6, true)));
+  CollapsingMesh fan = collapsing(*surface(cone(6, true)));
   fan.for_each_leaving(
       0, [&](Index h) { EXPECT_FALSE(fan.may_collapse(h, CollapsingMesh::End::Start, 16)); });
 }
 
 TEST(CollapsingMesh, HasAtMostSoManyNeighbours) {
-  const CollapsingMesh mesh = collapsing(*surface(grid(6)));
+  CollapsingMesh mesh = collapsing(*surface(grid(6)));
   Index inner = -1;
   for (Index h = 0; h < 3 * mesh.face_slots(); ++h)
     if (!mesh.on_boundary(mesh.from(h)) && !mesh.on_boundary(mesh.to(h))) inner = h;
