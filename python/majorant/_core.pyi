@@ -14,6 +14,7 @@ Solved = tuple[MapFile, Mesh, Promise, bool, str, str, str]
 Callback = Optional[Callable[[Step], Any]]
 
 version: str
+defaults: dict[str, Any]
 
 class Step:
     """A step of a run, as the trace has it (framework/trace.h)."""
