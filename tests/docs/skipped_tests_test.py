@@ -39,8 +39,10 @@ class Skipped(unittest.TestCase):
         self.assertEqual(self.run_test(HEAD + FAIL + LACK + TAIL), (1, ['skipped A.test_lack: no moon']))
         self.assertEqual(self.run_test(HEAD + LACK + WHOLE + TAIL), (77, [
             'skipped A.test_lack: no moon', 'skipped B.test_run: no sun', 'skipped: no moon; no sun']))
-        code, said = self.run_test(HEAD + CLASS + RUN + TAIL)
-        self.assertEqual((code, said[-1]), (77, 'skipped: no stars'))
+        self.assertEqual(self.run_test(HEAD + CLASS + RUN + TAIL),
+                         (77, ['skipped A: no stars', 'skipped: no stars']))
+        other = HEAD.replace('A(', 'B(') + RUN
+        self.assertEqual(self.run_test(HEAD + CLASS + RUN + other + TAIL), (0, ['skipped A: no stars']))
         self.assertEqual(self.run_test('import unittest\nraise unittest.SkipTest("no rain")\n'),
                          (77, ['skipped: no rain']))
         self.assertEqual(self.run_test(HEAD + '    pass\n' + TAIL), (1, []))
