@@ -143,10 +143,10 @@ class MapProof::Judge {
     }
     const std::size_t bad = proof_.not_positive.size();
     if (bad > 1) worst += fmt::format(" ({} cells in all)", bad);
-    proof_.positive =
-        bad == 0 ? Finding{Answer::Proven, count_text(static_cast<Index>(file_.cells.rows()), "cell")}
-        : is_violated ? Finding{Answer::Violated, worst}
-                      : Finding{Answer::Undecided, worst};
+    proof_.positive = bad == 0      ? Finding{Answer::Proven,
+                                         count_text(static_cast<Index>(file_.cells.rows()), "cell")}
+                      : is_violated ? Finding{Answer::Violated, worst}
+                                    : Finding{Answer::Undecided, worst};
   }
 
   // Else the file shows another surface than the one between its corners.
