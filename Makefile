@@ -8,6 +8,7 @@
 JOBS ?= $(shell nproc)
 BINARY = build/release/apps/majorant
 OUT = out
+JUNIT = --test-output-size-passed 100000 --output-junit
 
 .PHONY: demo test build setup test-setup configure command asan tsan bench clean
 
@@ -23,8 +24,8 @@ demo: command
 	@echo "report:                       $(OUT)/creature.json"
 
 test: build
-	@ctest --preset release -j $(JOBS) -LE mpi --no-tests=error --output-junit tests.xml; status=$$?; \
-	  ctest --preset release -L mpi --output-junit tests_mpi.xml || status=$$?; \
+	@ctest --preset release -j $(JOBS) -LE mpi --no-tests=error $(JUNIT) tests.xml; status=$$?; \
+	  ctest --preset release -L mpi $(JUNIT) tests_mpi.xml || status=$$?; \
 	  /usr/bin/python3 scripts/skipped_tests.py build/release/tests.xml build/release/tests_mpi.xml; \
 	  exit $$status
 

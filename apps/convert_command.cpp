@@ -10,13 +10,13 @@
 #include "apps/process.h"
 #include "apps/streams.h"
 #include "majorant/framework/thread_count.h"
+#include "majorant/io/internal/claims.h"
 #include "majorant/io/internal/cut_map.h"
 #include "majorant/io/layout_scale.h"
 #include "majorant/io/map_distortion.h"
 #include "majorant/io/map_file.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/parametrization/maps/internal/principal_axes.h"
-#include "majorant/results/internal/claims.h"
 #include "majorant/results/internal/report.h"
 
 namespace majorant::app {
@@ -49,10 +49,8 @@ void mark_seams(MapFile& map, const std::string& name) {
 
 // What would not be true any more of a map that is turned, or empty.
 std::string what_holds(const MapFile& map, const Claims& claims) {
-  const bool is_pulled = claims.options && !claims.options->handles.value_or("").empty();
-  if (is_pulled || !claims.pins.value_or(std::vector<ClaimedPin>()).empty())
-    return "pins or handles hold it";
-  if (claims.boundary == "fixed") return "its boundary is held fixed";
+  if (held_by(claims) == Held::Points) return "pins or handles hold it";
+  if (held_by(claims) == Held::Boundary) return "its boundary is held fixed";
   if (map.chart.size() > 0) return "its charts are packed";
   if (claims.normalized) return "it lies in the unit square";
   return {};

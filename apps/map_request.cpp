@@ -65,7 +65,7 @@ void MapRequest::add_to(CLI::App& verb) {
   verb.add_option("--energy", energy, "distortion: a name below, or a weighted sum");
   verb.add_option("--pins", pins, "hard point constraints, JSON")->type_name("FILE");
   verb.add_option("--handles", handles, "soft point constraints, JSON")->type_name("FILE");
-  verb.add_option("--soft", soft, "weight of soft handles (1000)")
+  verb.add_option("--soft", soft, fmt::format("weight of soft handles ({})", soft))
       ->check(positive_number(kLargestFactor));
   verb.add_option("--weights", weights, "a positive factor of the energy for each face, text")
       ->type_name("FILE");

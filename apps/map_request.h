@@ -22,7 +22,7 @@ struct MapRequest {
       pins, handles, weights;
   int degree = 0;  // 0: nothing was said, see choose_degree()
   int quadrature = 0;
-  double soft = 1e3;
+  double soft = MapOptions().handle_weight;
   bool boundary_angles = false, seamless = false;  // seamless: an option of parametrize only
 
   void add_to(CLI::App& verb);

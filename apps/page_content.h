@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "apps/result_files.h"
+#include "majorant/io/internal/claims.h"
 #include "majorant/pictures/film.h"
-#include "majorant/results/internal/claims.h"
 #include "majorant/results/internal/report.h"
 
 namespace majorant::app {

@@ -1,5 +1,7 @@
 #include "apps/solve_request.h"
 
+#include <fmt/format.h>
+
 #include <vector>
 
 #include "apps/arguments/number_check.h"
@@ -34,9 +36,11 @@ void SolveRequest::add_limits_to(CLI::App& verb, std::string& curvature) {
       ->check(one_of(curvatures));
   verb.add_option("--elevation", elevation, "how the degree is reached")
       ->check(one_of({"incremental", "direct"}));
-  verb.add_option("--tolerance", tolerance, "relative energy decrease to stop at (1e-6)")
+  verb.add_option("--tolerance", tolerance,
+                  fmt::format("relative energy decrease to stop at ({})", tolerance))
       ->check(positive_number());
-  verb.add_option("--max-iterations", max_iterations, "(1000)")->check(non_negative_number());
+  verb.add_option("--max-iterations", max_iterations, fmt::format("({})", max_iterations))
+      ->check(non_negative_number());
   verb.add_option("--time-limit", time_limit,
                   "seconds; the best valid map is written, if there is one")
       ->check(non_negative_number());

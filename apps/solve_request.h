@@ -8,6 +8,7 @@
 #include "apps/command.h"
 #include "apps/progress.h"
 #include "apps/result_files.h"
+#include "majorant/framework/stopping.h"
 #include "majorant/parametrization/drive/parametrize.h"
 #include "majorant/results/internal/report.h"
 
@@ -15,12 +16,12 @@ namespace majorant::app {
 
 struct SolveRequest {
   std::string elevation = "incremental";
-  int max_iterations = 1000;
+  int max_iterations = StoppingRules().max_iterations;
   int snapshots = 0;  // iterations from one to the next; 0: none
   bool bijective = false, no_flips = false, improve_mesh = false;
   std::string scaffold_file;  // or empty
   std::string linear_solver = "auto";
-  double tolerance = 1e-6, time_limit = std::numeric_limits<double>::infinity();
+  double tolerance = SolveOptions().tolerance, time_limit = std::numeric_limits<double>::infinity();
 
   // Adds --curvature, which a MapRequest holds, too. Not --linear-solver.
   void add_to(CLI::App& verb, std::string& curvature);

@@ -8,9 +8,11 @@
 namespace majorant::app {
 void UnwrapRequest::add_to(CLI::App& verb) {
   seams.add_to(verb);
-  verb.add_option("--padding", padding, "pixels between charts, at least (4)")
+  verb.add_option("--padding", padding,
+                  fmt::format("pixels between charts, at least ({})", padding))
       ->check(non_negative_number());
-  verb.add_option("--resolution", resolution, "pixels along the side of the layout (1024)")
+  verb.add_option("--resolution", resolution,
+                  fmt::format("pixels along the side of the layout ({})", resolution))
       ->check(positive_number());
   verb.add_flag("--no-pack", no_pack, "leave charts where they are, also on top of each other");
   verb.add_flag("--strict", strict, "refuse a mesh with defects instead of repairing it");

@@ -19,7 +19,7 @@ namespace majorant::app {
 struct UnwrapRequest {
   SeamRequest seams;
   std::optional<double> weld;
-  double padding = 4, resolution = 1024;
+  double padding = PackOptions().padding_pixels, resolution = PackOptions().resolution;
   bool no_pack = false, strict = false;
 
   void add_to(CLI::App& verb);

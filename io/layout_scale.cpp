@@ -1,35 +1,13 @@
 #include "majorant/io/layout_scale.h"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "majorant/elements/rest_shapes.h"
-#include "majorant/framework/error.h"
 #include "majorant/io/internal/bezier_cell.h"
-#include "majorant/io/internal/json_depth.h"
+#include "majorant/io/internal/claims.h"
 
 namespace majorant {
 namespace {
-
-using nlohmann::json;
-
-[[noreturn]] void fail(const char* problem) {
-  throw Error(ErrorKind::Unreadable, std::string("majorant_claims") + problem + "; damaged file");
-}
-
-double claimed_scale(const std::string& claims) {
-  require_shallow_json("majorant_claims", claims);
-  const json document = json::parse(claims, nullptr, false);
-  if (!document.is_object()) fail(" is not a JSON object");
-  const auto normalized = document.find("normalized");
-  if (normalized == document.end() || normalized->is_null()) return 1;
-  if (!normalized->is_object() || !normalized->contains("size") ||
-      !(*normalized)["size"].is_number())
-    fail(".normalized.size is not a number");
-  const double size = (*normalized)["size"].get<double>();
-  if (!(size > 0) || !std::isfinite(size)) fail(".normalized.size is not positive");
-  return size;
-}
 
 double binomial(int n, int k) {
   double b = 1;
@@ -45,7 +23,10 @@ double product_integral(int n, int i, int j) {
 }  // namespace
 
 double layout_scale(const MapFile& file) {
-  if (!has_assumed_scale(file)) return claimed_scale(file.claims);
+  if (!has_assumed_scale(file)) {
+    const Claims claims = parse_claims(file.claims, "");
+    return claims.normalized ? claims.normalized->size : 1;
+  }
   double layout = 0;
   for (Index c = 0; c < file.cells.rows(); ++c) layout += std::abs(image_area(file, c));
   const double surface = flat_triangles(file.points, file.cells.leftCols<3>()).measure.sum();

@@ -40,7 +40,7 @@ std::string_view answer_name(Answer answer) {
   return kNames[static_cast<std::size_t>(answer)];
 }
 
-std::string counted(Index count, std::string_view noun) {
+std::string count_text(Index count, std::string_view noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
@@ -144,10 +144,10 @@ class MapProof::Judge {
     }
     const std::size_t bad = proof_.not_positive.size();
     if (bad > 1) worst += fmt::format(" ({} cells in all)", bad);
-    proof_.positive =
-        bad == 0 ? Finding{Answer::Proven, counted(static_cast<Index>(file_.cells.rows()), "cell")}
-        : is_violated ? Finding{Answer::Violated, worst}
-                      : Finding{Answer::Undecided, worst};
+    proof_.positive = bad == 0      ? Finding{Answer::Proven,
+                                         count_text(static_cast<Index>(file_.cells.rows()), "cell")}
+                      : is_violated ? Finding{Answer::Violated, worst}
+                                    : Finding{Answer::Undecided, worst};
   }
 
   // Else the file shows another surface than the one between its corners.
@@ -165,7 +165,7 @@ class MapProof::Judge {
         worst = std::max(worst, (flat - file_.points.row(file_.cells(c, l))).norm());
       }
     if (std::isfinite(worst) && worst <= close_of(box))
-      proof_.flat = {Answer::Proven, counted(static_cast<Index>(file_.cells.rows()), "cell")};
+      proof_.flat = {Answer::Proven, count_text(static_cast<Index>(file_.cells.rows()), "cell")};
     else
       proof_.flat = {
           Answer::Violated,
@@ -194,7 +194,7 @@ class MapProof::Judge {
       proof_.surface = {Answer::Violated, match.defect};
       return;
     }
-    proof_.surface = {Answer::Proven, counted(match.same + match.changed, "face")};
+    proof_.surface = {Answer::Proven, count_text(match.same + match.changed, "face")};
     if (match.changed > 0)
       proof_.surface.detail += fmt::format(", {} of them in other triangles", match.changed);
   }
@@ -227,19 +227,19 @@ class MapProof::Judge {
             ? fmt::format(
                   "the map is not seamless: the sides of {} differ by more than a quarter turn "
                   "and a translation, those of {} by {:.3g}",
-                  counted(proof_.cuts.others, "inner edge"), cut_->place(first),
+                  count_text(proof_.cuts.others, "inner edge"), cut_->place(first),
                   cut_->fit(first).mismatch)
             : fmt::format("the map is not continuous: the sides of {} differ, first of {}",
-                          counted(proof_.cuts.others, "inner edge"), cut_->place(first))};
+                          count_text(proof_.cuts.others, "inner edge"), cut_->place(first))};
   }
 
   std::string count_of_cuts() const {
     const CutCount& cuts = proof_.cuts;
     if (!allows_seams(request_.cuts) && cuts.others == 0) return "no cuts";
     std::string text;
-    if (allows_seams(request_.cuts)) text = counted(cuts.seams, "seam edge");
+    if (allows_seams(request_.cuts)) text = count_text(cuts.seams, "seam edge");
     if (allows_any(request_.cuts) && cuts.others > 0)
-      text += (text.empty() ? "" : ", ") + counted(cuts.others, "cut edge");
+      text += (text.empty() ? "" : ", ") + count_text(cuts.others, "cut edge");
     return text;
   }
 
@@ -293,7 +293,7 @@ class MapProof::Judge {
     }
     proof_.angles = {Answer::Proven, fmt::format("{} inner vertices", inner)};
     if (allows_seams(request_.cuts))
-      proof_.angles.detail += ", " + counted(static_cast<Index>(proof_.cones.size()), "cone");
+      proof_.angles.detail += ", " + count_text(static_cast<Index>(proof_.cones.size()), "cone");
   }
 
   void judge_overlaps(const BezierMap& plain) {
@@ -321,7 +321,7 @@ class MapProof::Judge {
     else if (proof_.global->result == Injectivity::Undecided)
       proof_.injective = {Answer::Undecided, reason};
     else
-      proof_.injective = {Answer::Proven, counted(proof_.cuts.charts, "chart")};
+      proof_.injective = {Answer::Proven, count_text(proof_.cuts.charts, "chart")};
   }
 
   void find_seams() {

@@ -103,7 +103,7 @@ EXEMPT = {
     'framework/run_record.h kGrace': 'seconds',
     'framework/stop_check.h kPeriod': 'how often limits are looked at',
     'energies/detail/point_functions.h kMost': 'size of a table',
-    'energies/detail/contraction_kernel.h kMaxDirections': 'size of a table',
+    'energies/detail/contraction_frame.h kMaxDirections': 'size of a table',
     'energies/detail/contraction_kernel.h kWidest': 'size of a batch',
     'energies/detail/isotropic.h kSmallestA': 'range of doubles',
     'energies/quadratic_penalty.h kLongestRow': 'size of a table',

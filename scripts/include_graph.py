@@ -4,8 +4,8 @@
 """Prints the rooms of the house, floor by floor, with their sizes and the rooms they include from.
 
 Fails (exit 1) on an include that does not go down, on rooms that include each other in a circle, on
-a room without a floor, on one that has grown too large, and on files that have. CMake already keeps
-a room from seeing headers it does not name; this keeps the list of names itself in order.
+a room without a floor, on one that has grown too large, and on files that have, tests among them. CMake
+already keeps a room from seeing headers it does not name; this keeps the list of names itself in order.
 
 Sample runs:
   scripts/include_graph.py
@@ -56,6 +56,8 @@ class House:
         self.lines, self.units = defaultdict(int), defaultdict(set)
         self.arrows = defaultdict(list)  # (from, to) -> "file -> header"
         self.long_files = []
+        for path in sorted(p for p in (root / 'tests').rglob('*') if p.suffix in ('.h', '.cpp', '.py', '.mjs')):
+            self._judge_length(path.relative_to(root), path.read_text().count('\n'))
         tops = sorted({room.split('/')[0] for room in FLOOR})
         for path in sorted(p for top in tops for p in (root / top).rglob('*') if p.suffix in ('.h', '.cpp')):
             self._read(path, path.relative_to(root))
@@ -66,12 +68,15 @@ class House:
         self.lines[room] += lines
         unit = name.with_name(name.stem.removeprefix('no_'))
         self.units[room + '/' + LIST if LIST in name.parts else room].add(unit)
-        if lines > MAX_LINES:
-            self.long_files.append('%s: %d lines, more than %d' % (name, lines, MAX_LINES))
+        self._judge_length(name, lines)
         for header in INCLUDE.findall(text):
             other = room_of(header)
             if '/' in header and not header.startswith('embedded/') and other != room:
                 self.arrows[room, other].append('%s -> %s' % (name, header))
+
+    def _judge_length(self, name, lines):
+        if lines > MAX_LINES:
+            self.long_files.append('%s: %d lines, more than %d' % (name, lines, MAX_LINES))
 
     def library_lines(self):
         return sum(n for room, n in self.lines.items() if room.split('/')[0] not in COMMANDS)

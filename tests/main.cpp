@@ -4,7 +4,9 @@
 //   framework_tests newton_test.cpp           the tests written in that file; gtest's options also
 //   work
 //
-// A skipped test fails, and so do a file without tests and two tests of one name.
+// A file without tests fails, and so do two tests of one name. Each test that was skipped is a line
+// `skipped Suite.Name: no ...`; where all were, the last line is `skipped: no ...` and the exit
+// code 77, as of main.py.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -37,6 +39,34 @@ std::string filter_of(const std::string& file) {
   return filter;
 }
 
+// What GTEST_SKIP() said; empty if it was not called.
+std::string reason_skipped(const testing::TestInfo& test) {
+  const testing::TestResult& result = *test.result();
+  if (!test.should_run() || !result.Skipped()) return "";
+  for (int k = 0; k < result.total_part_count(); ++k)
+    if (result.GetTestPartResult(k).skipped()) return result.GetTestPartResult(k).message();
+  return "not said why";
+}
+
+// Tells what was skipped; whether that is all there was.
+bool nothing_was_run() {
+  std::set<std::string> reasons;
+  for (const testing::TestInfo* test : all_tests()) {
+    const std::string reason = reason_skipped(*test);
+    if (reason.empty()) continue;
+    std::cout << "skipped " << full_name(*test) << ": " << reason << "\n";
+    reasons.insert(reason);
+  }
+  const testing::UnitTest& program = *testing::UnitTest::GetInstance();
+  if (reasons.empty() || program.skipped_test_count() < program.test_to_run_count()) return false;
+  std::cout << "skipped:";
+  for (const std::string& reason : reasons) std::cout << ' ' << reason;
+  std::cout << std::endl;
+  return true;
+}
+
+constexpr int kSkipped = 77;  // of ctest
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -58,9 +88,9 @@ int main(int argc, char** argv) {
   }
   if (!filter.empty()) testing::GTEST_FLAG(filter) = filter;
   const int failed = RUN_ALL_TESTS();
-  const int skipped = testing::UnitTest::GetInstance()->skipped_test_count();
-  if (skipped > 0) std::cerr << skipped << " tests were skipped: a test runs or is not there\n";
-  return failed != 0 || skipped > 0 ? 1 : 0;
+  const bool none = nothing_was_run();
+  if (failed != 0) return 1;
+  return none ? kSkipped : 0;
 }
 
 // SPDX-FileCopyrightText: 2026 the majorant developers

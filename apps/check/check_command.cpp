@@ -53,8 +53,8 @@ std::string in_words(const MapProof& proof) {
                           question == "surface" ? "surface (--surface)" : "overlaps (--certify)");
   }
   if (proof.cuts.others > 0)
-    proven += fmt::format(", cut along {} into {}", counted(proof.cuts.others, "edge"),
-                          counted(proof.cuts.charts, "chart"));
+    proven += fmt::format(", cut along {} into {}", count_text(proof.cuts.others, "edge"),
+                          count_text(proof.cuts.charts, "chart"));
   return proven + open;
 }
 

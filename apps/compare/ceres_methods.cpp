@@ -1,6 +1,7 @@
 #include "apps/compare/ceres_methods.h"
 
 #include "apps/compare/least_squares.h"
+#include "majorant/energies/named_energies.h"
 #include "majorant/framework/ceres_minimizer.h"
 
 namespace majorant::app {
@@ -18,7 +19,10 @@ Method ceres_gradient(std::string name, std::string summary, CeresOptions::Metho
 
 Method least_squares() {
   const auto obstacle = [](const Contest& c) -> std::string {
-    if (c.energy != "symmetric-dirichlet") return "it needs --energy symmetric-dirichlet";
+    const EnergySum& energy = c.specification.energy;
+    const std::string squares = symmetric_dirichlet().traits().name;
+    if (energy.size() != 1 || energy[0].make.traits().name != squares || energy[0].weight != 1)
+      return "it needs --energy " + squares;
     if (c.specification.face_weight.size()) return "it does not know --weights";
     if (!c.specification.handles.empty()) return "it does not know --handles";
     return {};

@@ -40,8 +40,8 @@ struct Request {
   CommonOptions common;
   MapRequest map;
   std::vector<std::string> outputs, methods;
-  int max_iterations = 1000;
-  double tolerance = 1e-9, time_limit = 60;
+  int max_iterations = Contest().max_iterations;
+  double tolerance = Contest().tolerance, time_limit = 60;
 };
 
 // Every point of a run measured in the same way, whatever the method says of itself. The clock
@@ -272,11 +272,14 @@ void add_compare(CLI::App& app, Action* run) {
       ->delimiter(',');
   verb.add_option("-o,--output", r.outputs, "output: .csv .html .json, repeatable")
       ->allow_extra_args(false);
-  verb.add_option("--tolerance", r.tolerance, "relative decrease that ends Newton (1e-9)")
+  verb.add_option("--tolerance", r.tolerance,
+                  fmt::format("relative decrease that ends Newton ({})", r.tolerance))
       ->check(positive_number());
-  verb.add_option("--max-iterations", r.max_iterations, "of each method (1000)")
+  verb.add_option("--max-iterations", r.max_iterations,
+                  fmt::format("of each method ({})", r.max_iterations))
       ->check(non_negative_number());
-  verb.add_option("--time-limit", r.time_limit, "seconds for each method (60)")
+  verb.add_option("--time-limit", r.time_limit,
+                  fmt::format("seconds for each method ({})", r.time_limit))
       ->check(non_negative_number());
   r.common.add_to(verb);
   std::string list = energy_help() + "Methods:\n";

@@ -23,7 +23,7 @@ struct Contest {
   Vec start;  // full unknowns
   Problem problem;
   double tolerance = 1e-9;  // relative decrease; see StoppingRules
-  int max_iterations = 1000;
+  int max_iterations = StoppingRules().max_iterations;
   StopCheck stop;  // ends a method in the middle of an iteration
 };
 

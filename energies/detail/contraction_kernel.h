@@ -18,130 +18,14 @@
 
 #include <limits>
 #include <type_traits>
-#include <xsimd/xsimd.hpp>
 
-#include "majorant/energies/detail/contraction.h"
+#include "majorant/energies/detail/contraction_frame.h"
 
 namespace majorant::kernel {
 
-template <class Arch>
-using Batch = xsimd::batch<double, Arch>;
-
-inline constexpr int kMaxDirections = 4;
 // Of the two products of a 2 by 2 determinant of differences: more than their rounding. Origin: 3
 // unit roundoffs and a little.
 inline constexpr double kStarRounding = 4e-16;
-
-[[gnu::always_inline]] constexpr int packed(int n) { return n * (n + 1) / 2; }
-[[gnu::always_inline]] constexpr int packed_index(int i, int j) {
-  return i >= j ? packed(i) + j : packed(j) + i;
-}
-
-// One batch of elements: derivative directions mapped to the rest frame, control values of J (of
-// its density's coordinates where the rest shape is constant, else of the reference Jacobian).
-template <class Arch, class Density>
-struct Frame {
-  using B = Batch<Arch>;
-  static constexpr int M = Density::rows, D = Density::dims, N = M * D;
-  B direction[kMaxDirections][D];
-  B scaled[kMaxDirections][D];  // times the measure
-  const double* rest;
-  int rest_step;  // doubles from one quadrature point's rest shape to the next; 0: constant
-  B* z;           // first_count by N
-
-  Frame(const ContractionView& t, const ChunkView& c, int at, B* scratch)
-      : rest(c.rest + at), rest_step(c.rest_rows_per_point * ChunkView::stride), z(scratch) {
-    const bool constant = rest_step == 0;
-    const B measure = constant ? load_rest(0, D * D) : B(1.0);
-    for (int a = 0; a < t.direction_count; ++a)
-      for (int j = 0; j < D; ++j) {
-        direction[a][j] = B(constant ? 0.0 : t.directions[D * a + j]);
-        for (int i = 0; constant && i < D; ++i)
-          direction[a][j] += B(t.directions[D * a + i]) * load_rest(0, i * D + j);
-        scaled[a][j] = measure * direction[a][j];
-      }
-    for (int k = 0; k < N * t.first_count; ++k) z[k] = B(0.0);
-    for (int q = 0; q < t.gradient_count; ++q) {
-      const GradientEntry& e = t.gradient[q];
-      const double* x = c.x + M * e.node * ChunkView::stride + at;
-      B* J = z + N * e.first;
-      for (int p = 0; p < M; ++p) {
-        const B u = B::load_unaligned(x + p * ChunkView::stride) * B(e.coefficient);
-        for (int i = 0; i < D; ++i)
-          J[p * D + i] = xsimd::fma(u, direction[e.direction][i], J[p * D + i]);
-      }
-    }
-    for (int k = 0; constant && k < t.first_count; ++k) in_coordinates(z + N * k);
-  }
-
-  B load_rest(int point, int row) const {
-    return B::load_unaligned(rest + point * rest_step + row * ChunkView::stride);
-  }
-
-  static void in_coordinates(B* jacobian) {
-    B J[N], out[N];
-    for (int r = 0; r < N; ++r) J[r] = jacobian[r];
-    Density::to_coordinates(J, out);
-    for (int r = 0; r < N; ++r) jacobian[r] = out[r];
-  }
-
-  // Coordinates of J at quadrature point l.
-  void at_point(const ContractionView& t, int l, B (&out)[N]) const {
-    const double* first = t.first + l * t.first_count;
-    for (int r = 0; r < N; ++r) out[r] = B(first[0]) * z[r];
-    for (int k = 1; k < t.first_count; ++k)
-      for (int r = 0; r < N; ++r) out[r] = xsimd::fma(B(first[k]), z[N * k + r], out[r]);
-    if (rest_step == 0) return;
-    B J[N];
-    for (int p = 0; p < M; ++p)
-      for (int j = 0; j < D; ++j) {
-        J[p * D + j] = B(0.0);
-        for (int i = 0; i < D; ++i) J[p * D + j] += out[p * D + i] * load_rest(l, i * D + j);
-      }
-    Density::to_coordinates(J, out);
-  }
-
-  B weight(const ContractionView& t, int l) const {
-    const B w(t.weights[l]);
-    return rest_step == 0 ? w : w * load_rest(l, D * D);
-  }
-  B measure() const { return rest_step == 0 ? load_rest(0, D * D) : B(1.0); }
-
-  // Curved rest shapes: gradient and curvature in coordinates -> by the reference Jacobian, times
-  // the measure at the point.
-  void pull_back_gradient(int l, B (&g)[N]) const {
-    const B measure_here = load_rest(l, D * D);
-    B J[N];
-    Density::gradient_to_jacobian(g, J);
-    for (int p = 0; p < M; ++p)
-      for (int i = 0; i < D; ++i) {
-        B sum(0.0);
-        for (int j = 0; j < D; ++j) sum += J[p * D + j] * load_rest(l, i * D + j);
-        g[p * D + i] = measure_here * sum;
-      }
-  }
-  void pull_back_curvature(int l, B (&k)[packed(N)]) const {
-    const B measure_here = load_rest(l, D * D);
-    B J[packed(N)];
-    Density::curvature_to_jacobian(k, J);
-    for (int p = 0; p < M; ++p)
-      for (int q = 0; q <= p; ++q) {
-        B half[D][D];  // K^{pq} M^T
-        for (int i = 0; i < D; ++i)
-          for (int b = 0; b < D; ++b) {
-            half[i][b] = B(0.0);
-            for (int j = 0; j < D; ++j)
-              half[i][b] += J[packed_index(p * D + i, q * D + j)] * load_rest(l, b * D + j);
-          }
-        for (int a = 0; a < D; ++a)
-          for (int b = 0; b < (p == q ? a + 1 : D); ++b) {
-            B sum(0.0);
-            for (int i = 0; i < D; ++i) sum += load_rest(l, a * D + i) * half[i][b];
-            k[packed_index(p * D + a, q * D + b)] = measure_here * sum;
-          }
-      }
-  }
-};
 
 // The density on a batch of elements: the object itself, or, where the object is a function that is
 // called through pointers (point_functions.h), what calls it there.
@@ -171,80 +55,6 @@ template <class Arch, class Density>
     }
     (sum * frame.measure()).store_unaligned(f + at);
   }
-}
-
-template <class Arch, class Density>
-void write_gradient(const Frame<Arch, Density>& frame, const ContractionView& t,
-                    const Batch<Arch>* g, double* out, int at) {
-  using B = Batch<Arch>;
-  constexpr int M = Density::rows, D = Density::dims, N = M * D;
-  for (int i = 0; i < M * t.nodes; ++i) B(0.0).store_unaligned(out + i * ChunkView::stride + at);
-  for (int q = 0; q < t.gradient_count; ++q) {
-    const GradientEntry& e = t.gradient[q];
-    B J[N];
-    for (int r = 0; r < N; ++r) J[r] = g[N * e.first + r];
-    if (frame.rest_step == 0) Density::gradient_to_jacobian(g + N * e.first, J);
-    const B* d = frame.scaled[e.direction];
-    double* x = out + M * e.node * ChunkView::stride + at;
-    for (int p = 0; p < M; ++p, x += ChunkView::stride) {
-      B sum = J[p * D] * d[0];
-      for (int i = 1; i < D; ++i) sum = xsimd::fma(J[p * D + i], d[i], sum);
-      xsimd::fma(B(e.coefficient), sum, B::load_unaligned(x)).store_unaligned(x);
-    }
-  }
-}
-
-// One moment of the curvature -> blocks of direction pairs, for components p <= q of the image:
-// s[packed_index(q, p)][a][b] = measure * dir_a^T K^{pq} dir_b.
-template <class Arch, class Density>
-void to_directions(const Frame<Arch, Density>& frame, int directions, const Batch<Arch>* k,
-                   Batch<Arch>* s) {
-  using B = Batch<Arch>;
-  constexpr int M = Density::rows, D = Density::dims, N = M * D;
-  B K[packed(N)];
-  for (int r = 0; r < packed(N); ++r) K[r] = k[r];
-  if (frame.rest_step == 0) Density::curvature_to_jacobian(k, K);
-  for (int q = 0; q < M; ++q)
-    for (int p = 0; p <= q; ++p, s += directions * directions)
-      for (int b = 0; b < directions; ++b) {
-        B r[D];
-        for (int i = 0; i < D; ++i) {
-          r[i] = B(0.0);
-          for (int j = 0; j < D; ++j)
-            r[i] = xsimd::fma(K[packed_index(p * D + i, q * D + j)], frame.direction[b][j], r[i]);
-        }
-        for (int a = 0; a < directions; ++a) {
-          B sum = frame.scaled[a][0] * r[0];
-          for (int i = 1; i < D; ++i) sum = xsimd::fma(frame.scaled[a][i], r[i], sum);
-          s[a * directions + b] = sum;
-        }
-      }
-}
-
-template <class Arch, int M>
-void write_hessian(const ContractionView& t, const Batch<Arch>* s, double* out, int at) {
-  using B = Batch<Arch>;
-  const int n = t.direction_count, square = n * n;
-  for (int i = 0, pair = 0; i < t.nodes; ++i)
-    for (int j = 0; j <= i; ++j, ++pair) {
-      B h[M][M];
-      for (int p = 0; p < M; ++p)
-        for (int q = 0; q < M; ++q) h[p][q] = B(0.0);
-      for (int e = t.pair_starts[pair]; e < t.pair_starts[pair + 1]; ++e) {
-        const HessianEntry& entry = t.hessian[e];
-        const B* m = s + packed(M) * square * entry.moment;
-        const B w(entry.coefficient);
-        const int ab = entry.direction_i * n + entry.direction_j;
-        const int ba = entry.direction_j * n + entry.direction_i;
-        for (int p = 0; p < M; ++p)
-          for (int q = 0; q < M; ++q)
-            h[p][q] = xsimd::fma(w, m[packed_index(p, q) * square + (p <= q ? ab : ba)], h[p][q]);
-      }
-      for (int p = 0; p < M; ++p)
-        for (int q = 0; q < (i == j ? p + 1 : M); ++q)
-          h[p][q].store_unaligned(out + packed_index(M * i + p, M * j + q) * ChunkView::stride +
-                                  at);
-    }
 }
 
 // Flattened: the compiler's budget for a file with many densities would leave calls in the loop.

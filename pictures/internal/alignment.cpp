@@ -1,22 +1,18 @@
 #include "majorant/pictures/internal/alignment.h"
 
+#include "majorant/io/internal/claims.h"
 #include "majorant/parametrization/maps/internal/principal_axes.h"
-#include "majorant/pictures/internal/claims_json.h"
 
 namespace majorant {
 namespace {
 
-using nlohmann::json;
-
 // Whether something held the layout where it is, or nothing says that nothing did.
 bool is_placed(const MapFile& map) {
-  const json claims = claims_of(map);
-  const json options = claims.value("options", json::object());
-  const bool no_pins = claims.value("pins", json()) == json::array();
-  const bool no_handles = options.is_object() && options.value("handles", json()) == "";
-  const bool no_seams = claims.value("seams", json()) == false;
-  return !(no_pins && no_handles && no_seams) || text_at(claims, "boundary") != "free" ||
-         text_at(claims, "init") == "planar" || map.chart.size() > 0;
+  const Claims claims = readable_claims(map.claims);
+  const bool is_told =
+      claims.pins && claims.options && claims.options->handles && claims.seams && claims.boundary;
+  return !is_told || held_by(claims) != Held::Nothing || *claims.seams ||
+         claims.init == ClaimedStart::Planar || map.chart.size() > 0;
 }
 
 }  // namespace

@@ -1,12 +1,12 @@
 #include "majorant/pictures/internal/claimed_energy.h"
 
+#include "majorant/io/internal/claims.h"
 #include "majorant/parametrization/maps/internal/energy_text.h"
-#include "majorant/pictures/internal/claims_json.h"
 
 namespace majorant {
 
 ClaimedEnergy claimed_energy(const MapFile& map) {
-  const std::string name = text_at(claims_of(map), "energy");
+  const std::string name = readable_claims(map.claims).energy.value_or("");
   const std::optional<EnergySum> sum = find_energy_sum(name);
   return sum ? ClaimedEnergy{name, *sum} : ClaimedEnergy{};
 }

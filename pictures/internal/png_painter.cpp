@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "majorant/io/internal/claims.h"
 #include "majorant/io/layout_scale.h"
-#include "majorant/pictures/internal/claims_json.h"
 
 namespace majorant {
 namespace {
@@ -32,8 +32,7 @@ Square square_around(const MapFile& map) {
 
 // Where textures lie: the unit square of layouts that were made for one, the square around others.
 Square texture_square(const MapFile& map) {
-  const bool is_normalized = claims_of(map).value("normalized", nlohmann::json()).is_object();
-  if (is_normalized || has_assumed_scale(map)) return {{0.5, 0.5}, 1};
+  if (readable_claims(map.claims).normalized || has_assumed_scale(map)) return {{0.5, 0.5}, 1};
   return square_around(map);
 }
 

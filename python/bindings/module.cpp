@@ -8,7 +8,10 @@
 #include "majorant/elements/bezier_triangle_space.h"
 #include "majorant/energies/named_energies.h"
 #include "majorant/framework/linear_solver.h"
+#include "majorant/framework/stopping.h"
+#include "majorant/parametrization/drive/parametrize.h"
 #include "majorant/parametrization/maps/internal/energy_text.h"
+#include "majorant/parametrization/packing/pack.h"
 #include "map_file.h"
 #include "mesh.h"
 #include "problem.h"
@@ -33,6 +36,20 @@ std::vector<std::pair<std::optional<std::string>, std::string>> split_energy(
   return words;
 }
 
+// What the package assumes where nothing is said, and the largest weight.
+py::dict defaults() {
+  const ParametrizationOptions options;
+  const PackOptions packing;
+  py::dict all;
+  all["tolerance"] = options.solve.tolerance;
+  all["max_iterations"] = StoppingRules().max_iterations;
+  all["soft"] = options.map.handle_weight;
+  all["padding"] = packing.padding_pixels;
+  all["resolution"] = packing.resolution;
+  all["largest_weight"] = kLargestFactor;
+  return all;
+}
+
 std::vector<std::pair<std::string, std::string>> energies() {
   std::vector<std::pair<std::string, std::string>> list;
   for (const NamedEnergy& energy : named_energies()) list.emplace_back(energy.name, energy.summary);
@@ -46,6 +63,7 @@ PYBIND11_MODULE(_core, module) {
   using namespace majorant::python;
   module.attr("version") = MAJORANT_VERSION;
   module.attr("max_degree") = majorant::BezierTriangleSpace::kMaxDegree;
+  module.attr("defaults") = defaults();
   translate_errors();
   bind_steps(module);
   bind_meshes(module);

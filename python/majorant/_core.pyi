@@ -15,6 +15,7 @@ Callback = Optional[Callable[[Step], Any]]
 
 version: str
 max_degree: int
+defaults: dict[str, Any]
 
 class Step:
     """A step of a run, as the trace has it (framework/trace.h)."""

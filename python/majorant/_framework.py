@@ -244,8 +244,8 @@ class Problem:
         return (lower + scipy.sparse.tril(lower, -1).T).tocsc()
 
     def minimize(self, x0: Any, method: str = 'newton', *, curvature: str = 'projected',
-                 linear_solver: str = 'direct', tolerance: float | None = None, max_iterations: int = 1000,
-                 time_limit: float | None = None, threads: int = 0,
+                 linear_solver: str = 'direct', tolerance: float | None = None,
+                 max_iterations: int = _options.MAX_ITERATIONS, time_limit: float | None = None, threads: int = 0,
                  callback: Callable[[dict[str, Any], np.ndarray], Any] | None = None) -> Solution:
         """A local minimum near x0, which satisfies the constraints.
 

@@ -36,12 +36,12 @@ def flatten(V: Any, F: Any, **options: Any) -> np.ndarray:
 
 def parametrize(V: Any, F: Any, *, degree: int = 3, energy: Any = 'symmetric-dirichlet',
                 bijective: bool = False, boundary: str = 'free', pins: _Points | None = None,
-                handles: _Points | None = None, soft: float = 1e3, weights: Any = None,
+                handles: _Points | None = None, soft: float = _options.SOFT, weights: Any = None,
                 init: str = 'auto', uv: Any = None, seamless: bool = False,
                 boundary_angles: bool = False, improve_mesh: bool = False,
                 curvature: str = 'projected', elevation: str = 'incremental', quadrature: int = 0,
-                tolerance: float = 1e-6, max_iterations: int = 1000, time_limit: float | None = None,
-                threads: int = 0, callback: _Callback | None = None) -> Map:
+                tolerance: float = _options.TOLERANCE, max_iterations: int = _options.MAX_ITERATIONS,
+                time_limit: float | None = None, threads: int = 0, callback: _Callback | None = None) -> Map:
     """The map of a disk, with or without holes, that has the smallest distortion there is nearby.
 
         r = majorant.parametrize(V, F, degree=3, energy='arap', bijective=True)
@@ -84,10 +84,10 @@ def parametrize(V: Any, F: Any, *, degree: int = 3, energy: Any = 'symmetric-dir
 def seamless(V: Any, F: Any, *, degree: int = 3, energy: Any = 'symmetric-dirichlet',
              cones: Mapping[int, int] | None = None, start: str = 'automatic',
              curvature_alignment: float = 0, bijective: bool = False, pins: _Points | None = None,
-             handles: _Points | None = None, soft: float = 1e3, weights: Any = None,
+             handles: _Points | None = None, soft: float = _options.SOFT, weights: Any = None,
              curvature: str = 'projected', elevation: str = 'incremental', quadrature: int = 0,
-             tolerance: float = 1e-6, max_iterations: int = 1000, time_limit: float | None = None,
-             threads: int = 0, callback: _Callback | None = None) -> Map:
+             tolerance: float = _options.TOLERANCE, max_iterations: int = _options.MAX_ITERATIONS,
+             time_limit: float | None = None, threads: int = 0, callback: _Callback | None = None) -> Map:
     """A seamless map with cones, of any connected surface: for quadrangulation and fields.
 
         r = majorant.seamless(V, F, degree=1)
@@ -112,12 +112,12 @@ def seamless(V: Any, F: Any, *, degree: int = 3, energy: Any = 'symmetric-dirich
 
 def unwrap(V: Any, F: Any, *, seams: Any = 'auto', max_stretch: float | None = None, degree: int = 1,
            energy: Any = 'symmetric-dirichlet', uv: Any = None, pack: bool = True,
-           padding: float = 4, resolution: float = 1024, normalize: bool = False,
+           padding: float = _options.PADDING, resolution: float = _options.RESOLUTION, normalize: bool = False,
            weld: float | None = None, strict: bool = False, pins: _Points | None = None,
-           handles: _Points | None = None, soft: float = 1e3, weights: Any = None,
+           handles: _Points | None = None, soft: float = _options.SOFT, weights: Any = None,
            curvature: str = 'projected', elevation: str = 'incremental', quadrature: int = 0,
-           tolerance: float = 1e-6, max_iterations: int = 1000, time_limit: float | None = None,
-           threads: int = 0, callback: _Callback | None = None) -> Map:
+           tolerance: float = _options.TOLERANCE, max_iterations: int = _options.MAX_ITERATIONS,
+           time_limit: float | None = None, threads: int = 0, callback: _Callback | None = None) -> Map:
     """Any mesh - closed, with handles, in pieces, with defects - as charts that do not overlap.
 
         r = majorant.unwrap(V, F, normalize=True)
@@ -152,9 +152,9 @@ def unwrap(V: Any, F: Any, *, seams: Any = 'auto', max_stretch: float | None = N
 
 def deform(V: Any, F: Any, *, handles: _Points | None = None, pins: _Points | None = None,
            degree: int = 3, energy: Any = 'symmetric-dirichlet', bijective: bool = False,
-           soft: float = 1e3, weights: Any = None, curvature: str = 'projected',
-           elevation: str = 'incremental', quadrature: int = 0, tolerance: float = 1e-6,
-           max_iterations: int = 1000, time_limit: float | None = None, threads: int = 0,
+           soft: float = _options.SOFT, weights: Any = None, curvature: str = 'projected',
+           elevation: str = 'incremental', quadrature: int = 0, tolerance: float = _options.TOLERANCE,
+           max_iterations: int = _options.MAX_ITERATIONS, time_limit: float | None = None, threads: int = 0,
            callback: _Callback | None = None) -> Map:
     """Moves a planar mesh by some of its points, and bends the rest as little as it can.
 

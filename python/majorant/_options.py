@@ -11,7 +11,12 @@ from typing import Any, Callable, Mapping
 from . import _arrays, _core
 from ._errors import UsageError
 
-LARGEST = 1e30  # of weights, as in the command
+TOLERANCE: float = _core.defaults['tolerance']
+MAX_ITERATIONS: int = _core.defaults['max_iterations']
+SOFT: float = _core.defaults['soft']
+PADDING: float = _core.defaults['padding']
+RESOLUTION: float = _core.defaults['resolution']
+LARGEST: float = _core.defaults['largest_weight']
 
 
 def choice(name: str, value: Any, words: tuple[str, ...]) -> str:
@@ -105,14 +110,14 @@ def wishes(mesh: _core.Mesh, said: Mapping[str, Any]) -> dict[str, Any]:
         'init': choice('init', get('init', 'auto'), ('auto', 'tutte', 'multiresolution', 'input')),
         'pins': _arrays.points('pins', get('pins'), vertices),
         'handles': _arrays.points('handles', get('handles'), vertices),
-        'soft': number('soft', get('soft', 1e3), 1 / LARGEST, LARGEST, zero=True),
+        'soft': number('soft', get('soft', SOFT), 1 / LARGEST, LARGEST, zero=True),
         'weights': None if weights is None else _weights(weights, faces),
         'curvature': choice('curvature', get('curvature', 'projected'),
                             ('projected', 'majorizer', 'paper-majorizer', 'exact', 'reweighted')),
         'elevation': choice('elevation', get('elevation', 'incremental'), ('incremental', 'direct')),
-        'tolerance': number('tolerance', get('tolerance', 1e-6), 0),
+        'tolerance': number('tolerance', get('tolerance', TOLERANCE), 0),
         'quadrature': integer('quadrature', get('quadrature', 0), 0, 10000),
-        'max_iterations': integer('max_iterations', get('max_iterations', 1000), 0, 2**31 - 1),
+        'max_iterations': integer('max_iterations', get('max_iterations', MAX_ITERATIONS), 0, 2**31 - 1),
         'time_limit': math.inf if limit is None else number('time_limit', limit, 0, zero=True),
         'threads': integer('threads', get('threads', 0), 0, 1024),
     }

@@ -59,14 +59,12 @@ void check_pins(const MapFile& file, const Claims& claims, Findings& findings) {
   }
 }
 
-// Of a map without seams: Tutte's boundary, which starts in many resolutions have too, recomputed
-// from the surface in the file, or that of the texture coordinates of the input, for which the
-// input is needed.
+// Of a map without seams: Tutte's boundary, recomputed from the surface in the file, or that of the
+// texture coordinates of the input, for which the input is needed.
 void check_fixed_boundary(const CheckedMap& checked, Findings& findings) {
   const BezierMap& map = checked.map;
   Vec start;
-  const std::string init = checked.claims.init.value_or("tutte");
-  if (init == "tutte" || init == "multiresolution") {
+  if (starts_at_tutte_boundary(checked.claims)) {
     start = tutte_map(map.mesh());
   } else if (checked.surface == nullptr) {
     return;  // not asked
@@ -212,7 +210,7 @@ void check_claims(const CheckedMap& checked, Findings& findings) {
                    fmt::format("degree {} is not the one claimed", file.degree));
   check_pins(file, claims, findings);
   check_seams(checked, findings);
-  if (claims.boundary == "fixed") check_boundary_claim(checked, findings);
+  if (claims.boundary == BoundaryCondition::Fixed) check_boundary_claim(checked, findings);
   check_arrays(checked, findings);
   check_face_distortion(checked, findings);
 }

@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
+#include "majorant/io/internal/claims.h"
 #include "majorant/io/map_proof.h"
 #include "majorant/parametrization/maps/measure.h"
-#include "majorant/results/internal/claims.h"
 #include "majorant/results/internal/findings.h"
 
 namespace majorant {

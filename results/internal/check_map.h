@@ -11,8 +11,8 @@
 #include <string_view>
 
 #include "majorant/framework/run_record.h"
+#include "majorant/io/internal/claims.h"
 #include "majorant/io/map_proof.h"
-#include "majorant/results/internal/claims.h"
 #include "majorant/results/internal/findings.h"
 #include "majorant/results/internal/report.h"
 

@@ -102,9 +102,8 @@ bool keeps_texture_cuts(const CheckedMap& checked) {
   if (checked.surface == nullptr || checked.surface->polygon_texcoords.empty()) return false;
   const Claims& claims = checked.claims;
   if (!claims.version && !claims.seams) return true;  // it does not say where it comes from
-  const std::string init = claims.init.value_or("tutte");
   return claims.options && claims.options->seamless.value_or(false) &&
-         (init == "tutte" || init == "multiresolution" || init == "input");
+         (starts_at_tutte_boundary(claims) || claims.init == ClaimedStart::Input);
 }
 
 void check_seams(const CheckedMap& checked, Findings& findings) {

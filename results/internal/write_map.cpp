@@ -4,9 +4,9 @@
 #include <cctype>
 #include <filesystem>
 
+#include "majorant/io/internal/claims.h"
 #include "majorant/io/write_ply.h"
 #include "majorant/pictures/internal/first_view.h"
-#include "majorant/results/internal/claims.h"
 
 namespace majorant {
 

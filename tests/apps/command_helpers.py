@@ -25,14 +25,10 @@ os.environ.setdefault('OMP_WAIT_POLICY', 'passive')
 OK, USAGE, UNREADABLE, UNSUPPORTED, LIMIT, INVALID, INTERNAL = range(7)
 
 
-def only_if(condition):
-    """For tests that mean nothing elsewhere: there they are not skipped, they do not exist."""
-    return (lambda test: test) if condition else (lambda test: None)
-
-
 def where(path):
-    """For tests that need `path`, which a clone by itself has not."""
-    return only_if(os.path.exists(path))
+    """For tests that need `path`, which a clone by itself has not: skipped without it."""
+    name = path.replace(SHARED, '../shared', 1) if SHARED else path
+    return unittest.skipUnless(os.path.exists(path), 'no ' + name)
 
 
 def generated(name):

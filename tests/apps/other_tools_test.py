@@ -16,7 +16,7 @@ try:
     import vtk
     from vtk.util.numpy_support import vtk_to_numpy
 except ImportError as error:
-    print('not installed:', error)
+    print('skipped: no', error.name)
     sys.exit(77)
 
 DEGREES = range(1, 9)

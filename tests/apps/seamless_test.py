@@ -23,7 +23,7 @@ class Seamless(SeamlessTest):
                 self.assertTrue(found['locally_injective'])
                 for result in (found, said):
                     self.assertLess(result['seam_residual_ulp'], 100)
-                    self.assertGreaterEqual(result['seam_residual'], 0)
+                    self.assertLess(result['seam_residual'], 1e-12)  # of a layout of some units
 
     def test_cones(self):
         points = cube(4)[0]

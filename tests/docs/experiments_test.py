@@ -23,10 +23,11 @@ import all as every  # noqa: E402
 import experiment  # noqa: E402
 
 
-def runnable():
-    """Scripts need the public meshes and the programs of bench/."""
-    programs = [BUILD / 'bench' / name for name in ('majorant_paper_method', 'solver_cost')]
-    return all(path.exists() for path in [MESHES / 'disks', *programs])
+def missing():
+    """What the scripts need and is not there: the public meshes and the programs of bench/."""
+    programs = ('majorant_paper_method', 'solver_cost')
+    return ([] if (MESHES / 'disks').exists() else ['../shared/data/public/disks']) + [
+        'bench/' + name for name in programs if not (BUILD / 'bench' / name).exists()]
 
 
 class ThePage(unittest.TestCase):
@@ -64,6 +65,7 @@ class TheAnswer(unittest.TestCase):
         self.assertEqual(answer(False, None), 'no')
 
 
+@unittest.skipIf(missing(), 'no ' + ', '.join(missing()))
 class TheScripts(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -90,9 +92,6 @@ class TheScripts(unittest.TestCase):
             self.assertTrue(picture.tag.endswith('svg'), name)
             self.assertIn('**Seen: ', (self.out / (name + '.md')).read_text())
 
-
-if not runnable():
-    del TheScripts
 
 if __name__ == '__main__':
     unittest.main()

@@ -60,6 +60,6 @@ class Format(unittest.TestCase):
 CLANG_FORMAT = find_clang_format()
 if __name__ == '__main__':
     if not CLANG_FORMAT:
-        print('clang-format %s is not installed: formatting was not checked' % VERSION)
+        print('skipped: no clang-format-%s' % VERSION)
         sys.exit(77)
     unittest.main()

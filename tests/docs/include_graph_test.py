@@ -55,6 +55,10 @@ class PlantedFaults(unittest.TestCase):
         self.append('mesh/seams.cpp', '#include "majorant/parametrization/drive/parametrize.h"\n')
         self.assert_found('does not go down: mesh/seams.cpp -> parametrization/drive/parametrize.h', 'a circle: ')
 
+    def test_a_test_that_is_long(self):
+        self.append('tests/mesh/long_test.cpp', '\n' * 401)
+        self.assert_found('tests/mesh/long_test.cpp: 401 lines, more than 400')
+
     def test_an_include_of_the_same_floor(self):
         self.append('elements/quadrature.cpp', '#include "majorant/mesh/seams.h"\n')
         self.assert_found('does not go down: elements/quadrature.cpp -> mesh/seams.h')

@@ -81,7 +81,7 @@ class Flags(unittest.TestCase):
     def test_those_of_several_processes(self):
         """Of majorant-mpi, where it is built: the same, its own, and those that it refuses by name."""
         if not os.path.exists(MPI_BINARY):
-            self.skipTest('majorant-mpi is not built')
+            self.skipTest('no majorant-mpi')
         listed, refused = {}, []
         for names, kind, _ in rows(section('Flags of majorant-mpi')):
             for name, value in re.findall(r'`(--[a-z-]+)( \w+)?`', names):

@@ -5,9 +5,12 @@
 import os
 import pathlib
 import re
+import sys
 import unittest
 
 SOURCE = pathlib.Path(os.environ['MAJORANT_SOURCE_DIR'])
+sys.path.insert(0, str(SOURCE / 'scripts'))
+import include_graph  # noqa: E402
 
 
 def line_count(path):
@@ -69,12 +72,11 @@ class Names(unittest.TestCase):
         known = re.findall(r'^\| (\[\w+\])', (SOURCE / 'docs/references.md').read_text(), re.M)
         self.assertEqual(len(known), len(set(known)))
         used = {}
-        for pattern in '*/*.h', '*/*.cpp', '*/*/*.h', 'docs/*.md':
-            for path in SOURCE.glob(pattern):
-                if path.parts[len(SOURCE.parts)] in ('build', 'tests'):
-                    continue
-                for key in re.findall(r'\[[A-Z][A-Za-z]+\d\d\](?!\()', path.read_text()):
-                    used.setdefault(key, path.relative_to(SOURCE))
+        tops = {room.split('/')[0] for room in include_graph.FLOOR} | {'bench', 'examples', 'python'}
+        files = [path for top in tops for path in (SOURCE / top).rglob('*') if path.suffix in ('.h', '.cpp', '.py')]
+        for path in files + list((SOURCE / 'docs').glob('*.md')):
+            for key in re.findall(r'\[[A-Z][A-Za-z]+\d\d\](?!\()', path.read_text()):
+                used.setdefault(key, path.relative_to(SOURCE))
         for key, path in used.items():
             self.assertIn(key, known, path)
         self.assertGreaterEqual(len(used), 15)

@@ -6,6 +6,7 @@
 #include "io_test_helpers.h"
 #include "majorant/io/vtu.h"
 #include "majorant/mesh/surface_mesh.h"
+#include "public_data.h"
 
 namespace majorant {
 namespace {
@@ -333,30 +334,31 @@ TEST_F(ReadMesh, VtuGivesBackTheInputMesh) {
   error_message(ErrorKind::Unreadable, [&] { mesh_from_map(map, ""); });
 }
 
-#ifdef MAJORANT_PUBLIC_DATA
 // The public collection of malformed files; the cases above stand for it elsewhere.
 TEST_F(ReadMesh, PublicCollection) {
-  const std::filesystem::path data = MAJORANT_PUBLIC_DATA;
+  const std::filesystem::path folder = public_data("bad");
+  if (folder.empty()) GTEST_SKIP() << kNoPublicData;
   for (const char* name : {"empty", "no_faces", "truncated", "binary_garbage", "html_error_page",
                            "face_not_a_number", "vertex_two_coordinates", "index_out_of_range",
                            "index_zero", "index_overflow", "nan_coordinate", "inf_coordinate"}) {
-    const std::string path = (data / "bad" / name).string() + ".obj";
+    const std::string path = (folder / name).string() + ".obj";
     const std::string message = error_message(ErrorKind::Unreadable, [&] { read_mesh(path); });
     EXPECT_NE(message.find(path), std::string::npos) << message;
   }
   for (const char* name : {"tiny_1e-9", "negative_indices", "crlf", "all_reversed", "syntax_zoo",
                            "slivers_1e6", "huge_offset_1e12"}) {
-    const PolygonMesh mesh = read_mesh((data / "bad" / name).string() + ".obj");
+    const PolygonMesh mesh = read_mesh((folder / name).string() + ".obj");
     EXPECT_EQ(mesh.positions.size(), 49u) << name;
     EXPECT_EQ(mesh.polygons.size(), 72u) << name;
   }
-  EXPECT_EQ(read_mesh((data / "bad/unreferenced_vertices.obj").string()).positions.size(), 51u);
-  EXPECT_EQ(read_mesh((data / "bad/face_repeats_vertex.obj").string()).polygons.size(), 73u);
+  EXPECT_EQ(read_mesh((folder / "unreferenced_vertices.obj").string()).positions.size(), 51u);
+  EXPECT_EQ(read_mesh((folder / "face_repeats_vertex.obj").string()).polygons.size(), 73u);
 }
 
 // Files that can be read of meshes that cannot be used (mesh/mesh_validation_test.cpp).
 TEST_F(ReadMesh, PublicMeshesThatAreNoDisks) {
-  const std::filesystem::path folder = MAJORANT_PUBLIC_DATA "/bad";
+  const std::filesystem::path folder = public_data("bad");
+  if (folder.empty()) GTEST_SKIP() << kNoPublicData;
   for (const char* name :
        {"nonmanifold_edge", "nonmanifold_vertex", "two_components", "closed_surface", "annulus",
         "moebius", "torus_one_hole", "flipped_faces", "triangle_soup", "duplicate_face",
@@ -375,7 +377,6 @@ TEST_F(ReadMesh, PublicMeshesThatAreNoDisks) {
             .require_disk())
         << name;
 }
-#endif
 
 }  // namespace
 }  // namespace majorant

@@ -9,6 +9,8 @@
 namespace majorant {
 namespace {
 
+constexpr int kNoVtk = 77;
+
 TEST(VtkEvaluation, AgreesWithTheOrderOfControlPoints) {
   const TemporaryFolder folder;
   const std::string script = MAJORANT_SOURCE_DIR "/tests/io/vtk_evaluation.py";
@@ -21,6 +23,7 @@ TEST(VtkEvaluation, AgreesWithTheOrderOfControlPoints) {
   }
   const int status = std::system(command.c_str());
   ASSERT_TRUE(WIFEXITED(status));
+  if (WEXITSTATUS(status) == kNoVtk) GTEST_SKIP() << "no python3-vtk9";
   EXPECT_EQ(WEXITSTATUS(status), 0);
 }
 

@@ -6,6 +6,7 @@
 
 #include "expected_error.h"
 #include "mesh/surfaces_of_any_genus.h"
+#include "public_data.h"
 
 namespace majorant {
 namespace {
@@ -136,9 +137,10 @@ TEST(CutGraph, DependsOnTheSurfaceOnly) {
   EXPECT_EQ(cut_graph(mesh, through), cut_graph(mesh, reversed));
 }
 
-#ifdef MAJORANT_PUBLIC_DATA
 TEST(CutGraph, PublicMeshes) {
-  for (const std::string& file : public_closed_meshes()) {
+  const std::filesystem::path folder = public_data("closed");
+  if (folder.empty()) GTEST_SKIP() << kNoPublicData;
+  for (const std::string& file : obj_files(folder)) {
     const SurfaceMesh mesh = SurfaceMesh::from_polygons(obj_file(file));
     for (const int count : {0, 30}) {
       SCOPED_TRACE(file + ", " + std::to_string(count));
@@ -147,7 +149,6 @@ TEST(CutGraph, PublicMeshes) {
     }
   }
 }
-#endif
 
 }  // namespace
 }  // namespace majorant

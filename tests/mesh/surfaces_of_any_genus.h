@@ -118,16 +118,13 @@ inline std::vector<std::pair<std::string, PolygonMesh>> surfaces_of_any_genus() 
           {"fan", cone(5, true)}};
 }
 
-#ifdef MAJORANT_PUBLIC_DATA
-// Closed meshes of the public collection.
-inline std::vector<std::string> public_closed_meshes() {
+inline std::vector<std::string> obj_files(const std::filesystem::path& folder) {
   std::vector<std::string> files;
-  for (const auto& entry : std::filesystem::directory_iterator(MAJORANT_PUBLIC_DATA "/closed"))
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
     if (entry.path().extension() == ".obj") files.push_back(entry.path().string());
   std::sort(files.begin(), files.end());
   return files;
 }
-#endif
 
 }  // namespace majorant
 

@@ -31,6 +31,6 @@ class PageScripts(unittest.TestCase):
 
 if __name__ == '__main__':
     if not shutil.which('node'):
-        print('node is not installed')
+        print('skipped: no node')
         sys.exit(77)
     unittest.main()

@@ -10,6 +10,7 @@
 #include "majorant/parametrization/starts/tutte.h"
 #include "mesh/obj_file.h"
 #include "parametrization/drive/parametrize_expectations.h"
+#include "public_data.h"
 
 namespace majorant {
 namespace {
@@ -260,11 +261,11 @@ TEST(Parametrize, BoundaryAnglesHoldSectorSumsWithinAFullTurn) {
   }
 }
 
-// ---- Meshes of the public collection, where they are there ----
+// ---- Meshes of the public collection ----
 
-#ifdef MAJORANT_PUBLIC_DATA
 TEST(Parametrize, SolvesPublicDisks) {
-  const std::filesystem::path folder = MAJORANT_PUBLIC_DATA "/disks";
+  const std::filesystem::path folder = public_data("disks");
+  if (folder.empty()) GTEST_SKIP() << kNoPublicData;
   for (const char* name : {"spot_500", "blub_500", "mountain_500"}) {
     const auto mesh = surface(read_mesh((folder / (std::string(name) + ".obj")).string()));
     double last = INFINITY;
@@ -277,7 +278,6 @@ TEST(Parametrize, SolvesPublicDisks) {
     }
   }
 }
-#endif
 
 }  // namespace
 }  // namespace majorant

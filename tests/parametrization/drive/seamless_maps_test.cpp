@@ -6,6 +6,7 @@
 #include "majorant/io/read_mesh.h"
 #include "parametrization/drive/parametrize_expectations.h"
 #include "parametrization/starts/seamless_cases.h"
+#include "public_data.h"
 
 namespace majorant {
 namespace {
@@ -137,11 +138,11 @@ TEST(SeamlessMaps, DoNotDependOnTheCuts) {
   }
 }
 
-// ---- Meshes of the public collection, where they are there ----
+// ---- Meshes of the public collection ----
 
-#ifdef MAJORANT_PUBLIC_DATA
 TEST(SeamlessMaps, PublicMeshes) {
-  const std::filesystem::path folder = MAJORANT_PUBLIC_DATA "/seamless";
+  const std::filesystem::path folder = public_data("seamless");
+  if (folder.empty()) GTEST_SKIP() << kNoPublicData;
   for (const char* name : {"cube_4", "cubesphere_1728", "lshape_1872", "spot_3000"}) {
     SCOPED_TRACE(name);
     const auto mesh = surface(read_mesh((folder / (std::string(name) + ".obj")).string()));
@@ -159,7 +160,6 @@ TEST(SeamlessMaps, PublicMeshes) {
     }
   }
 }
-#endif
 
 // ---- Composed ----
 

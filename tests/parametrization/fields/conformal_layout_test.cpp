@@ -6,6 +6,7 @@
 #include "majorant/parametrization/fields/internal/intrinsic_triangulation.h"
 #include "mesh/obj_file.h"
 #include "parametrization/fields/closed_surfaces.h"
+#include "public_data.h"
 
 namespace majorant {
 namespace {
@@ -114,9 +115,9 @@ TEST(LayOut, RefusesWhatIsNoDisk) {
 
 // Public models with eight cones: seams fit to the rounding of coordinates, faces that are turned
 // over are few.
-#ifdef MAJORANT_PUBLIC_DATA
 TEST(LayOut, PublicModels) {
-  const std::filesystem::path folder = MAJORANT_PUBLIC_DATA "/closed";
+  const std::filesystem::path folder = public_data("closed");
+  if (folder.empty()) GTEST_SKIP() << kNoPublicData;
   for (const char* name : {"spot_1654", "blub_1886", "goathead_5522", "scorpion_12626"}) {
     SCOPED_TRACE(name);
     const auto mesh = surface(obj_file((folder / (std::string(name) + ".obj")).string()));
@@ -144,7 +145,6 @@ TEST(LayOut, PublicModels) {
     }
   }
 }
-#endif
 
 }  // namespace
 }  // namespace majorant

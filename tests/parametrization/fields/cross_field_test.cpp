@@ -11,6 +11,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/mesh/internal/cut_graph.h"
 #include "mesh/surfaces_of_any_genus.h"
+#include "public_data.h"
 
 namespace majorant {
 namespace {
@@ -355,9 +356,10 @@ TEST(Comb, RefusesCutsThatLeaveConesInside) {
                   {"edge", "combed"});
 }
 
-#ifdef MAJORANT_PUBLIC_DATA
 TEST(CrossField, PublicMeshes) {
-  for (const std::string& file : public_closed_meshes()) {
+  const std::filesystem::path folder = public_data("closed");
+  if (folder.empty()) GTEST_SKIP() << kNoPublicData;
+  for (const std::string& file : obj_files(folder)) {
     SCOPED_TRACE(file);
     const SurfaceMesh mesh = SurfaceMesh::from_polygons(obj_file(file));
     const CrossField field = smoothest_cross_field(mesh);
@@ -366,7 +368,6 @@ TEST(CrossField, PublicMeshes) {
     EXPECT_EQ(cross_field_with_cones(mesh, cones_of(field)).quarter_turns, field.quarter_turns);
   }
 }
-#endif
 
 }  // namespace
 }  // namespace majorant

@@ -14,6 +14,7 @@
 
 #include "majorant/framework/types.h"
 #include "majorant/mesh/seams.h"
+#include "majorant/parametrization/maps/map_objective.h"
 
 namespace majorant {
 
@@ -33,12 +34,15 @@ struct ClaimedOptions {
   std::optional<std::string> handles;  // the file of what pulled at it, or empty
 };
 
+// What the start was made from; Other: names that no rule depends on.
+enum class ClaimedStart { Tutte, Multiresolution, Input, Planar, Other };
+
 struct Claims {
   std::optional<std::string> version, energy;
-  std::optional<int> degree;            // >= 1
-  std::optional<double> value;          // mean energy
-  std::optional<std::string> boundary;  // "free" or "fixed"
-  std::optional<std::string> init;      // what the start was made from
+  std::optional<int> degree;    // >= 1
+  std::optional<double> value;  // mean energy
+  std::optional<BoundaryCondition> boundary;
+  std::optional<ClaimedStart> init;
   std::optional<bool> seams, bijective;
   std::optional<bool> other_triangles;  // edges were flipped inside flat parts
   std::optional<Vector2> aligned;       // the direction, of length 1, that was turned to (1, 0)
@@ -49,9 +53,19 @@ struct Claims {
 };
 
 // text: the array's content, empty for a file without claims, which claims nothing. Throws
-// Error(Unreadable) naming `file` and the claim: for text that is no JSON object or nests too
-// deeply, and for claims of the wrong type, out of their range or not finite.
+// Error(Unreadable) naming `file`, if not empty, and the claim: for text that is no JSON object or
+// nests too deeply, and for claims of the wrong type, out of their range or not finite.
 Claims parse_claims(const std::string& text, const std::string& file);
+// For pictures, which judge nothing: text that parse_claims() refuses claims nothing.
+Claims readable_claims(const std::string& text);
+
+// What kept the layout where it is, as far as it says: pins or handles, or a boundary.
+enum class Held { Nothing, Points, Boundary };
+Held held_by(const Claims& claims);
+
+// Whether the boundary of the start was Tutte's, which starts in many resolutions have, too. Files
+// that do not say are of the time when all were.
+bool starts_at_tutte_boundary(const Claims& claims);
 
 }  // namespace majorant
 

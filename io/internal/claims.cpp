@@ -1,4 +1,4 @@
-#include "majorant/results/internal/claims.h"
+#include "majorant/io/internal/claims.h"
 
 #include <fmt/format.h>
 
@@ -16,7 +16,8 @@ namespace {
 
 using nlohmann::json;
 
-// Origin: rounding of a vector of length 1 and of its digits is far below.
+// How far a direction may be from length 1. Origin: rounding of a vector of length 1 and of its
+// digits is far below.
 constexpr double kUnitLength = 1e-12;
 
 // A value and where it is: "bunny.vtu: majorant_claims.pins[3].vertex".
@@ -105,10 +106,18 @@ Vector2 as_alignment(const Place& p) {
   return unit;
 }
 
-std::string as_boundary(const Place& p) {
-  std::string boundary = as_string(p);
+BoundaryCondition as_boundary(const Place& p) {
+  const std::string boundary = as_string(p);
   if (boundary != "free" && boundary != "fixed") p.fail("is neither \"free\" nor \"fixed\"");
-  return boundary;
+  return boundary == "free" ? BoundaryCondition::Free : BoundaryCondition::Fixed;
+}
+
+ClaimedStart as_start(const Place& p) {
+  const std::string start = as_string(p);
+  if (start == "tutte") return ClaimedStart::Tutte;
+  if (start == "multiresolution") return ClaimedStart::Multiresolution;
+  if (start == "input") return ClaimedStart::Input;
+  return start == "planar" ? ClaimedStart::Planar : ClaimedStart::Other;
 }
 
 // The entries of one object that may be there.
@@ -153,7 +162,7 @@ json parse(const std::string& text, const std::string& name) {
 Claims parse_claims(const std::string& text, const std::string& file) {
   Claims claims;
   if (text.empty()) return claims;
-  const std::string name = fmt::format("{}: majorant_claims", file);
+  const std::string name = file.empty() ? "majorant_claims" : file + ": majorant_claims";
   const json document = parse(text, name);
   const Entries entries({document, name});
   entries.read("version", as_string, claims.version);
@@ -162,7 +171,7 @@ Claims parse_claims(const std::string& text, const std::string& file) {
       "degree", [](const Place& p) { return as_integer(p, 1); }, claims.degree);
   entries.read("value", as_number, claims.value);
   entries.read("boundary", as_boundary, claims.boundary);
-  entries.read("init", as_string, claims.init);
+  entries.read("init", as_start, claims.init);
   entries.read("seams", as_bool, claims.seams);
   entries.read("bijective", as_bool, claims.bijective);
   entries.read("other_triangles", as_bool, claims.other_triangles);
@@ -174,6 +183,25 @@ Claims parse_claims(const std::string& text, const std::string& file) {
       "cones", [](const Place& p) { return as_list(p, as_cone); }, claims.cones);
   entries.read("options", as_options, claims.options);
   return claims;
+}
+
+Claims readable_claims(const std::string& text) {
+  try {
+    return parse_claims(text, "");
+  } catch (const Error&) {
+    return {};
+  }
+}
+
+Held held_by(const Claims& claims) {
+  const bool is_pulled = claims.options && !claims.options->handles.value_or("").empty();
+  if (is_pulled || (claims.pins && !claims.pins->empty())) return Held::Points;
+  return claims.boundary == BoundaryCondition::Fixed ? Held::Boundary : Held::Nothing;
+}
+
+bool starts_at_tutte_boundary(const Claims& claims) {
+  const ClaimedStart start = claims.init.value_or(ClaimedStart::Tutte);
+  return start == ClaimedStart::Tutte || start == ClaimedStart::Multiresolution;
 }
 
 }  // namespace majorant

@@ -1,0 +1,52 @@
+// Claims: what rules of several front ends depend on is read in one place.
+#include "majorant/io/internal/claims.h"
+
+#include <fmt/format.h>
+
+#include "expected_error.h"
+
+namespace majorant {
+namespace {
+
+TEST(Claims, StartsAreKnownByWhatRulesAskOfThem) {
+  const auto start = [](const char* name) {
+    return parse_claims(fmt::format(R"({{"init": "{}"}})", name), "a.vtu");
+  };
+  EXPECT_EQ(start("input").init, ClaimedStart::Input);
+  EXPECT_EQ(start("planar").init, ClaimedStart::Planar);
+  EXPECT_EQ(start("of a later version").init, ClaimedStart::Other);
+  for (const char* name : {"tutte", "multiresolution"})
+    EXPECT_TRUE(starts_at_tutte_boundary(start(name))) << name;
+  for (const char* name : {"input", "planar", "field"})
+    EXPECT_FALSE(starts_at_tutte_boundary(start(name))) << name;
+  EXPECT_TRUE(starts_at_tutte_boundary(parse_claims("", "a.vtu")));
+}
+
+TEST(Claims, WhatHoldsALayout) {
+  const auto held = [](const char* text) { return held_by(parse_claims(text, "a.vtu")); };
+  EXPECT_EQ(held(""), Held::Nothing);
+  EXPECT_EQ(held(R"({"pins": [], "boundary": "free", "options": {"handles": ""}})"), Held::Nothing);
+  EXPECT_EQ(held(R"({"pins": [{"vertex": 1, "target": [0, 0]}]})"), Held::Points);
+  EXPECT_EQ(held(R"({"options": {"handles": "points.json"}})"), Held::Points);
+  EXPECT_EQ(held(R"({"boundary": "fixed"})"), Held::Boundary);
+}
+
+TEST(Claims, WhatIsRefusedClaimsNothingForPictures) {
+  const std::string good = R"({"energy": "mips", "degree": 2})";
+  EXPECT_EQ(readable_claims(good).energy, "mips");
+  for (const std::string bad : {"{", "[]", "3", R"({"energy": "mips", "degree": 0})",
+                                R"({"energy": "mips", "boundary": "open"})"}) {
+    EXPECT_FALSE(readable_claims(bad).energy) << bad;
+    expect_contains(error_message(ErrorKind::Unreadable, [&] { parse_claims(bad, "a.vtu"); }),
+                    {"a.vtu: majorant_claims", "damaged file"});
+    // Where no file is known, none is named.
+    EXPECT_EQ(error_message(ErrorKind::Unreadable, [&] { parse_claims(bad, ""); }).find("majorant"),
+              0u);
+  }
+}
+
+}  // namespace
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
