@@ -79,7 +79,7 @@ TEST_P(Space, NeighboursShareEdgePointsInReversedOrder) {
   const TriangleIndices& ix = TriangleIndices::of_degree(n());
   std::set<Index> boundary, inner_edge_points;
   for (const auto& [edge, sides] : edges_of(mesh_.faces)) {
-    const auto at = [&](std::size_t side, int s) {
+    const auto at = [&, &sides = sides](std::size_t side, int s) {
       return space_.cells()(sides[side].first,
                             ix.edge(sides[side].second)[static_cast<std::size_t>(s)]);
     };
@@ -101,7 +101,7 @@ TEST_P(Space, EveryAssignmentIsContinuous) {
     if (sides.size() < 2) continue;
     ++shared;
     for (const double t : {0.0, 0.3, 0.5, 0.9}) {
-      const auto point = [&](std::size_t side, double s) {
+      const auto point = [&, &sides = sides](std::size_t side, double s) {
         Barycentric xi = Barycentric::Zero();
         xi[sides[side].second] = 1 - s;
         xi[(sides[side].second + 1) % 3] = s;
