@@ -16,7 +16,7 @@ namespace {
 
 using test::Random;
 using test::Rational;
-using Matrix = std::vector<std::vector<Rational>>;
+using RationalRows = std::vector<std::vector<Rational>>;
 
 struct IntegerSystem {
   Index unknowns;
@@ -37,7 +37,7 @@ struct IntegerSystem {
 
 // Plain rational Gauss, columns first: nothing in common with the library's row-wise Gauss-Jordan.
 Index exact_rank(const IntegerSystem& s) {
-  Matrix m;
+  RationalRows m;
   for (const auto& row : s.a) m.emplace_back(row.begin(), row.end());
   std::size_t rank = 0;
   for (Index c = s.unknowns - 1; c >= 0; --c) {
