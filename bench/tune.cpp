@@ -186,7 +186,7 @@ int main(int argc, char** argv) {
   CLI::App app("One map with other solver rules.");
   app.add_option("mesh", path);
   app.add_option("--degree", settings.options.map.degree);
-  app.add_option("--set", changes, "NAME=VALUE, repeatedly");
+  app.add_option("--set", changes, "NAME=VALUE, repeatedly")->allow_extra_args(false);
   app.add_option("--threads", threads);
   app.add_option("--energy", energy, "a name, such as arap");
   app.add_flag("--bijective", bijective);
