@@ -119,7 +119,7 @@ function(majorant_add_objects name objects)
   endif()
 endfunction()
 
-# majorant::majorant, everything, for programs.
+# majorant::majorant, everything, for programs: every room of both libraries.
 function(majorant_umbrella)
   add_library(majorant INTERFACE)
   add_library(majorant::majorant ALIAS majorant)
@@ -127,8 +127,9 @@ function(majorant_umbrella)
     target_link_libraries(libmajorant PUBLIC libmajorant_framework)
     target_link_libraries(majorant INTERFACE libmajorant)
   else()
-    target_link_libraries(majorant INTERFACE majorant_results majorant_terms
-                                             $<TARGET_NAME_IF_EXISTS:majorant_ceres>)
+    set(rooms ${libmajorant_rooms} ${libmajorant_framework_rooms})
+    list(TRANSFORM rooms PREPEND majorant_)
+    target_link_libraries(majorant INTERFACE ${rooms})
   endif()
   set(root ${PROJECT_BINARY_DIR}/include/majorant)
   file(MAKE_DIRECTORY ${root}/majorant)

@@ -14,8 +14,9 @@
     scripts/try_configurations.py --parent build/parent
 
 --shared: names and symbols of the libraries; the command before and after install; consumers by CMake and by
-pkg-config, what they are linked to. --gpl-free: what is loaded, which packages every header that was
-compiled comes from, what is refused; with --default DIR that maps are those of that build, bit by bit.
+pkg-config, what they are linked to; that every public name links. --gpl-free: what is loaded, which packages
+every header that was compiled comes from, what is refused; with --default DIR that maps are those of that
+build, bit by bit.
 --parent: a project with majorant in a folder of its own is configured and built there; its programs run.
 """
 import argparse
@@ -23,11 +24,15 @@ import functools
 import os
 import re
 import subprocess
+import sys
 import tempfile
 from pathlib import Path
 
 SOURCE = Path(__file__).resolve().parent.parent
 CONSUMERS = SOURCE / 'tests/package'
+sys.path.insert(0, str(CONSUMERS))
+import public_names  # noqa: E402
+
 MESH = SOURCE / 'meshes/cap.obj'
 ALWAYS = {'libstdc++', 'libm', 'libgcc_s', 'libc', 'linux-vdso', 'ld-linux-x86-64', 'libgomp'}
 FREE_LIBRARIES = ALWAYS | {'libamd', 'libsuitesparseconfig', 'libmetis', 'libfmt', 'libpng16', 'libz'}
@@ -115,6 +120,10 @@ def try_shared(build):
         assert 'libmajorant.so.' + soversion() in dynamic(program, 'NEEDED')
         check_framework_consumer(Path(folder) / 'framework_consumer/framework_consumer')
         pkg_config(moved, Path(folder))
+        for package in (public_names.Package(moved), public_names.framework(moved)):
+            package.link_by_cmake(Path(folder) / (package.module + '_names'))
+            package.link_by_pkg_config(Path(folder) / (package.module + '_names_by_pkg_config'))
+            print('%s: %d public symbols, all linked' % (package.module, len(package.wanted)))
 
 
 def pkg_config(prefix, folder):

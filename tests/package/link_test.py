@@ -1,0 +1,104 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""A program that needs everything that installed headers declare links, whichever way it asks for the
+package. Of archives and shared libraries alike: what the build makes is what is installed here, and
+scripts/try_configurations.py does the same with a build of the other kind."""
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import public_names
+
+SOURCE = os.environ['MAJORANT_SOURCE_DIR']
+BUILD = os.environ['MAJORANT_BUILD_DIR']
+
+SAMPLE = '''
+#pragma once
+#define SKIPPED(x) \\
+  void skipped(x);
+namespace majorant {
+class Later;
+enum class Kind { A, B };
+struct Plain { int a = 1; std::function<bool(int)> ask; };  // void comment();
+class Shown final : public Plain {
+ public:
+  explicit Shown(Plain plain = {}, int (*hook)(double) = nullptr);
+  ~Shown();
+  Shown(const Shown&) = delete;
+  int inlined() const { return a; }
+  bool operator()(int k) const;
+  virtual void pure() = 0;
+  [[nodiscard]] std::vector<int> list(const char* text = "};") const override;
+  template <class T> T made(T t);
+  friend bool operator==(const Shown&, const Shown&) = default;
+  struct Part { void shown_too(); };
+ private:
+  decltype(Plain::a) b_, c_;
+  std::map<int, std::function<void(int)>> calls_;
+  double scale_ = std::sqrt(2.0);
+};
+template <class T> class Template { void not_here(); };
+inline double twice(double x) { return 2 * x; }
+constexpr int kCount = int(3);
+extern template class Template<int>;
+std::string_view name_of(Kind kind);
+namespace detail { void hidden(); }
+}  // namespace majorant
+'''
+
+
+class TheHeaders(unittest.TestCase):
+    def test_what_is_declared_and_not_defined(self):
+        classes, functions = public_names.declared(SAMPLE)
+        self.assertEqual(classes, {'Plain', 'Shown', 'Shown::Part'})
+        self.assertEqual(functions, {'Shown::Shown', 'Shown::~Shown', 'Shown::operator()', 'Shown::list',
+                                     'Shown::Part::shown_too', 'name_of'})
+
+    def test_what_no_library_defines_is_named(self):
+        headers = {'majorant/x.h': ({'A'}, {'A::f', 'g'})}
+        wanted, missing = public_names.wanted_symbols(headers, {'A::f': {'_Z1'}, 'A': {'_ZTV1'}, 'h': {'_Z3'}})
+        self.assertEqual((wanted, missing), ({'_Z1', '_ZTV1'}, ['majorant/x.h: g']))
+
+
+class Linking(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = Path(tempfile.mkdtemp(prefix='majorant_link_'))
+        cls.addClassCleanup(shutil.rmtree, cls.folder)
+        cls.prefix = cls.folder / 'prefix'
+        public_names.output('cmake', '--install', BUILD, '--prefix', cls.prefix)
+        cls.packages = {'all': public_names.Package(cls.prefix), 'framework': public_names.framework(cls.prefix)}
+
+    def test_enough_is_looked_at(self):
+        package = self.packages['all']
+        with open(Path(__file__).with_name('public_headers.txt')) as f:
+            listed = {line.strip() for line in f if line.startswith('majorant/') and '/detail/' not in line}
+        self.assertEqual(set(package.headers), listed)
+        self.assertGreater(sum(len(classes) for classes, _ in package.headers.values()), 150)
+        self.assertGreater(len(package.wanted), 450)
+
+    def test_by_cmake(self):
+        for name, package in self.packages.items():
+            with self.subTest(name):
+                package.link_by_cmake(self.folder / (name + '_by_cmake'))
+
+    @unittest.skipUnless(shutil.which('pkg-config'), 'no pkg-config')
+    def test_by_pkg_config(self):
+        for name, package in self.packages.items():
+            with self.subTest(name):
+                package.link_by_pkg_config(self.folder / (name + '_by_pkg_config'))
+
+    def test_a_room_that_is_not_linked_is_found(self):
+        package = public_names.Package(self.prefix, targets='majorant::drive')
+        with self.assertRaisesRegex(AssertionError, 'undefined reference to .*write_svg'):
+            package.link_by_cmake(self.folder / 'too_little')
+
+
+if __name__ == '__main__':
+    if not os.path.isdir(BUILD):
+        sys.exit('set MAJORANT_BUILD_DIR')
+    unittest.main()

@@ -1,0 +1,203 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""What installed headers declare and do not define, and a program that needs all of it to link.
+
+Declarations are read off the headers, symbols off the installed libraries, neither off what a program is
+told to link: a class whose library is not linked, or not installed, is found.
+"""
+import os
+import re
+import subprocess
+from pathlib import Path
+
+NAMESPACE = 'majorant'
+# Not for programs: templates of public headers need it.
+HIDDEN = '/detail/'
+
+
+def code_of(text):
+    """Without comments, preprocessor lines and what is between quotes."""
+    text = re.sub(r'//[^\n]*|/\*.*?\*/', ' ', text, flags=re.S)
+    text = re.sub(r'"(\\.|[^"\\\n])*"|\'(\\.|[^\'\\\n])\'', '0', text)
+    return re.sub(r'^[ \t]*#([^\n]*\\\n)*[^\n]*', ' ', text, flags=re.M)
+
+
+def end_of_block(code, place):
+    """Behind the brace that closes the one at place."""
+    depth = 0
+    for k in range(place, len(code)):
+        depth += {'{': 1, '}': -1}.get(code[k], 0)
+        if depth == 0:
+            return k + 1
+    raise ValueError('a brace is not closed: ' + code[place:place + 80])
+
+
+def statements(code):
+    """(text before it, block or None) of what ends with a semicolon or has a block, blocks not looked into."""
+    begin, parentheses, k = 0, 0, 0
+    while k < len(code):
+        c = code[k]
+        parentheses += {'(': 1, ')': -1}.get(c, 0)
+        if c == ';' and parentheses == 0:
+            yield code[begin:k].strip(), None
+            begin = k + 1
+        elif c == '{' and parentheses == 0:
+            end = end_of_block(code, k)
+            yield code[begin:k].strip(), code[k + 1:end - 1]
+            begin, k = end, end - 1
+        k += 1
+
+
+def function_name(statement):
+    """Of a declaration, or None where it declares something else or nothing to be linked."""
+    statement = re.sub(r'\[\[.*?\]\]|\b(alignas|decltype)\([\w:]+\)', ' ', statement).strip()
+    if re.match(r'(friend|using|typedef|template|static_assert|extern template|class|struct|enum)\b', statement):
+        return None
+    if re.search(r'=\s*(0|default|delete)$', statement):
+        return None
+    operator = re.search(r'\boperator\s*(\(\)|[^\s\w(]+|\w+)\s*\(', statement)
+    if operator:
+        return 'operator' + operator[1]
+    angle = 0
+    for k, c in enumerate(statement):
+        angle += {'<': 1, '>': -1}.get(c, 0)
+        if c == '=' and angle == 0:
+            return None
+        if c == '(' and angle == 0:
+            name = re.search(r'~?\w+$', statement[:k].rstrip())
+            return name[0] if name else None
+    return None
+
+
+def without_access(statement):
+    return re.sub(r'^((public|protected|private)\s*:\s*)+', '', statement).strip()
+
+
+def members(code, scope=''):
+    """(classes, functions) that a scope defines and declares, with their scopes in namespace majorant."""
+    classes, functions = set(), set()
+    for text, block in statements(code):
+        text = without_access(text)
+        kind = re.match(r'(?:class|struct)\s+(?:\[\[.*?\]\]\s*|alignas\(\w+\)\s*)*(\w+)\b(?!\s*[(<])', text)
+        if block is None:
+            name = function_name(text)
+            functions |= {scope + name} if name else set()
+        elif kind and not text.endswith(')'):
+            classes.add(scope + kind[1])
+            inner = members(block, scope + kind[1] + '::')
+            classes, functions = classes | inner[0], functions | inner[1]
+    return classes, functions
+
+
+def declared(text):
+    """(classes, functions) of a header; what is in namespaces inside ours is not public."""
+    classes, functions = set(), set()
+    for head, block in statements(code_of(text)):
+        if re.fullmatch(r'namespace\s+' + NAMESPACE, head):
+            inner = members(block)
+            classes, functions = classes | inner[0], functions | inner[1]
+    return classes, functions
+
+
+def declared_in(include):
+    """By public header of the folder, relative to it: (classes, functions)."""
+    return {str(path.relative_to(include)): declared(path.read_text())
+            for path in sorted((include / NAMESPACE).rglob('*.h')) if HIDDEN not in str(path)}
+
+
+def symbols_in(libraries):
+    """{name without namespace and arguments: symbols}: of functions, and of tables of virtual ones."""
+    found = {}
+    for library in libraries:
+        shared = ['--dynamic'] if '.so' in library.name else []
+        listed = output('nm', *shared, '--defined-only', '--extern-only', '--format=posix', library)
+        mangled = [line.split()[0] for line in listed.splitlines() if re.match(r'_Z\S+ [TVD] ', line)]
+        plain = output('c++filt', input='\n'.join(mangled)).splitlines()
+        for symbol, name in zip(mangled, plain):
+            name = re.sub(r'\[abi:\w+\]', '', name)
+            shape = re.match(r'(?:vtable|typeinfo) for (.*)|([^(<]*(?:operator\(\)|operator<+)?)\(', name)
+            name = shape and (shape[1] or shape[2])
+            if name and name.startswith(NAMESPACE + '::'):
+                found.setdefault(name[len(NAMESPACE) + 2:], set()).add(symbol)
+    return found
+
+
+def wanted_symbols(headers, symbols):
+    """(symbols of all that headers declare, names that no library defines)."""
+    wanted, missing = set(), []
+    for header, (classes, functions) in headers.items():
+        missing += ['%s: %s' % (header, name) for name in sorted(functions) if name not in symbols]
+        for name in classes | functions:
+            wanted |= symbols.get(name, set())
+    return wanted, missing
+
+
+def output(*command, **options):
+    done = subprocess.run([str(word) for word in command], text=True, stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, **options)
+    assert done.returncode == 0, '%s: exit %d\n%s' % (command, done.returncode, done.stdout[-5000:])
+    return done.stdout
+
+
+def write_program(headers, wanted, folder):
+    """classes.cpp knows every class by its header, symbols.cpp refers to every symbol and counts them."""
+    lines = ['#include "%s"' % header for header in headers]
+    lines += ['static_assert(sizeof(%s::%s) > 0);' % (NAMESPACE, name) for classes, _ in headers.values()
+              for name in sorted(classes) if '::' not in name]  # others may be private
+    (folder / 'classes.cpp').write_text('\n'.join(lines) + '\n')
+    lines = ['extern "C" const char symbol_%d[] __asm__("%s");' % pair for pair in enumerate(sorted(wanted))]
+    lines += ['const char* volatile symbols[] = {', *('  symbol_%d,' % k for k in range(len(wanted))), '};',
+              'int main() {', '  int count = 0;', '  for (const char* symbol : symbols) count += symbol != nullptr;',
+              '  return count == %d ? 0 : 1;' % len(wanted), '}']
+    (folder / 'symbols.cpp').write_text('\n'.join(lines) + '\n')
+
+
+PROJECT = """cmake_minimum_required(VERSION 3.22)
+project(every_name LANGUAGES C CXX)
+find_package(majorant REQUIRED %s)
+add_executable(every_name classes.cpp symbols.cpp)
+target_link_libraries(every_name PRIVATE %s)
+"""
+
+
+class Package:
+    """An installed one: `find` are the words behind find_package(majorant REQUIRED, `targets` what programs
+    link, `module` is the name that pkg-config knows. Of its headers and libraries those for whose paths and
+    names is_header and is_library hold."""
+
+    def __init__(self, prefix, find='', targets='majorant::majorant', module='majorant',
+                 is_header=lambda path: True, is_library=lambda name: True):
+        self.prefix, self.find, self.targets, self.module = prefix, find, targets, module
+        libraries = [path for pattern in ('libmajorant*.so', 'libmajorant*.a') for path in prefix.rglob(pattern)
+                     if is_library(path.name.split('.')[0])]
+        self.headers = {path: names for path, names in declared_in(prefix / 'include').items() if is_header(path)}
+        self.wanted, missing = wanted_symbols(self.headers, symbols_in(libraries))
+        assert libraries and not missing, 'declared, and in no installed library: ' + ', '.join(missing)
+
+    def link_by_cmake(self, folder):
+        folder.mkdir()
+        write_program(self.headers, self.wanted, folder)
+        (folder / 'CMakeLists.txt').write_text(PROJECT % (self.find, self.targets))
+        output('cmake', '-S', folder, '-B', folder / 'build', '-DCMAKE_PREFIX_PATH=%s' % self.prefix,
+               '-DCMAKE_CXX_FLAGS=-O0')
+        output('cmake', '--build', folder / 'build')
+        output(folder / 'build/every_name')
+
+    def link_by_pkg_config(self, folder):
+        folder.mkdir()
+        write_program(self.headers, self.wanted, folder)
+        libdir = next(self.prefix.rglob('majorant.pc')).parent
+        environment = dict(os.environ, PKG_CONFIG_PATH=str(libdir), LD_LIBRARY_PATH=str(libdir.parent))
+        flags = output('pkg-config', '--cflags', '--libs', self.module, env=environment).split()
+        output(os.environ.get('CXX', 'c++'), '-std=c++20', folder / 'symbols.cpp', '-o', folder / 'every_name', *flags)
+        output(folder / 'every_name', env=environment)
+
+
+FRAMEWORK = ('framework', 'elements', 'energies', 'terms')
+
+
+def framework(prefix):
+    """The component: its rooms, without what needs Ceres."""
+    return Package(prefix, 'COMPONENTS framework', 'majorant::energies majorant::terms', 'majorant-framework',
+                   lambda path: path.split('/')[1] in FRAMEWORK and not path.endswith('/ceres_minimizer.h'),
+                   lambda name: name.removeprefix('libmajorant_') in FRAMEWORK)
