@@ -3,8 +3,9 @@
 
 # CPack: majorant, the command with its manual; libmajorant-dev, headers and archives; with
 # BUILD_SHARED_LIBS the shared libraries in a package of their own. `cpack -G DEB` in the build tree.
-# What they depend on is asked of the binaries (dpkg-shlibdeps).
+# What they depend on is asked of the binaries (dpkg-shlibdeps), or nothing is packed.
 set(CPACK_GENERATOR DEB)
+set(CPACK_PROJECT_CONFIG_FILE ${PROJECT_SOURCE_DIR}/cmake/packaging_tools.cmake)
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # tests and examples are no part of it
 set(CPACK_PACKAGE_VENDOR "the majorant developers")
 set(CPACK_PACKAGE_CONTACT "the majorant developers <majorant@localhost>" CACHE STRING

@@ -10,11 +10,45 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from pathlib import Path
 
 SOURCE = os.environ['MAJORANT_SOURCE_DIR']
 BUILD = os.environ['MAJORANT_BUILD_DIR']
 sys.path.insert(0, os.path.join(SOURCE, 'scripts'))
 import try_packages  # noqa: E402
+
+
+@unittest.skipUnless(shutil.which('cpack'), 'no cpack')
+class WithoutTools(unittest.TestCase):
+    """A package that depends on nothing would be installed anywhere, and run nowhere."""
+
+    def pack(self, *programs):
+        """cpack's exit code and words where these programs are all there is, and the packages it made."""
+        with tempfile.TemporaryDirectory(prefix='majorant_debian_') as folder:
+            bin_folder, out = os.path.join(folder, 'bin'), os.path.join(folder, 'out')
+            os.mkdir(bin_folder)
+            for name in programs:
+                with open(os.path.join(bin_folder, name), 'w') as f:
+                    f.write('#!/bin/sh\nexit 1\n')
+                os.chmod(f.name, 0o755)
+            done = subprocess.run([shutil.which('cpack'), '-G', 'DEB', '-B', out], cwd=BUILD, text=True,
+                                  env={**os.environ, 'PATH': bin_folder}, stdout=subprocess.PIPE,
+                                  stderr=subprocess.STDOUT)
+            return done.returncode, done.stdout, [path for path in Path(folder).rglob('*.deb')]
+
+    def test_it_is_refused_with_the_packages_that_are_missing(self):
+        for programs, packages in (((), 'dpkg-dev file'), (('dpkg-shlibdeps',), 'file'), (('file',), 'dpkg-dev')):
+            with self.subTest(programs):
+                code, said, made = self.pack(*programs)
+                self.assertNotEqual(code, 0)
+                lines = [line for line in said.splitlines() if 'apt-get install' in line]
+                self.assertEqual(len(lines), 1, said)
+                self.assertTrue(lines[0].endswith(': apt-get install ' + packages), said)
+                self.assertEqual(made, [])
+
+    def test_these_are_among_the_packages_of_tests(self):
+        with open(os.path.join(SOURCE, 'scripts/packages_test.txt')) as f:
+            self.assertLessEqual({'dpkg-dev', 'file'}, set(f.read().split()))
 
 
 @unittest.skipUnless(shutil.which('dpkg-deb') and shutil.which('dpkg-shlibdeps'), 'no dpkg-dev')
