@@ -4,13 +4,20 @@
 # make demo   install what the command needs, build it, flatten the bundled creature, say where the
 #             files are
 # make test   install what tests need, too, build, run every test, say which were not run and why
-# make build | asan | tsan | bench | clean
+# make install PREFIX=/usr/local    install what is built
+# make command | build | asan | tsan | bench | clean
 JOBS ?= $(shell nproc)
-BINARY = build/release/apps/majorant
+PREFIX ?= /usr/local
+BUILD = build/release
+BINARY = $(BUILD)/apps/majorant
 OUT = out
 JUNIT = --test-output-size-passed 100000 --output-junit
 
-.PHONY: demo test build setup test-setup configure command asan tsan bench clean
+# That of the build tree that is there; else Ninja, if there is one, else make's own.
+GENERATOR = $(or $(shell sed -n 's/^CMAKE_GENERATOR:INTERNAL=//p' $(BUILD)/CMakeCache.txt 2> /dev/null),\
+                 $(if $(shell command -v ninja 2> /dev/null),Ninja,Unix Makefiles))
+
+.PHONY: demo install test build setup test-setup configure command asan tsan bench clean
 
 demo: command
 	@mkdir -p $(OUT)
@@ -23,6 +30,10 @@ demo: command
 	@echo "both views, for any browser:  $(OUT)/creature.html"
 	@echo "report:                       $(OUT)/creature.json"
 
+install:
+	@test -x $(BINARY) || { echo "nothing is built yet; first: make command" >&2; exit 1; }
+	@cmake --install $(BUILD) --prefix $(PREFIX)
+
 test: build
 	@ctest --preset release -j $(JOBS) -LE mpi --no-tests=error $(JUNIT) tests.xml; status=$$?; \
 	  ctest --preset release -L mpi $(JUNIT) tests_mpi.xml || status=$$?; \
@@ -33,18 +44,18 @@ setup:
 	@scripts/install_packages.sh
 
 test-setup:
-	@scripts/install_packages.sh scripts/packages_test.txt
+	@scripts/install_packages.sh scripts/packages_python.txt scripts/packages_test.txt
 	@scripts/install_packages.sh scripts/packages_browser.txt || echo "no browser, or no npm"
 	@scripts/install_packages.sh scripts/packages_mpi.txt || echo "no PETSc, so no majorant-mpi"
 
 configure: setup
-	@cmake --preset release > /dev/null
+	@cmake --preset release -B $(BUILD) -G "$(GENERATOR)" > /dev/null
 
 command: configure
-	@cmake --build --preset release -j $(JOBS) --target majorant_command
+	@cmake --build $(BUILD) -j $(JOBS) --target majorant_command
 
 build: test-setup configure
-	cmake --build --preset release -j $(JOBS)
+	cmake --build $(BUILD) -j $(JOBS)
 
 asan: test-setup
 	cmake --preset asan
@@ -52,7 +63,8 @@ asan: test-setup
 	ctest --preset asan -j $(JOBS) --no-tests=error
 
 tsan:
-	@scripts/install_packages.sh scripts/packages_test.txt scripts/packages_tsan.txt
+	@scripts/install_packages.sh scripts/packages_python.txt scripts/packages_test.txt \
+	  scripts/packages_tsan.txt
 	cmake --preset tsan
 	cmake --build --preset tsan -j $(JOBS)
 	ctest --preset tsan -j $(JOBS) --no-tests=error
