@@ -2,7 +2,7 @@
 // Standard library only.
 //
 //   g++ -std=c++20 -O2 -Wall -Wextra generate_shapes.cpp -o generate_shapes
-//   ./generate_shapes .       # writes wavy_disk.obj cap.obj ribbon.obj tube.obj buckle.obj here
+//   ./generate_shapes .       # writes wavy_disk, cap, ribbon, tube, buckle, helix and bar.obj, bar.json
 //
 // What: wavy_disk  a bumpy height field over a noisy triangular grid: mild distortion, the easy
 // case
@@ -11,6 +11,8 @@
 //       tube       a crinkled L-shaped sheet; a tube with a closed end grows out of its long leg:
 //                  the map has to flatten the whole tube around the interior of the sheet
 //       buckle     a closed rounded square ring with waves: corners and a handle, for seamless maps
+//       helix      a ramp of 2.2 turns: almost flat, and laid flat it lies on itself
+//       bar        a flat bar; bar.json holds its left end and turns the right one over
 // How: every disk is a planar triangulation whose vertices are then moved into space; the buckle is
 // the surface of small cubes, smoothed. Noise comes from a linear congruential generator of fixed
 // seed: the output is the same on every machine up to the last digits of sin and cos.
@@ -265,6 +267,56 @@ Mesh buckle() {
   return mesh;
 }
 
+Mesh helix() {
+  constexpr int length = 60;
+  constexpr int width = 4;
+  constexpr double turns = 2.2;
+  constexpr double rise = 0.5;  // of a turn
+  Mesh mesh = square_grid(length, width, [](int, int) { return true; });
+  for (Point& p : mesh.vertices) {
+    const double turn = turns * p.x / length;
+    const double radius = 2.0 - p.y / width;
+    p = {radius * std::cos(2.0 * pi * turn), radius * std::sin(2.0 * pi * turn), rise * turn};
+  }
+  return mesh;
+}
+
+constexpr double bar_length = 4.0;
+constexpr double bar_width = 0.5;
+
+Mesh bar() {
+  constexpr double cell = 0.125;
+  constexpr int nx = static_cast<int>(bar_length / cell);
+  constexpr int ny = static_cast<int>(bar_width / cell);
+  Mesh mesh = square_grid(nx, ny, [](int, int) { return true; });
+  for (Point& p : mesh.vertices) p = {cell * p.x, cell * p.y, 0.0};
+  return mesh;
+}
+
+// The left end stays; the right one is turned by 180 degrees, its middle goes to (1, 1.9).
+void write_bar_handles(const std::string& path) {
+  const Mesh mesh = bar();
+  std::FILE* file = std::fopen(path.c_str(), "w");
+  if (file == nullptr) throw std::runtime_error("cannot write " + path);
+  std::fprintf(file, "{\"handles\": [\n");
+  const char* separator = "";
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+    const Point& p = mesh.vertices[v];
+    if (p.x == 0.0) {
+      std::fprintf(file, "%s {\"vertex\": %zu, \"target\": \"initial\"}", separator, v);
+    } else if (p.x == bar_length) {
+      const double up = p.y - bar_width / 2;
+      std::fprintf(file, "%s {\"vertex\": %zu, \"target\": [%.6f, %.6f]}", separator, v, 1.0,
+                   1.9 - up);
+    } else {
+      continue;
+    }
+    separator = ",\n";
+  }
+  std::fprintf(file, "\n]}\n");
+  if (std::fclose(file) != 0) throw std::runtime_error("cannot write " + path);
+}
+
 void write_obj(const std::string& path, const Mesh& mesh) {
   std::FILE* file = std::fopen(path.c_str(), "w");
   if (file == nullptr) throw std::runtime_error("cannot write " + path);
@@ -292,6 +344,9 @@ int main(int argc, char** argv) {
     write_obj(folder + "ribbon.obj", ribbon());
     write_obj(folder + "tube.obj", tube());
     write_obj(folder + "buckle.obj", buckle());
+    write_obj(folder + "helix.obj", helix());
+    write_obj(folder + "bar.obj", bar());
+    write_bar_handles(folder + "bar.json");
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s: %s\n", argv[0], error.what());
     return 1;

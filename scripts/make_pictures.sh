@@ -23,13 +23,13 @@ $majorant parametrize meshes/cap.obj --degree 3 --energy mips --quiet --size 900
   --view 0.6,1,0.6 -o $out/cap_conformal.png
 $majorant seamless meshes/buckle.obj --degree 3 --quiet --size 900,900 --view 0.5,0.7,2 \
   -o $out/buckle_seamless.png
+$majorant parametrize meshes/helix.obj --bijective --degree 3 --quiet -o $out/helix.svg
+$majorant deform meshes/bar.obj --handles meshes/bar.json --bijective --degree 2 --quiet \
+  -o $out/bar.svg
 
 [ -d "$public" ] || exit 0
-$majorant parametrize $public/disks/helix_500.obj --bijective --degree 3 --quiet -o $out/helix.svg
-for name in bar star; do
-  $majorant deform $public/deform2d/$name.obj --handles $public/deform2d/$name.json --bijective \
-    --degree 2 --quiet -o $out/$name.svg
-done
+$majorant deform $public/deform2d/star.obj --handles $public/deform2d/star.json --bijective \
+  --degree 2 --quiet -o $out/star.svg
 # The hand that is up goes on across the head.
 handles=$(mktemp)
 trap 'rm -f "$handles"' EXIT
