@@ -16,7 +16,7 @@
 #include "majorant/io/map_distortion.h"
 #include "majorant/io/map_file.h"
 #include "majorant/io/read_mesh.h"
-#include "majorant/parametrization/maps/internal/principal_axes.h"
+#include "majorant/parametrization/maps/internal/smallest_rectangle.h"
 #include "majorant/results/internal/report.h"
 
 namespace majorant::app {
@@ -56,7 +56,7 @@ std::string what_holds(const MapFile& map, const Claims& claims) {
   return {};
 }
 
-// Turned to the principal axes, which its claims say then. One that they say lies already stays.
+// Turned until its longer side lies, which its claims say then. One that they say lies already stays.
 void align(MapFile& map, const std::string& name) {
   const Claims claims = parse_claims(map.claims, name);
   if (const std::string reason = what_holds(map, claims); !reason.empty())
@@ -65,7 +65,7 @@ void align(MapFile& map, const std::string& name) {
                             "leave it out, or ask for .svg and .png alone",
                             name, reason));
   if (claims.aligned) return;
-  const Vector2 direction = principal_direction(map.uv, map.cells);
+  const Vector2 direction = layout_direction(map.uv, map.cells);
   map.uv = turned_along(map.uv, direction);
   map.uv_rounding.resize(0, 2);  // what a file would have to be these
   if (map.claims.empty()) return;

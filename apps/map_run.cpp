@@ -79,7 +79,8 @@ int MapRun::finish(ParametrizationResult result, const Json& extra) {
   if (in_.cuts) finished.cuts = &*in_.cuts;
   if (in_.start) finished.start = &*in_.start;
   if (placement) finished.placement = &*placement;
-  finished.is_aligned = request_.outputs.turns_map();
+  finished.is_aligned =
+      request_.outputs.turns_map() || (placement && placement->direction != Vector2(1, 0));
   finished.is_normalized = request_.outputs.normalize;
   if (film_) finished.film = &*film_;
   return write_result({request_.common, request_.outputs, request_.map, in_, finished, start_,
@@ -89,11 +90,14 @@ int MapRun::finish(ParametrizationResult result, const Json& extra) {
 // What is moved must be proven anew; where that fails there is no result.
 std::optional<LayoutPlacement> MapRun::place(ParametrizationResult& result) {
   record_.begin(Activity::Measuring);
-  const bool is_turned = request_.outputs.turns_map(), is_scaled = request_.outputs.normalize;
-  const Vector2 direction = is_turned ? principal_direction(*result.map) : Vector2(1, 0);
+  const bool is_turned = request_.outputs.turns(*result.map, request_.map),
+             is_scaled = request_.outputs.normalize;
+  const Vector2 direction = is_turned ? layout_direction(*result.map) : Vector2(1, 0);
   const EnergySum& energy = in_.options.map.energy;
   auto placed = is_scaled ? into_unit_square(*result.map, direction, energy, record_.stop())
                           : turned_along(*result.map, direction, energy, record_.stop());
+  if (!placed && is_scaled && !request_.outputs.turns_map())  // nobody asked for the turn
+    placed = into_unit_square(*result.map, {1, 0}, energy, record_.stop());
   if (!placed) {
     result.status = Status::Failed;
     result.message = fmt::format(

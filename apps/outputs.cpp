@@ -255,8 +255,9 @@ void FormatOptions::add_pictures_to(CLI::App& verb) {
           [this](const std::string& answer) {
             svg.alignment = png.alignment = answer == "yes" ? Alignment::Always : Alignment::Never;
           },
-          "turn the layout to its principal axes, in data, too (default: in pictures alone, where "
-          "nothing holds it)")
+          "turn the layout until the longer side of the smallest rectangle around it lies, in "
+          "data, "
+          "too (default: in pictures and pages alone, where nothing holds it)")
       ->type_name("yes|no")
       ->default_str("yes")  // what it is without a value
       ->expected(0, 1)

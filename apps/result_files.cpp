@@ -92,7 +92,10 @@ void OutputRequest::add_to(CLI::App& verb) {
   verb.add_option("--distortion", distortion,
                   "write a table of stretch, area and angle distortion per face to FILE.csv")
       ->type_name("FILE");
-  verb.add_flag("--normalize", normalize, "scale the result into the unit square");
+  verb.add_flag(
+      "--normalize", normalize,
+      "move, turn and scale the result into the unit square; --align no, seams and a fixed "
+      "boundary keep it from being turned");
 }
 
 void OutputRequest::require_usable(const MapRequest& map) {
@@ -108,6 +111,11 @@ void OutputRequest::require_usable(const MapRequest& map) {
     throw Error(ErrorKind::Usage,
                 "--align turns the boundary that --boundary fixed holds, in data files and pages; "
                 "leave one of the two out");
+}
+
+bool OutputRequest::turns(const BezierMap& result, const MapRequest& map) const {
+  const bool is_free = map.boundary != "fixed" && result.seams().trivial();
+  return turns_map() || (normalize && formats.svg.alignment == Alignment::Automatic && is_free);
 }
 
 bool OutputRequest::has_report(const CommonOptions& common) const {

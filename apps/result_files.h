@@ -38,6 +38,8 @@ struct OutputRequest {
   void require_usable(const MapRequest& map);
   // Whether --align turns the map itself.
   bool turns_map() const { return formats.turns_map(files); }
+  // Whether this result is turned: that, or --normalize where nothing holds it as it is.
+  bool turns(const BezierMap& result, const MapRequest& map) const;
   // Whether a report is asked for, by a flag or as an output.
   bool has_report(const CommonOptions& common) const;
 };

@@ -7,9 +7,10 @@
 
 namespace majorant {
 
-// Whether a picture shows the layout turned, its longer side lying. Automatic: where nothing holds
-// it as it is, as far as the map's claims tell: no pins, handles, seams or charts, no grid, and it
-// is not a deformation. Files keep their coordinates either way.
+// Whether pictures and pages show the layout turned, the longer side of the smallest rectangle
+// around it lying. Automatic: where nothing holds it as it is, as far as the map's claims tell: no
+// pins, handles, seams or charts, and it is not a deformation. Files keep their coordinates either
+// way.
 enum class Alignment { Automatic, Always, Never };
 
 struct ColorRange {

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "majorant/io/map_file.h"
+#include "majorant/pictures/picture_options.h"
 
 namespace majorant {
 
@@ -55,6 +56,7 @@ struct MapPage {
   // A JSON object: what is known of the map, as in reports. Shown are `status`, `command`,
   // `message`, the numbers of `result` and `distortion`, `proofs` and `findings`, where these are.
   std::string facts = "{}";
+  Alignment alignment = Alignment::Automatic;  // of the layout as it is shown
   // By rising iterations. They are kept in single precision, 8 bytes a control point each.
   std::vector<PageSnapshot> snapshots = {};
 };

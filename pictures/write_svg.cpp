@@ -110,7 +110,8 @@ void add_background(SvgLayout& layout, double height) {
   layout.add("<rect width=\"{}\" height=\"{}\" fill=\"#ffffff\"/>\n", SvgLayout::kWidth, height);
 }
 
-std::string draw(const MapFile& map, const SvgOptions& options) {
+// direction: what was turned to the horizontal.
+std::string draw(const MapFile& map, const Vector2& direction, const SvgOptions& options) {
   SvgLayout layout(map);
   const double spacing = grid_spacing(layout, options);
   const std::optional<Heat> heat = heat_of(map, options);
@@ -125,7 +126,7 @@ std::string draw(const MapFile& map, const SvgOptions& options) {
   add_background(layout, height);
   if (options.scaffold) add_scaffold(layout, *options.scaffold);
   add_cells(layout, heat ? &heat->colors : nullptr);
-  if (spacing != 0) add_grid(layout, spacing);
+  if (spacing != 0) add_grid(layout, spacing, direction);
   add_chart_outlines(layout);
   add_seams(layout);
   add_cones(layout);
@@ -141,11 +142,10 @@ std::string draw(const MapFile& map, const SvgOptions& options) {
 std::string svg_text(const MapFile& map, const SvgOptions& options) {
   require_sound("layout", map);
   if (options.scaffold) require_sound("scaffold", *options.scaffold);
-  const Alignment alignment = options.grid ? Alignment::Never : options.alignment;
-  const Vector2 direction = picture_direction(map, alignment);
+  const Vector2 direction = picture_direction(map, options.alignment);
   SvgOptions shown = options;
   if (options.scaffold) shown.scaffold = turned(*options.scaffold, direction);
-  return draw(turned(map, direction), shown);
+  return draw(turned(map, direction), direction, shown);
 }
 
 void write_svg(const std::string& path, const MapFile& map, const SvgOptions& options) {

@@ -1,7 +1,7 @@
 #include "majorant/pictures/internal/alignment.h"
 
 #include "majorant/io/internal/claims.h"
-#include "majorant/parametrization/maps/internal/principal_axes.h"
+#include "majorant/parametrization/maps/internal/smallest_rectangle.h"
 
 namespace majorant {
 namespace {
@@ -20,7 +20,7 @@ bool is_placed(const MapFile& map) {
 Vector2 picture_direction(const MapFile& map, Alignment alignment) {
   if (alignment == Alignment::Never) return {1, 0};
   if (alignment == Alignment::Automatic && is_placed(map)) return {1, 0};
-  return principal_direction(map.uv, map.cells);
+  return layout_direction(map.uv, map.cells);
 }
 
 MapFile turned(const MapFile& map, const Vector2& direction) {

@@ -18,6 +18,7 @@
 #include "majorant/io/layout_scale.h"
 #include "majorant/parametrization/maps/internal/energy_text.h"
 #include "majorant/pictures/color_scale.h"
+#include "majorant/pictures/internal/alignment.h"
 #include "majorant/pictures/internal/first_view.h"
 
 namespace majorant {
@@ -215,6 +216,8 @@ Json page_data(const MapPage& page) {
   data.update(plane_of(map));
   data["corners"] = order.corner_count();
   data["positions"] = base64_of_rows<double>(order.rows(map.points, order.corner_count()));
+  const Vector2 direction = picture_direction(map, page.alignment);
+  data["direction"] = {direction.x(), direction.y()};
   const Vector3 eye = first_view(map);
   data["eye"] = {eye.x(), eye.y(), eye.z()};
   if (map.input_vertex.size() > 0)

@@ -169,8 +169,16 @@ void add_chart_names(SvgLayout& layout) {
   layout.add("</g>\n");
 }
 
-void add_grid(SvgLayout& layout, double spacing) {
-  const Vector2 low = layout.low() / spacing, high = layout.high() / spacing;
+void add_grid(SvgLayout& layout, double spacing, const Vector2& direction) {
+  // Of the file's u and v, in the turned layout: the unit vectors along which they grow, and the
+  // values they have over the box.
+  Eigen::Matrix2d axes;
+  axes << direction.x(), direction.y(), -direction.y(), direction.x();
+  Eigen::Matrix<double, 2, 4> corners;
+  corners << layout.low().x(), layout.high().x(), layout.low().x(), layout.high().x(),
+      layout.low().y(), layout.low().y(), layout.high().y(), layout.high().y();
+  const Eigen::Matrix<double, 2, 4> uv = axes.transpose() * corners / spacing;
+  const Vector2 low = uv.rowwise().minCoeff(), high = uv.rowwise().maxCoeff();
   if (!(spacing > 0) || !((high - low).maxCoeff() <= kMostLines))
     throw Error(ErrorKind::Usage,
                 fmt::format("a grid of spacing {:g} on a layout of size {:g} cannot be drawn; take "
@@ -185,10 +193,10 @@ void add_grid(SvgLayout& layout, double spacing) {
   for (int axis = 0; axis < 2; ++axis) {
     const double first = std::ceil(low[axis]), count = std::floor(high[axis]) - first;
     for (double k = 0; k <= count; ++k) {  // far from the origin, first + 1 may be first
-      Vector2 from = layout.low(), to = layout.high();
+      Vector2 from = low * spacing, to = high * spacing;
       from[axis] = to[axis] = (first + k) * spacing;
-      layout.add_point('M', layout.place(from));
-      layout.add_point('L', layout.place(to));
+      layout.add_point('M', layout.place(axes * from));
+      layout.add_point('L', layout.place(axes * to));
     }
   }
   layout.add("\"/>\n");

@@ -6,9 +6,10 @@
 namespace majorant {
 
 // Lines u, v = integer multiples of `spacing` (uv units), clipped to the layout: inside its
-// boundary, as winding numbers tell, so overlaps do no harm. Throws Error(Usage) for a spacing that
+// boundary, as winding numbers tell, so overlaps do no harm. u and v are those before `direction`,
+// of length 1, was turned to (1, 0). Throws Error(Usage) for a spacing that
 // is not positive or gives more than some thousand lines.
-void add_grid(SvgLayout& layout, double spacing);
+void add_grid(SvgLayout& layout, double spacing, const Vector2& direction);
 
 // Whether the map is an atlas: has pieces of different numbers in `chart`.
 bool has_charts(const MapFile& map);

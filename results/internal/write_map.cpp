@@ -63,6 +63,7 @@ void write_map(const std::string& path, const MapFile& map, const PolygonMesh* i
   if (e == ".html") {
     MapPage page = formats.page;
     page.map = map;
+    page.alignment = formats.svg.alignment;
     write_page(path, page);
   }
 }

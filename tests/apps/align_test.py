@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""--align: layouts turned to their principal axes in data, before they are certified; claims of it."""
+"""Layouts turned until the longer side of the smallest rectangle around them lies: in data by --align
+and --normalize, before they are certified, with claims of it; in pictures and pages."""
 import base64
 import json
 import math
@@ -11,27 +12,42 @@ import subprocess
 from command_helpers import *
 
 
-def moments(uv, cells):
-    """(uu, uv, vv) of the area of the triangles about their centre."""
-    area, first, second = 0, [0, 0], [0, 0, 0]
-    for cell in cells:
-        p = [uv[k] for k in cell[:3]]
-        (ax, ay), (bx, by) = ((q[0] - p[0][0], q[1] - p[0][1]) for q in p[1:])
-        weight = abs(ax * by - ay * bx) / 2
-        middles = [[(p[i][d] + p[j][d]) / 2 for d in (0, 1)] for i, j in ((0, 1), (1, 2), (2, 0))]
-        area += weight
-        for x, y in middles:  # exact for quadratics
-            first = [first[0] + weight * x / 3, first[1] + weight * y / 3]
-            second = [a + weight / 3 * b for a, b in zip(second, (x * x, x * y, y * y))]
-    x, y = first[0] / area, first[1] / area
-    return [a / area - b for a, b in zip(second, (x * x, x * y, y * y))]
+def hull(points):
+    """Corners of the convex hull, counterclockwise."""
+    points, chains = sorted(set(points)), []
+    for ordered in (points, points[::-1]):
+        chain = []
+        for p in ordered:
+            while len(chain) > 1 and ((chain[-1][0] - chain[-2][0]) * (p[1] - chain[-1][1]) <=
+                                      (chain[-1][1] - chain[-2][1]) * (p[0] - chain[-1][0])):
+                chain.pop()
+            chain.append(p)
+        chains += chain[:-1]
+    return chains
+
+
+def extents(points, x, y):
+    """Along (x, y) and across."""
+    along, across = [x * u + y * v for u, v in points], [x * v - y * u for u, v in points]
+    return max(along) - min(along), max(across) - min(across)
+
+
+def smallest_area(points):
+    """Of rectangles with a side along an edge of the hull, one of which is the smallest of all."""
+    corners, least = hull(points), math.inf
+    for p, q in zip(corners, corners[1:] + corners[:1]):
+        length = math.dist(p, q)
+        width, height = extents(corners, (q[0] - p[0]) / length, (q[1] - p[1]) / length)
+        least = min(least, width * height)
+    return least
 
 
 class Align(CommandTest):
-    def assert_lies(self, uv, cells):
-        uu, uv_, vv = moments([p[:2] for p in uv], cells)
-        self.assertGreater(uu, 1.02 * vv)
-        self.assertLess(abs(uv_), 1e-12 * uu)
+    def assert_lies(self, uv):
+        points = [tuple(p[:2]) for p in uv]
+        width, height = extents(points, 1, 0)
+        self.assertGreaterEqual(width, (1 - 2e-6) * height)
+        self.assertLessEqual(width * height, (1 + 2e-6) * smallest_area(points))
 
     def verified(self, result, mesh, *options):
         if os.path.exists(VERIFY):
@@ -51,7 +67,7 @@ class Align(CommandTest):
             outputs = sum((['-o', self.path(f)] for f in files), [])
             self.run_ok('parametrize', mesh, *outputs, '--quiet', '--degree', degree, '--align')
             result = Vtu(self.path('a.vtu'))
-            self.assert_lies(result.rows('uv'), result.cells())
+            self.assert_lies(result.rows('uv'))
             x, y = result.claims['aligned']['direction']
             self.assertLess(abs(math.hypot(x, y) - 1), 1e-15)
             self.assertGreater(abs(y), 0.01)  # it did not lie
@@ -88,12 +104,50 @@ class Align(CommandTest):
         self.run_ok('parametrize', mesh, '-o', self.path('a.vtu'), '--quiet', '--align', '--normalize')
         result = Vtu(self.path('a.vtu'))
         uv = [p[:2] for p in result.rows('uv')]
-        self.assert_lies(uv, result.cells())
+        self.assert_lies(uv)
         low, high = ([f(p[k] for p in uv) for k in (0, 1)] for f in (min, max))
         self.assertEqual(low, [0, 0])
         self.assertEqual(max(high), 1)
         self.run_ok('check', self.path('a.vtu'), '--surface', mesh)
         self.verified(self.path('a.vtu'), mesh)
+
+    def test_a_square_sheet_fills_the_square(self):
+        mesh = self.write('sheet.obj', obj_text(*grid(20, lambda x, y: 0.05 * math.sin(3 * x) * y)))
+        for options in (['--normalize'], ['--normalize', '--align'], ['--align']):
+            self.run_ok('parametrize', mesh, '-o', self.path('a.vtu'), '--quiet', '--degree', 1, *options)
+            result = Vtu(self.path('a.vtu'))
+            uv, area = result.rows('uv'), 0
+            for cell in result.cells():
+                (ax, ay), (bx, by), (cx, cy) = (uv[k][:2] for k in cell[:3])
+                area += ((bx - ax) * (cy - ay) - (by - ay) * (cx - ax)) / 2
+            width, height = extents([p[:2] for p in uv], 1, 0)
+            self.assertGreater(area, 0.95 * max(width, height) ** 2, options)
+            self.run_ok('check', self.path('a.vtu'), '--surface', mesh)
+        self.run_ok('parametrize', mesh, '-o', self.path('b.vtu'), '--quiet', '--degree', 1, '--normalize',
+                    '--align', 'no')
+        self.assertIsNone(Vtu(self.path('b.vtu')).claims['aligned'])
+
+    def test_pictures_and_pages_lie_alike(self):
+        """With and without a grid; the page keeps the file's coordinates and says what it turns."""
+        mesh = generated('creature')
+        outputs = sum((['-o', self.path(f)] for f in ('a.vtu', 'a.svg', 'a.html')), [])
+        self.run_ok('parametrize', mesh, *outputs, '--quiet', '--degree', 1)
+        self.run_ok('convert', self.path('a.vtu'), '-o', self.path('g.svg'), '--grid', 1)
+        self.run_ok('convert', self.path('a.vtu'), '-o', self.path('no.html'), '--align', 'no')
+        uv, x, y = [p[:2] for p in Vtu(self.path('a.vtu')).rows('uv')], *self.data('a.html')['direction']
+        self.assert_lies([(x * u + y * v, x * v - y * u) for u, v in uv])
+        self.assertGreater(abs(y), 0.01)
+        self.assertEqual(self.data('no.html')['direction'], [1, 0])
+        shapes = [re.search(r'<g class="cells".*?</g>|<path[^>]*>', self.read(f).decode(), re.S).group(0)
+                  for f in ('a.svg', 'g.svg')]
+        self.assertEqual(*shapes)
+        # A line of constant u of the file, in the turned drawing: along (-y, x) turned, to the right or left.
+        grid_path = re.search(r'clip-path="[^>]* d="M([-.0-9]+),([-.0-9]+)L([-.0-9]+),([-.0-9]+)',
+                              self.read('g.svg').decode())
+        ax, ay, bx, by = map(float, grid_path.groups())
+        length = math.hypot(bx - ax, by - ay)
+        self.assertAlmostEqual((bx - ax) / length, y, delta=1e-4)
+        self.assertAlmostEqual((ay - by) / length, x, delta=1e-4)
 
     def test_the_scaffold_turns_along(self):
         mesh = self.write('mesh.obj', obj_text(*grid(4, lambda x, y: 0.9 * math.sin(3 * x + y))))
@@ -115,7 +169,7 @@ class Align(CommandTest):
         for degree in (1, 2):
             self.run_ok('seamless', mesh, '-o', self.path('a.vtu'), '--quiet', '--degree', degree, '--align')
             result = Vtu(self.path('a.vtu'))
-            self.assert_lies(result.rows('uv'), result.cells())
+            self.assert_lies(result.rows('uv'))
             self.run_ok('check', self.path('a.vtu'), '--surface', mesh)
             self.judge(self.path('a.vtu'), mesh, '--seamless')
             self.verified(self.path('a.vtu'), mesh, '--cuts', 'auto')
@@ -159,7 +213,7 @@ class Align(CommandTest):
         self.run_ok('convert', self.path('a.obj'), '-o', self.path('b.obj'), '-o', self.path('b.vtu'),
                     '--align')
         _, vt, _, faces = read_obj(self.path('b.obj'))
-        self.assert_lies(vt, faces)
+        self.assert_lies(vt)
         for name in ('b.obj', 'b.vtu'):
             self.run_ok('check', self.path(name), '--surface', mesh)
 

@@ -115,8 +115,8 @@ class Pictures(CommandTest):
         self.assertEqual(drawn[''], drawn['--align yes'])
         self.assertEqual(drawn['--align'], drawn['--align yes'])
         self.assertNotEqual(drawn[''], drawn['--align no'])
-        self.assertEqual(self.picture(result, '--grid', 'auto', name='a.svg'),
-                         self.picture(result, '--grid', 'auto', '--align', 'no', name='a.svg'))
+        self.assertNotEqual(self.picture(result, '--grid', 'auto', name='a.svg'),
+                            self.picture(result, '--grid', 'auto', '--align', 'no', name='a.svg'))
 
     def test_refusals(self):
         result = self.map('creature', '--degree', 1)

@@ -95,7 +95,8 @@ const scenes = {
       }
     return found;
   },
-  // The face that the layout shows at the middle of each that fails.
+  // The face that the layout shows at the middle of each that fails, in pixels that are smaller than
+  // these are thin.
   faults: (page) => page.evaluate((size) => {
     const {app, readPass} = window.majorantPage;
     const bytes = readPass('layout', 'facePass', size, size);
@@ -105,7 +106,7 @@ const scenes = {
       const [high, middle, low] = bytes.subarray(4 * (y * size + x));
       return {face, seen: 65536 * high + 256 * middle + low - 1};
     });
-  }, 400),
+  }, 1600),
   keys: walkWithKeys,
 };
 

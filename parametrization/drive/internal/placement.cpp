@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "majorant/parametrization/maps/internal/principal_axes.h"
+#include "majorant/parametrization/maps/internal/smallest_rectangle.h"
 
 namespace majorant {
 namespace {
@@ -36,8 +36,8 @@ BezierMesh LayoutPlacement::operator()(BezierMesh mesh) const {
   return mesh;
 }
 
-Vector2 principal_direction(const BezierMap& map) {
-  return principal_direction(rows_of(map), map.mesh().faces());
+Vector2 layout_direction(const BezierMap& map) {
+  return layout_direction(rows_of(map), map.space().cells());
 }
 
 std::optional<PlacedMap> turned_along(const BezierMap& map, const Vector2& direction,

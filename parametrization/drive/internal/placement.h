@@ -1,7 +1,7 @@
-// A layout put where files want it, along its principal axes or into the unit square: before it is
+// A layout put where files want it, along its longer side or into the unit square: before it is
 // certified, since rounding can turn triangles over that are small beside the layout.
 //
-//   const Vector2 direction = principal_direction(map);
+//   const Vector2 direction = layout_direction(map);
 //   std::optional<PlacedMap> placed = into_unit_square(map, direction, options.map.energy);
 //   if (placed) placed->map;            // as certified as the map was
 #pragma once
@@ -29,8 +29,8 @@ struct PlacedMap {
   MapMeasures measures;  // measure_normalized(): in the units of before
 };
 
-// principal_direction() of the corners.
-Vector2 principal_direction(const BezierMap& map);
+// layout_direction() of its control points (smallest_rectangle.h).
+Vector2 layout_direction(const BezierMap& map);
 
 // Turned along `direction`. None where that rounds a cell away.
 std::optional<PlacedMap> turned_along(const BezierMap& map, const Vector2& direction,

@@ -6,70 +6,10 @@
 #include <utility>
 
 #include "majorant/parametrization/injectivity/internal/boundary_loops.h"
+#include "majorant/parametrization/maps/internal/smallest_rectangle.h"
 
 namespace majorant {
 namespace {
-
-// A box that is smaller by less than this is not worth a turn. Origin: far above the rounding of
-// areas, far below what shows in a fill ratio.
-constexpr double kWorthTurning = 1e-6;
-
-struct Extent {
-  double width, height;
-  double area() const { return width * height; }
-};
-
-// Of the hull, seen along the unit vector d, by the four corners farthest in its directions.
-class Calipers {
- public:
-  explicit Calipers(const std::vector<Vector2>& hull) : hull_(hull) {}
-
-  // Directions must be asked for in the order in which the hull's edges turn.
-  Extent along(const Vector2& d) {
-    const Vector2 n(-d.y(), d.x());
-    const Vector2 directions[4] = {d, n, -d, -n};
-    for (std::size_t k = 0; k < 4; ++k) {
-      if (!started_ && k > 0) tip_[k] = tip_[k - 1];
-      for (std::size_t steps = 0; steps < hull_.size(); ++steps) {
-        const std::size_t next = (tip_[k] + 1) % hull_.size();
-        if (directions[k].dot(hull_[next] - hull_[tip_[k]]) < 0) break;
-        tip_[k] = next;
-      }
-    }
-    started_ = true;
-    return {d.dot(hull_[tip_[0]] - hull_[tip_[2]]), n.dot(hull_[tip_[1]] - hull_[tip_[3]])};
-  }
-
- private:
-  const std::vector<Vector2>& hull_;
-  std::size_t tip_[4] = {0, 0, 0, 0};
-  bool started_ = false;
-};
-
-// The direction that shall become the x axis: along the longer side of the smallest box, which has
-// an edge of the hull on one of its sides.
-Vector2 tightest_direction(const std::vector<Vector2>& points) {
-  const std::vector<Vector2> hull = convex_hull(points);
-  const auto [left, right] = std::minmax_element(
-      points.begin(), points.end(), [](const auto& p, const auto& q) { return p.x() < q.x(); });
-  const auto [bottom, top] = std::minmax_element(
-      points.begin(), points.end(), [](const auto& p, const auto& q) { return p.y() < q.y(); });
-  Extent best{right->x() - left->x(), top->y() - bottom->y()};
-  Vector2 direction = Vector2::UnitX();
-  if (hull.size() >= 3) {
-    Calipers calipers(hull);
-    double least = best.area() * (1 - kWorthTurning);
-    for (std::size_t k = 0; k < hull.size(); ++k) {
-      const Vector2 d = (hull[(k + 1) % hull.size()] - hull[k]).normalized();
-      const Extent extent = calipers.along(d);
-      if (!(extent.area() < least)) continue;
-      least = extent.area();
-      best = extent;
-      direction = d;
-    }
-  }
-  return best.width >= best.height ? direction : Vector2(-direction.y(), direction.x());
-}
 
 // Half the integral of c x c' dt over the curves, which for Bernstein coefficients is a sum of
 // c_i x (c_{j+1} - c_j) with the weights C(n,i) C(n-1,j) / (2 C(2n-1,i+j)).
@@ -127,27 +67,6 @@ BoundaryLoops boundary_in_units(const BezierMap& chart, double unit) {
 
 }  // namespace
 
-// Andrew's monotone chain.
-std::vector<Vector2> convex_hull(std::vector<Vector2> points) {
-  std::sort(points.begin(), points.end(), [](const Vector2& p, const Vector2& q) {
-    return p.x() < q.x() || (p.x() == q.x() && p.y() < q.y());
-  });
-  std::vector<Vector2> hull;
-  const auto chain = [&](auto first, auto last) {
-    const std::size_t base = hull.size();
-    for (; first != last; ++first) {
-      while (hull.size() >= base + 2 &&
-             cross(hull.back() - hull[hull.size() - 2], *first - hull.back()) <= 0)
-        hull.pop_back();
-      hull.push_back(*first);
-    }
-    hull.pop_back();
-  };
-  chain(points.begin(), points.end());
-  chain(points.rbegin(), points.rend());
-  return hull;
-}
-
 double chart_area(const BezierMap& chart, double unit) {
   return enclosed_area(boundary_in_units(chart, unit));
 }
@@ -162,9 +81,10 @@ Parcel parcel_of(const BezierMap& chart, double unit, double reach, Turn turn) {
 
   Parcel parcel;
   if (turn == Turn::Tightest) {
-    const Vector2 d = tightest_direction(rim);
-    parcel.cosine = d.x();
-    parcel.sine = -d.y();
+    const SmallestRectangle box = smallest_rectangle(rim);
+    const bool is_upright = box.along < box.across;
+    parcel.cosine = is_upright ? -box.side.y() : box.side.x();
+    parcel.sine = is_upright ? -box.side.x() : -box.side.y();
   }
   Eigen::Matrix2d R;
   R << parcel.cosine, -parcel.sine, parcel.sine, parcel.cosine;

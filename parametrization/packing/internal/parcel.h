@@ -34,9 +34,6 @@ enum class Turn { Tightest, None };
 // unit: layout_unit(). reach: curves are cut until that is enough, in units.
 Parcel parcel_of(const BezierMap& chart, double unit, double reach, Turn turn = Turn::Tightest);
 
-// Corners of the convex hull, counterclockwise, collinear ones left out.
-std::vector<Vector2> convex_hull(std::vector<Vector2> points);
-
 // Of the image, in units squared.
 double chart_area(const BezierMap& chart, double unit);
 

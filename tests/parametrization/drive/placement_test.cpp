@@ -4,10 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <cmath>
 
 #include "majorant/energies/named_energies.h"
 #include "majorant/parametrization/drive/parametrize.h"
-#include "majorant/parametrization/maps/internal/principal_axes.h"
+#include "majorant/parametrization/maps/internal/smallest_rectangle.h"
 #include "mesh/surfaces_of_any_genus.h"
 
 namespace majorant {
@@ -85,29 +86,49 @@ TEST(Placement, WhatRoundingTurnsOverIsNoResult) {
   EXPECT_FALSE(turned_along(map, kAlong, kMeasured));
 }
 
-// A trapezium, the longer of its parallel sides at x = 0.
-struct Trapezium {
-  Points2 uv{{0, -1}, {5, -0.25}, {5, 0.25}, {0, 1}};
+// A rectangle and a point that no cell has.
+struct Sheet {
+  Points2 uv{{0, 0}, {5, 0}, {5, 2}, {0, 2}, {50, 90}};
   Cells cells{{0, 1, 2}, {0, 2, 3}};
 };
 
-TEST(PrincipalAxes, TheLongSideTowardsItsThinEnd) {
-  for (const double angle : {0.0, 0.3, 2.0, -2.5}) {
-    Trapezium layout;
-    const Vector2 way = Eigen::Rotation2Dd(angle) * Vector2(1, 0);
-    layout.uv = turned_along(layout.uv, {way.x(), -way.y()});
-    EXPECT_LT((principal_direction(layout.uv, layout.cells) - way).norm(), 1e-12) << angle;
-    const Points2 lying = turned_along(layout.uv, way);
-    EXPECT_LT((principal_direction(lying, layout.cells) - Vector2(1, 0)).norm(), 1e-12);
-  }
+TEST(LayoutDirection, TheLongerSideOfTheSmallestRectangle) {
+  for (const double scale : {1.0, 1e-300, 1e300})
+    for (const double angle : {0.0, 0.3, 0.8, 1.5, -1.5}) {
+      Sheet sheet;
+      const Vector2 way = Eigen::Rotation2Dd(angle) * Vector2(1, 0);
+      sheet.uv = scale * turned_along(sheet.uv, {way.x(), -way.y()});
+      EXPECT_LT((layout_direction(sheet.uv, sheet.cells) - way).norm(), 1e-12) << angle << scale;
+      const Points2 lying = turned_along(sheet.uv, way);
+      EXPECT_EQ(layout_direction(lying, sheet.cells), Vector2(1, 0)) << angle << scale;
+    }
 }
 
-TEST(PrincipalAxes, WithoutALongSideItStays) {
-  Trapezium square;
-  square.uv = Points2{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  EXPECT_EQ(principal_direction(square.uv, square.cells), Vector2(1, 0));
-  square.uv.setZero();
-  EXPECT_EQ(principal_direction(square.uv, square.cells), Vector2(1, 0));
+// Principal axes of a square are any.
+TEST(LayoutDirection, ASquareIsNoDiamond) {
+  Sheet square;
+  square.uv.topRows(4) = Points2{{1, 0}, {2, 1}, {1, 2}, {0, 1}};
+  const Points2 lying = turned_along(square.uv, layout_direction(square.uv, square.cells));
+  const Vector2 size =
+      lying.topRows(4).colwise().maxCoeff() - lying.topRows(4).colwise().minCoeff();
+  EXPECT_NEAR(size.x(), std::sqrt(2), 1e-14);
+  EXPECT_NEAR(size.y(), std::sqrt(2), 1e-14);
+}
+
+TEST(LayoutDirection, WithoutALongerSideItStays) {
+  Sheet sheet;
+  sheet.uv.topRows(4) = Points2{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  EXPECT_EQ(layout_direction(sheet.uv, sheet.cells), Vector2(1, 0));
+  sheet.uv.setZero();
+  EXPECT_EQ(layout_direction(sheet.uv, sheet.cells), Vector2(1, 0));
+  EXPECT_EQ(layout_direction(sheet.uv, Cells(0, 3)), Vector2(1, 0));
+}
+
+// Upright ones are laid, along lines too.
+TEST(LayoutDirection, ALineLies) {
+  Sheet sheet;
+  sheet.uv.topRows(4) = Points2{{0, 0}, {0, 1}, {0, 3}, {0, 2}};
+  EXPECT_EQ(layout_direction(sheet.uv, sheet.cells), Vector2(0, 1));
 }
 
 }  // namespace

@@ -40,16 +40,19 @@ function colorsOf(app) {
 }
 
 // From uv to pixels of the canvas.
-function placementOf(map, canvas, pixel) {
-  const {low, high, center} = map.uvBounds;
+function placementOf({direction: [c, s], turnedBounds}, canvas, pixel) {
+  const {low, high, center} = turnedBounds;
   const margin = 2 * kMargin * pixel;
   const fit = Math.min((canvas.width - margin) / (high[0] - low[0] || 1),
                        (canvas.height - margin) / (high[1] - low[1] || 1));
   return {
-    place: ([u, v]) => [0.5 * canvas.width + fit * (u - center[0]),
-                        0.5 * canvas.height - fit * (v - center[1])],
-    unplace: ([x, y]) => [(x - 0.5 * canvas.width) / fit + center[0],
-                          (0.5 * canvas.height - y) / fit + center[1]],
+    place: ([u, v]) => [0.5 * canvas.width + fit * (c * u + s * v - center[0]),
+                        0.5 * canvas.height - fit * (c * v - s * u - center[1])],
+    unplace: ([x, y]) => {
+      const right = (x - 0.5 * canvas.width) / fit + center[0];
+      const up = (0.5 * canvas.height - y) / fit + center[1];
+      return [c * right - s * up, s * right + c * up];
+    },
   };
 }
 

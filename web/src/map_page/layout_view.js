@@ -16,9 +16,12 @@ import {View} from './view.js';
 export class LayoutView extends View {
   constructor(stage, element, shared) {
     const camera = new OrthographicCamera(-1, 1, 1, -1, -1, 3);
+    const [c, s] = shared.map.direction;
     camera.position.set(0, 0, 1);
+    camera.up.set(-s, c, 0);
     super('layout', stage, element, camera, shared);
-    this.extent = 1.08;
+    const {uvBounds, turnedBounds} = shared.map;
+    this.extent = 1.08 * turnedBounds.size / uvBounds.size;
     this.cells = new CellFinder(shared.map);
     this.chords = new Chords(shared.map);
     Object.assign(this.controls, {
@@ -26,9 +29,17 @@ export class LayoutView extends View {
       mouseButtons: {LEFT: MOUSE.PAN, MIDDLE: MOUSE.DOLLY, RIGHT: MOUSE.PAN},
       touches: {ONE: TOUCH.PAN, TWO: TOUCH.DOLLY_PAN},
     });
-    this.controls.update();
+    const [x, y] = this.upright(turnedBounds.center);
+    this.setPose([(x - uvBounds.center[0]) / uvBounds.size,
+                  (y - uvBounds.center[1]) / uvBounds.size, 1]);
     this.homePose = this.pose();
     if (shared.map.scaffold) this.addScaffold(shared.map.scaffold);
+  }
+
+  // From the axes of the view to those of uv.
+  upright([right, up]) {
+    const [c, s] = this.shared.map.direction;
+    return [c * right - s * up, s * right + c * up];
   }
 
   // The middle of the view, relative to the layout's size, and zoom.
@@ -45,7 +56,9 @@ export class LayoutView extends View {
   // By tenths of what is seen.
   move(right, up) {
     const [x, y, zoom] = this.pose();
-    this.setPose([x + 0.1 * right * this.extent / zoom, y + 0.1 * up * this.extent / zoom, zoom]);
+    const [u, v] = this.upright([right, up]);
+    const step = 0.1 * this.extent / zoom;
+    this.setPose([x + step * u, y + step * v, zoom]);
     this.controls.dispatchEvent({type: 'change'});
   }
 

@@ -73,6 +73,14 @@ export function boundsOf(values, dimension) {
   return {low, high, center, size: size > 0 ? size : 1};
 }
 
+// uv of points, one after the other, turned so that the direction is horizontal.
+export function turnedAlong([c, s], uv) {
+  const turned = new Float64Array(uv.length);
+  for (let k = 0; k < uv.length; k += 2)
+    turned.set([c * uv[k] + s * uv[k + 1], c * uv[k + 1] - s * uv[k]], k);
+  return turned;
+}
+
 // The map of the page. uv, positions: as in the file, in doubles; bounds of both.
 export function readMap(data) {
   const map = {
@@ -90,12 +98,14 @@ export function readMap(data) {
     scaffold: data.scaffold ? planeOf(data.scaffold) : null,
     claims: data.claims,
     facts: data.facts,
+    direction: data.direction,
     eye: data.eye,
     scale: data.scale.value,
     scaleIsAssumed: data.scale.assumed,
   };
   map.snapshots = data.snapshots.map(({uv, ...rest}) => ({...rest, uv: arrayOf(Float32Array, uv)}));
   map.uvBounds = boundsOf(map.uv, 2);
+  map.turnedBounds = boundsOf(turnedAlong(map.direction, map.uv), 2);
   map.bounds = boundsOf(map.positions, 3);
   addGeometry(map);
   return map;
