@@ -77,7 +77,7 @@ int unwrap_file(UnwrapVerb request) {
     options.chart = read_options(request.map, polygons, *surface.mesh);
   });
   request.solve.apply(options.chart);
-  LinearSolvers solvers(request.solve.linear_solver, request.common.quiet,
+  LinearSolvers solvers(request.solve.linear_solver, "", request.common.quiet,
                         LinearSolvers::Runs::Several);
   solvers.apply(options.chart.solve);
   const double read_seconds = record.seconds();

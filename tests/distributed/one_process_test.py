@@ -193,13 +193,13 @@ class Collapsed(CommandTest):
                 faces += [(a + i, a + around + i, a + around + j), (a + i, a + around + j, a + j)]
         return self.write('finger.obj', obj_text(points, faces))
 
-    def check_descent(self, mesh, *petsc, falls):
+    def check_descent(self, mesh, petsc='', *, falls):
         out = {}
         for solver in ('mumps', 'cg-hypre'):
             report = self.path('report.json')
             done = Outcome(subprocess.run(
                 [MPI_BINARY, 'parametrize', mesh, '-o', self.path('a.pvtu'), '--degree', '1', '--init', 'tutte',
-                 '--linear-solver', solver, '--report', report, '--quiet', '--petsc', *petsc],
+                 '--linear-solver', solver, '--report', report, '--quiet', '--petsc-options', petsc],
                 env=ENVIRONMENT, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE))
             self.assertEqual(done.code, OK, done.err)
             with open(report) as f:
