@@ -218,11 +218,11 @@ class Collapsed(CommandTest):
 
     def test_where_it_breaks_down(self):
         """Without a preconditioner conjugate gradients do not converge: down the ladder."""
-        self.check_descent(self.finger(), '-majorant_hypre_pc_type', 'none', falls=True)
+        self.check_descent(self.finger(), '-majorant_hypre_pc_type none', falls=True)
 
     @where(os.path.join(DATA, 'disks', 'scorpion_10000.obj'))
     def test_scorpion(self):
-        self.check_descent(os.path.join(DATA, 'disks', 'scorpion_10000.obj'), '-majorant_hypre_pc_type', 'none',
+        self.check_descent(os.path.join(DATA, 'disks', 'scorpion_10000.obj'), '-majorant_hypre_pc_type none',
                            falls=True)
 
 
