@@ -125,12 +125,6 @@ class Bombs(CommandTest):
         self.assertLess(len(bomb), 8 * MIB)
         self.check_refused(self.write('bomb.vtu', bomb), verbs=('check', 'convert', 'info'))
 
-    def test_no_more_than_a_thousand_of_a_byte(self):
-        """However much memory there is."""
-        file = self.gz('bomb.obj.gz', [b'\n' * MIB] * 4000)
-        for words in (('info', file), ('unwrap', file, '-o', self.path('a.obj'))):
-            self.refused(UNSUPPORTED, *words, says=['bomb.obj.gz', 'stand for more than'])
-
     def test_what_fits_is_read(self):
         with open(generated('creature'), 'rb') as f:
             mesh = self.gz('mesh.obj.gz', [f.read()])

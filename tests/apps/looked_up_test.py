@@ -44,7 +44,8 @@ class LookedUp(CommandTest):
                 call = CALL.match(line)
                 if not call or (call[2].startswith(tuple('0123456789'))):
                     continue
-                for name in re.findall(r'"((?:[^"\\]|\\.)*)"', call[2])[:1 if call[1].startswith('exec') else 2]:
+                names = 2 if call[1].startswith(('rename', 'link', 'symlink')) else 1  # others are answers
+                for name in re.findall(r'"((?:[^"\\]|\\.)*)"', call[2])[:names]:
                     if name.startswith(self.path('home')):
                         home.add(os.path.relpath(name, self.path('home')))
                     elif not name.startswith('/') and name or name.startswith(self.path('data')):
@@ -83,7 +84,7 @@ class LookedUp(CommandTest):
     def test_the_python_package(self):
         """Python with -I: without its own look for modules in the current directory."""
         script = ('import sys; sys.path.insert(0, %r); import majorant; V, F = majorant.read_mesh("in.obj"); '
-                  'majorant.flatten(V, F).save("out.vtu"); majorant.read("out.vtu")' % PYTHON)
+                  'majorant.parametrize(V, F).save("out.vtu"); majorant.read("out.vtu")' % PYTHON)
         here, home = self.looked_up('/usr/bin/python3', '-I', '-c', script)
         self.assertLessEqual(here, {'in.obj', 'out.vtu', '.', 'TEMPORARY'}, here)
         self.assertEqual([name for name in home if not name.startswith('.local')], [])

@@ -37,9 +37,9 @@ class Waiting(CommandTest):
         return process.returncode, err.decode()
 
     def full_pipe(self):
-        """A pipe as small as there are, that nobody reads."""
+        """A pipe that takes nothing more, since nobody reads it."""
         reader, writer = os.pipe()
-        fcntl.fcntl(writer, fcntl.F_SETPIPE_SZ, 4096)
+        os.write(writer, bytes(fcntl.fcntl(writer, fcntl.F_SETPIPE_SZ, 4096)))
         for end in (reader, writer):
             self.addCleanup(os.close, end)
         return writer
@@ -80,10 +80,12 @@ class Waiting(CommandTest):
         """One who takes a piece now and then, after the limit, too."""
         self.run_ok(*self.job('whole.vtu'))
         os.mkfifo(self.path('fifo.vtu'))
-        process = self.start(*self.job('fifo.vtu'), '--time-limit', '1')
-        reader = os.open(self.path('fifo.vtu'), os.O_RDONLY)
+        reader = os.open(self.path('fifo.vtu'), os.O_RDONLY | os.O_NONBLOCK)
         self.addCleanup(os.close, reader)
         fcntl.fcntl(reader, fcntl.F_SETPIPE_SZ, 4096)
+        process = self.start(*self.job('fifo.vtu'), '--time-limit', '1')
+        select.select([reader], [], [])
+        os.set_blocking(reader, True)
         received, begun = b'', time.monotonic()
         while piece := os.read(reader, 1 << 12):
             received += piece
@@ -118,6 +120,7 @@ class Waiting(CommandTest):
             code, err = self.ended(process)
             self.assertEqual(code, INVALID, err)
             self.assertIn('interrupted while reading ' + self.path('in.obj'), err)
+            self.assertEqual(self.files(), ['in.obj'])
 
     def test_an_input_that_somebody_writes(self):
         os.mkfifo(self.path('in.obj'))
