@@ -4,6 +4,7 @@
 
 #include "apps/parts.h"
 #include "majorant/framework/linear_solver.h"
+#include "majorant/results/internal/solver_ladder.h"
 
 namespace majorant::app {
 
@@ -52,6 +53,20 @@ void CommonOptions::add_to(CLI::App& verb) {
   verb.add_flag("--verbose", verbose, "a line per iteration")->excludes(q);
   verb.add_option("--report", report, "write a JSON report to FILE, - for stdout")
       ->type_name("FILE");
+  verb.add_option("--petsc-options", petsc_options,
+                  "words for PETSc, where a run uses it: \"-ksp_monitor -info\"; it obeys no "
+                  "options file and no variable")
+      ->type_name("TEXT")
+      ->check(CLI::Validator(
+          [](const std::string& text) {
+            try {
+              petsc_words(text);
+            } catch (const Error& e) {
+              return std::string(e.what());
+            }
+            return std::string();
+          },
+          ""));
   verb.add_flag("--force", force, "an output may replace a file that is read");
 }
 

@@ -31,6 +31,7 @@ struct CommonOptions {
   bool quiet = false, verbose = false;
   bool force = false;  // an output may replace an input
   std::string report;  // file name, kStandardOutput or empty
+  std::string petsc_options;
 
   void add_to(CLI::App& verb);
 };

@@ -9,6 +9,7 @@
 #include "apps/page_content.h"
 #include "apps/process.h"
 #include "apps/streams.h"
+#include "apps/within_memory.h"
 #include "majorant/framework/thread_count.h"
 #include "majorant/io/internal/claims.h"
 #include "majorant/io/internal/cut_map.h"
@@ -112,7 +113,7 @@ int convert(ConvertRequest request) {
                    {{request.outputs, map_extensions()}, {{request.distortion}, {".csv"}}},
                    {request.input, request.formats.readable_image()});
   const ThreadCount threads(start_threads(request.common.threads));
-  MapFile map = read_map(request.input);
+  MapFile map = within_memory(request.input, [&] { return read_map(request.input); });
   say_warnings(map.warnings);
   mark_seams(map, request.input);
   if (request.formats.turns_map(request.outputs)) align(map, request.input);

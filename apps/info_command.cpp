@@ -10,6 +10,7 @@
 #include "apps/parts.h"
 #include "apps/seam_request.h"
 #include "apps/streams.h"
+#include "apps/within_memory.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/mesh/defects.h"
 #include "majorant/mesh/repair.h"
@@ -41,14 +42,15 @@ struct Description {
 // Numbers are those of the surface that repairs leave.
 void describe_surface(const PolygonMesh& polygons, const SurfaceMesh& mesh, Description& out) {
   const Topology& t = mesh.topology();
-  out.add("file: {}\nvertices: {}\npolygons: {}\ntexture coordinates: {}\n", polygons.file,
-          polygons.positions.size(), polygons.polygons.size(), polygons.texcoords.size());
+  out.add("file: {}\nvertices: {}\npolygons: {}\ntexture coordinates: {}\n",
+          one_line(polygons.file), polygons.positions.size(), polygons.polygons.size(),
+          polygons.texcoords.size());
   out.add(
       "triangles: {}\ncomponents: {}\nboundary loops: {}\nEuler characteristic: {}\n"
       "area: {:.10g}\n",
       t.faces, t.components, t.boundary_loops, t.euler_characteristic(), mesh.area());
   out.report["input"] = input_section(polygons, mesh);
-  for (const std::string& warning : polygons.warnings) out.add("warning: {}\n", warning);
+  for (const std::string& warning : polygons.warnings) out.add("warning: {}\n", one_line(warning));
   for (const auto& note : out.report["input"]["repairs"])
     out.add("note: {}\n", note.get<std::string>());
 }
@@ -80,7 +82,7 @@ std::optional<BezierMap> describe_texture(const SurfaceMesh& mesh, Description& 
                              {"seam_edges", seams.edges().size()}};
     return map;
   } catch (const Error& e) {
-    out.add("texture: not seamless: {}\n", e.what());
+    out.add("texture: not seamless: {}\n", one_line(e.what()));
     out.report["texture"] = {{"seamless", false}, {"message", e.what()}};
     return std::nullopt;
   }
@@ -169,19 +171,20 @@ void describe_plan(const RepairedSurface& surface, Description& out) {
 void describe_plan_or_refusal(const RepairedSurface& surface, Description& out) try {
   describe_plan(surface, out);
 } catch (const Error& e) {
-  out.add("plan: unwrap would refuse: {}\n", e.what());
+  out.add("plan: unwrap would refuse: {}\n", one_line(e.what()));
   out.report["plan"] = {{"message", e.what()}};
 }
 
 int info(const InfoRequest& request) {
   require_writable(request.common, {}, {request.input});
-  const PolygonMesh polygons = read_mesh(request.input);
+  const PolygonMesh polygons =
+      within_memory(request.input, [&] { return read_mesh(request.input); });
   Description out;
   const RepairedSurface repaired = repair(polygons);
   describe_surface(polygons, *repaired.mesh, out);
   describe_defects(find_defects(polygons).defects, out);
   const std::string message = verdict(polygons, *repaired.mesh, out);
-  out.add("verdict: {}\n", message);
+  out.add("verdict: {}\n", one_line(message));
   out.report["message"] = message;
   if (request.plan) describe_plan_or_refusal(repaired, out);
   if (request.common.report != kStandardOutput) print_text(out.text);

@@ -1,6 +1,7 @@
 #include "apps/linear_solvers.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -42,13 +43,15 @@ void add_linear_solver_to(CLI::App& verb, std::string& name) {
       ->check(one_of({"auto", "direct", "mumps", "cg-hypre", "cholmod"}));
 }
 
-LinearSolvers::LinearSolvers(std::string name, bool quiet, Runs runs)
-    : name_(std::move(name)), quiet_(quiet), runs_(runs) {
+LinearSolvers::LinearSolvers(std::string name, const std::string& petsc_options, bool quiet,
+                             Runs runs)
+    : name_(std::move(name)), petsc_words_(petsc_words(petsc_options)), quiet_(quiet), runs_(runs) {
   const auto* const rung = std::find(kRungNames.begin(), kRungNames.end(), name_);
   if (rung == kRungNames.end()) return;
   try {
     petsc_ = load(static_cast<Rung>(rung - kRungNames.begin()));
   } catch (const Error& e) {
+    if (e.kind() == ErrorKind::Usage) throw;  // the options for PETSc
     throw Error(e.kind(), fmt::format("--linear-solver {}: {}; or leave the option out: the "
                                       "program has a solver of its own",
                                       name_, e.what()));
@@ -56,7 +59,10 @@ LinearSolvers::LinearSolvers(std::string name, bool quiet, Runs runs)
 }
 
 SolverFactory LinearSolvers::load(Rung first) {
-  return load_solver_plugin(plugin_folders()).ladder({first, 0}, record_);
+  const SolverPlugin& plugin = load_solver_plugin(plugin_folders());
+  SolverFactory factory = plugin.ladder({first, 0}, record_, petsc_words_);
+  plugin_ = &plugin;
+  return factory;
 }
 
 void LinearSolvers::apply(SolveOptions& options) {
@@ -112,6 +118,17 @@ bool LinearSolvers::gives_way(const SolverMemory& memory, int foreseen_degree) {
         gigabytes(memory.direct), gigabytes(*memory.available), is_foreseen ? " for it now" : "",
         outcome);
   return runs_ == Runs::One && memory.prefers_multigrid() && petsc_;
+}
+
+void LinearSolvers::say_unused_options() const {
+  if (quiet_ || petsc_words_.empty()) return;
+  if (!plugin_)
+    return say_warnings(
+        {"--petsc-options has no effect: PETSc did nothing; ask for it, "
+         "--linear-solver cg-hypre or mumps"});
+  if (const std::vector<std::string> unused = plugin_->unused_options(); !unused.empty())
+    say_warnings(
+        {fmt::format("--petsc-options: nothing has asked for {}", fmt::join(unused, ", "))});
 }
 
 Json LinearSolvers::ladder() const {

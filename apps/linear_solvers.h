@@ -12,6 +12,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "majorant/parametrization/drive/solve_options.h"
 #include "majorant/results/internal/machine_memory.h"
@@ -26,13 +27,19 @@ class LinearSolvers {
  public:
   enum class Runs { One, Several };  // Several at a time have nothing but the direct one
 
-  // name: as that option takes it. Throws Error(Unreadable) where PETSc is asked for and not there.
-  LinearSolvers(std::string name, bool quiet, Runs runs = Runs::One);
+  // name: as that option takes it. petsc_options: as --petsc-options has them. Throws
+  // Error(Unreadable) where PETSc is asked for and not there, Error(Usage) for options that it
+  // refuses.
+  LinearSolvers(std::string name, const std::string& petsc_options, bool quiet,
+                Runs runs = Runs::One);
   LinearSolvers(const LinearSolvers&) = delete;
   LinearSolvers& operator=(const LinearSolvers&) = delete;
 
   // options: of runs that this object outlives, on its thread where there is one at a time.
   void apply(SolveOptions& options);
+
+  // Says which of --petsc-options nothing has asked for, for the end of the run.
+  void say_unused_options() const;
 
   Json ladder() const;  // null where the direct solver did everything
   Json memory() const;  // null where there was nothing to factorize by the direct solver
@@ -44,10 +51,12 @@ class LinearSolvers {
   bool gives_way(const SolverMemory& memory, int foreseen_degree);
 
   std::string name_;
+  std::vector<std::string> petsc_words_;
   bool quiet_;
   Runs runs_;
   std::mutex mutex_;     // of what follows
   SolverFactory petsc_;  // empty: not loaded
+  const SolverPlugin* plugin_ = nullptr;
   std::shared_ptr<LadderRecord> record_ = std::make_shared<LadderRecord>();
   SolverMemory largest_;                 // so far
   std::size_t process_ = 0;              // bytes it had then

@@ -10,6 +10,7 @@
 #include "apps/outputs.h"
 #include "apps/streams.h"
 #include "apps/unless_stopped.h"
+#include "apps/within_memory.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/curvature_name.h"
 #include "majorant/io/internal/read_face_weights.h"
@@ -121,7 +122,7 @@ MapInput read_input(const MapRequest& request, const StopCheck& stop,
   MapInput in;
   parse_energy(request.energy);  // before any work
   unless_stopped("reading " + request.input, [&] {
-    in.polygons = read_mesh(request.input, stop);
+    in.polygons = within_memory(request.input, [&] { return read_mesh(request.input, stop); });
     say_warnings(in.polygons.warnings);
     in.mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(in.polygons, stop));
   });

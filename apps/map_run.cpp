@@ -34,7 +34,7 @@ MapRun::MapRun(std::string verb, MapVerb& request, const std::vector<std::string
                     {{request.solve.scaffold_file}, {".vtu", ".svg"}},
                     {{request.outputs.distortion}, {".csv"}}},
                    inputs);
-  solvers_.emplace(request.solve.linear_solver, request.common.quiet);
+  solvers_.emplace(request.solve.linear_solver, request.common.petsc_options, request.common.quiet);
   threads_.emplace(start_threads(request.common.threads));
 }
 
@@ -64,6 +64,7 @@ MapInput& MapRun::read(const StartMaker& make_start) {
 
 int MapRun::finish(ParametrizationResult result, const Json& extra) {
   result.initialize_seconds += start_seconds_;
+  solvers_->say_unused_options();
   std::optional<LayoutPlacement> placement;
   if (has_result(result) && (request_.outputs.normalize || request_.outputs.turns_map()))
     placement = place(result);

@@ -7,6 +7,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <climits>
 #include <csignal>
@@ -14,9 +15,12 @@
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
+#include <fstream>
+#include <optional>
 
 #include "apps/streams.h"
 #include "majorant/framework/thread_count.h"
+#include "majorant/io/internal/reading_limit.h"
 #include "majorant/io/internal/temporary_file.h"
 
 namespace majorant::app {
@@ -144,6 +148,21 @@ const std::atomic<bool>* interruption_flag() {
   stops_runs.store(true);
   return &interrupted;
 }
+
+// RLIMIT_DATA counts what is mapped for writing, touched or not.
+FreeMemoryOnly::FreeMemoryOnly() {
+  ::getrlimit(RLIMIT_DATA, &before_);
+  std::size_t total = 0, resident = 0, shared = 0, text = 0, library = 0, data = 0;  // pages
+  std::ifstream("/proc/self/statm") >> total >> resident >> shared >> text >> library >> data;
+  const std::optional<std::size_t> free = reading_memory();
+  if (!free || data == 0) return;
+  rlimit limit = before_;
+  const rlim_t least = data * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE)) + *free;
+  limit.rlim_cur = std::min(before_.rlim_cur, least);
+  ::setrlimit(RLIMIT_DATA, &limit);
+}
+
+FreeMemoryOnly::~FreeMemoryOnly() { ::setrlimit(RLIMIT_DATA, &before_); }
 
 int start_threads(int asked) {
   // glibc gives a thread that allocates an arena of 64 MiB, aligned to as much.

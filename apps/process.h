@@ -11,6 +11,8 @@
 // ignored.
 #pragma once
 
+#include <sys/resource.h>
+
 #include <atomic>
 
 namespace majorant::app {
@@ -23,6 +25,19 @@ void prepare_process(char** argv);
 
 // Set by the first of the signals above. Outlives everything.
 const std::atomic<bool>* interruption_flag();
+
+// While one lives the process gets no more memory than is free when it begins (reading_limit.h):
+// std::bad_alloc instead of being killed. For what takes as much as it asks for.
+class FreeMemoryOnly {
+ public:
+  FreeMemoryOnly();
+  ~FreeMemoryOnly();
+  FreeMemoryOnly(const FreeMemoryOnly&) = delete;
+  FreeMemoryOnly& operator=(const FreeMemoryOnly&) = delete;
+
+ private:
+  rlimit before_{};
+};
 
 // Starts that many threads, 0: as many as OpenMP has; fewer where an address space limit (ulimit
 // -v) leaves no room for their stacks: results do not depend on it. The ending signals do not reach

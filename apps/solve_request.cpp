@@ -11,6 +11,7 @@
 #include "apps/process.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/curvature_name.h"
+#include "majorant/io/internal/waiting_output.h"
 
 namespace majorant::app {
 
@@ -78,8 +79,10 @@ void SolveRequest::require_usable(const OutputRequest& outputs, const MapRequest
 
 RunRecord SolveRequest::make_record(Progress& progress) const {
   if (!(time_limit >= 0)) throw Error(ErrorKind::Usage, "--time-limit is not a number of seconds");
-  return RunRecord(time_limit, max_iterations, interruption_flag(), progress.steps(),
+  RunRecord record(time_limit, max_iterations, interruption_flag(), progress.steps(),
                    progress.activities());
+  set_output_stop(record.stop());
+  return record;
 }
 
 }  // namespace majorant::app

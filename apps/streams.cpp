@@ -6,7 +6,7 @@
 #include <cerrno>
 #include <mutex>
 
-#include "majorant/io/internal/temporary_file.h"
+#include "majorant/io/internal/waiting_output.h"
 
 namespace majorant::app {
 namespace {
@@ -30,6 +30,24 @@ void open_standard_streams() noexcept {
     // The lowest free number is this one.
     if (::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY) != stream) return;
   }
+}
+
+std::string one_line(std::string_view text) {
+  const std::string_view end = text.ends_with('\n') ? "\n" : "";
+  text.remove_suffix(end.size());
+  std::string line;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    const auto c = static_cast<unsigned char>(text[k]);
+    // U+0080 to U+009F, which some terminals obey, are 0xC2 and that byte.
+    const bool is_second =
+        c >= 0x80 && c < 0xa0 && k > 0 && static_cast<unsigned char>(text[k - 1]) == 0xc2;
+    if (is_second) line.pop_back();
+    if (c < 0x20 || c == 0x7f || is_second)
+      line += c == '\n' ? "\\n" : fmt::format("\\x{:02x}", c);
+    else
+      line += text[k];
+  }
+  return line += end;
 }
 
 void say_text(std::string_view text) noexcept {

@@ -19,6 +19,10 @@ namespace majorant::app {
 // the next file that is opened would get the number, and messages would be written into it.
 void open_standard_streams() noexcept;
 
+// The text without control characters, as \\x1b, but for a line end at its end: names of files may
+// hold them, and what they would do to a terminal is not for a file to say.
+std::string one_line(std::string_view text);
+
 void say_text(std::string_view text) noexcept;
 // The last line of a terminal, shown anew by every call until something else is said; empty: none.
 // From any thread.
@@ -28,9 +32,10 @@ void print_text(std::string_view text) noexcept;
 // "majorant: warning: ..." for each.
 void say_warnings(const std::vector<std::string>& warnings);
 
+// One line.
 template <class... Args>
 void say(fmt::format_string<Args...> format, Args&&... args) {
-  say_text(fmt::format(format, std::forward<Args>(args)...));
+  say_text(one_line(fmt::format(format, std::forward<Args>(args)...)));
 }
 template <class... Args>
 void print_data(fmt::format_string<Args...> format, Args&&... args) {

@@ -12,6 +12,7 @@
 #include "apps/streams.h"
 #include "apps/unless_stopped.h"
 #include "apps/unwrap_request.h"
+#include "apps/within_memory.h"
 #include "majorant/framework/thread_count.h"
 #include "majorant/io/read_mesh.h"
 
@@ -69,7 +70,8 @@ int unwrap_file(UnwrapVerb request) {
   UnwrapOptions options;
   record.begin(Activity::Reading);
   unless_stopped("reading " + request.map.input, [&] {
-    polygons = read_mesh(request.map.input, record.start_stop());
+    polygons = within_memory(request.map.input,
+                             [&] { return read_mesh(request.map.input, record.start_stop()); });
     say_warnings(polygons.warnings);
     surface = request.unwrap.repaired(polygons, record.start_stop());
     polygons = with_welded_vertices(std::move(polygons), surface);
@@ -77,7 +79,7 @@ int unwrap_file(UnwrapVerb request) {
     options.chart = read_options(request.map, polygons, *surface.mesh);
   });
   request.solve.apply(options.chart);
-  LinearSolvers solvers(request.solve.linear_solver, request.common.quiet,
+  LinearSolvers solvers(request.solve.linear_solver, "", request.common.quiet,
                         LinearSolvers::Runs::Several);
   solvers.apply(options.chart.solve);
   const double read_seconds = record.seconds();

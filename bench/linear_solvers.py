@@ -31,9 +31,8 @@ def report_of(words, folder):
     path = os.path.join(folder, 'report.json')
     if os.path.exists(path):
         os.remove(path)
-    where = words.index('--petsc') if '--petsc' in words else len(words)
-    done = subprocess.run(words[:where] + ['--report', path, '--quiet'] + words[where:], env=ENVIRONMENT,
-                          text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    done = subprocess.run(words + ['--report', path, '--quiet'], env=ENVIRONMENT, text=True,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     if not os.path.exists(path):
         sys.exit('%s: exit %d: %s' % (' '.join(words), done.returncode, done.stdout.strip()[-300:]))
     with open(path) as f:
@@ -57,8 +56,8 @@ def solves(text):
 
 def counts(mesh, args, folder):
     words = [MPI, 'parametrize', *common(mesh, args), '-o', os.path.join(folder, 'a.pvtu'),
-             '--linear-solver', 'cg-hypre', '--petsc', '-majorant_hypre_ksp_rtol', '1e-2',
-             '-majorant_hypre_ksp_monitor', *args.petsc]
+             '--linear-solver', 'cg-hypre', '--petsc-options',
+             '-majorant_hypre_ksp_rtol 1e-2 -majorant_hypre_ksp_monitor ' + args.petsc_options]
     report, said = report_of(words, folder)
     taken, other = [], 0
     for residuals in solves(said)[1:]:  # the first is the start's
@@ -97,7 +96,7 @@ def main():
     parser.add_argument('--init', default='tutte')
     parser.add_argument('--max-iterations', type=int, default=1000)
     parser.add_argument('--counts', action='store_true')
-    parser.add_argument('--petsc', nargs='*', default=[], help='with --counts: more options')
+    parser.add_argument('--petsc-options', default='', help='with --counts: more of them')
     args = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
         for mesh in args.meshes:

@@ -26,6 +26,20 @@ if(PROJECT_VERSION_MAJOR EQUAL 0)
   string(APPEND MAJORANT_SOVERSION .${PROJECT_VERSION_MINOR})
 endif()
 
+# What is installed finds its libraries by one search path, in the build tree and once installed: the
+# folders ORIGIN... of a target of BUILD_SHARED_LIBS, relative to where it is, and those that it was
+# linked from outside of the project (PETSc from a module of a cluster). CMake ends a path that
+# `cmake --install` would change with an empty entry, which loaders take for the current directory.
+function(majorant_search_path target)
+  set(path)
+  if(BUILD_SHARED_LIBS)
+    set(path ${ARGN})
+    list(TRANSFORM path PREPEND "$ORIGIN/")
+  endif()
+  set_target_properties(${target} PROPERTIES INSTALL_RPATH "${path}" BUILD_WITH_INSTALL_RPATH ON
+                                             INSTALL_RPATH_USE_LINK_PATH ON)
+endfunction()
+
 macro(majorant_library name)
   set(MAJORANT_LIBRARY lib${name})
   set(${MAJORANT_LIBRARY}_rooms)
@@ -33,7 +47,10 @@ macro(majorant_library name)
     add_library(${MAJORANT_LIBRARY} SHARED)
     set_target_properties(${MAJORANT_LIBRARY} PROPERTIES
       OUTPUT_NAME ${name} VERSION ${PROJECT_VERSION} SOVERSION ${MAJORANT_SOVERSION}
-      LINKER_LANGUAGE CXX INSTALL_RPATH "\$ORIGIN")
+      LINKER_LANGUAGE CXX
+      # As far from programs as once installed.
+      LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR})
+    majorant_search_path(${MAJORANT_LIBRARY} .)
     target_compile_features(${MAJORANT_LIBRARY} PUBLIC cxx_std_20)
     target_compile_definitions(${MAJORANT_LIBRARY} PUBLIC ${MAJORANT_ABI_DEFINITIONS})
     target_include_directories(${MAJORANT_LIBRARY} PUBLIC $<INSTALL_INTERFACE:include>)

@@ -5,6 +5,7 @@
 // A binary of its own, so that `majorant` needs no MPI. Every rank reads the same words; rank 0
 // reads files and speaks. Exit codes are those of `majorant`; a rank that fails ends all.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <signal.h>
 
 #include <CLI/App.hpp>
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <memory>
 #include <new>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -312,8 +314,7 @@ void add_to(CLI::App& app, Request& request) {
       ->check(one_of(solvers));
   verb.footer(
       energy_help() +
-      "Example: mpirun -n 8 majorant-mpi parametrize big.ply -o big.pvtu --report run.json\n"
-      "What follows --petsc goes to PETSc.");
+      "Example: mpirun -n 8 majorant-mpi parametrize big.ply -o big.pvtu --report run.json");
 }
 
 // What CLI11 makes of the words; a number: nothing is left to do.
@@ -339,13 +340,32 @@ std::optional<int> parse(std::vector<std::string> words, Request& request, bool 
   return {};
 }
 
-int run(int argc, char** argv) {
-  std::vector<std::string> words(argv + 1, argv + argc), petsc;
-  if (const auto mark = std::find(words.begin(), words.end(), "--petsc"); mark != words.end()) {
-    petsc.assign(mark + 1, words.end());
-    words.erase(mark, words.end());
+// PETSc begins before anything else is read, since then ranks know who speaks. Those that are wrong
+// parse() refuses.
+std::vector<std::string> early_petsc_words(const std::vector<std::string>& words) {
+  const std::string option = "--petsc-options";
+  std::string text;
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    if (words[k] == option && k + 1 < words.size()) text = words[k + 1];
+    if (words[k].starts_with(option + "=")) text = words[k].substr(option.size() + 1);
   }
-  Processes processes(petsc);
+  try {
+    return petsc_words(text);
+  } catch (const Error&) {
+    return {};
+  }
+}
+
+int run(int argc, char** argv) {
+  const std::vector<std::string> words(argv + 1, argv + argc);
+  std::optional<Processes> started;
+  try {
+    started.emplace(early_petsc_words(words));
+  } catch (const Error& e) {
+    if (is_first_process()) say("majorant-mpi: {}\n", e.what());
+    return exit_code(e.kind());
+  }
+  const Processes& processes = *started;
   const int rank = processes.ranks()->rank();
   // What one rank alone has come upon the others wait for: all end.
   const auto fail = [&](int code) -> int {
@@ -363,7 +383,12 @@ int run(int argc, char** argv) {
       return exit_code(e.kind());
     }
     const ThreadCount threads(start_threads(request.common.threads));
-    return Job(request, processes).run();
+    const int code = Job(request, processes).run();
+    if (const auto unused = processes.unused_options();
+        rank == 0 && !request.common.quiet && !unused.empty())
+      say("majorant-mpi: warning: --petsc-options: nothing has asked for {}\n",
+          fmt::join(unused, ", "));
+    return code;
   } catch (const FailedElsewhere&) {  // the rank that has says why and ends all
     return kInternal;
   } catch (const Error& e) {

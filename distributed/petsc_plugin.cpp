@@ -16,15 +16,24 @@ void start_alone() {
   ::setenv("OMPI_MCA_btl", "self", 0);
 }
 
-SolverFactory ladder(const LadderOptions& options, std::shared_ptr<LadderRecord> record) {
-  static const Processes processes = (start_alone(), Processes({}));
+const Processes& processes(const std::vector<std::string>& petsc_words) {
+  static const Processes started = (start_alone(), Processes(petsc_words));
+  return started;
+}
+
+SolverFactory ladder(const LadderOptions& options, std::shared_ptr<LadderRecord> record,
+                     const std::vector<std::string>& petsc_words) {
+  processes(petsc_words);
   return petsc_solver(options, std::move(record));
 }
+
+std::vector<std::string> unused_options() { return processes({}).unused_options(); }
 
 }  // namespace
 }  // namespace majorant
 
-extern "C" const majorant::SolverPlugin majorant_solver_plugin{MAJORANT_VERSION, majorant::ladder};
+extern "C" const majorant::SolverPlugin majorant_solver_plugin{MAJORANT_VERSION, majorant::ladder,
+                                                               majorant::unused_options};
 
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause

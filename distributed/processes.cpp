@@ -1,5 +1,6 @@
 #include "distributed/processes.h"
 
+#include <fmt/format.h>
 #include <petscsys.h>
 
 #include <algorithm>
@@ -68,27 +69,58 @@ class MpiRanks final : public Ranks {
 
 }  // namespace
 
-// Signals and failures are ours; options given come last and win.
+// Signals, failures and what options are obeyed are ours; options given come last and win.
 Processes::Processes(const std::vector<std::string>& petsc_options)
-    : words_{"majorant-mpi", "-no_signal_handler",
+    : words_{"majorant-mpi", "-no_signal_handler", "-skip_petscrc",
              // As many iterations as PETSc's defaults (Falgout, classical) in 0.8 of the time.
              "-majorant_hypre_pc_hypre_boomeramg_coarsen_type", "HMIS",
              "-majorant_hypre_pc_hypre_boomeramg_interp_type", "ext+i",
              "-majorant_hypre_pc_hypre_boomeramg_P_max", "4", "-majorant_icc_sub_pc_type", "icc",
              "-majorant_icc_sub_pc_factor_shift_type", "positive_definite",
              "-majorant_gamg_pc_gamg_reuse_interpolation", "false"} {
+  own_ = words_.size();
   words_.insert(words_.end(), petsc_options.begin(), petsc_options.end());
   for (std::string& word : words_) pointers_.push_back(word.data());
   int count = static_cast<int>(pointers_.size());
   pointers_.push_back(nullptr);
   char** argv = pointers_.data();
-  require_petsc(PetscInitialize(&count, &argv, nullptr, nullptr));
-  require_petsc(PetscPushErrorHandler(PetscReturnErrorHandler, nullptr));
+  for (const char* variable : {"PETSC_OPTIONS", "PETSC_OPTIONS_YAML"}) ::unsetenv(variable);
+  keep_petsc_messages();
+  try {
+    require_petsc(PetscInitialize(&count, &argv, nullptr, nullptr));
+  } catch (const Error& e) {
+    if (petsc_options.empty()) throw;
+    throw Error(ErrorKind::Usage, fmt::format("--petsc-options: {}", e.what()));
+  }
   require_petsc(PetscOptionsSetValue(nullptr, "-options_left", "no"));
   ranks_ = std::make_shared<const MpiRanks>();
 }
 
 Processes::~Processes() { PetscFinalize(); }
+
+std::vector<std::string> Processes::unused_options() const {
+  PetscInt count = 0;
+  char **names = nullptr, **values = nullptr;
+  require_petsc(PetscOptionsLeftGet(nullptr, &count, &names, &values));
+  std::vector<std::string> unused;
+  for (PetscInt k = 0; k < count; ++k) {
+    const std::string option = std::string("-") + names[k];
+    const auto is_it = [&](const std::string& word) {
+      return word == option || word == "-" + option;
+    };
+    if (std::any_of(words_.begin() + static_cast<std::ptrdiff_t>(own_), words_.end(), is_it))
+      unused.push_back(option);
+  }
+  require_petsc(PetscOptionsLeftRestore(nullptr, &count, &names, &values));
+  return unused;
+}
+
+bool is_first_process() {
+  int started = 0, rank = 0;
+  MPI_Initialized(&started);
+  if (started != 0) MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  return rank == 0;
+}
 
 // Calls of MPI in sources that include PETSc's headers, ours too, are counted by PETSc.
 Traffic traffic() {

@@ -18,21 +18,29 @@ namespace majorant {
 class Processes {
  public:
   // petsc_options: words as PETSc's options database takes them, "-ksp_monitor" and the like; what
-  // this library sets by itself gives way. One a program. Works without mpirun, too: one rank.
+  // this library sets by itself gives way, and nothing else is obeyed: no file (.petscrc), no
+  // variable (PETSC_OPTIONS), since options load libraries and write files. One a program. Works
+  // without mpirun, too: one rank. Throws Error(Usage) for options that PETSc refuses.
   explicit Processes(const std::vector<std::string>& petsc_options);
   ~Processes();  // collective
   Processes(const Processes&) = delete;
   Processes& operator=(const Processes&) = delete;
 
   const std::shared_ptr<const Ranks>& ranks() const { return ranks_; }
+  // Of petsc_options those that nothing has asked for until now: misspelt ones, say.
+  std::vector<std::string> unused_options() const;
   // Ends every rank with this exit code, whatever it does at the moment.
   [[noreturn]] void abort(int code) const;
 
  private:
   std::vector<std::string> words_;  // PETSc keeps pointers to them
+  std::size_t own_ = 0;             // of them; the others are petsc_options
   std::vector<char*> pointers_;
   std::shared_ptr<const Ranks> ranks_;
 };
+
+// Whether this process is the one that speaks; also where a Processes could not be made.
+bool is_first_process();
 
 // What this rank has sent until now, for ranks() and inside PETSc; hypre and MUMPS count for
 // themselves, and are not in it.

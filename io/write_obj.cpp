@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <optional>
 
 #include "majorant/framework/error.h"
 #include "majorant/io/internal/atomic_file.h"
@@ -71,9 +72,14 @@ void write_obj(const std::string& path, const MapFile& map, const PolygonMesh* i
   std::string text;
   try {
     PolygonMesh mesh = tessellate_map(map, input, options);
-    if (input != nullptr && !input->file.empty())
-      for (auto& [polygon, line] : mesh.directives)
-        if (line.starts_with("mtllib")) line = repoint_materials(line, input->file, path);
+    if (input != nullptr && !input->file.empty()) {
+      std::optional<MaterialFiles> materials;
+      for (auto& [polygon, line] : mesh.directives) {
+        if (!line.starts_with("mtllib")) continue;
+        if (!materials) materials.emplace(input->file, path);
+        line = materials->repointed(line);
+      }
+    }
     text = obj_text(mesh);
   } catch (const Error& error) {
     throw Error(error.kind(), fmt::format("cannot write {}: {}", path, error.what()));

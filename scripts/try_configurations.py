@@ -70,9 +70,9 @@ def soversion():
 
 
 def check_library(build, name):
-    library = build / ('lib%s.so' % name)
+    library = build / 'lib' / ('lib%s.so' % name)
     assert dynamic(library, 'SONAME') == ['lib%s.so.%s' % (name, soversion())], library
-    assert (build / ('lib%s.so.%s' % (name, version()))).is_file()
+    assert (library.parent / ('lib%s.so.%s' % (name, version()))).is_file()
     symbols = run('nm', '-D', '--defined-only', '--format=posix', library).splitlines()
     others = [line for line in symbols if not re.match(r'_Z\w*?8majorant', line)]
     assert not others, others[:10]

@@ -17,7 +17,9 @@
 #include "apps/progress.h"
 #include "apps/streams.h"
 #include "apps/unless_stopped.h"
+#include "apps/within_memory.h"
 #include "majorant/framework/thread_count.h"
+#include "majorant/io/internal/waiting_output.h"
 #include "majorant/io/map_distortion.h"
 #include "majorant/io/map_file.h"
 #include "majorant/io/map_proof.h"
@@ -112,8 +114,10 @@ int check(const Request& request) {
   Progress progress(request.common);
   const RunRecord record(request.time_limit, 0, interruption_flag(), {}, progress.activities());
   const StopCheck& stop = record.stop();
+  set_output_stop(stop);
   const auto read = [&](const std::string& path, const auto& reader) {
-    return unless_stopped("reading " + path, [&] { return reader(path, stop); });
+    return unless_stopped("reading " + path,
+                          [&] { return within_memory(path, [&] { return reader(path, stop); }); });
   };
   record.begin(Activity::Reading);
   const MapFile file = read(request.result, read_map);

@@ -29,6 +29,7 @@
 #include "apps/unless_stopped.h"
 #include "majorant/framework/evaluator.h"
 #include "majorant/framework/thread_count.h"
+#include "majorant/io/internal/waiting_output.h"
 #include "majorant/parametrization/drive/internal/normalized_start.h"
 #include "majorant/parametrization/maps/internal/quadrature_ladder.h"
 #include "majorant/results/internal/report.h"
@@ -108,6 +109,7 @@ std::string processor() {
 Contest make_contest(const Request& request) {
   const RunRecord limits(std::numeric_limits<double>::infinity(), request.max_iterations,
                          interruption_flag());
+  set_output_stop(limits.stop());
   const MapInput in = read_input(request.map, limits.start_stop());
   const Vec initial = unless_stopped("making the start of " + request.map.input, [&] {
     return initial_map(*in.mesh, in.options.map, limits.start_stop());

@@ -16,6 +16,7 @@
 #include "majorant/io/internal/atomic_file.h"
 #include "majorant/io/internal/byte_cursor.h"
 #include "majorant/io/internal/input_file.h"
+#include "majorant/io/internal/json_depth.h"
 
 namespace majorant {
 namespace {
@@ -72,6 +73,7 @@ struct Sizes {
 };
 
 Json parsed(const std::string& path, std::string_view header) {
+  require_shallow_json(path, header);
   try {
     return Json::parse(header);
   } catch (const Json::exception&) {

@@ -5,6 +5,10 @@
 
 namespace majorant {
 
+// From now on PETSc prints nothing where a call fails; what it would say is kept for require_petsc.
+// Also before PetscInitialize.
+void keep_petsc_messages();
+
 // code: a PetscErrorCode. Throws Error(Unsupported) with PETSc's words for it.
 void require_petsc(int code);
 

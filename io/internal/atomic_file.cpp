@@ -12,7 +12,9 @@
 #include <system_error>
 
 #include "majorant/framework/error.h"
+#include "majorant/io/internal/input_file.h"
 #include "majorant/io/internal/temporary_file.h"
+#include "majorant/io/internal/waiting_output.h"
 
 namespace majorant {
 namespace {
@@ -22,6 +24,9 @@ constexpr mode_t kPermissions = 07777;
 constexpr mode_t kOwnerOnly = 0600;
 
 [[noreturn]] void fail(const std::string& path, int code) {
+  if (code == ETIMEDOUT)
+    throw Error(ErrorKind::Usage,
+                fmt::format("cannot write {}: nobody reads it, and the run is to end", path));
   throw Error(ErrorKind::Usage, fmt::format("cannot write {}: {}", path, std::strerror(code)));
 }
 
@@ -65,6 +70,9 @@ struct Target {
 
 // Refuses what is certain to fail.
 Target find_target(const std::string& path) {
+  if (path.find('\0') != std::string::npos)
+    throw Error(ErrorKind::Usage,
+                fmt::format("cannot write {}: no file name has a null character", in_quotes(path)));
   struct stat status {};
   if (::stat(path.c_str(), &status) != 0) {
     if (errno != ENOENT || path.empty()) fail(path, errno);
@@ -84,16 +92,8 @@ void verify_elsewhere(const std::string& path, std::string_view content,
   verify(file.path());
 }
 
-// Waits for the reader of a FIFO.
-int open_special(const std::string& path) {
-  int descriptor = -1;
-  do descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-  while (descriptor < 0 && errno == EINTR);
-  return descriptor;
-}
-
 void write_special(const std::string& path, std::string_view content) {
-  const int descriptor = open_special(path);
+  const int descriptor = open_waiting(path);
   if (descriptor < 0) fail(path, errno);
   const int written = write_all(descriptor, content);
   const int closed = ::close(descriptor) == 0 ? 0 : errno;

@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <new>
+#include <utility>
 
 namespace majorant {
 namespace {
@@ -17,7 +18,7 @@ Bytef* bytes_of(const char* data) {  // zlib does not write to what it reads
 
 }  // namespace
 
-GunzipStream::GunzipStream(std::size_t most) : most_(most) {
+GunzipStream::GunzipStream(ReadingLimit limit) : limit_(std::move(limit)) {
   if (inflateInit2(&stream_, kGzip) != Z_OK) throw std::bad_alloc();
 }
 
@@ -27,6 +28,7 @@ bool GunzipStream::append(std::string_view bytes, std::string& content) {
   constexpr std::size_t kMost = std::numeric_limits<uInt>::max();
   for (; bytes.size() > kMost; bytes.remove_prefix(kMost))
     if (!append(bytes.substr(0, kMost), content)) return false;
+  compressed_ += bytes.size();
   stream_.next_in = bytes_of(bytes.data());
   stream_.avail_in = static_cast<uInt>(bytes.size());
   while (stream_.avail_in > 0) {
@@ -44,11 +46,18 @@ bool GunzipStream::append(std::string_view bytes, std::string& content) {
   return true;
 }
 
+// For one more block. Where the string grows it holds what it has twice, for a moment.
+void GunzipStream::require_room(const std::string& content) const {
+  const std::size_t size = content.size() + kBlock;
+  limit_.require_unpacked(size, compressed_);
+  if (size > content.capacity()) limit_.require(size + content.size());
+}
+
 // As far as there are bytes, or to the end of the member.
 bool GunzipStream::append_member(std::string& content) {
   while (true) {
     const std::size_t size = content.size();
-    if (size > most_) throw std::bad_alloc();
+    require_room(content);
     content.resize(size + kBlock);
     stream_.next_out = bytes_of(content.data() + size);
     stream_.avail_out = kBlock;
@@ -65,8 +74,12 @@ bool GunzipStream::append_member(std::string& content) {
   }
 }
 
+bool can_stand_for(std::string_view stream, std::size_t size) {
+  return size <= kLargestRatio * stream.size() + kOverhead;
+}
+
 bool append_inflated(std::string_view stream, std::size_t size, std::string& content) {
-  if (size > kLargestRatio * stream.size() + kOverhead) return false;
+  if (!can_stand_for(stream, size)) return false;
   const std::size_t before = content.size();
   content.resize(before + size);
   uLongf written = size;

@@ -1,7 +1,7 @@
 // Decompression by zlib: gzip files block by block, zlib streams of known size.
 //
 //   std::string content;
-//   GunzipStream stream(std::size_t{1} << 20);
+//   GunzipStream stream(ReadingLimit("mesh.obj.gz"));
 //   bool is_sound = stream.append("bytes of a .gz file", content);   // once for each block
 //   is_sound = is_sound && stream.complete();
 //
@@ -14,15 +14,16 @@
 #include <string>
 #include <string_view>
 
+#include "majorant/io/internal/reading_limit.h"
+
 namespace majorant {
 
 // What a gzip file says, as it comes in. Several members make one content, and zeros at the end are
 // padding, as for gunzip; checksums are compared.
 class GunzipStream {
  public:
-  // most: bytes of content beyond which append throws std::bad_alloc: a few bytes may stand for
-  // millions.
-  explicit GunzipStream(std::size_t most);
+  // limit: of content, what append throws beyond it.
+  explicit GunzipStream(ReadingLimit limit);
   GunzipStream(const GunzipStream&) = delete;
   GunzipStream& operator=(const GunzipStream&) = delete;
   ~GunzipStream();
@@ -34,13 +35,17 @@ class GunzipStream {
 
  private:
   bool append_member(std::string& content);
+  void require_room(const std::string& content) const;
 
   z_stream stream_{};
-  std::size_t most_;
-  std::size_t members_ = 0;  // that have ended
+  ReadingLimit limit_;
+  std::size_t compressed_ = 0;  // bytes until now
+  std::size_t members_ = 0;     // that have ended
   bool in_member_ = false;
 };
 
+// Whether a zlib stream may be that of so many bytes: by its length alone.
+bool can_stand_for(std::string_view stream, std::size_t size);
 // Appends the `size` bytes that a zlib stream stands for; false if it is damaged or of another
 // size.
 bool append_inflated(std::string_view stream, std::size_t size, std::string& content);

@@ -1,6 +1,9 @@
 #include "majorant/io/internal/input_file.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -8,10 +11,11 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 
 #include "majorant/framework/error.h"
 #include "majorant/io/internal/inflate.h"
+#include "majorant/io/internal/reading_limit.h"
+#include "majorant/io/internal/waiting_output.h"
 
 namespace majorant {
 namespace {
@@ -27,35 +31,56 @@ std::string lower_extension(const std::filesystem::path& path) {
   return e;
 }
 
-std::size_t memory_bytes() {
-  return static_cast<std::size_t>(::sysconf(_SC_PHYS_PAGES)) *
-         static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
-}
+// A file that is open for reading.
+class InputFile {
+ public:
+  explicit InputFile(const std::string& path) : path_(path) {
+    if (path.find('\0') != std::string::npos)
+      throw Error(ErrorKind::Unreadable,
+                  fmt::format("{}: no file name has a null character", in_quotes(path)));
+    // Not waiting: of a FIFO nobody may come to write.
+    descriptor_ = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
+    struct stat status {};
+    if (descriptor_ < 0 || ::fstat(descriptor_, &status) != 0) fail("check the name");
+    if (S_ISDIR(status.st_mode))
+      throw Error(ErrorKind::Unreadable, path + ": is a directory; name a file");
+    may_wait_ = !S_ISREG(status.st_mode);
+    if (!may_wait_) size_ = static_cast<std::size_t>(status.st_size);
+  }
+  ~InputFile() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  InputFile(const InputFile&) = delete;
+  InputFile& operator=(const InputFile&) = delete;
 
-// Calls take(bytes) with the blocks of a file, in order.
-template <class Take>
-void for_each_block(const std::string& path, const StopCheck& stop, const Take& take) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) {
-    throw Error(ErrorKind::Unreadable, path + ": is a directory; name a file");
+  std::size_t size() const { return size_; }  // 0: nobody knows
+
+  // Calls take(bytes) with the blocks of the file, in order.
+  template <class Take>
+  void for_each_block(const StopCheck& stop, const Take& take) const {
+    std::string block(std::size_t{1} << 16, '\0');
+    for (;;) {
+      stop.poll();
+      pollfd ready{descriptor_, POLLIN, 0};
+      if (may_wait_ && ::poll(&ready, 1, kWaitMilliseconds) <= 0) continue;
+      const ssize_t count = ::read(descriptor_, block.data(), block.size());
+      if (count == 0) return;
+      if (count > 0) take(std::string_view(block).substr(0, static_cast<std::size_t>(count)));
+      if (count < 0 && errno != EINTR && errno != EAGAIN) fail("check the disk");
+    }
   }
-  errno = 0;
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) {
-    const char* reason = errno != 0 ? std::strerror(errno) : "cannot be opened";
-    throw Error(ErrorKind::Unreadable, fmt::format("{}: {}; check the name", path, reason));
+
+ private:
+  [[noreturn]] void fail(const char* remedy) const {
+    throw Error(ErrorKind::Unreadable,
+                fmt::format("{}: {}; {}", path_, std::strerror(errno), remedy));
   }
-  constexpr std::size_t kRead = std::size_t{1} << 16;
-  std::string block(kRead, '\0');
-  while (stream) {
-    stop.poll();
-    stream.read(block.data(), kRead);
-    take(std::string_view(block).substr(0, static_cast<std::size_t>(stream.gcount())));
-  }
-  if (stream.bad()) {
-    throw Error(ErrorKind::Unreadable, path + ": reading failed; check the disk");
-  }
-}
+
+  const std::string& path_;
+  int descriptor_ = -1;
+  bool may_wait_ = false;
+  std::size_t size_ = 0;
+};
 
 }  // namespace
 
@@ -68,15 +93,21 @@ std::string format_of(const std::string& path) {
 
 std::string read_whole_file(const std::string& path, const StopCheck& stop) {
   std::string content;
+  const InputFile file(path);
+  const ReadingLimit limit(path);
   if (!is_compressed(path)) {
-    std::error_code ignored;
-    const auto size = std::filesystem::file_size(path, ignored);
-    if (!ignored) content.reserve(size + 1);
-    for_each_block(path, stop, [&](std::string_view block) { content += block; });
+    limit.require(file.size());
+    content.reserve(file.size() + 1);
+    file.for_each_block(stop, [&](std::string_view block) {
+      const std::size_t size = content.size() + block.size();
+      // Where it grows it is there twice, for a moment.
+      if (size > content.capacity()) limit.require(size + content.size());
+      content += block;
+    });
     return content;
   }
-  GunzipStream stream(memory_bytes());
-  for_each_block(path, stop, [&](std::string_view block) {
+  GunzipStream stream(limit);
+  file.for_each_block(stop, [&](std::string_view block) {
     if (!stream.append(block, content))
       throw Error(
           ErrorKind::Unreadable,

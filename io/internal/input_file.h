@@ -21,8 +21,8 @@ bool is_compressed(const std::string& path);
 std::string format_of(const std::string& path);
 
 // All bytes of `path`, decompressed if its name says so. Throws Error(Unreadable) if it does not
-// exist, is a directory, cannot be read or is no complete gzip file; std::bad_alloc if it is larger
-// than the machine's memory; Stopped.
+// exist, is a directory, cannot be read or is no complete gzip file; Error(Unsupported) for more
+// than a ReadingLimit allows; Stopped, also while a FIFO has no writer.
 std::string read_whole_file(const std::string& path, const StopCheck& stop = {});
 
 // Refuses control bytes other than tab, line ends, vertical tab and form feed (binary content,

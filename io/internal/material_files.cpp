@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
-#include <filesystem>
+#include <climits>
 #include <string_view>
 
 namespace majorant {
@@ -17,6 +17,17 @@ std::size_t end_of_word(const std::string& text, std::size_t from) {
   return std::min(text.find_first_of(kBlanks, from), text.size());
 }
 
+// One past the end of the first word behind `end`; text.size() where there is none.
+std::size_t end_of_next_word(const std::string& text, std::size_t end) {
+  return end_of_word(text, std::min(text.find_first_not_of(kBlanks, end), text.size()));
+}
+
+// The first slash there; `end`: there is none.
+std::size_t find_slash(const std::string& text, std::size_t begin, std::size_t end) {
+  const std::size_t at = std::string_view(text).substr(begin, end - begin).find('/');
+  return at == std::string_view::npos ? end : begin + at;
+}
+
 bool ends_as_material(std::string_view name) {
   constexpr std::string_view kExtension = ".mtl";
   if (name.size() < kExtension.size()) return false;
@@ -25,18 +36,13 @@ bool ends_as_material(std::string_view name) {
                     [](unsigned char c, char wanted) { return std::tolower(c) == wanted; });
 }
 
-// One past the end of the name that begins at `from`.
-std::size_t end_of_name(const std::string& names, std::size_t from, const fs::path& folder) {
-  std::size_t longest_file = 0, first_material = 0;
+// One past the end of the first word from `from` on that ends with .mtl; npos: none does.
+std::size_t end_of_material(const std::string& names, std::size_t from) {
   for (std::size_t end = from; end < names.size();) {
-    end = end_of_word(names, names.find_first_not_of(kBlanks, end));
-    const std::string name = names.substr(from, end - from);
-    std::error_code ignored;
-    if (fs::is_regular_file(folder / name, ignored)) longest_file = end;
-    if (first_material == 0 && ends_as_material(name)) first_material = end;
+    end = end_of_next_word(names, end);
+    if (ends_as_material(std::string_view(names).substr(from, end - from))) return end;
   }
-  if (longest_file > 0) return longest_file;
-  return first_material > 0 ? first_material : end_of_word(names, from);
+  return std::string::npos;
 }
 
 fs::path real_folder_of(const std::string& file) {
@@ -46,34 +52,103 @@ fs::path real_folder_of(const std::string& file) {
 
 }  // namespace
 
-std::vector<std::string> split_material_names(const std::string& names, const std::string& folder) {
+MaterialFiles::MaterialFiles(const std::string& from, const std::string& to)
+    : old_folder_(real_folder_of(from)), new_folder_(real_folder_of(to)) {
+  if (old_folder_ == new_folder_) return;
+  way_ = old_folder_.lexically_relative(new_folder_).string();
+  std::error_code failed;
+  for (fs::directory_iterator entry(old_folder_, failed), end; !failed && entry != end;
+       entry.increment(failed)) {
+    std::string name = entry->path().filename().string();
+    if (name.find_first_of(kBlanks) == std::string::npos) continue;
+    longest_ = std::max(longest_, name.size());
+    with_blanks_.insert(std::move(name));
+  }
+}
+
+bool MaterialFiles::is_file(const std::string& name) const {
+  std::error_code ignored;
+  return fs::is_regular_file(old_folder_ / name, ignored);
+}
+
+// One past the end of the longest file that is called so from `from` on, 0: there is none. Names
+// end where words do.
+std::size_t MaterialFiles::end_of_file(const std::string& names, std::size_t from) const {
+  std::size_t end = end_of_word(names, from), longest = 0;
+  if (find_slash(names, from, end) < end) return end_of_file_below(names, from, end);
+  if (is_file(names.substr(from, end - from))) longest = end;
+  while (end < names.size() && end - from < longest_) {
+    const std::size_t begin = end;
+    end = end_of_next_word(names, end);
+    const std::size_t slash = find_slash(names, begin, end);
+    const std::string name = names.substr(from, slash - from);
+    const bool is_there = with_blanks_.count(name) > 0;
+    if (slash < end) {
+      const std::size_t below = is_there ? end_of_file_below(names, from, end) : 0;
+      return std::max(longest, below);
+    }
+    if (is_there && is_file(name)) longest = end;
+  }
+  return longest;
+}
+
+// The same for names with folders in them, of which the first ends at `end`.
+std::size_t MaterialFiles::end_of_file_below(const std::string& names, std::size_t from,
+                                             std::size_t end) const {
+  std::size_t longest = 0, parent = 0;
+  for (; end - from < PATH_MAX; end = end_of_next_word(names, end)) {
+    const std::size_t slash = names.rfind('/', end - 1);
+    if (end - slash > NAME_MAX + 1) break;
+    std::error_code ignored;
+    if (slash != parent &&
+        !fs::is_directory(old_folder_ / names.substr(from, slash + 1 - from), ignored))
+      break;
+    parent = slash;
+    if (is_file(names.substr(from, end - from))) longest = end;
+    if (end == names.size()) break;
+  }
+  return longest;
+}
+
+// One past the end of the name that begins at `from`: as long as files of the folder are called so,
+// else up to a word that ends with .mtl, else a word.
+std::size_t MaterialFiles::end_of_name(const std::string& names, std::size_t from,
+                                       std::size_t first_material) const {
+  if (const std::size_t end = end_of_file(names, from); end > 0) return end;
+  return first_material != std::string::npos ? first_material : end_of_word(names, from);
+}
+
+// The names in what follows `mtllib`.
+std::vector<std::string> MaterialFiles::split(const std::string& names) const {
   std::vector<std::string> result;
   std::string trimmed = names.substr(0, names.find(" #"));  // a comment
   trimmed.resize(trimmed.find_last_not_of(kBlanks) + 1);
+  std::size_t material = 0;
   for (std::size_t at = trimmed.find_first_not_of(kBlanks); at < trimmed.size();) {
-    const std::size_t end = end_of_name(trimmed, at, folder);
+    if (material <= at) material = end_of_material(trimmed, at);
+    const std::size_t end = end_of_name(trimmed, at, material);
     result.push_back(trimmed.substr(at, end - at));
     at = trimmed.find_first_not_of(kBlanks, end);
   }
   return result;
 }
 
-std::string repoint_materials(const std::string& line, const std::string& from,
-                              const std::string& to) {
-  const fs::path old_folder = real_folder_of(from), new_folder = real_folder_of(to);
-  if (old_folder == new_folder) return line;
+std::string MaterialFiles::moved(const std::string& name) const {
+  if (name.find('/') == std::string::npos) return way_ + "/" + name;
+  const fs::path path(name);
+  if (path.is_absolute() || name.size() >= PATH_MAX) return name;
+  return (old_folder_ / path).lexically_normal().lexically_relative(new_folder_).string();
+}
+
+std::string MaterialFiles::repointed(const std::string& line) const {
+  if (old_folder_ == new_folder_) return line;
   std::string together, apart;
-  for (const std::string& name :
-       split_material_names(line.substr(end_of_word(line, 0)), old_folder.string())) {
-    const fs::path path(name);
-    const std::string moved =
-        path.is_absolute()
-            ? name
-            : (old_folder / path).lexically_normal().lexically_relative(new_folder).string();
-    if (moved.find_first_of(kBlanks) == std::string::npos)
-      together += " " + moved;
+  for (const std::string& name : split(line.substr(end_of_word(line, 0)))) {
+    const std::string there = moved(name);
+    if (there.find_first_of(kBlanks) == std::string::npos)
+      together += " " + there;
     else
-      apart += "\nmtllib " + moved;
+      apart += "\nmtllib " + there;
   }
   if (together.empty()) return apart.empty() ? line : apart.substr(1);
   return "mtllib" + together + apart;

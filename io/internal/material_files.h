@@ -1,21 +1,41 @@
 // The `mtllib` lines of an OBJ that is written into another folder than it was read from.
+//
+//   const MaterialFiles materials("in/a.obj", "out/b.obj");
+//   const std::string line = materials.repointed("mtllib a.mtl");   // mtllib ../in/a.mtl
 #pragma once
 
+#include <filesystem>
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 namespace majorant {
 
-// The files that what follows `mtllib` names, for an OBJ in this folder. Names may have blanks, and
-// there may be several: a name is as long as files of the folder are called so, else up to a word
-// that ends with .mtl.
-std::vector<std::string> split_material_names(const std::string& names, const std::string& folder);
+// Time and memory grow with the length of a line, whatever it names: the folder is listed once.
+class MaterialFiles {
+ public:
+  // from, to: the OBJ files.
+  MaterialFiles(const std::string& from, const std::string& to);
 
-// `line`, an `mtllib` line of the OBJ file `from`, for the OBJ file `to`: relative names lead to
-// the same files. Unchanged where both are in one folder. Names with blanks get a line of their
-// own, since readers take the whole line for one name, or divide it.
-std::string repoint_materials(const std::string& line, const std::string& from,
-                              const std::string& to);
+  // An `mtllib` line: relative names lead to the same files. Unchanged where both are in one
+  // folder. Names with blanks get a line of their own, since readers take the whole line for one
+  // name, or divide it.
+  std::string repointed(const std::string& line) const;
+
+ private:
+  std::vector<std::string> split(const std::string& names) const;
+  std::size_t end_of_name(const std::string& names, std::size_t from,
+                          std::size_t first_material) const;
+  std::size_t end_of_file(const std::string& names, std::size_t from) const;
+  std::size_t end_of_file_below(const std::string& names, std::size_t from, std::size_t end) const;
+  bool is_file(const std::string& name) const;
+  std::string moved(const std::string& name) const;
+
+  std::filesystem::path old_folder_, new_folder_;
+  std::string way_;                              // from the new folder to the old one
+  std::unordered_set<std::string> with_blanks_;  // names in the old one
+  std::size_t longest_ = 0;                      // of these
+};
 
 }  // namespace majorant
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <iterator>
 
@@ -63,8 +64,17 @@ std::vector<std::string> pvtu_pieces(const std::string& path, const StopCheck& s
   if (root.name != "VTKFile" || !grid)
     throw Error(ErrorKind::Unreadable, path + ": no VTK file of type PUnstructuredGrid");
   std::vector<std::string> pieces;
-  for (const XmlElement& piece : grid->children)
-    if (piece.name == "Piece") pieces.emplace_back(piece.attribute("Source"));
+  for (const XmlElement& piece : grid->children) {
+    if (piece.name != "Piece") continue;
+    const std::filesystem::path source(piece.attribute("Source"));
+    if (source.is_absolute() || std::find(source.begin(), source.end(), "..") != source.end())
+      throw Error(
+          ErrorKind::Unreadable,
+          fmt::format("{}: the piece {} is in another folder; pieces are beside their file, "
+                      "or below",
+                      path, in_quotes(source.string())));
+    pieces.push_back(source.string());
+  }
   if (pieces.empty()) throw Error(ErrorKind::Unreadable, path + ": it names no pieces");
   return pieces;
 }

@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -13,6 +12,8 @@
 #include <cstdio>
 #include <cstring>
 #include <system_error>
+
+#include "majorant/io/internal/waiting_output.h"
 
 namespace majorant {
 namespace {
@@ -57,21 +58,6 @@ std::string temporary_name(const std::string& folder, const std::string& extensi
 }
 
 }  // namespace
-
-int write_all(int descriptor, std::string_view content) noexcept {
-  while (!content.empty()) {
-    const ssize_t written = ::write(descriptor, content.data(), content.size());
-    if (written >= 0) {
-      content.remove_prefix(static_cast<std::size_t>(written));
-    } else if (errno == EAGAIN) {  // somebody made the stream non-blocking
-      pollfd ready{descriptor, POLLOUT, 0};
-      if (::poll(&ready, 1, -1) < 0 && errno != EINTR) return errno;
-    } else if (errno != EINTR) {
-      return errno;
-    }
-  }
-  return 0;
-}
 
 TemporaryFile::TemporaryFile(const std::string& folder, const std::string& extension, mode_t mode) {
   do {  // a name may be left from a killed process that had our number

@@ -16,10 +16,6 @@
 
 namespace majorant {
 
-// All of `content`, also where single calls are interrupted, write a part of it or would block.
-// 0 or an error number.
-int write_all(int descriptor, std::string_view content) noexcept;
-
 class TemporaryFile {
  public:
   // Creates an empty file in `folder` (empty: the current one). The name has a fixed length, so

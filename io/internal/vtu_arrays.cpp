@@ -53,7 +53,7 @@ std::size_t encoded_size(DataEncoding encoding, std::size_t bytes) {
 }  // namespace
 
 VtuArrays::VtuArrays(const std::string& file, std::string& content, const StopCheck& stop)
-    : file_(file), stop_(stop) {
+    : file_(file), stop_(stop), limit_(file), compressed_(content.size()) {
   const std::size_t tag = content.find("<AppendedData");
   if (tag == std::string::npos) return;
   const std::size_t tag_end = content.find('>', tag);
@@ -163,8 +163,11 @@ std::string VtuArrays::compressed_bytes(const XmlElement& array, std::string_vie
     const bool is_smaller = k + 1 == blocks && number(header, 2) != 0;
     const std::string_view block =
         std::string_view(compressed).substr(begin, number(header, 3 + k));
-    if (!append_inflated(block, number(header, is_smaller ? 2 : 1), bytes))
-      fail(array, "the compressed data are damaged");
+    const std::size_t size = number(header, is_smaller ? 2 : 1);
+    if (!can_stand_for(block, size)) fail(array, "a size is damaged");
+    unpacked_ += size;
+    limit_.require_unpacked(unpacked_, compressed_);
+    if (!append_inflated(block, size, bytes)) fail(array, "the compressed data are damaged");
     begin += block.size();
   }
   return bytes;
@@ -215,6 +218,7 @@ std::vector<T> VtuArrays::values(const XmlElement& array) const {
     if (std::is_integral_v<T> && !std::is_integral_v<Stored>) fail(array, "integers are needed");
     const std::string data = bytes(array);
     if (data.size() % sizeof(Stored) != 0) fail(array, "its size is no multiple of the type's");
+    limit_.require(data.size() + data.size() / sizeof(Stored) * sizeof(T));
     result.resize(data.size() / sizeof(Stored));
     for (std::size_t i = 0; i < result.size(); ++i) {
       stop_.poll_at(i);

@@ -7,6 +7,7 @@
 
 #include "majorant/framework/stop_check.h"
 #include "majorant/io/internal/byte_cursor.h"
+#include "majorant/io/internal/reading_limit.h"
 #include "majorant/io/internal/xml_tree.h"
 
 namespace majorant {
@@ -25,7 +26,8 @@ class VtuArrays {
   void configure(const XmlElement& root);
 
   // All values of an array, components interleaved. integers() refuses floating-point types.
-  // Throw Error(Unreadable) naming the array.
+  // Throw Error(Unreadable) naming the array, Error(Unsupported) for more than a ReadingLimit
+  // allows.
   std::vector<double> doubles(const XmlElement& array) const;
   std::vector<long long> integers(const XmlElement& array) const;
   // Text: the bytes of an array of integers, or the first string of one of type String.
@@ -51,6 +53,9 @@ class VtuArrays {
   ByteOrder order_ = ByteOrder::Little;
   std::size_t header_size_ = 4;
   bool is_compressed_ = false;
+  ReadingLimit limit_;
+  std::size_t compressed_ = 0;        // bytes of the file
+  mutable std::size_t unpacked_ = 0;  // of all arrays until now
 };
 
 }  // namespace majorant

@@ -6,6 +6,8 @@
 #include <cstring>
 
 #include "majorant/framework/error.h"
+#include "majorant/io/internal/input_file.h"
+#include "majorant/io/internal/reading_limit.h"
 
 namespace majorant {
 namespace {
@@ -48,7 +50,9 @@ PixelImage read_png(const std::string& path) {
   const auto fail = [&](const std::string& reason) {
     throw Error(ErrorKind::Unreadable, fmt::format("{}: {}; give a PNG image", path, reason));
   };
-  if (png_image_begin_read_from_file(&png.image, path.c_str()) == 0) fail(png.image.message);
+  const std::string bytes = read_whole_file(path);
+  if (png_image_begin_read_from_memory(&png.image, bytes.data(), bytes.size()) == 0)
+    fail(png.image.message);
   if (png.image.width > kLargestImage || png.image.height > kLargestImage)
     fail(fmt::format("{} x {} pixels are more than {} on a side", png.image.width, png.image.height,
                      kLargestImage));
@@ -56,7 +60,9 @@ PixelImage read_png(const std::string& path) {
   PixelImage image;
   image.width = static_cast<int>(png.image.width);
   image.height = static_cast<int>(png.image.height);
-  image.pixels.resize(static_cast<std::size_t>(png.image.width) * png.image.height);
+  const std::size_t pixels = static_cast<std::size_t>(png.image.width) * png.image.height;
+  ReadingLimit(path).require(pixels * sizeof(Color));
+  image.pixels.resize(pixels);
   const png_color white{255, 255, 255};
   if (png_image_finish_read(&png.image, &white, image.pixels.data(), 0, nullptr) == 0)
     fail(png.image.message);

@@ -3,6 +3,7 @@
 """Arguments that are arrays: what is wrong with them is said here, by the name of the argument."""
 from __future__ import annotations
 
+import os
 from typing import Any, Sequence
 
 import numpy as np
@@ -11,6 +12,14 @@ from . import _core
 from ._errors import UnsupportedError, UsageError
 
 _LARGEST = np.iinfo(np.int32).max
+
+
+def path(value: Any) -> str | bytes:
+    """The name of a file. One with a null character would be another one to the system."""
+    name = os.fspath(value)
+    if (b'\0' if isinstance(name, bytes) else '\0') in name:
+        raise UsageError(f'{name!r} has a null character, which no file name has')
+    return name
 
 
 def floats(name: str, value: Any, shape: Sequence[int | None]) -> np.ndarray:

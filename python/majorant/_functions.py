@@ -207,7 +207,7 @@ def check(result: Map | str | os.PathLike, V: Any = None, F: Any = None, *, cuts
     if isinstance(result, Map):
         name, file = 'map.vtu', result._file
     else:
-        name = os.fspath(result)
+        name = _arrays.path(result)
         file = _core.read_map(name)[0]
     said = '' if cuts is None else _options.choice('cuts', cuts, ('none', 'free'))
     limit = float('inf') if time_limit is None else _options.number('time_limit', time_limit, 0, zero=True)
@@ -220,7 +220,7 @@ def read(path: str | os.PathLike) -> Map:
 
     Nothing is believed: `check` says whether it is valid. Raises ReadError naming the place.
     """
-    file, mesh, promise = _core.read_map(os.fspath(path))
+    file, mesh, promise = _core.read_map(_arrays.path(path))
     return Map(file, mesh, promise, False, 'read', f'read from {os.fspath(path)}', 'null')
 
 
@@ -229,7 +229,7 @@ def read_mesh(path: str | os.PathLike) -> tuple[np.ndarray, Any]:
 
     F is an array where all faces have equally many corners, else a list of arrays.
     """
-    mesh = _core.read_mesh(os.fspath(path))
+    mesh = _core.read_mesh(_arrays.path(path))
     corners, starts = mesh.polygons
     sizes = np.diff(starts)
     if len(sizes) and (sizes == sizes[0]).all():

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from . import _core
+from . import _arrays, _core
 from ._errors import UnsupportedError, UsageError
 
 QUANTITIES = ('density', 'area', 'angle', 'sigma-max', 'sigma-min')
@@ -182,7 +182,7 @@ class Map:
         nothing is written, and a file of that name stays as it was.
         """
         from ._options import choice, integer
-        name = os.fspath(path)
+        name = _arrays.path(path)
         extension = os.path.splitext(name)[1].lower()
         if extension not in FORMATS:
             raise UsageError(f'{name}: no file can be written of this name; it ends in one of '

@@ -1,4 +1,4 @@
-// What this process may still take of the machine's memory, and what solvers would.
+// What solvers would take of the memory that is left.
 //
 //   const SolverMemory memory = solver_memory(FactorSize{5000, 200}, available_memory());
 //   const bool multigrid = memory.prefers_multigrid();
@@ -6,16 +6,11 @@
 
 #include <cstddef>
 #include <optional>
-#include <string>
 
+#include "majorant/framework/internal/available_memory.h"
 #include "majorant/framework/linear_solver.h"
 
 namespace majorant {
-
-// The least of what Linux calls MemAvailable and of what the limits of this process' control groups
-// (versions 1 and 2) leave, file caches that give way counted as free. None where nobody says. The
-// environment's MAJORANT_MEMORY_BYTES, for tests, replaces it. root: where /proc and /sys are.
-std::optional<std::size_t> available_memory(const std::string& root = "");
 
 // What the solvers of one process take, and what there is: bytes.
 struct SolverMemory {

@@ -6,7 +6,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstring>
+#include <iterator>
+#include <sstream>
 
 #include "majorant/framework/error.h"
 
@@ -30,6 +33,29 @@ Json ladder_section(const LadderRecord& record) {
                                            {"falls", use.falls}};
   }
   return section;
+}
+
+std::vector<std::string> petsc_words(const std::string& text) {
+  // As PETSc has it: "-5" is a value.
+  const auto is_option = [](const std::string& word) {
+    const std::size_t name = word.starts_with("--") ? 2 : 1;
+    return word.starts_with('-') && std::isalpha(static_cast<unsigned char>(word[name])) != 0;
+  };
+  std::istringstream stream(text);
+  std::vector<std::string> words{std::istream_iterator<std::string>(stream), {}};
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    const std::string& word = words[k];
+    if (!is_option(word) && (k == 0 || !is_option(words[k - 1])))
+      throw Error(ErrorKind::Usage,
+                  fmt::format("'{}' is neither an option of PETSc, which begins with -, nor the "
+                              "value of one",
+                              word));
+    for (const char* end : {"-help", "-h", "-version", "-v"})
+      if (word.substr(word.starts_with("--") ? 1 : 0) == end)
+        throw Error(ErrorKind::Usage,
+                    fmt::format("'{}' makes PETSc end the program; leave it out", word));
+  }
+  return words;
 }
 
 const SolverPlugin& load_solver_plugin(const std::vector<std::string>& folders) {

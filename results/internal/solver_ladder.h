@@ -43,11 +43,20 @@ struct LadderOptions {
 
 Json ladder_section(const LadderRecord& record);  // of reports
 
+// The words of --petsc-options, for PETSc's options database: "-ksp_rtol 1e-3 -info" has three.
+// Throws Error(Usage) for what is neither an option nor the value of the one before it, and for
+// options by which PETSc prints a text and ends the program: help, version.
+std::vector<std::string> petsc_words(const std::string& text);
+
 // What the library that is loaded exports, as majorant_solver_plugin.
 struct SolverPlugin {
   const char* version;  // of the source that it is compiled from
-  // Starts MPI and PETSc when it is called first, as one process; they end with the program.
-  SolverFactory (*ladder)(const LadderOptions&, std::shared_ptr<LadderRecord>);
+  // Starts MPI and PETSc when it is called first, as one process and with these words; they end
+  // with the program.
+  SolverFactory (*ladder)(const LadderOptions&, std::shared_ptr<LadderRecord>,
+                          const std::vector<std::string>& petsc_words);
+  // Of the options among these words those that nothing has asked for until now.
+  std::vector<std::string> (*unused_options)();
 };
 
 // libmajorant_petsc.so of the first of these folders that has one; it stays loaded. Throws

@@ -89,5 +89,44 @@ class Data(CommandTest):
         self.assertEqual((outcome.code, outcome.err), (OK, ''))
 
 
+class Names(CommandTest):
+    """What file names and files say does not reach a terminal as commands, and no line is forged."""
+
+    NAMES = ('\x1b]0;title\x07.obj', 'a\nmajorant: b.obj: valid.obj', '\x9b31m.obj', 'bell\x07\r.obj', '\x7f.obj')
+
+    def check_text(self, text, lines=None):
+        self.assertEqual([c for c in text if (ord(c) < 32 and c != '\n') or 0x7f <= ord(c) < 0xa0], [], repr(text))
+        if lines is not None:
+            self.assertEqual(text.count('\n'), lines, repr(text))
+
+    def test_messages(self):
+        for name in self.NAMES:
+            with self.subTest(name=name):
+                for content in ('v 0 0 0\nf 1 2 3\n', 'v 0 \x1b[31m 0\n', None):
+                    if content:
+                        self.write(name, content)
+                    for verb in ('info', 'parametrize', 'unwrap', 'check', 'convert'):
+                        done = majorant(verb, self.path(name), *(() if verb in ('info', 'check') else ('out.obj',)))
+                        self.assertEqual(done.code, UNREADABLE, done.err)
+                        self.check_text(done.err, 1)
+                    if content:
+                        os.unlink(self.path(name))
+
+    def test_what_went_well(self):
+        with open(generated('cap')) as f:
+            mesh = f.read()
+        for name in self.NAMES:
+            with self.subTest(name=name):
+                self.write(name, 'mtllib \t\xa0\n' + mesh)
+                out = self.path('out ' + name)
+                self.check_text(majorant('info', self.path(name)).out)
+                self.check_text(self.run_ok('parametrize', self.path(name), '-o', out).err)
+                done = self.run_ok('check', out)
+                self.check_text(done.err)
+                self.assertEqual(len(done.said()), 1, done.err)
+                os.unlink(out)
+                os.unlink(self.path(name))
+
+
 if __name__ == '__main__':
     main()

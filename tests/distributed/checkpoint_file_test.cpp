@@ -125,6 +125,30 @@ TEST_F(Forged, Bytes) {
   }
 }
 
+// Parsers and copies of what they made recurse.
+TEST_F(Forged, Depth) {
+  write_checkpoint_file(path_, sound());
+  std::ifstream stream(path_, std::ios::binary);
+  std::string bytes(std::istreambuf_iterator<char>(stream), {});
+  const std::string deep = "\"other\": " + std::string(300000, '[') + std::string(300000, ']') + ",";
+  std::uint64_t length = 0;
+  std::memcpy(&length, bytes.data() + 16, sizeof length);
+  length += deep.size();
+  std::memcpy(bytes.data() + 16, &length, sizeof length);
+  bytes.insert(25, deep);  // behind the brace
+  bytes.resize(bytes.size() - 8);
+  const std::uint64_t sum = hashed(std::as_bytes(std::span(bytes.data(), bytes.size())));
+  bytes.append(reinterpret_cast<const char*>(&sum), sizeof sum);
+  std::ofstream(path_, std::ios::binary) << bytes;
+  try {
+    read_checkpoint_file(path_);
+    ADD_FAILURE() << "read as if it were sound";
+  } catch (const Error& e) {
+    EXPECT_EQ(e.kind(), ErrorKind::Unreadable);
+    EXPECT_NE(std::string(e.what()).find("too deeply"), std::string::npos) << e.what();
+  }
+}
+
 // Counts that the file does not have, up to those that nobody could allocate.
 TEST_F(Forged, Counts) {
   for (const char* key : {"/vertices", "/faces", "/degree"})

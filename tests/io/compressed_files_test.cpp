@@ -1,5 +1,5 @@
 // Files compressed by gzip, VTU arrays compressed by zlib.
-#include <new>
+#include <cstdlib>
 
 #include "compressed_helpers.h"
 #include "counted_stop.h"
@@ -65,9 +65,28 @@ TEST(CompressedFiles, DamageIsRefused) {
 TEST(CompressedFiles, ABombEndsWithTheMemoryItMayHave) {
   const std::string bomb = gzip_of(std::string(std::size_t{8} << 20, ' '));
   ASSERT_LT(bomb.size(), 20000u);
+  ASSERT_EQ(::setenv("MAJORANT_READING_BYTES", "1000000", 1), 0);
   std::string content;
-  EXPECT_THROW(GunzipStream(1 << 20).append(bomb, content), std::bad_alloc);
-  EXPECT_LT(content.size(), std::size_t{2} << 20);
+  const std::string message = error_message(ErrorKind::Unsupported, [&] {
+    GunzipStream(ReadingLimit("a.obj.gz")).append(bomb, content);
+  });
+  EXPECT_EQ(message.find("a.obj.gz: "), 0u) << message;
+  EXPECT_LT(content.size(), std::size_t{1} << 20);
+  // Not compressed, too.
+  const TemporaryFolder folder;
+  const std::string path = folder.write("a.obj", std::string(1000001, ' '));
+  error_message(ErrorKind::Unsupported, [&] { read_whole_file(path); });
+  ::unsetenv("MAJORANT_READING_BYTES");
+  EXPECT_EQ(read_whole_file(path).size(), 1000001u);
+}
+
+TEST(CompressedFiles, AByteStandsForNoMoreThanAThousand) {
+  const ReadingLimit limit("a.obj.gz");
+  const std::size_t most = ReadingLimit::kOnTop + 5 * ReadingLimit::kMostOfAByte;
+  limit.require_unpacked(most, 5);
+  limit.require_unpacked(ReadingLimit::kOnTop, 0);
+  error_message(ErrorKind::Unsupported,
+                [&] { limit.require_unpacked(most + ReadingLimit::kMostOfAByte, 5); });
 }
 
 TEST(CompressedFiles, StopIsPolledWhileDecompressing) {

@@ -96,6 +96,22 @@ TEST(LenientReaders, PlyColoursAreParts) {
   EXPECT_EQ(mesh.colors[1], Vector3(0.2, 1, 0));
 }
 
+// 200,000 words: by the product of any two of them a day, by the word a moment.
+TEST(LenientReaders, MaterialFilesOfALongLine) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path() / "in" / "sub");
+  std::filesystem::create_directory(folder.path() / "out");
+  folder.write("in/w1 w2", "");
+  const MaterialFiles materials(folder.file("in/a.obj"), folder.file("out/b.obj"));
+  for (const char* prefix : {"w", "sub/w", "none/w"}) {
+    std::string line = "mtllib";
+    for (int k = 0; k < 200000; ++k) line += std::string(" ") + prefix + std::to_string(k);
+    const std::string moved = materials.repointed(line);
+    EXPECT_NE(moved.find(std::string(" ../in/") + prefix + "199999"), std::string::npos);
+    EXPECT_EQ(moved.find("\nmtllib ../in/w1 w2") != std::string::npos, prefix == std::string("w"));
+  }
+}
+
 TEST(LenientReaders, MaterialFilesAreNamedFromTheOutput) {
   const TemporaryFolder folder;
   std::filesystem::create_directories(folder.path() / "in" / "sub");
@@ -103,7 +119,8 @@ TEST(LenientReaders, MaterialFilesAreNamedFromTheOutput) {
   const std::string from = folder.file("in/a.obj"), to = folder.file("out/b.obj");
   for (const char* name : {"in/my own.mtl", "in/plain", "in/two words", "in/sub/c.mtl"})
     folder.write(name, "");
-  const auto moved = [&](const std::string& line) { return repoint_materials(line, from, to); };
+  const MaterialFiles materials(from, to);
+  const auto moved = [&](const std::string& line) { return materials.repointed(line); };
   EXPECT_EQ(moved("mtllib a.mtl"), "mtllib ../in/a.mtl");
   EXPECT_EQ(moved("mtllib  sub/c.mtl  ../x.mtl # y"), "mtllib ../in/sub/c.mtl ../x.mtl");
   EXPECT_EQ(moved("mtllib a.mtl my own.mtl plain"),
@@ -113,7 +130,7 @@ TEST(LenientReaders, MaterialFilesAreNamedFromTheOutput) {
   EXPECT_EQ(moved("mtllib /abs/a.mtl"), "mtllib /abs/a.mtl");
   EXPECT_EQ(moved("mtllib"), "mtllib");
   const std::string odd = "mtllib  a.mtl  b c.mtl";
-  EXPECT_EQ(repoint_materials(odd, from, folder.file("in/b.obj")), odd);
+  EXPECT_EQ(MaterialFiles(from, folder.file("in/b.obj")).repointed(odd), odd);
 }
 
 }  // namespace

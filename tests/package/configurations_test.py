@@ -69,11 +69,11 @@ class Configurations(unittest.TestCase):
         folder = self.configure('-DBUILD_SHARED_LIBS=ON')
         self.assertRegex(try_configurations.version(), r'^\d+\.\d+\.\d+$')
         for name in ('majorant', 'majorant_framework'):
-            link = run('ninja', '-C', folder, '-t', 'commands', 'lib%s.so' % name).splitlines()[-2:]
+            link = run('ninja', '-C', folder, '-t', 'commands', 'lib/lib%s.so' % name).splitlines()[-2:]
             link = ' '.join(link)
             self.assertIn('-soname,lib%s.so.%s' % (name, try_configurations.soversion()), link)
             self.assertIn('exported_symbols.map', link)
-        framework = run('ninja', '-C', folder, '-t', 'inputs', 'libmajorant_framework.so')
+        framework = run('ninja', '-C', folder, '-t', 'inputs', 'lib/libmajorant_framework.so')
         for room in ('mesh', 'io', 'drive', 'ceres'):
             self.assertNotIn('majorant_%s.dir' % room, framework)
         self.assertIn('majorant_terms.dir', framework)

@@ -105,6 +105,17 @@ def test_says_what_is_wrong(call, message):
     assert raised.value.exit_code == 1 and isinstance(raised.value, (majorant.Error, ValueError))
 
 
+@pytest.mark.parametrize('name', ['a\0b.vtu', '\0.vtu', b'a\0b.vtu', 'a.vtu\0'])
+def test_names_with_a_null_character(name, tmp_path, monkeypatch):
+    """To the system they would be other names."""
+    monkeypatch.chdir(tmp_path)
+    surface = flat()
+    for call in (surface.save, majorant.read, majorant.read_mesh, majorant.check):
+        with pytest.raises(ValueError, match='null character'):
+            call(name)
+    assert list(tmp_path.iterdir()) == []
+
+
 MESHES = [
     ([[0, 1, 2], [1, 0, 3], [0, 1, 4]], majorant.UnsupportedError),     # an edge with three faces
     ([[0, 1, 1], [0, 1, 2]], majorant.UnsupportedError),                # a vertex twice

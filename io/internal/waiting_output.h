@@ -1,0 +1,35 @@
+// Writing where somebody else may keep the program waiting: FIFOs, pipes, sockets, terminals.
+//
+//   set_output_stop(record.stop());                 // of the program
+//   const int code = write_all(1, "v 0 0 0\n");     // ETIMEDOUT: nobody takes it, and the run is to end
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "majorant/framework/stop_check.h"
+
+namespace majorant {
+
+// Between two questions whether to go on, while waiting.
+inline constexpr int kWaitMilliseconds = 50;
+
+// Seconds that a reader may take for a piece once the run is to end. Origin: chosen; schedulers
+// kill 10 to 30 seconds after they asked.
+inline constexpr double kOutputPatience = 2;
+
+// For programs, of the whole process: who says that the run is to end. Nobody before: then outputs
+// wait for their readers for ever.
+void set_output_stop(StopCheck stop);
+
+// All of `content`, also where single calls are interrupted, write a part of it or would block.
+// 0 or an error number.
+int write_all(int descriptor, std::string_view content) noexcept;
+
+// A descriptor for writing to what is there, of a FIFO as soon as it has a reader; -1: see errno.
+int open_waiting(const std::string& path) noexcept;
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
