@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
 """A program that needs everything that installed headers declare links, whichever way it asks for the
-package. Of archives and shared libraries alike: what the build makes is what is installed here, and
-scripts/try_configurations.py does the same with a build of the other kind."""
+package: of archives, and of shared libraries made of the same objects (scripts/try_configurations.py does the
+same with a build that is shared)."""
 import os
+import re
 import shutil
-import subprocess
 import sys
 import tempfile
 import unittest
@@ -64,13 +64,15 @@ class TheHeaders(unittest.TestCase):
         self.assertEqual((wanted, missing), ({'_Z1', '_ZTV1'}, ['majorant/x.h: g']))
 
 
-class Linking(unittest.TestCase):
+class Linking:
+    """Of the package in cls.prefix, in cls.folder."""
+
     @classmethod
     def setUpClass(cls):
         cls.folder = Path(tempfile.mkdtemp(prefix='majorant_link_'))
         cls.addClassCleanup(shutil.rmtree, cls.folder)
         cls.prefix = cls.folder / 'prefix'
-        public_names.output('cmake', '--install', BUILD, '--prefix', cls.prefix)
+        cls.install()
         cls.packages = {'all': public_names.Package(cls.prefix), 'framework': public_names.framework(cls.prefix)}
 
     def test_enough_is_looked_at(self):
@@ -92,10 +94,53 @@ class Linking(unittest.TestCase):
             with self.subTest(name):
                 package.link_by_pkg_config(self.folder / (name + '_by_pkg_config'))
 
+
+class ThisBuild(Linking, unittest.TestCase):
+    @classmethod
+    def install(cls):
+        public_names.output('cmake', '--install', BUILD, '--prefix', cls.prefix)
+
     def test_a_room_that_is_not_linked_is_found(self):
         package = public_names.Package(self.prefix, targets='majorant::drive')
         with self.assertRaisesRegex(AssertionError, 'undefined reference to .*write_svg'):
             package.link_by_cmake(self.folder / 'too_little')
+
+
+def cache():
+    """The choices that this build was configured by."""
+    with open(os.path.join(BUILD, 'CMakeCache.txt')) as f:
+        entries = dict(re.findall(r'^(\w+):\w+=(.*)$', f.read(), re.M))
+    return {name: entries.get(name, '') for name in (
+        'CMAKE_GENERATOR', 'CMAKE_BUILD_TYPE', 'CMAKE_UNITY_BUILD', 'CMAKE_CXX_COMPILER', 'CMAKE_CXX_FLAGS',
+        'MAJORANT_GPL', 'BUILD_SHARED_LIBS')}
+
+
+class Shared(Linking, unittest.TestCase):
+    """A shared build whose objects are those of this one: the same sources, compiled by the same words."""
+
+    @classmethod
+    def install(cls):
+        choices = cache()
+        if choices['BUILD_SHARED_LIBS'] == 'ON' or choices['CMAKE_GENERATOR'] != 'Ninja':
+            raise unittest.SkipTest('no archives to make it of' if choices['CMAKE_GENERATOR'] == 'Ninja' else 'no ninja')
+        tree = cls.folder / 'tree'
+        others = ('APPS', 'PYTHON', 'TESTS', 'BENCH', 'EXAMPLES')
+        public_names.output('cmake', '-S', SOURCE, '-B', tree, '-G', choices.pop('CMAKE_GENERATOR'),
+                            *('-D%s=%s' % pair for pair in {**choices, 'BUILD_SHARED_LIBS': 'ON'}.items()),
+                            *('-DMAJORANT_BUILD_%s=OFF' % name for name in others))
+        for name in ('libmajorant_framework.so', 'libmajorant.so'):
+            commands = public_names.output('ninja', '-C', tree, '-t', 'commands', name).splitlines()
+            link, name_it = commands[-2:]
+            for made in re.findall(r'CMakeFiles/\S+\.o\b', link):
+                (tree / made).parent.mkdir(parents=True, exist_ok=True)
+                (tree / made).symlink_to(os.path.join(BUILD, made))
+            public_names.output('sh', '-c', link + ' && ' + name_it, cwd=tree)
+        for component in ('libraries', 'development'):
+            public_names.output('cmake', '--install', tree, '--prefix', cls.prefix, '--component', component)
+
+    def test_there_are_no_archives(self):
+        self.assertEqual(list(self.prefix.rglob('*.a')), [])
+        self.assertEqual(len(list(self.prefix.rglob('*.so'))), 2)
 
 
 if __name__ == '__main__':
