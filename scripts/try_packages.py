@@ -7,8 +7,8 @@
     scripts/try_packages.py build/release --install          `cmake --install` instead, its libraries by apt
     scripts/try_packages.py build/release --root DIR         in this root, made there if it is not there
 
-Needs root, mmdebstrap or debootstrap, a mirror (--mirror), and 300 MB in --root for the time of the run;
-without the first three it says so and ends with 77. What is installed stays in a root that is given.
+Needs root, dpkg-dev and file, mmdebstrap or debootstrap, a mirror (--mirror), and 300 MB in --root for the
+time of the run; without one of them it says so and ends with 77. What is installed stays in a root that is given.
 """
 import argparse
 import os
@@ -62,6 +62,11 @@ class Root:
         shutil.copy(source, self.path / INSIDE / name)
 
 
+def missing_tools():
+    """Of those that packing needs."""
+    return [tool for tool in ('cpack', 'dpkg-deb', 'dpkg-shlibdeps', 'file') if not shutil.which(tool)]
+
+
 def packages_of(build, folder):
     """The .deb files of a build, by the names of their packages."""
     run('cpack', '-G', 'DEB', '-B', folder, cwd=build, stdout=subprocess.DEVNULL)
@@ -106,6 +111,8 @@ def main():
     arguments = parser.parse_args()
     if os.geteuid() != 0:
         skip('not root: a chroot cannot be entered')
+    if missing_tools():
+        skip('no ' + ', '.join(missing_tools()))
     with tempfile.TemporaryDirectory(prefix='majorant_root_') as folder:
         packages = packages_of(arguments.build.resolve(), folder)
         for name, path in packages.items():

@@ -51,7 +51,7 @@ class WithoutTools(unittest.TestCase):
             self.assertLessEqual({'dpkg-dev', 'file'}, set(f.read().split()))
 
 
-@unittest.skipUnless(shutil.which('dpkg-deb') and shutil.which('dpkg-shlibdeps'), 'no dpkg-dev')
+@unittest.skipIf(try_packages.missing_tools(), 'no ' + ', '.join(try_packages.missing_tools()))
 class Packages(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
