@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 
 #include "majorant/constraints/internal/sector_angle.h"
@@ -29,6 +30,30 @@ constexpr Index kCellsPerPoll = 256;
 
 bool allows_seams(CutRule rule) { return rule == CutRule::Seams || rule == CutRule::SeamsOrFree; }
 bool allows_any(CutRule rule) { return rule == CutRule::Free || rule == CutRule::SeamsOrFree; }
+
+// Edges that may differ, each as often as it is listed.
+class AllowedEdges {
+ public:
+  explicit AllowedEdges(const std::optional<std::vector<std::array<Index, 2>>>& edges)
+      : is_any_(!edges) {
+    if (edges)
+      for (const auto& edge : *edges) ++left_[sorted(edge)];
+  }
+
+  bool take(const std::array<Index, 2>& edge) {
+    if (is_any_) return true;
+    const auto entry = left_.find(sorted(edge));
+    return entry != left_.end() && entry->second-- > 0;
+  }
+
+ private:
+  static std::array<Index, 2> sorted(const std::array<Index, 2>& edge) {
+    return {std::min(edge[0], edge[1]), std::max(edge[0], edge[1])};
+  }
+
+  bool is_any_;
+  std::map<std::array<Index, 2>, Index> left_;
+};
 
 Finding stopped_finding() { return {Answer::Undecided, "stopped before it was decided"}; }
 
@@ -203,19 +228,30 @@ class MapProof::Judge {
     const SurfaceMesh& surface = cut_->surface();
     const double close = kSeamClose * cut_->extent();
     is_free_.assign(at(surface.half_edge_count()), 0);
+    AllowedEdges allowed(request_.cut_edges);
+    std::vector<Index> tears;  // differ, and are no edges that may
     Index first = -1;
     for (Index h = 0; h < surface.half_edge_count(); ++h) {
       if (surface.opposite(h) < h || !cut_->differs(h)) continue;
-      proof_.cuts.length += (surface.positions().row(surface.to_vertex(h)) -
-                             surface.positions().row(surface.from_vertex(h)))
-                                .norm();
-      if (allows_seams(request_.cuts) && cut_->fit(h).mismatch <= close) {
+      proof_.cuts.length += surface.edge_length(h);
+      const bool is_allowed = allowed.take(cut_->input_edge(h));
+      if (is_allowed && allows_seams(request_.cuts) && cut_->fit(h).mismatch <= close) {
         ++proof_.cuts.seams;
         continue;
       }
       ++proof_.cuts.others;
       is_free_[at(h)] = is_free_[at(surface.opposite(h))] = 1;
       if (first < 0) first = h;
+      if (!is_allowed) tears.push_back(h);
+    }
+    if (!tears.empty()) {
+      proof_.continuous = {
+          Answer::Violated,
+          fmt::format("the map is not continuous: the sides of {} differ where it is not said to "
+                      "be cut, first of {}",
+                      count_text(static_cast<Index>(tears.size()), "inner edge"),
+                      cut_->place(tears.front()))};
+      return;
     }
     if (first < 0 || allows_any(request_.cuts)) {
       proof_.continuous = {Answer::Proven, count_of_cuts()};
