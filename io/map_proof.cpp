@@ -6,12 +6,12 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numbers>
 
 #include "majorant/constraints/internal/sector_angle.h"
 #include "majorant/elements/element_space.h"
 #include "majorant/framework/error.h"
+#include "majorant/io/internal/allowed_edges.h"
 #include "majorant/io/internal/close_of.h"
 #include "majorant/io/internal/cut_map.h"
 #include "majorant/io/internal/glued_map.h"
@@ -30,30 +30,6 @@ constexpr Index kCellsPerPoll = 256;
 
 bool allows_seams(CutRule rule) { return rule == CutRule::Seams || rule == CutRule::SeamsOrFree; }
 bool allows_any(CutRule rule) { return rule == CutRule::Free || rule == CutRule::SeamsOrFree; }
-
-// Edges that may differ, each as often as it is listed.
-class AllowedEdges {
- public:
-  explicit AllowedEdges(const std::optional<std::vector<std::array<Index, 2>>>& edges)
-      : is_any_(!edges) {
-    if (edges)
-      for (const auto& edge : *edges) ++left_[sorted(edge)];
-  }
-
-  bool take(const std::array<Index, 2>& edge) {
-    if (is_any_) return true;
-    const auto entry = left_.find(sorted(edge));
-    return entry != left_.end() && entry->second-- > 0;
-  }
-
- private:
-  static std::array<Index, 2> sorted(const std::array<Index, 2>& edge) {
-    return {std::min(edge[0], edge[1]), std::max(edge[0], edge[1])};
-  }
-
-  bool is_any_;
-  std::map<std::array<Index, 2>, Index> left_;
-};
 
 Finding stopped_finding() { return {Answer::Undecided, "stopped before it was decided"}; }
 
