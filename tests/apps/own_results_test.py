@@ -1,6 +1,8 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
 """What is written with exit 0 is valid by check, and what check says of it is true."""
+import random
+
 from command_helpers import *
 from unwrap_helpers import both
 
@@ -49,6 +51,22 @@ class Polygons(CommandTest):
         for out in outputs:
             self.run_ok('check', out, '--surface', mesh)
         return outputs
+
+    def test_quads_that_became_triangles(self):
+        points, faces = quads(2)
+        a, b, c, d = faces[1]
+        count = 0
+        for face in ((a, b, c), (c, b, a), (a, b, d), (d, b, a)):  # half of a quad, once more
+            outputs = self.layout_is_valid(points, [face] + faces)
+            count += len(read_obj(outputs[1])[2]) == len(faces) + 2  # a quad as two triangles
+            text = self.read('a.obj').decode().splitlines()
+            first = next(k for k, line in enumerate(text) if line.startswith('f '))
+            shuffled = text[:first] + text[first:][::-1]
+            self.run_ok('check', self.write('b.obj', '\n'.join(shuffled) + '\n'), '--surface',
+                        self.path('in.obj'))
+            self.run_ok('check', self.write('b.obj', '\n'.join(text[:-1]) + '\n'), '--surface',
+                        self.path('in.obj'), code=INVALID)
+        self.assertEqual(count, 2)
 
     def test_faces_that_repair_turned(self):
         points, faces = quads(2)
@@ -122,6 +140,58 @@ class Energy(CommandTest):
         line, result = self.report(self.write('a.obj', text))
         self.assertAlmostEqual(result['value'], 2 * math.sqrt(4.0625 * 16.25), places=9)
         self.assertAlmostEqual(result['layout_scale'], 2 ** -0.5, places=9)
+
+
+class Campaign(CommandTest):
+    """Small meshes of all kinds through verbs and formats."""
+
+    @staticmethod
+    def mesh(rng):
+        n = rng.randrange(1, 4)
+        points, faces = (quads if rng.random() < 0.5 else grid)(n)
+        points = [tuple(x + rng.uniform(-0.15, 0.15) / n for x in p) for p in points]
+        faces = list(faces)
+        for _ in range(rng.randrange(4)):
+            face, kind = rng.choice(faces), rng.randrange(7)
+            corner = (rng.random(), rng.random(), 1)
+            if kind == 0:  # a fin
+                points.append(corner)
+                faces.insert(rng.randrange(len(faces)), (face[0], face[1], len(points) - 1))
+            elif kind == 1:  # twice, or twice and turned
+                faces.insert(rng.randrange(len(faces)), face if rng.random() < 0.5 else face[::-1])
+            elif kind == 2:
+                faces[faces.index(face)] = face[::-1]
+            elif kind == 3:
+                faces.insert(0, face[:3])
+            elif kind == 4:  # a piece that touches in a vertex
+                points += [corner, (corner[1], corner[0], 1.5)]
+                faces.append((face[0], len(points) - 1, len(points) - 2))
+            elif kind == 5 and len(faces) > 2:
+                faces.remove(face)
+            elif kind == 6:  # a piece apart, of another size
+                small = times(10.0 ** -rng.randrange(8), [corner, (0, 0, 1), (1, 0, 1)])
+                points += small
+                faces.append(tuple(range(len(points) - 3, len(points))))
+        uv = [(x + rng.uniform(-0.1, 0.1) / n, y + rng.uniform(-0.1, 0.1) / n) for x, y, _ in points] \
+            if rng.random() < 0.4 else None
+        size = 10.0 ** rng.choice((0, 0, 0, -90, 30))
+        return times(size, points), faces, uv
+
+    def test_what_is_written_is_valid(self):
+        rng = random.Random(28)
+        for number in range(30):
+            points, faces, uv = self.mesh(rng)
+            mesh = self.write('in.obj', obj_text(points, faces, uv))
+            flags = rng.choice(([], ['--normalize'], ['--vtu', 'lagrange']))
+            flags = flags + (['--seams', 'uv'] if uv and rng.random() < 0.5 else [])
+            outputs = [self.path('a' + end) for end in ('.vtu', '.obj', '.ply')]
+            with self.subTest(number=number, flags=flags):
+                done = majorant('unwrap', '--quiet', mesh, '--degree', '1', *flags,
+                                *(w for o in outputs for w in ('-o', o)))
+                self.assertIn(done.code, (OK, LIMIT), done.err)
+                for out in outputs:
+                    self.run_ok('check', out)
+                    self.run_ok('check', out, '--surface', mesh, '--certify')
 
 
 if __name__ == '__main__':
