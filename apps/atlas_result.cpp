@@ -83,7 +83,7 @@ void summarize(const FinishedUnwrap& run, const WrittenFiles& written) {
       fill, run.map.degree, seconds_since(run.start));
   for (const std::string& path : run.outputs.files)
     if (is_map_data(path) && written.has(path))
-      say("proof: majorant check {} --cuts free{}\n", path, atlas.packing ? " --certify" : "");
+      say("proof: majorant check {}{}\n", path, atlas.packing ? " --certify" : "");
 }
 
 }  // namespace

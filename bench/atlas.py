@@ -4,8 +4,7 @@
 """majorant unwrap on the public meshes: one row a file, judged by programs that share no code with it.
 
 Each run is `majorant unwrap IN -o OUT.obj --report`, one thread, then `layout.py --overlap` of SHARED
-(with --same-faces where no face was turned, else as many faces) and `majorant check OUT.obj --cuts free
---certify`. Charts and components are counted here once more, from the indices of the file written.
+(with --same-faces where no face was turned, else as many faces) and `majorant check OUT.obj --certify`. Charts and components are counted here once more, from the indices of the file written.
 Seconds are those of the processor. A file that is refused as unreadable (exit 2) has no more columns. Exit
 code 0 exactly if every file ends 0, 2 or 4, every layout is judged good and, without --flags, none of the
 LIMITS is passed.
@@ -130,7 +129,7 @@ def judge(options, mesh, out, turned):
                         options.timeout)
     last = (layout.stdout.strip() or layout.stderr.strip() or 'layout.py: no answer').splitlines()[-1]
     problems = [] if last.startswith('ok') else [last]
-    check = common.run([options.binary, 'check', out, '--cuts', 'free', '--certify', '--quiet'],
+    check = common.run([options.binary, 'check', out, '--certify', '--quiet'],
                        options.timeout)
     if check.code:
         problems.append('check: exit %s %s' % (check.code, check.stderr.strip()[:200]))

@@ -187,7 +187,7 @@ def claims(rng):
 def lie(made, rng, options):
     """One of the claims that the program makes of its results is wrong."""
     claims = made.claims
-    how = rng.choice(('value', 'degree', 'pins', 'normalized', 'cones', 'boundary'))
+    how = rng.choice(('value', 'degree', 'pins', 'normalized', 'cones', 'boundary', 'cuts'))
     if how == 'normalized' and claims.get('normalized'):
         claims['normalized']['size'] *= rng.choice((0.5, 2))
     elif how == 'cones':
@@ -196,6 +196,8 @@ def lie(made, rng, options):
         rng.choice(cones)['quarter_turns'] += rng.choice((1, 4))
     elif how == 'boundary' and claims['boundary'] == 'free' and not claims['seams']:
         claims['boundary'] = 'fixed'
+    elif how == 'cuts' and claims.get('cuts'):
+        claims['cuts'].pop(rng.randrange(len(claims['cuts'])))
     elif how == 'degree':
         claims['degree'] += rng.choice((1, 2))
     elif how == 'pins':

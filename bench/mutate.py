@@ -104,7 +104,7 @@ def compare(rng, mesh):
 def check(rng, result, surface):
     words = ['check', result, '--time-limit', '2'] + some(rng, 0.3, ['--certify']) + some(rng, 0.2, ['--seamless'])
     if surface and rng.random() < 0.6:
-        words += ['--surface', surface] + some(rng, 0.4, ['--cuts', rng.choice(('none', 'free'))])
+        words += ['--surface', surface] + some(rng, 0.4, ['--cuts', rng.choice(('auto', 'none', 'free'))])
     return words + some(rng, 0.5, ['--report', 'OUT.json'])
 
 

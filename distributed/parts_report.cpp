@@ -95,6 +95,7 @@ std::string parts_claims(const PartsRun& run) {
                         {"init", run.start},
                         {"seams", false},
                         {"bijective", false},
+                        {"cuts", Json::array()},
                         {"options", run.options}});
 }
 

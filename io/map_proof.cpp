@@ -11,6 +11,7 @@
 #include "majorant/constraints/internal/sector_angle.h"
 #include "majorant/elements/element_space.h"
 #include "majorant/framework/error.h"
+#include "majorant/io/internal/allowed_edges.h"
 #include "majorant/io/internal/close_of.h"
 #include "majorant/io/internal/cut_map.h"
 #include "majorant/io/internal/glued_map.h"
@@ -203,19 +204,30 @@ class MapProof::Judge {
     const SurfaceMesh& surface = cut_->surface();
     const double close = kSeamClose * cut_->extent();
     is_free_.assign(at(surface.half_edge_count()), 0);
+    AllowedEdges allowed(request_.cut_edges);
+    std::vector<Index> tears;  // differ, and are no edges that may
     Index first = -1;
     for (Index h = 0; h < surface.half_edge_count(); ++h) {
       if (surface.opposite(h) < h || !cut_->differs(h)) continue;
-      proof_.cuts.length += (surface.positions().row(surface.to_vertex(h)) -
-                             surface.positions().row(surface.from_vertex(h)))
-                                .norm();
-      if (allows_seams(request_.cuts) && cut_->fit(h).mismatch <= close) {
+      proof_.cuts.length += surface.edge_length(h);
+      const bool is_allowed = allowed.take(cut_->input_edge(h));
+      if (is_allowed && allows_seams(request_.cuts) && cut_->fit(h).mismatch <= close) {
         ++proof_.cuts.seams;
         continue;
       }
       ++proof_.cuts.others;
       is_free_[at(h)] = is_free_[at(surface.opposite(h))] = 1;
       if (first < 0) first = h;
+      if (!is_allowed) tears.push_back(h);
+    }
+    if (!tears.empty()) {
+      proof_.continuous = {
+          Answer::Violated,
+          fmt::format("the map is not continuous: the sides of {} differ where it is not said to "
+                      "be cut, first of {}",
+                      count_text(static_cast<Index>(tears.size()), "inner edge"),
+                      cut_->place(tears.front()))};
+      return;
     }
     if (first < 0 || allows_any(request_.cuts)) {
       proof_.continuous = {Answer::Proven, count_of_cuts()};

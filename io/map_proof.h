@@ -10,6 +10,7 @@
 // last bit. Angle sums tell a map that winds twice around a vertex.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -51,6 +52,9 @@ struct ProofRequest {
   // has defects, of what repair() makes of it.
   const PolygonMesh* surface = nullptr;
   CutRule cuts = CutRule::Nothing;
+  // The only edges that may be what `cuts` says, by two vertices of the input in any order, each as
+  // often as the cells may have an edge there that differs; none given: all of them.
+  std::optional<std::vector<std::array<Index, 2>>> cut_edges = {};
   // Reported: `global` is filled in, the verdict does not depend on it.
   enum class Overlap { NotAsked, Reported, Forbidden } overlap = Overlap::NotAsked;
   // Whether vertices and input_face of the file are compared with the surface: a .vtu says of which

@@ -24,7 +24,6 @@
 #include "majorant/io/map_file.h"
 #include "majorant/io/map_proof.h"
 #include "majorant/io/read_mesh.h"
-#include "majorant/results/internal/check_claims.h"
 #include "majorant/results/internal/check_map.h"
 
 namespace majorant::app {
@@ -33,7 +32,7 @@ namespace {
 struct Request {
   CommonOptions common;
   std::string result, surface, distortion;
-  std::string cuts;                  // none, free or, where nothing is said, empty
+  std::string cuts = "auto";
   std::vector<std::string> outputs;  // pages
   double time_limit = std::numeric_limits<double>::infinity();
   bool certify = false, seamless = false;
@@ -41,11 +40,12 @@ struct Request {
 
 CheckRequest::Cuts cuts_of(const std::string& said) {
   if (said == "free") return CheckRequest::Cuts::Free;
-  return said.empty() ? CheckRequest::Cuts::AsClaimed : CheckRequest::Cuts::None;
+  return said == "none" ? CheckRequest::Cuts::None : CheckRequest::Cuts::Auto;
 }
 
 // "positive (486 cells), continuous (no cuts), ...; not asked: surface (--surface)".
-std::string in_words(const MapProof& proof) {
+std::string in_words(const MapCheck& check) {
+  const MapProof& proof = check.proof;
   std::string proven, open;
   for (const auto& [question, finding] : proof.findings()) {
     if (finding->answer == Answer::Proven)
@@ -54,9 +54,11 @@ std::string in_words(const MapProof& proof) {
       open += fmt::format("{}{}", open.empty() ? "; not asked: " : ", ",
                           question == "surface" ? "surface (--surface)" : "overlaps (--certify)");
   }
-  if (proof.cuts.others > 0)
-    proven += fmt::format(", cut along {} into {}", count_text(proof.cuts.others, "edge"),
-                          count_text(proof.cuts.charts, "chart"));
+  const CutCount& cuts = proof.cuts;
+  if (cuts.others > 0)
+    proven += fmt::format(", {}, length {:.4g}, {}{}", count_text(cuts.others, "cut edge"),
+                          cuts.length, count_text(cuts.charts, "chart"),
+                          check.has_untold_cuts ? ": not told from tears" : "");
   return proven + open;
 }
 
@@ -93,9 +95,8 @@ int conclude(const Request& request, const MapFile& file, const MapCheck& check)
     say("majorant: {}: {}: {}{}\n", request.result, check.status(), fmt::join(list, "; "),
         is_torn ? "; if the map is meant to be cut there, add --cuts free" : "");
   } else if (!request.common.quiet) {
-    say("{}: valid, degree {}: {}; {} {:.9g}{}\n", request.result, file.degree,
-        in_words(check.proof), claimed_energy(check.claims), check.measures->value,
-        seam_summary(check.report["result"]));
+    say("{}: valid, degree {}: {}; {}{}\n", request.result, file.degree, in_words(check),
+        describe(check.energy), seam_summary(check.report["result"]));
   }
   WrittenFiles written;
   const std::string& report = request.common.report;
@@ -153,9 +154,10 @@ void add_check(CLI::App& app, Action* run) {
                   "the map and what is wrong with it as a page: .html, repeatable")
       ->allow_extra_args(false);
   verb.add_option("--cuts", request->cuts,
-                  "none: inner edges whose sides differ are violations; free: they are counted "
-                  "(default with --surface: none)")
-      ->check(one_of({"none", "free"}));
+                  "inner edges whose sides differ: none: violations; free: counted; auto "
+                  "(default): violations but where the file says that it is cut, and counted "
+                  "where it says nothing")
+      ->check(one_of({"auto", "none", "free"}));
   verb.add_flag("--seamless", request->seamless,
                 "the map is seamless, its seams are no cuts (implied where the file claims it)");
   verb.add_option("--time-limit", request->time_limit,

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -90,6 +91,11 @@ ClaimedPin as_pin(const Place& p) {
 
 Cone as_cone(const Place& p) {
   return {as_integer(member(p, "vertex"), 0), as_integer(member(p, "quarter_turns"), 1)};
+}
+
+std::array<Index, 2> as_edge(const Place& p) {
+  if (!p.value.is_array() || p.value.size() != 2) p.fail("is not a list of two vertices");
+  return {as_integer(element(p, 0), 0), as_integer(element(p, 1), 0)};
 }
 
 ClaimedNormalization as_normalization(const Place& p) {
@@ -181,6 +187,8 @@ Claims parse_claims(const std::string& text, const std::string& file) {
       "pins", [](const Place& p) { return as_list(p, as_pin); }, claims.pins);
   entries.read(
       "cones", [](const Place& p) { return as_list(p, as_cone); }, claims.cones);
+  entries.read(
+      "cuts", [](const Place& p) { return as_list(p, as_edge); }, claims.cuts);
   entries.read("options", as_options, claims.options);
   return claims;
 }

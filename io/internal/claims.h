@@ -8,6 +8,7 @@
 // and the range written below; keys not listed here are ignored.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -49,6 +50,9 @@ struct Claims {
   std::optional<ClaimedNormalization> normalized;
   std::optional<std::vector<ClaimedPin>> pins;
   std::optional<std::vector<Cone>> cones;  // vertices of the input, quarter turns >= 1
+  // Edges of the input, by their vertices (>= 0), whose two sides may have other uv: each as often
+  // as the cells make an edge there. Not in files that were written before there was --cuts auto.
+  std::optional<std::vector<std::array<Index, 2>>> cuts;
   std::optional<ClaimedOptions> options;
 };
 

@@ -132,9 +132,14 @@ double CutMap::mean_length() const {
   return sum / surface_.half_edge_count();
 }
 
+std::array<Index, 2> CutMap::input_edge(Index h) const {
+  return {surface_.input_vertex(surface_.from_vertex(h)),
+          surface_.input_vertex(surface_.to_vertex(h))};
+}
+
 std::string CutMap::place(Index h) const {
-  return fmt::format("edge ({}, {})", surface_.input_vertex(surface_.from_vertex(h)),
-                     surface_.input_vertex(surface_.to_vertex(h)));
+  const auto [from, to] = input_edge(h);
+  return fmt::format("edge ({}, {})", from, to);
 }
 
 BezierMap CutMap::map_cut_along(const std::vector<char>& is_cut) const {
@@ -178,6 +183,15 @@ bool is_cut(const MapFile& file) {
   std::unordered_set<Index> seen;
   return std::any_of(file.input_vertex.begin(), file.input_vertex.end(),
                      [&](Index v) { return v >= 0 && !seen.insert(v).second; });
+}
+
+std::vector<std::array<Index, 2>> unshared_edges(const MapFile& file, const std::string& name) {
+  std::vector<std::array<Index, 2>> edges;
+  if (!is_cut(file)) return edges;
+  const CutMap cut(file, name);
+  for (Index h = 0; h < cut.surface().half_edge_count(); ++h)
+    if (cut.surface().opposite(h) > h && cut.is_unshared(h)) edges.push_back(cut.input_edge(h));
+  return edges;
 }
 
 }  // namespace majorant

@@ -10,6 +10,7 @@
 // the file says of it. Of a seamless map (mesh/seams.h) rotations and cones follow.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -50,7 +51,8 @@ class CutMap {
   double extent() const;
   double mean_length() const;
 
-  // "edge (12, 13)", vertices of the input.
+  // From and to, vertices of the input; "edge (12, 13)".
+  std::array<Index, 2> input_edge(Index half_edge) const;
   std::string place(Index half_edge) const;
 
   // The map of the surface cut along these half-edges (3 #F flags, both sides), which include all
@@ -81,6 +83,10 @@ Eigen::VectorXi number_by_place(const Points3& points, const PolygonMesh& known)
 
 // Whether the file holds a vertex of the input several times: whether its map is cut.
 bool is_cut(const MapFile& file);
+// Where a file that is to be written is cut: edges of the input, by their vertices, that are
+// unshared, each as often as the cells make an edge there. Decided from who shares points, not from
+// uv: what lies apart by mistake is none. Throws as CutMap.
+std::vector<std::array<Index, 2>> unshared_edges(const MapFile& file, const std::string& name);
 
 }  // namespace majorant
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "majorant/io/internal/close_of.h"
+#include "majorant/mesh/internal/triangle_list.h"
 #include "majorant/mesh/internal/triangulate_polygon.h"
 #include "majorant/mesh/internal/union_find.h"
 
@@ -234,17 +235,20 @@ class Matcher {
     return box.sizes().maxCoeff();
   }
 
-  // Whether no cell is turned over in the polygon: cells are those that SurfaceMesh makes of it, or
-  // all of them face its side.
+  // Whether no cell is turned over in the polygon: cells are those that SurfaceMesh makes of it, of
+  // its shape or of its texture coordinates, or all of them face its side.
   bool is_unfolded(const Patch& patch) const {
     const auto& polygon = surface_.polygons[at(patch.faces.front())];
     std::vector<Vector3> corners;
     for (const Index v : polygon) corners.push_back(place(v));
     if (corners.size() == 3) return true;
-    const Vector3 side = area_vector(corners);
+    const Vector3 side = area_vector(corners).stableNormalized();
     std::set<std::set<Index>> usual;
-    for (const auto& t : triangulate_polygon(corners))
-      usual.insert({polygon[at(t[0])], polygon[at(t[1])], polygon[at(t[2])]});
+    for (const auto& triangles :
+         {triangulate_polygon(corners),
+          triangles_of(surface_, patch.faces.front(), Crossing::Fanned, {})})
+      for (const auto& t : triangles)
+        usual.insert({polygon[at(t[0])], polygon[at(t[1])], polygon[at(t[2])]});
     return std::all_of(patch.cells.begin(), patch.cells.end(), [&](Index c) {
       const auto vertex = [&](Index k) { return cells_.faces()(c, k); };
       const auto name = [&](Index k) { return surface_vertex(vertex(k)); };
@@ -286,10 +290,10 @@ class Matcher {
     }
     Vector3 total = Vector3::Zero();
     for (const auto& corners : of_faces) total += area_vector(corners);
-    if (!(total.norm() > close_ * close_))
+    if (!(total.stableNorm() > close_ * close_))
       refuse_match("cells have other edges than the surface around face {}, where it is not flat",
                    face);
-    const Vector3 normal = total.normalized(), origin = of_faces.front().front();
+    const Vector3 normal = total.stableNormalized(), origin = of_faces.front().front();
     double areas[2] = {0, 0};
     for (const auto* list : {&of_faces, &of_cells})
       for (const auto& corners : *list) {
@@ -323,16 +327,8 @@ class Matcher {
 PolygonMesh triangulated(const PolygonMesh& surface) {
   PolygonMesh out;
   out.positions = surface.positions;
-  for (const auto& polygon : surface.polygons) {
-    std::vector<Vector3> corners;
-    for (const Index v : polygon) corners.push_back(surface.positions[at(v)]);
-    if (polygon.size() == 3) {
-      out.polygons.push_back(polygon);
-      continue;
-    }
-    for (const auto& t : triangulate_polygon(corners))
-      out.polygons.push_back({polygon[at(t[0])], polygon[at(t[1])], polygon[at(t[2])]});
-  }
+  for (const auto& triangle : triangulate(surface, Crossing::Fanned, {}).triangles)
+    out.polygons.emplace_back(triangle.begin(), triangle.end());
   return out;
 }
 

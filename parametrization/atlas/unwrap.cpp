@@ -200,7 +200,12 @@ class Unwrapping {
     for (const Chart& chart : atlas_.charts) packing.fixed.push_back(!chart.pins.empty());
     require_pinned_apart(maps);
     atlas_.packing = pack(maps, packing, record_.start_stop());
-    for (std::size_t k = 0; k < maps.size(); ++k) atlas_.charts[k].map = atlas_.packing->charts[k];
+    for (std::size_t k = 0; k < maps.size(); ++k) {
+      Chart& chart = atlas_.charts[k];
+      chart.map = atlas_.packing->charts[k];
+      chart.measures =
+          measures_once_moved(std::move(chart.measures), *chart.map, tasks_[k].options.map.energy);
+    }
   }
 
   const SurfaceMesh& surface_;

@@ -106,6 +106,11 @@ void sample_extremes(const BezierMap& map, const RestShapes& rest, const EnergyS
   }
 }
 
+Vec proven_bounds(const BezierMap& map, const RestShapes& rest) {
+  return LocalInjectivity(map.shared_space(), 2 * rest.measure, ProofDepth::kFinal)
+      .lower_bounds(map.control_points());
+}
+
 // Sets value, face_value and, where stopped before they are good, cut_short.
 void measure_energy(const BezierMap& map, const RestShapes& rest, const EnergySum& energy,
                     const StopCheck& stop, MapMeasures& m) {
@@ -152,8 +157,7 @@ MapMeasures measure_normalized(const BezierMap& map, double scale, const EnergyS
   if (!m.cut_short)
     m.distortion =
         measure_distortion(map.degree(), map.space().cells(), map.control_points(), rest, scale);
-  m.min_det = LocalInjectivity(map.shared_space(), 2 * rest.measure, ProofDepth::kFinal)
-                  .lower_bounds(map.control_points());
+  m.min_det = proven_bounds(map, rest);
   const bool interior_ok =
       AngleSums(map.shared_space(), AngleSums::Vertices::Interior, map.shared_seams())
           .check(map.control_points())
@@ -168,6 +172,16 @@ MapMeasures measure_normalized(const BezierMap& map, double scale, const EnergyS
     if (sums[v] > 2 * std::numbers::pi + AngleSums::kTolerance) ++m.boundary_over_full_turn;
   }
   return m;
+}
+
+MapMeasures measures_once_moved(MapMeasures before, const BezierMap& moved,
+                                const EnergySum& energy) {
+  const Vec now = proven_bounds(moved, rest_shapes(moved.mesh()));
+  const Vec& then = before.min_det;
+  if (!((now - then).array().abs() <= kEnergyAgreement * then.array().abs()).all())
+    return measure_map(moved, energy);
+  before.min_det = now;
+  return before;
 }
 
 }  // namespace majorant

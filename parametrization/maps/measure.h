@@ -39,6 +39,11 @@ MapMeasures measure_map(const BezierMap& map, const EnergySum& energy, const Sto
 MapMeasures measure_normalized(const BezierMap& map, double scale, const EnergySum& energy,
                                const StopCheck& stop = {});
 
+// Of a map that was moved after it was measured, which rounds its control points: what is proven,
+// of the points as they are now; where that tells another map, all of it.
+MapMeasures measures_once_moved(MapMeasures before, const BezierMap& moved,
+                                const EnergySum& energy);
+
 }  // namespace majorant
 
 // SPDX-FileCopyrightText: 2026 the majorant developers

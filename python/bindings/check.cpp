@@ -10,7 +10,7 @@
 namespace majorant::python {
 namespace {
 
-// The report of `majorant check`, as JSON. surface: a Mesh, or None; cuts: "", "none" or "free".
+// The report of `majorant check`, as JSON. surface: a Mesh, or None; cuts: "auto", "none", "free".
 std::string check_map(const std::string& name, const MapFile& file, const SharedPolygons& surface,
                       const std::string& cuts, bool certify, bool seamless, double time_limit) {
   CheckRequest request;

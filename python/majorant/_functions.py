@@ -189,7 +189,7 @@ class Verdict:
         return f'<majorant.Verdict: {"; ".join([self.status, *self.findings])}>'
 
 
-def check(result: Map | str | os.PathLike, V: Any = None, F: Any = None, *, cuts: str | None = None,
+def check(result: Map | str | os.PathLike, V: Any = None, F: Any = None, *, cuts: str = 'auto',
           certify: bool = False, seamless: bool = False, time_limit: float | None = None) -> Verdict:
     """Judges a map again, from its control points alone, as `majorant check` does.
 
@@ -197,9 +197,10 @@ def check(result: Map | str | os.PathLike, V: Any = None, F: Any = None, *, cuts
         if not verdict: print(verdict.findings)
 
     result: a Map, or a file. V, F: the mesh that it should be a map of. cuts: 'none' - inner edges
-    whose sides differ are violations -, 'free' - they are counted -, or None: none where V is given
-    or the file claims something. certify: prove that nothing overlaps, too. seamless: the map is
-    seamless, its seams are no cuts. What is not decided within time_limit seconds is 'undecided'.
+    whose sides differ are violations -, 'free' - they are counted -, or 'auto': violations but where
+    the file says that it is cut, and counted where it says nothing. certify: prove that nothing
+    overlaps, too. seamless: the map is seamless, its seams are no cuts. What is not decided within
+    time_limit seconds is 'undecided'.
     """
     if (V is None) != (F is None):
         raise UsageError('V and F go together')
@@ -209,7 +210,7 @@ def check(result: Map | str | os.PathLike, V: Any = None, F: Any = None, *, cuts
     else:
         name = _arrays.path(result)
         file = _core.read_map(name)[0]
-    said = '' if cuts is None else _options.choice('cuts', cuts, ('none', 'free'))
+    said = _options.choice('cuts', cuts, ('auto', 'none', 'free'))
     limit = float('inf') if time_limit is None else _options.number('time_limit', time_limit, 0, zero=True)
     return Verdict(json.loads(_core.check_map(name, file, surface, said, _options.truth('certify', certify),
                                               _options.truth('seamless', seamless), limit)))

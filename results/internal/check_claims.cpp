@@ -7,12 +7,10 @@
 #include <cmath>
 #include <map>
 
-#include "majorant/energies/named_energies.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/rounding.h"
 #include "majorant/io/internal/lagrange_cell.h"
 #include "majorant/mesh/internal/geometry.h"
-#include "majorant/parametrization/maps/internal/energy_text.h"
 #include "majorant/parametrization/starts/texture_seams.h"
 #include "majorant/parametrization/starts/tutte.h"
 #include "majorant/results/internal/check_seams.h"
@@ -27,6 +25,11 @@ constexpr double kEnergyClose = 1e-4;
 constexpr double kDistortionClose = 1e-2;
 // Energies may vanish at isometries. Origin: as kTenDigits.
 constexpr double kZeroEnergy = 1e-9;
+
+// The scale that a normalized result was made in.
+double claimed_scale(const Claims& claims) {
+  return claims.normalized ? claims.normalized->size : 1.0;
+}
 
 // Points of the map by vertex of the input mesh.
 std::vector<Index> find_vertex(const MapFile& file, Index input_vertex) {
@@ -95,10 +98,10 @@ void check_fixed_boundary(const CheckedMap& checked, Findings& findings) {
 double rounding_of_uv(const CheckedMap& checked, Index cell, double amplification) {
   constexpr double kEpsilon = 2 * kUnitRoundoff<double>;
   const MapFile& file = checked.file;
-  double size = 1, unit = 0;
+  const double size = claimed_scale(checked.claims);
+  double unit = 0;
   if (checked.claims.normalized) {
     const ClaimedNormalization& n = *checked.claims.normalized;
-    size = n.size;
     unit = 4 * kEpsilon * (n.origin.cwiseAbs().maxCoeff() + n.size);
   }
   if (checked.claims.aligned) unit += 4 * kEpsilon * size * file.uv.cwiseAbs().maxCoeff();
@@ -110,12 +113,16 @@ double rounding_of_uv(const CheckedMap& checked, Index cell, double amplificatio
 // twice n of them make a derivative.
 double rounding_of_det(const CheckedMap& checked, Index cell, double amplification) {
   const double unit = rounding_of_uv(checked, cell, amplification);
+  if (unit == 0) return 0;
   const MapFile& file = checked.file;
-  const double size = checked.claims.normalized ? checked.claims.normalized->size : 1;
-  const double reach = size * extent(file.uv(file.cells.row(cell), Eigen::all));
+  const double reach =
+      claimed_scale(checked.claims) * extent(file.uv(file.cells.row(cell), Eigen::all));
   const auto corner = [&](Index k) { return Vector3(file.points.row(file.cells(cell, k))); };
-  const double rest = (corner(0) - corner(2)).cross(corner(1) - corner(2)).norm();
-  return 4.0 * file.degree * file.degree * unit * (reach + unit) / rest;
+  const Vector3 first = corner(0) - corner(2), second = corner(1) - corner(2);
+  const double one = first.stableNorm(),
+               other = second.stableNorm();  // their squares may underflow
+  const double sine = (first / one).cross(second / other).norm();
+  return 4.0 * file.degree * file.degree * (unit / one) * ((reach + unit) / other) / sine;
 }
 
 void check_arrays(const CheckedMap& checked, Findings& findings) {
@@ -164,16 +171,7 @@ void check_boundary_claim(const CheckedMap& checked, Findings& findings) {
   }
 }
 
-// The scale that a normalized result was made in.
-double claimed_scale(const Claims& claims) {
-  return claims.normalized ? claims.normalized->size : 1.0;
-}
-
 }  // namespace
-
-std::string claimed_energy(const Claims& claims) {
-  return claims.energy.value_or("symmetric-dirichlet");
-}
 
 Vec in_units_of_the_run(VecIn uv, const Claims& claims) {
   Vec x = uv * claimed_scale(claims);
@@ -183,17 +181,6 @@ Vec in_units_of_the_run(VecIn uv, const Claims& claims) {
   for (Index k = 0; k < x.size(); k += 2)
     x.segment<2>(k) = Vector2(c * x[k] - s * x[k + 1], s * x[k] + c * x[k + 1]);
   return x;
-}
-
-MapMeasures measure_as_claimed(const BezierMap& map, const Claims& claims, const StopCheck& stop,
-                               Findings& findings) {
-  std::optional<EnergySum> energy = find_energy_sum(claimed_energy(claims));
-  if (!energy) {
-    findings.add_violation(
-        fmt::format("majorant_claims: no energy is called '{}'", claimed_energy(claims)));
-    energy = EnergySum{{symmetric_dirichlet(), 1.0}};
-  }
-  return measure_normalized(map, claimed_scale(claims), *energy, stop);
 }
 
 void check_claims(const CheckedMap& checked, Findings& findings) {

@@ -2,9 +2,6 @@
 // changes what check_command proves.
 #pragma once
 
-#include <optional>
-#include <string>
-
 #include "majorant/io/internal/claims.h"
 #include "majorant/io/map_proof.h"
 #include "majorant/parametrization/maps/measure.h"
@@ -16,17 +13,12 @@ namespace majorant {
 struct CheckedMap {
   const MapFile& file;
   const BezierMap& map;         // faces in the order of the file's cells; uv of the file
-  const MapMeasures& measures;  // of measure_as_claimed()
+  const MapMeasures& measures;  // of measure_as_claimed() (check_energy.h)
   const Claims& claims;
   const PolygonMesh* surface;  // what it should be a map of; may be null
   const CutCount& cuts;        // with others than seams, marks and cones are not compared
 };
 
-// Measured with the claimed energy, in the units of the run; an energy that does not exist is a
-// finding.
-MapMeasures measure_as_claimed(const BezierMap& map, const Claims& claims, const StopCheck& stop,
-                               Findings& findings);
-std::string claimed_energy(const Claims& claims);
 // uv of the file (2 numbers a node) as the run had them, before --align and --normalize.
 Vec in_units_of_the_run(VecIn uv, const Claims& claims);
 

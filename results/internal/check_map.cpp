@@ -12,21 +12,37 @@
 namespace majorant {
 namespace {
 
-// Without a surface nothing says where a file that claims nothing should be continuous: its cuts
-// are counted and named then.
-CutRule cut_rule(const CheckRequest& request, const Claims& claims, bool is_seamless) {
+// Whether nothing says where a map is cut: files that claim nothing, and atlases of the time before
+// there was the claim `cuts`.
+bool is_untold(const MapFile& file, const Claims& claims) {
   const bool says_nothing = !claims.version && !claims.seams;
-  const bool free =
-      request.cuts == CheckRequest::Cuts::Free ||
-      (request.cuts == CheckRequest::Cuts::AsClaimed && !request.surface && says_nothing);
-  if (free) return is_seamless ? CutRule::SeamsOrFree : CutRule::Free;
-  return is_seamless ? CutRule::Seams : CutRule::Nothing;
+  return !claims.cuts && (says_nothing || file.chart.size() > 0);
 }
 
-ProofRequest questions(const CheckRequest& request, const Claims& claims, const StopCheck& stop) {
+void ask_about_cuts(const MapFile& file, const CheckRequest& request, const Claims& claims,
+                    ProofRequest& wanted) {
+  const bool is_seamless = request.seamless || claims.seams.value_or(false);
+  const CutRule none = is_seamless ? CutRule::Seams : CutRule::Nothing;
+  const CutRule free = is_seamless ? CutRule::SeamsOrFree : CutRule::Free;
+  switch (request.cuts) {
+    case CheckRequest::Cuts::Auto:
+      wanted.cuts = is_seamless || !(claims.cuts || is_untold(file, claims)) ? none : free;
+      wanted.cut_edges = claims.cuts;
+      break;
+    case CheckRequest::Cuts::None:
+      wanted.cuts = none;
+      break;
+    case CheckRequest::Cuts::Free:
+      wanted.cuts = free;
+      break;
+  }
+}
+
+ProofRequest questions(const MapFile& file, const CheckRequest& request, const Claims& claims,
+                       const StopCheck& stop) {
   ProofRequest wanted;
   wanted.surface = request.surface;
-  wanted.cuts = cut_rule(request, claims, request.seamless || claims.seams.value_or(false));
+  ask_about_cuts(file, request, claims, wanted);
   if (request.certify || claims.bijective.value_or(false))
     wanted.overlap = ProofRequest::Overlap::Forbidden;
   else if (request.reported)
@@ -40,7 +56,7 @@ ProofRequest questions(const CheckRequest& request, const Claims& claims, const 
 MapProof proven(const MapFile& file, const CheckRequest& request, const Claims& claims,
                 const RunRecord& record) {
   record.begin(Activity::Proving);
-  return {file, request.name, questions(request, claims, record.stop())};
+  return {file, request.name, questions(file, request, claims, record.stop())};
 }
 
 // At the scale of its claims, or a scale of its own.
@@ -82,7 +98,8 @@ void add_proofs(MapCheck& check) {
   check.report["cuts"] = {{"seam_edges", cuts.seams},
                           {"other_edges", cuts.others},
                           {"length", cuts.length},
-                          {"charts", cuts.charts}};
+                          {"charts", cuts.charts},
+                          {"told_from_tears", !check.has_untold_cuts}};
 }
 
 // What there is a map of, and what is claimed of that.
@@ -90,8 +107,10 @@ void add_measures(MapCheck& check, const MapFile& file, const CheckRequest& requ
                   const StopCheck& stop) {
   if (!check.proof.map()) return;
   const BezierMap& map = *check.proof.map();
-  check.measures = measure_as_claimed(map, check.claims, stop, check.findings);
-  Json result = measures_section(map, *check.measures, claimed_energy(check.claims));
+  check.measures.emplace();
+  check.energy = measure_as_claimed(file, map, check.claims, stop, check.findings, *check.measures);
+  Json result = measures_section(map, *check.measures, check.energy.name);
+  add_energy(check.energy, result);
   if (check.proof.global) add_global_injectivity(result, map, *check.measures, *check.proof.global);
   if (!check.measures->cut_short && request.reported)
     result["distortion"] = measured_distortion(file);
@@ -108,6 +127,8 @@ MapCheck::MapCheck(const MapFile& file, const CheckRequest& request, const RunRe
       report{{"schema_version", 1}, {"version", MAJORANT_VERSION}, {"command", "check"}},
       proof(proven(file, request, claims, record)) {
   require_surface(*this, file, request);
+  has_untold_cuts =
+      proof.cuts.others > 0 && request.cuts == CheckRequest::Cuts::Auto && is_untold(file, claims);
   add_proofs(*this);
   record.begin(Activity::Measuring);
   add_measures(*this, file, request, record.stop());

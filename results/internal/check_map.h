@@ -13,6 +13,7 @@
 #include "majorant/framework/run_record.h"
 #include "majorant/io/internal/claims.h"
 #include "majorant/io/map_proof.h"
+#include "majorant/results/internal/check_energy.h"
 #include "majorant/results/internal/findings.h"
 #include "majorant/results/internal/report.h"
 
@@ -21,9 +22,10 @@ namespace majorant {
 struct CheckRequest {
   std::string name;  // of the file: for messages; its extension says what its labels mean
   const PolygonMesh* surface = nullptr;  // that it should be a map of
-  // Whether inner edges may have sides that differ. AsClaimed: not where there is a surface, or the
-  // file claims anything.
-  enum class Cuts { AsClaimed, None, Free } cuts = Cuts::AsClaimed;
+  // Whether inner edges may have sides that differ. Auto: those that the file claims to be cut; if
+  // it claims nothing, any, which are told from tears by nobody then. Seams of a seamless map are
+  // no cuts for any of these.
+  enum class Cuts { Auto, None, Free } cuts = Cuts::Auto;
   bool certify = false;   // overlaps are violations, also where the file claims nothing
   bool seamless = false;  // likewise, seams are none
   bool reported = false;  // all that reports say is found out, also what decides nothing
@@ -38,9 +40,12 @@ struct MapCheck {
   Findings findings;  // empty: valid
   Json report;        // schema_version 1
   std::optional<MapMeasures> measures;
+  CheckedEnergy energy;  // where there are measures
   MapProof proof;
 
   std::string_view status() const;  // "valid", "invalid", "undecided"
+  // There are cuts, and neither file nor request says which edges may be cut.
+  bool has_untold_cuts = false;
 };
 
 }  // namespace majorant

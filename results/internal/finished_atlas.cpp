@@ -6,6 +6,7 @@
 #include "majorant/framework/linear_solver.h"
 #include "majorant/framework/thread_count.h"
 #include "majorant/io/atlas_file.h"
+#include "majorant/io/internal/cut_map.h"
 #include "majorant/io/map_distortion.h"
 
 namespace majorant {
@@ -37,7 +38,7 @@ Json pins_section(const FinishedAtlas& run) {
   return pins;
 }
 
-std::string claims(const FinishedAtlas& run) {
+std::string claims(const FinishedAtlas& run, const MapFile& file) {
   Json claims{{"version", MAJORANT_VERSION},
               {"degree", run.degree},
               {"energy", run.energy},
@@ -48,6 +49,7 @@ std::string claims(const FinishedAtlas& run) {
               {"normalized", normalized_section(run.square)},
               {"pins", pins_section(run)},
               {"other_triangles", false},
+              {"cuts", unshared_edges(file, run.polygons.file)},
               {"options", run.options}};
   if (!is_measured_anew(run)) claims.erase("value");
   if (run.energy.empty()) {  // nobody else could tell
@@ -147,7 +149,7 @@ MapFile atlas_file(const FinishedAtlas& run, FaceDistortion* table) {
                                : chart.measures.distortion.faces;
   }
   MapFile file = joined(charts);
-  file.claims = claims(run);
+  file.claims = claims(run, file);
   if (table) *table = file.face_distortion;
   file.face_distortion =
       is_measured_anew(run) ? finite_or_none(file.face_distortion) : FaceDistortion();

@@ -2,6 +2,7 @@
 
 #include "majorant/framework/linear_solver.h"
 #include "majorant/framework/thread_count.h"
+#include "majorant/io/internal/cut_map.h"
 #include "majorant/io/map_distortion.h"
 #include "majorant/results/internal/global_verdict.h"
 #include "majorant/results/internal/write_map.h"
@@ -29,7 +30,7 @@ std::string_view start_taken(const FinishedMap& run) {
                                                         : std::string_view(run.init);
 }
 
-std::string claims(const FinishedMap& run) {
+std::string claims(const FinishedMap& run, const MapFile& file) {
   const BezierMap& map = *run.result.map;
   Json pins = Json::array();
   for (const Pin& pin : run.asked.pins) {
@@ -48,6 +49,7 @@ std::string claims(const FinishedMap& run) {
               {"normalized", normalized_section(run)},
               {"pins", pins},
               {"other_triangles", run.result.other_triangles},
+              {"cuts", unshared_edges(file, run.polygons.file)},
               {"options", run.options}};
   if (run.result.measures.cut_short) claims.erase("value");  // not good enough to be claimed
   if (run.energy.empty()) {                                  // nobody else could tell
@@ -121,7 +123,7 @@ MapFile map_file(const FinishedMap& run) {
     file.distortion = run.result.measures.face_value;
   file.min_det = run.result.measures.min_det;
   file.face_distortion = finite_or_none(run.result.measures.distortion.faces);
-  file.claims = claims(run);
+  file.claims = claims(run, file);
   return file;
 }
 

@@ -85,11 +85,11 @@ class CurvedFiles(CommandTest):
         self.run_ok('unwrap', '--quiet', ball, '-o', self.path('a.msh'), '-o', self.path('a.ply'),
                     '-o', self.path('a.vtu'), '--vtu', 'lagrange', '--degree', '2')
         for result in ('a.msh', 'a.ply', 'a.vtu'):
-            self.run_ok('check', self.path(result), '--cuts', 'free', '--certify')
+            self.run_ok('check', self.path(result), '--certify')
         for result in ('a.ply', 'a.vtu'):
-            self.run_ok('check', self.path(result), '--surface', ball, '--cuts', 'free', '--certify')
+            self.run_ok('check', self.path(result), '--surface', ball, '--certify')
         self.run_ok('convert', self.path('a.vtu'), '-o', self.path('b.msh'), '--msh', 'surface')
-        self.run_ok('check', self.path('b.msh'), '--surface', ball, '--cuts', 'free')
+        self.run_ok('check', self.path('b.msh'), '--surface', ball)
 
     def test_an_image_is_no_map_of_a_surface(self):
         self.solve('-o', self.path('a.msh'), '-o', self.path('b.vtu'), '--degree', '2')

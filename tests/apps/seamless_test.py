@@ -139,6 +139,9 @@ class Seamless(SeamlessTest):
         vtu.claims['seams'] = False
         vtu.claims.pop('cones')
         denied = vtu.write(self.path('denied.vtu'))
+        self.assertIn('6 charts', self.run_ok('check', denied).err)  # cut where it says
+        vtu.claims.pop('cuts')
+        vtu.write(denied)
         self.refused(INVALID, 'check', denied, says=['the sides of 48 inner edges', '--cuts free'])
         self.assertIn('6 charts', self.run_ok('check', denied, '--cuts', 'free').err)
 

@@ -183,7 +183,7 @@ class UnwrapTest(CommandTest):
             report = json.load(f)
         commands = re.findall(r'^proof: majorant (.*)$', outcome.err, re.M)
         self.assertEqual(len(commands), 1, outcome.err)
-        expected = ['check', self.path(out), '--cuts', 'free']
+        expected = ['check', self.path(out)]
         self.assertEqual(shlex.split(commands[0]),
                          expected + ([] if '--no-pack' in flags else ['--certify']))
         self.run_ok(*shlex.split(commands[0]))

@@ -187,17 +187,16 @@ class Proofs(UnwrapTest):
             with self.subTest(name):
                 self.assertNotEqual(changed, lines)
                 path = self.write('spoiled.obj', '\n'.join(changed) + '\n')
-                outcome = majorant('check', path, '--cuts', 'free', '--surface', mesh)
+                outcome = majorant('check', path, '--surface', mesh)
                 self.assertEqual(outcome.code, INVALID, outcome.err)
                 self.assertIn('surface: ', outcome.err)
         other = self.mesh(points + [(3, 3, 3)], [fin[0][::-1]] + fin[1:], name='other.obj')
-        self.run_ok('check', self.path('out.vtu'), '--cuts', 'free', '--surface', other)  # turned back
+        self.run_ok('check', self.path('out.vtu'), '--surface', other)  # turned back
         moved = self.mesh(points + [(3, 3, 4)], fin, name='moved.obj')
         for kind in ('obj', 'vtu'):
-            self.run_ok('check', self.path('out.' + kind), '--cuts', 'free', '--surface', moved,
-                        code=INVALID)
+            self.run_ok('check', self.path('out.' + kind), '--surface', moved, code=INVALID)
             self.run_ok('check', self.path('out.' + kind), '--cuts', 'none', '--surface', mesh,
-                        code=INVALID)  # free cuts alone allow for repairs
+                        code=INVALID)  # repairs take apart: cuts
 
 
 if __name__ == '__main__':

@@ -182,6 +182,9 @@ class Reports(CommandTest):
         self.report('check', result, '--surface', disk)
         self.report('check', cut, '--seamless')
         self.report('check', overlapping, '--certify', code=INVALID)
+        self.report('check', self.write('flat.obj', helpers.obj_text(
+            [(0, 0, 0), (1, 0, 0), (2, 0, 0), (1, 1, 0)], [(0, 1, 2), (0, 2, 3)],
+            [(0, 0), (1, -0.1), (2, 0), (1, 1)])))  # a face without area
         self.report('compare', disk, '--degree', 1, '--methods', 'newton,lbfgs')
         self.report('convert', result, self.path('c.obj'))
         self.report('parametrize', helpers.generated('buckle'), self.path('b.vtu'), '--seams', 'auto',

@@ -31,6 +31,17 @@ TEST(Claims, WhatHoldsALayout) {
   EXPECT_EQ(held(R"({"boundary": "fixed"})"), Held::Boundary);
 }
 
+TEST(Claims, CutsAreEdgesByTheirVertices) {
+  EXPECT_FALSE(parse_claims("{}", "a.vtu").cuts);
+  EXPECT_TRUE(parse_claims(R"({"cuts": []})", "a.vtu").cuts.value().empty());
+  const auto cuts = parse_claims(R"({"cuts": [[3, 1], [0, 7]]})", "a.vtu").cuts.value();
+  ASSERT_EQ(cuts.size(), 2u);
+  EXPECT_EQ(cuts[0], (std::array<Index, 2>{3, 1}));
+  expect_contains(error_message(ErrorKind::Unreadable,
+                                [&] { parse_claims(R"({"cuts": [[3, 1], [0]]})", "a.vtu"); }),
+                  {"a.vtu: majorant_claims.cuts[1] is not a list of two vertices"});
+}
+
 TEST(Claims, WhatIsRefusedClaimsNothingForPictures) {
   const std::string good = R"({"energy": "mips", "degree": 2})";
   EXPECT_EQ(readable_claims(good).energy, "mips");

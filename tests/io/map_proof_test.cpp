@@ -97,6 +97,56 @@ TEST(MapProof, ATearIsSeenInItsLastBitAndAllowedWhereAsked) {
   }
 }
 
+TEST(MapProof, EdgesThatMayDifferAreThoseThatAreNamedAsOftenAsTheyAre) {
+  const PolygonMesh mesh = sheet(3);
+  for (int degree = 1; degree <= 2; ++degree) {
+    MapFile file = unshared(map_of(mesh, degree));
+    const Index corner = file.cells(0, 1);  // vertex 1 of cell (0, 1, 5): beside it (1, 5) is inner
+    file.uv(corner, 1) -= 1e-3;
+    ProofRequest request;
+    request.cuts = CutRule::Free;
+    request.cut_edges.emplace();
+    const MapProof torn(file, "file", request);
+    EXPECT_EQ(torn.continuous.answer, Answer::Violated);
+    EXPECT_NE(torn.continuous.detail.find("the sides of 1 inner edge differ where it is not said"),
+              std::string::npos)
+        << torn.continuous.detail;
+    request.cut_edges = {{{5, 1}, {7, 8}, {99, 100}}};
+    EXPECT_EQ(MapProof(file, "file", request).continuous.answer, Answer::Proven);
+    request.cuts = CutRule::Nothing;  // what they may be is none of this
+    EXPECT_EQ(MapProof(file, "file", request).continuous.answer, Answer::Violated);
+    request.cuts = CutRule::Seams;
+    EXPECT_EQ(MapProof(file, "file", request).continuous.answer, Answer::Violated);
+  }
+}
+
+// Of a sheet given twice, the two edges of one name are told apart by their number alone.
+TEST(MapProof, AnEdgeOfTwoSheetsMayDifferTwiceWhereItIsNamedTwice) {
+  PolygonMesh mesh = sheet(1);
+  const MapFile one = unshared(map_of(mesh, 1));
+  MapFile file = one;
+  file.points.resize(12, 3);
+  file.uv.resize(12, 2);
+  file.input_vertex.resize(12);
+  file.cells.resize(4, 3);
+  file.points << one.points, one.points;
+  file.uv << one.uv, one.uv;
+  file.input_vertex << one.input_vertex, one.input_vertex;
+  file.cells << one.cells, one.cells.array() + 6;
+  for (const Index p : {6, 7, 8, 9, 10, 11}) file.uv(p, 0) += 5;
+  file.input_face = Eigen::VectorXi::LinSpaced(4, 0, 3);
+  for (const Index cell : {1, 3}) file.uv(file.cells(cell, 2), 1) += 1;  // corner 2: vertex 2
+  ProofRequest request;
+  request.cuts = CutRule::Free;
+  EXPECT_EQ(MapProof(file, "file", request).cuts.others, 0);  // no edge of the diagonal moved
+  for (const Index cell : {1, 3}) file.uv(file.cells(cell, 0), 0) -= 0.1;
+  EXPECT_EQ(MapProof(file, "file", request).cuts.others, 2);
+  request.cut_edges = {{{0, 3}}};
+  EXPECT_EQ(MapProof(file, "file", request).continuous.answer, Answer::Violated);
+  request.cut_edges = {{{0, 3}, {3, 0}}};
+  EXPECT_EQ(MapProof(file, "file", request).continuous.answer, Answer::Proven);
+}
+
 TEST(MapProof, WhatIsInvertedIsNamed) {
   const PolygonMesh mesh = sheet(3);
   MapFile file = map_of(mesh, 3);

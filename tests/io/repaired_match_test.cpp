@@ -77,6 +77,33 @@ std::string defect(const Written& file, const PolygonMesh& surface) {
   return match(file, surface).value().defect;
 }
 
+// Files that do not say which face their cells belong to, in any order.
+TEST(RepairedMatch, FacesAreFoundByTheirCorners) {
+  PolygonMesh twice = turned_quads();
+  twice.polygons.push_back({0, 1, 4, 3});
+  twice.polygons.push_back({0, 1, 4});
+  for (const PolygonMesh& surface : {with_a_fin(), turned_quads(), soup(), twice}) {
+    Written file = written(surface);
+    file.face.clear();
+    EXPECT_EQ(defect(file, surface), "");
+    std::reverse(file.cells.polygons.begin(), file.cells.polygons.end());
+    EXPECT_EQ(defect(file, surface), "");
+    Written less = file;
+    less.cells.polygons.pop_back();
+    EXPECT_NE(defect(less, surface), "");
+    Written other = file;
+    other.cells.polygons.back() = other.cells.polygons.front();
+    EXPECT_NE(defect(other, surface), "");
+  }
+  Written bent = written(turned_quads());  // the other diagonal of the first, on the right side
+  bent.face.clear();
+  bent.cells.polygons[0] = {0, 1, 3};
+  bent.cells.polygons[1] = {1, 4, 3};
+  EXPECT_EQ(defect(bent, turned_quads()), "");
+  std::swap(bent.cells.polygons[1][0], bent.cells.polygons[1][1]);
+  EXPECT_NE(defect(bent, turned_quads()), "");
+}
+
 TEST(RepairedMatch, WhatRepairMakesOfDefects) {
   for (const PolygonMesh& surface : {with_a_fin(), turned_quads(), soup()}) {
     const Written file = written(surface);

@@ -32,6 +32,39 @@ SurfaceMatch match(const PolygonMesh& cells, const PolygonMesh& surface,
   return match_surface(SurfaceMesh::from_polygons(cells, {}, Components::Any), surface, labels);
 }
 
+// A quad with a reflex corner, whose texture is convex: SurfaceMesh takes the diagonal that the
+// texture allows, though a triangle faces away in space then.
+TEST(SurfaceMatch, DiagonalsOfTheTexture) {
+  PolygonMesh surface;
+  surface.positions = {{0, 0, 0}, {2, 0, 0.1}, {0.4, 0.4, 0}, {0, 2, 0.1}};
+  surface.polygons = {{0, 1, 2, 3}};
+  PolygonMesh cells = surface;
+  cells.polygons = {{0, 1, 3}, {1, 2, 3}};
+  EXPECT_NE(match(cells, surface).defect, "");
+  surface.texcoords = {{0, 0}, {1, 0}, {0.2, 0.2}, {0, 1}};  // as in space
+  surface.polygon_texcoords = {{0, 1, 2, 3}};
+  EXPECT_NE(match(cells, surface).defect, "");
+  surface.texcoords = {{0, 0}, {0.8, 0.5}, {2, 0}, {1, 2}};  // reflex at the second corner
+  EXPECT_EQ(match(cells, surface).defect, "");
+}
+
+// Products of areas of such sizes underflow.
+TEST(SurfaceMatch, TinySurfaces) {
+  for (const double size : {1e-60, 1e-90, 1e-140}) {
+    PolygonMesh surface = quads(0.1), cells = surface;
+    for (PolygonMesh* mesh : {&surface, &cells})
+      for (Vector3& p : mesh->positions) p *= size;
+    cells.polygons.clear();
+    for (const auto& q : surface.polygons) {
+      cells.polygons.push_back({q[0], q[1], q[3]});
+      cells.polygons.push_back({q[1], q[2], q[3]});
+    }
+    EXPECT_EQ(match(cells, surface).defect, "") << size;
+    std::swap(cells.polygons[0], cells.polygons[1]);
+    EXPECT_EQ(match(cells, surface).defect, "") << size;
+  }
+}
+
 TEST(SurfaceMatch, TheSameFacesInAnyOrder) {
   const PolygonMesh surface = triangles(0.1);
   PolygonMesh cells = surface;

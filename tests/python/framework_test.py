@@ -94,8 +94,8 @@ def test_files_of_energies_without_a_name_pass_check(tmp_path):
     for solver in (majorant.parametrize, majorant.unwrap):
         r = solver(V, F, degree=2, energy=[(OURS, 1), ('arap', 0.5)])
         r.save(tmp_path / 'mine.vtu')
-        assert majorant.check(tmp_path / 'mine.vtu', V, F, cuts='free')
-        helpers.command('check', tmp_path / 'mine.vtu', '--cuts', 'free', '--quiet')
+        assert majorant.check(tmp_path / 'mine.vtu', V, F)
+        helpers.command('check', tmp_path / 'mine.vtu', '--quiet')
         assert r.report['result']['energy'] == '' and r.report['result']['value'] > 4
         # Nothing is claimed that nobody else could tell, and pictures are coloured by what anybody can.
         assert not len(r.distortion) and not {'energy', 'value'} & set(json.loads(r._file.claims))

@@ -1,0 +1,198 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""What is written with exit 0 is valid by check, and what check says of it is true."""
+import random
+
+from command_helpers import *
+from unwrap_helpers import both
+
+
+def times(factor, points):
+    return [tuple(factor * x for x in p) for p in points]
+
+
+class Sizes(CommandTest):
+    def test_lengths_whose_squares_underflow(self):
+        points, faces = grid(4)
+        for size in (1e-80, 1e-120, 1e-150):
+            mesh = self.write('in.obj', obj_text(times(size, points), faces))
+            for verb, degree in (('parametrize', '1'), ('parametrize', '2'), ('unwrap', '1')):
+                for more in ([], ['--normalize']):
+                    with self.subTest(size=size, verb=verb, degree=degree, more=more):
+                        outputs = [self.path('a' + end) for end in ('.vtu', '.obj')]
+                        self.run_ok(verb, '--quiet', mesh, '--degree', degree, *more,
+                                    *(w for o in outputs for w in ('-o', o)))
+                        for out in outputs:
+                            self.run_ok('check', out)
+                            self.run_ok('check', out, '--surface', mesh)
+
+    def test_charts_far_smaller_than_others(self):
+        """What is claimed is what was measured where packing put them, rounded."""
+        large = [(0, 0, 0), (100, 0, 3), (0, 100, 7)], [(0, 1, 2)]
+        shape = [(0, 0, 0), (1, 0.1, 0.3), (0.2, 1, 0.7), (1.3, 1.4, 0.1)], [(0, 1, 2), (1, 3, 2)]
+        for size in (1e-5, 1e-7, 1e-9, 1e-10):
+            small = times(size, shape[0]), shape[1]
+            mesh = self.write('in.obj', obj_text(*both(large, small, (3, 5, 7))))
+            for degree in ('1', '3'):
+                for more in ([], ['--normalize']):
+                    with self.subTest(size=size, degree=degree, more=more):
+                        self.run_ok('unwrap', '--quiet', mesh, '-o', self.path('a.vtu'), '--degree',
+                                    degree, *more)
+                        self.run_ok('check', self.path('a.vtu'), '--surface', mesh)
+
+
+class Polygons(CommandTest):
+    """check --surface of layouts whose polygons became triangles, or other ones than their shape's."""
+
+    def layout_is_valid(self, points, faces, uv=None, *flags):
+        mesh = self.write('in.obj', obj_text(points, faces, uv))
+        outputs = [self.path('a' + end) for end in ('.vtu', '.obj', '.ply')]
+        self.run_ok('unwrap', '--quiet', mesh, *flags, *(w for o in outputs for w in ('-o', o)))
+        for out in outputs:
+            self.run_ok('check', out, '--surface', mesh)
+        return outputs
+
+    def test_quads_that_became_triangles(self):
+        points, faces = quads(2)
+        a, b, c, d = faces[1]
+        count = 0
+        for face in ((a, b, c), (c, b, a), (a, b, d), (d, b, a)):  # half of a quad, once more
+            outputs = self.layout_is_valid(points, [face] + faces)
+            count += len(read_obj(outputs[1])[2]) == len(faces) + 2  # a quad as two triangles
+            text = self.read('a.obj').decode().splitlines()
+            first = next(k for k, line in enumerate(text) if line.startswith('f '))
+            shuffled = text[:first] + text[first:][::-1]
+            self.run_ok('check', self.write('b.obj', '\n'.join(shuffled) + '\n'), '--surface',
+                        self.path('in.obj'))
+            self.run_ok('check', self.write('b.obj', '\n'.join(text[:-1]) + '\n'), '--surface',
+                        self.path('in.obj'), code=INVALID)
+        self.assertEqual(count, 2)
+
+    def test_faces_that_repair_turned(self):
+        points, faces = quads(2)
+        self.layout_is_valid(points, faces[:3] + [faces[3][::-1]])
+        self.layout_is_valid(points, [faces[0][::-1]] + faces[1:] + [faces[1][:3]])
+
+    def test_diagonals_that_old_coordinates_chose(self):
+        """Reflex in space at one corner, in the texture at the next one."""
+        points = [(0, 0, 0), (2, 0, 0.1), (0.4, 0.4, 0), (0, 2, 0.1)]
+        texture = [(0, 0), (0.8, 0.5), (2, 0), (1, 2)]
+        self.layout_is_valid(points, [(0, 1, 2, 3)], texture, '--seams', 'uv')
+        self.layout_is_valid(points, [(0, 1, 2, 3)], texture)
+
+
+class Energy(CommandTest):
+    """What the verdict calls the energy."""
+
+    def report(self, path, *args):
+        line = self.run_ok('check', path, '--report', self.path('r.json'), *args).said()[-1]
+        with open(self.path('r.json')) as f:
+            return line, json.load(f)['result']
+
+    def test_faces_without_area(self):
+        flat = 'v 0 0 0\nv 1 0 0\nv 2 0 0\nvt 0 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 3/3\n'
+        line, result = self.report(self.write('a.obj', flat))
+        self.assertIn('symmetric-dirichlet infinite, since 1 face has no area', line)
+        self.assertIsNone(result['value'])
+        self.assertIsNone(result['max_density'])
+        self.assertEqual(result['faces_without_area'], 1)
+        more = ('v 0 0 0\nv 1 0 0\nv 2 0 0\nv 1 1 0\nvt 0 0\nvt 1 -0.1\nvt 2 0\nvt 1 1\n'
+                'f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n')
+        line, result = self.report(self.write('b.obj', more))
+        self.assertIn('infinite, since 1 face has no area (4 over the others at the best scale, uv '
+                      'times 1)', line)
+        self.assertIsNone(result['value'])
+        self.assertAlmostEqual(result['value_over_others'], 4)
+        # As unwrap writes one: it claims no energy there.
+        points = [(0, 0, 0), (1, 0, 0), (2, 0, 0), (1, 1, 0)]
+        mesh = self.write('in.obj', obj_text(points, [(0, 1, 2), (0, 2, 3)]))
+        self.run_ok('unwrap', '--quiet', mesh, '-o', self.path('c.vtu'))
+        line, result = self.report(self.path('c.vtu'), '--surface', mesh)
+        self.assertIn('1 face has no area', line)
+        self.assertIsNone(result['value'])
+
+    def test_files_without_a_scale_are_measured_at_the_best_one(self):
+        points, faces = grid(6)
+        mesh = self.write('in.obj', obj_text(points, faces))
+        outputs = [self.path('a' + end) for end in ('.vtu', '.obj', '.ply')]
+        self.run_ok('parametrize', '--quiet', mesh, '--degree', '1', '--tolerance', '1e-12',
+                    *(w for o in outputs for w in ('-o', o)))
+        wanted = Vtu(outputs[0]).claims['value']
+        line, result = self.report(outputs[0])
+        self.assertFalse(result['scale_is_assumed'])
+        self.assertNotIn('best scale', line)
+        for out in outputs[1:]:
+            line, result = self.report(out)
+            self.assertIn(' at the best scale, uv times 1', line)
+            self.assertAlmostEqual(result['value'], wanted, delta=1e-7)
+        for factor in (1e-7, 1 / 3, 1e40):  # the same map in other units
+            v, vt, f, texture = read_obj(outputs[1])
+            lines = ['v %r %r %r' % p for p in v] + ['vt %r %r' % tuple(factor * x for x in t) for t in vt]
+            lines += ['f ' + ' '.join('%d/%d' % (i + 1, k + 1) for i, k in zip(*c)) for c in zip(f, texture)]
+            line, result = self.report(self.write('b.obj', '\n'.join(lines) + '\n'))
+            self.assertAlmostEqual(result['value'], wanted, delta=1e-6)
+            self.assertTrue(result['scale_is_assumed'])
+            self.assertAlmostEqual(result['layout_scale'] / factor, 1, delta=1e-3)
+
+    def test_the_best_scale_is_best(self):
+        """Of a map with sigma 2 and 1/4: a t^2 + b / t^2 with a = 4.0625 and b = 16.25."""
+        text = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 2 0\nvt 0 0.25\nf 1/1 2/2 3/3\n'
+        line, result = self.report(self.write('a.obj', text))
+        self.assertAlmostEqual(result['value'], 2 * math.sqrt(4.0625 * 16.25), places=9)
+        self.assertAlmostEqual(result['layout_scale'], 2 ** -0.5, places=9)
+
+
+class Campaign(CommandTest):
+    """Small meshes of all kinds through verbs and formats."""
+
+    @staticmethod
+    def mesh(rng):
+        n = rng.randrange(1, 4)
+        points, faces = (quads if rng.random() < 0.5 else grid)(n)
+        points = [tuple(x + rng.uniform(-0.15, 0.15) / n for x in p) for p in points]
+        faces = list(faces)
+        for _ in range(rng.randrange(4)):
+            face, kind = rng.choice(faces), rng.randrange(7)
+            corner = (rng.random(), rng.random(), 1)
+            if kind == 0:  # a fin
+                points.append(corner)
+                faces.insert(rng.randrange(len(faces)), (face[0], face[1], len(points) - 1))
+            elif kind == 1:  # twice, or twice and turned
+                faces.insert(rng.randrange(len(faces)), face if rng.random() < 0.5 else face[::-1])
+            elif kind == 2:
+                faces[faces.index(face)] = face[::-1]
+            elif kind == 3:
+                faces.insert(0, face[:3])
+            elif kind == 4:  # a piece that touches in a vertex
+                points += [corner, (corner[1], corner[0], 1.5)]
+                faces.append((face[0], len(points) - 1, len(points) - 2))
+            elif kind == 5 and len(faces) > 2:
+                faces.remove(face)
+            elif kind == 6:  # a piece apart, of another size
+                small = times(10.0 ** -rng.randrange(8), [corner, (0, 0, 1), (1, 0, 1)])
+                points += small
+                faces.append(tuple(range(len(points) - 3, len(points))))
+        uv = [(x + rng.uniform(-0.1, 0.1) / n, y + rng.uniform(-0.1, 0.1) / n) for x, y, _ in points] \
+            if rng.random() < 0.4 else None
+        size = 10.0 ** rng.choice((0, 0, 0, -90, 30))
+        return times(size, points), faces, uv
+
+    def test_what_is_written_is_valid(self):
+        rng = random.Random(28)
+        for number in range(30):
+            points, faces, uv = self.mesh(rng)
+            mesh = self.write('in.obj', obj_text(points, faces, uv))
+            flags = rng.choice(([], ['--normalize'], ['--vtu', 'lagrange']))
+            flags = flags + (['--seams', 'uv'] if uv and rng.random() < 0.5 else [])
+            outputs = [self.path('a' + end) for end in ('.vtu', '.obj', '.ply')]
+            with self.subTest(number=number, flags=flags):
+                done = majorant('unwrap', '--quiet', mesh, '--degree', '1', *flags,
+                                *(w for o in outputs for w in ('-o', o)))
+                self.assertIn(done.code, (OK, LIMIT), done.err)
+                for out in outputs:
+                    self.run_ok('check', out)
+                    self.run_ok('check', out, '--surface', mesh, '--certify')
+
+
+if __name__ == '__main__':
+    main()
