@@ -125,7 +125,8 @@ int convert(ConvertRequest request) {
   measure(request, map, written);
   for (const std::string& path : request.outputs)
     written.write(path, [&] {
-      write_map(path, map, nullptr, request.formats, certification(path, promise, &map));
+      write_map(path, map, nullptr, request.formats,
+                proof_of_file(path, promise, map, request.formats));
     });
   if (!request.common.report.empty()) write_report(request, written);
   return written.conclude(kSuccess);

@@ -2,7 +2,8 @@
 //
 //   MapFormats formats;
 //   formats.tessellation.refine = 2;
-//   write_map("bunny.obj", file, &polygons, formats, certification("bunny.obj", {}, &file));
+//   write_map("bunny.obj", file, &polygons, formats,
+//             proof_of_file("bunny.obj", promise, file, formats));
 #pragma once
 
 #include <string>
@@ -45,6 +46,10 @@ struct MapFormats {
   bool view_is_chosen = false;  // of PNG: first_view()
   MapPage page;                 // but for its map
 };
+
+// certification() of what write_map() makes of the map. promise: of the map, on its surface.
+FileVerification proof_of_file(const std::string& path, const ProofRequest& promise,
+                               const MapFile& map, const MapFormats& formats);
 
 // .vtu .msh .obj .ply .svg .png .html; of other names nothing is written. input may be null.
 // verify: of formats that hold data; pictures (.svg, .png, .html) have nothing to verify. Throws as
