@@ -39,6 +39,7 @@ void write_maps(const FinishedUnwrap& run, WrittenFiles& written) {
       written.write(path, [&] {
         write_map(path, file, &run.finished.polygons, formats,
                   proof_of_file(path, promise(run.finished, path), file, formats));
+        if (!run.common.quiet) say_left_out(path, left_out(path, file, formats));
       });
 }
 

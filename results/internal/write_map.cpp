@@ -54,6 +54,14 @@ FileVerification proof_of_file(const std::string& path, const ProofRequest& prom
   return certification(path, promise, is_image ? &map : nullptr);
 }
 
+std::vector<std::string> left_out(const std::string& path, const MapFile& map,
+                                  const MapFormats& formats) {
+  if (extension(path) == ".msh" && formats.msh == MshContent::Image)
+    return {"the surface (--msh surface does)"};
+  if (is_straight_map_data(path) && map.degree > 1) return {"curves, but straight pieces of them"};
+  return {};
+}
+
 void write_map(const std::string& path, const MapFile& map, const PolygonMesh* input,
                const MapFormats& formats, const FileVerification& verify) {
   const std::string e = extension(path);

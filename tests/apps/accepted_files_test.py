@@ -57,6 +57,23 @@ class Accepted(CommandTest):
         mesh = self.write('flat.obj', obj_text(*grid(3, lambda x, y: 0)))
         self.examine('deform', mesh, 2, flags=['--handles', handles])
 
+    def test_what_a_format_does_not_hold_is_said(self):
+        mesh = self.write('octahedron.obj', obj_text(*bench.OCTAHEDRON))
+        outputs = ('a.vtu', 'a.obj', 'a.msh')
+        err = self.run_ok('unwrap', mesh, '--degree', '2', *(w for o in outputs for w in (
+            '-o', self.path(o)))).err
+        self.assertIn('a.obj: does not hold curves', err)
+        self.assertIn('a.msh: does not hold the surface (--msh surface does)\n', err)
+        self.assertNotIn('a.vtu: does not', err)
+        for name, flags, what in (
+                ('b.obj', [], 'curves, but straight pieces of them, charts, claims'),
+                ('b.msh', [], 'the surface (--msh surface does), claims'),
+                ('c.msh', ['--msh', 'surface'], 'claims')):
+            done = self.run_ok('convert', self.path('a.vtu'), '-o', self.path(name), *flags)
+            self.assertEqual(done.said(), ['%s: does not hold %s' % (self.path(name), what)])
+        done = self.run_ok('convert', self.path('a.vtu'), '-o', self.path('b.vtu'))
+        self.assertEqual(done.said(), [])
+
 
 if __name__ == '__main__':
     main()
