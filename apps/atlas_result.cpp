@@ -38,7 +38,8 @@ void write_maps(const FinishedUnwrap& run, WrittenFiles& written) {
     if (extension(path) != ".json")
       written.write(path, [&] {
         write_map(path, file, &run.finished.polygons, formats,
-                  certification(path, promise(run.finished), &file));
+                  proof_of_file(path, promise(run.finished, path), file, formats));
+        if (!run.common.quiet) say_left_out(path, left_out(path, file, formats));
       });
 }
 

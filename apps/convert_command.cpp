@@ -57,7 +57,8 @@ std::string what_holds(const MapFile& map, const Claims& claims) {
   return {};
 }
 
-// Turned until its longer side lies, which its claims say then. One that they say lies already stays.
+// Turned until its longer side lies, which its claims say then. One that they say lies already
+// stays.
 void align(MapFile& map, const std::string& name) {
   const Claims claims = parse_claims(map.claims, name);
   if (const std::string reason = what_holds(map, claims); !reason.empty())
@@ -97,6 +98,17 @@ void measure(const ConvertRequest& request, MapFile& map, WrittenFiles& written)
   written.write(path, [&] { write_distortion(path, map, measured.faces); });
 }
 
+// Of what the file that is converted holds.
+std::vector<std::string> left_out_of(const std::string& path, const MapFile& map,
+                                     const MapFormats& formats) {
+  std::vector<std::string> what = left_out(path, map, formats);
+  if (!is_map_data(path) || extension(path) == ".vtu") return what;
+  if (is_straight_map_data(path) && map.chart.size() > 0) what.emplace_back("charts");
+  if (map.seam_edges.size() > 0) what.emplace_back("marks of seams and cones");
+  if (!map.claims.empty()) what.emplace_back("claims");
+  return what;
+}
+
 void write_report(const ConvertRequest& request, WrittenFiles& written) {
   const Json report{{"schema_version", 1},
                     {"version", MAJORANT_VERSION},
@@ -125,7 +137,9 @@ int convert(ConvertRequest request) {
   measure(request, map, written);
   for (const std::string& path : request.outputs)
     written.write(path, [&] {
-      write_map(path, map, nullptr, request.formats, certification(path, promise, &map));
+      write_map(path, map, nullptr, request.formats,
+                proof_of_file(path, promise, map, request.formats));
+      if (!request.common.quiet) say_left_out(path, left_out_of(path, map, request.formats));
     });
   if (!request.common.report.empty()) write_report(request, written);
   return written.conclude(kSuccess);

@@ -1,6 +1,7 @@
 #include "apps/outputs.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -287,6 +288,10 @@ void FormatOptions::add_pictures_to(CLI::App& verb) {
   verb.add_option("--image", png.image, "PNG: lay this .png on the surface or the layout")
       ->type_name("FILE")
       ->check(CLI::ExistingFile);
+}
+
+void say_left_out(const std::string& path, const std::vector<std::string>& what) {
+  if (!what.empty()) say("{}: does not hold {}\n", path, fmt::join(what, ", "));
 }
 
 void write_json(const std::string& path, const Json& json) {

@@ -75,6 +75,9 @@ struct FormatOptions : MapFormats {
   void add_pictures_to(CLI::App& verb);
 };
 
+// "out.msh: does not hold the surface (--msh surface does)": where anything is left out.
+void say_left_out(const std::string& path, const std::vector<std::string>& what);
+
 // Written atomically; to stdout where the name is kStandardOutput.
 void write_json(const std::string& path, const Json& json);
 

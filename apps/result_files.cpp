@@ -44,7 +44,8 @@ void write_maps(const FinishedRun& run, const Json& report, WrittenFiles& writte
     written.write(path, [&] {
       if (extension(path) == ".csv") return write_trace(path, run.finished.record.trace());
       write_map(path, file, run.finished.result.other_triangles ? nullptr : &run.in.polygons,
-                formats, certification(path, promise(run.finished, path), &file));
+                formats, proof_of_file(path, promise(run.finished, path), file, formats));
+      if (!run.common.quiet) say_left_out(path, left_out(path, file, formats));
     });
   }
   write_table(run, file, written);

@@ -1,33 +1,64 @@
 #include <fmt/format.h>
 
+#include <optional>
 #include <utility>
 
 #include "majorant/framework/error.h"
-#include "majorant/io/internal/input_file.h"
+#include "majorant/io/internal/claims.h"
 #include "majorant/io/map_file.h"
 #include "majorant/io/map_proof.h"
 
 namespace majorant {
 
-FileVerification certification(std::string path, ProofRequest wanted, const MapFile* written) {
-  return [path = std::move(path), wanted, written](const std::string& temporary) {
+namespace {
+
+// The map that an image shows, with uv as the file has them. Empty if the cells are others.
+std::optional<MapFile> shown_by(const MapFile& image, const MapFile& map) {
+  if (image.degree != map.degree || image.cells.rows() != map.cells.rows() ||
+      image.cells != map.cells || image.uv.rows() != map.uv.rows())
+    return {};
+  MapFile shown = image;
+  shown.points = map.points;
+  shown.input_vertex = map.input_vertex;
+  shown.input_face = map.input_face;
+  return shown;
+}
+
+// Files that do not say that their cuts are seams are asked as others are: a vertex away from the
+// cuts has one whole turn around it.
+std::string unsaid_cone(const MapFile& file, const std::string& path, ProofRequest wanted) {
+  if (wanted.cuts != CutRule::Seams && wanted.cuts != CutRule::SeamsOrFree) return {};
+  if (parse_claims(file.claims, path).seams.value_or(false)) return {};
+  wanted = {.cuts = CutRule::Free, .stop = wanted.stop};
+  const Finding angles = MapProof(file, path, wanted).angles;
+  if (angles.answer == Answer::Proven) return {};
+  return fmt::format("{}; the format does not tell a cone from that, write a .vtu", angles.detail);
+}
+
+}  // namespace
+
+FileVerification certification(std::string path, ProofRequest wanted, const MapFile* image_of) {
+  return [path = std::move(path), wanted, image_of](const std::string& temporary) {
     const auto refuse = [&](const std::string& reason) {
       throw Error(ErrorKind::Invalid,
                   fmt::format("{} is not written, since what it says would not be valid: {}", path,
                               reason));
     };
-    try {
-      MapFile file = read_map(temporary);
-      if (format_of(path) == ".msh" && written != nullptr) {
-        if (file.degree != written->degree || file.cells.rows() != written->cells.rows() ||
-            file.cells != written->cells)
-          refuse("its cells are not those of the map");
-        file.points = written->points;
-        file.input_vertex = written->input_vertex;
-        file.input_face = written->input_face;
-      }
-      const MapProof proof(file, path, wanted);
+    const auto prove = [&](const MapFile& map, const ProofRequest& request) {
+      const MapProof proof(map, path, request);
       if (proof.verdict() != Answer::Proven) refuse(proof.first_defect());
+    };
+    try {
+      const MapFile file = read_map(temporary);
+      if (image_of != nullptr) {
+        const std::optional<MapFile> shown = shown_by(file, *image_of);
+        if (!shown) refuse("its cells are not those of the map");
+        prove(*shown, wanted);
+        prove(file, {.stop = wanted.stop});
+        return;
+      }
+      prove(file, wanted);
+      if (const std::string cone = unsaid_cone(file, path, wanted); !cone.empty()) refuse(cone);
     } catch (const Error& e) {
       if (e.kind() != ErrorKind::Unreadable && e.kind() != ErrorKind::Unsupported) throw;
       refuse(e.what());

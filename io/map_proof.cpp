@@ -187,10 +187,9 @@ class MapProof::Judge {
     if (has_numbers && file_.input_face.size() > 0)
       labels.assign(file_.input_face.begin(), file_.input_face.end());
     SurfaceMatch match = match_surface(cells, *request_.surface, labels);
-    if (!match.defect.empty() && allows_any(request_.cuts) && file_.input_face.size() > 0) {
-      labels.assign(file_.input_face.begin(), file_.input_face.end());
-      match = match_repaired(cells, *request_.surface, labels).value_or(match);
-    }
+    if (!match.defect.empty())
+      match =
+          match_repaired(cells, *request_.surface, labels, request_.orientation).value_or(match);
     if (!match.defect.empty()) {
       proof_.surface = {Answer::Violated, match.defect};
       return;

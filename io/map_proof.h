@@ -20,6 +20,7 @@
 
 #include "majorant/framework/stop_check.h"
 #include "majorant/io/map_file.h"
+#include "majorant/mesh/repair.h"
 #include "majorant/parametrization/injectivity/global_injectivity.h"
 
 namespace majorant {
@@ -48,9 +49,10 @@ std::string count_text(Index count, std::string_view noun);
 inline constexpr double kSeamClose = kTenDigits;
 
 struct ProofRequest {
-  // It should be a map of; null: what the cells make. Where free cuts are allowed and the surface
-  // has defects, of what repair() makes of it.
+  // It should be a map of; null: what the cells make. Where the surface has defects, of what
+  // repair() makes of it with this orientation.
   const PolygonMesh* surface = nullptr;
+  Orientation orientation = Orientation::MadeConsistent;
   CutRule cuts = CutRule::Nothing;
   // The only edges that may be what `cuts` says, by two vertices of the input in any order, each as
   // often as the cells may have an edge there that differs; none given: all of them.
@@ -117,12 +119,13 @@ class MapProof {
 //   write_vtu("bunny.vtu", file, certification("bunny.vtu", {.surface = &polygons}));
 //
 // path: of the file to be, for messages; its extension says how to read. wanted: what must be
-// proven. written: the map that is written; a .msh does not say whose faces its cells are, and is
-// proven to have the map's cells, with its points on the surface. What these refer to must outlive
-// the verification. Throws Error(Invalid) naming the file, the question and the place when it is
-// not.
+// proven; where seams are allowed and the file does not claim any, its cones must not need them
+// either. image_of: of a .msh that is an image, the map that it shows: as the image has no surface,
+// the map with the image's digits is proven, and the image as a map of the plane. What these refer
+// to must outlive the verification. Throws Error(Invalid) naming the file, the question and the
+// place when it is not.
 FileVerification certification(std::string path, ProofRequest wanted,
-                               const MapFile* written = nullptr);
+                               const MapFile* image_of = nullptr);
 
 }  // namespace majorant
 

@@ -7,9 +7,15 @@
 //                                                         // views "u" and "v" over them
 //   const MapFile image = read_msh("bunny.msh");
 //
-// What is written rounds the map (use write_vtu to keep it) and says nothing of vertices, faces,
-// seams and claims. Nodes are numbered as the map's points, elements as its cells, from 1; every
-// chart is a surface entity of its own, from 1. Nodes are shared where the map is continuous.
+// What is written rounds the map (use write_vtu to keep it) and says nothing of seams and claims;
+// an image says nothing of the surface. Nodes are numbered as the map's points, elements as its
+// cells, from 1; every chart is a surface entity of its own, from 1. Nodes are shared where the map
+// is continuous. A surface has two sections of our own behind the views, which gmsh passes over:
+//
+//   $input_vertex      number of lines, then lines of a node tag and the vertex of the input, from
+//                      0; -1: none
+//   $input_face        the same of elements and faces (polygons) of the input
+//   $Endinput_face
 #pragma once
 
 #include <string>
@@ -26,9 +32,9 @@ enum class MshContent {
 
 // A file with views (NodeData) "u" and "v" is a map of the mesh; one without them, whose nodes have
 // z = 0, is an image: a map of the flat triangles between its corners, points that share no node
-// being apart. Triangles of one degree are read, points and lines passed over; input_vertex is that
-// of an image's nodes, in the order of their tags, input_face stays empty. uv_rounding says how far
-// the digits may be from uv. Throws Error(Unreadable) naming file and line for anything else: other
+// being apart. Triangles of one degree are read, points and lines passed over. input_vertex and
+// input_face are those of the sections above, empty without them; of an image input_vertex numbers
+// its nodes, in the order of their tags. uv_rounding says how far the digits may be from uv. Throws Error(Unreadable) naming file and line for anything else: other
 // versions, binary files, other elements, views that lack nodes, numbers that are not finite;
 // Stopped.
 MapFile read_msh(const std::string& path, const StopCheck& stop = {});

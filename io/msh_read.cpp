@@ -50,7 +50,10 @@ MapFile read_msh(const std::string& path, const StopCheck& stop) {
     map.uv.row(p) << u.value, v.value;
     map.uv_rounding.row(p) << u.rounding, v.rounding;
   }
-  if (!has_views) {
+  if (has_views) {
+    map.input_vertex = contents.input_vertex;
+    map.input_face = contents.input_face;
+  } else {
     flatten(map);
     map.input_vertex = Eigen::VectorXi::LinSpaced(count, 0, count - 1);
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -62,6 +63,14 @@ class MshText {
     add("$EndNodeData\n");
   }
 
+  // Of nodes or elements.
+  void add_input_numbers(std::string_view name, const Eigen::VectorXi& numbers) {
+    if (numbers.size() == 0) return;
+    add("${}\n{}\n", name, numbers.size());
+    for (Index k = 0; k < numbers.size(); ++k) add("{} {}\n", k + 1, numbers[k]);
+    add("$End{}\n", name);
+  }
+
   std::string text() const { return fmt::to_string(text_); }
 
  private:
@@ -106,6 +115,8 @@ void write_msh(const std::string& path, const MapFile& map, MshContent content,
   if (content == MshContent::Surface) {
     text.add_view('u', uv.col(0));
     text.add_view('v', uv.col(1));
+    text.add_input_numbers(kMshInputVertex, map.input_vertex);
+    text.add_input_numbers(kMshInputFace, map.input_face);
   }
   write_file_atomically(path, text.text(), verify);
 }

@@ -9,6 +9,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/io/internal/bezier_cell.h"
+#include "majorant/mesh/internal/union_find.h"
 
 namespace majorant {
 namespace {
@@ -105,22 +106,48 @@ std::vector<int> MapPieces::control_points_along(Index cell, int edge, bool is_r
   return points;
 }
 
-// Edges are one in space when they have the same two vertices, in the plane when they have the same
-// control points too.
+// By vertex of the coarse mesh: the same for vertices that are one in the map.
+std::vector<Index> MapPieces::nodes_of_corners() const {
+  const auto vertices = static_cast<Index>(positions_.size());
+  const bool is_named = map_.input_vertex.size() > 0;
+  const Index named =
+      is_named ? map_.input_vertex(map_.cells.leftCols<3>().reshaped()).maxCoeff() + 1 : 0;
+  const auto points = static_cast<Index>(map_.points.rows());
+  UnionFind nodes(vertices + points + named);
+  for (Index c = 0; c < cell_count(); ++c)
+    for (Index k = 0; k < 3; ++k) {
+      const Index point = map_.cells(map_cell(c), k);
+      nodes.join(coarse_.polygons[at(c)][at(k)], vertices + point);
+      if (is_named && map_.input_vertex[point] >= 0)
+        nodes.join(vertices + point, vertices + points + map_.input_vertex[point]);
+    }
+  std::vector<Index> result;
+  for (Index v = 0; v < vertices; ++v) result.push_back(nodes.find(v));
+  return result;
+}
+
+// Edges are one when their ends are the same two nodes, one in space when these are the same two
+// vertices, in the plane when they have the same control points.
 void MapPieces::number_edges() {
-  std::map<std::pair<Index, Index>, Index> surface_edges;
+  std::map<std::pair<Index, Index>, Index> edges, space_edges;
+  const std::vector<Index> node = nodes_of_corners();
+  next_node_ = static_cast<Index>(node.size());
   for (Index c = 0; c < cell_count(); ++c)
     for (int k = 0; k < 3; ++k) {
-      const Index from = coarse_.polygons[at(c)][at(k)], to = coarse_.polygons[at(c)][at(next(k))];
+      const Index v = coarse_.polygons[at(c)][at(k)], w = coarse_.polygons[at(c)][at(next(k))];
+      const Index from = node[at(v)], to = node[at(w)];
       const auto entry =
-          surface_edges.try_emplace(std::minmax(from, to), static_cast<Index>(edge_cells_.size()));
+          edges.try_emplace(std::minmax(from, to), static_cast<Index>(edge_cells_.size()));
       if (entry.second) edge_cells_.emplace_back();
       const Index edge = entry.first->second;
-      cells_[at(c)].surface_edge[at(k)] = edge;
+      cells_[at(c)].edge[at(k)] = edge;
+      const auto in_space = space_edges.try_emplace(std::minmax(v, w), space_edges_);
+      space_edges_ += in_space.second;
+      cells_[at(c)].space_edge[at(k)] = in_space.first->second;
       Index& plane = cells_[at(c)].plane_edge[at(k)];
       plane = -1;
       for (const CellEdge& other : edge_cells_[at(edge)]) {
-        const bool is_reversed = coarse_.polygons[at(other.cell)][at(other.edge)] != from;
+        const bool is_reversed = node[at(coarse_.polygons[at(other.cell)][at(other.edge)])] != from;
         if (control_points_along(c, k, is_reversed) !=
             control_points_along(other.cell, other.edge, false))
           continue;
@@ -133,6 +160,12 @@ void MapPieces::number_edges() {
       }
       ++plane_sides_[at(plane)];
       edge_cells_[at(edge)].push_back({c, k});
+    }
+  for (Index c = 0; c < cell_count(); ++c)
+    for (int k = 0; k < 3; ++k) {
+      const Index v = coarse_.polygons[at(c)][at(k)];
+      cells_[at(c)].points.push_back(
+          {v, coarse_.polygon_texcoords[at(c)][at(k)], node[at(v)], Vector3::Unit(k)});
     }
 }
 
@@ -150,29 +183,30 @@ void MapPieces::fill_lattice(int refine) {
   const Lattice lattice(refine);
   const std::vector<MapPieces::Piece> pieces = lattice.pieces();
   const Eigen::MatrixXd bernstein = bernstein_values(map_.degree, lattice.points());
-  std::vector<Index> first_v(edge_cells_.size(), -1), first_vt(plane_sides_.size(), -1);
+  std::vector<Index> first_v(at(space_edges_), -1), first_vt(plane_sides_.size(), -1);
+  std::vector<Index> first_node(edge_cells_.size(), -1);
   for (Index c = 0; c < cell_count(); ++c) {
     Cell& cell = cells_[at(c)];
     cell.pieces = pieces;
-    for (const Vector3& xi : lattice.points()) cell.points.push_back({-1, -1, xi});
-    for (int k = 0; k < 3; ++k) {
-      cell.points[at(k)].v = coarse_.polygons[at(c)][at(k)];
-      cell.points[at(k)].vt = coarse_.polygon_texcoords[at(c)][at(k)];
-    }
+    cell.points.resize(lattice.points().size(), {-1, -1, -1, Vector3::Zero()});
+    for (std::size_t p = 0; p < cell.points.size(); ++p) cell.points[p].xi = lattice.points()[p];
     const Eigen::MatrixXd control = map_.uv(map_.cells.row(map_cell(c)), Eigen::all);
     const auto place = [&](int p) { return flat_point(c, cell.points[at(p)].xi); };
     const auto value = [&](int p) -> Vector2 { return (bernstein.row(p) * control).transpose(); };
     for (int edge = 0; edge < 3; ++edge) {
-      const bool is_forward = cell.points[at(edge)].v < cell.points[at(next(edge))].v;
-      Index& v = first_v[at(cell.surface_edge[at(edge)])];
+      const bool is_forward = cell.points[at(edge)].node < cell.points[at(next(edge))].node;
+      Index& v = first_v[at(cell.space_edge[at(edge)])];
       Index& vt = first_vt[at(cell.plane_edge[at(edge)])];
+      Index& node = first_node[at(cell.edge[at(edge)])];
       const bool is_new = v < 0, is_new_in_plane = vt < 0;
       if (is_new) v = static_cast<Index>(positions_.size());
       if (is_new_in_plane) vt = static_cast<Index>(texcoords_.size());
+      if (node < 0) node = std::exchange(next_node_, next_node_ + refine - 1);
       for (int s = 1; s < refine; ++s) {  // from the smaller corner to the larger
         const int p = lattice.on_edge(edge, is_forward ? s : refine - s);
         cell.points[at(p)].v = v + s - 1;
         cell.points[at(p)].vt = vt + s - 1;
+        cell.points[at(p)].node = node + s - 1;
         if (is_new) positions_.push_back(place(p));
         if (is_new_in_plane) texcoords_.push_back(value(p));
       }
@@ -181,6 +215,7 @@ void MapPieces::fill_lattice(int refine) {
       if (cell.points[p].v >= 0) continue;
       cell.points[p].v = static_cast<Index>(positions_.size());
       cell.points[p].vt = static_cast<Index>(texcoords_.size());
+      cell.points[p].node = next_node_++;
       positions_.push_back(place(static_cast<int>(p)));
       texcoords_.push_back(value(static_cast<int>(p)));
     }
@@ -201,8 +236,8 @@ MapPieces::Edge MapPieces::seen_from(const CellEdge& other, const Edge& edge) co
   const std::vector<Point>& points = of(other.cell).points;
   for (std::size_t p = 0; p < points.size(); ++p) {
     if (points[p].xi[previous(other.edge)] != 0) continue;
-    if (points[p].v == of(edge.cell).points[at(edge.i)].v) result.i = static_cast<int>(p);
-    if (points[p].v == of(edge.cell).points[at(edge.j)].v) result.j = static_cast<int>(p);
+    if (points[p].node == of(edge.cell).points[at(edge.i)].node) result.i = static_cast<int>(p);
+    if (points[p].node == of(edge.cell).points[at(edge.j)].node) result.j = static_cast<int>(p);
   }
   return result;
 }
@@ -211,7 +246,7 @@ std::vector<MapPieces::Edge> MapPieces::sides(const Edge& edge) const {
   std::vector<Edge> result{edge};
   const int k = cell_edge(edge);
   if (k < 0) return result;
-  for (const CellEdge& other : edge_cells_[at(of(edge.cell).surface_edge[at(k)])]) {
+  for (const CellEdge& other : edge_cells_[at(of(edge.cell).edge[at(k)])]) {
     if (other.cell == edge.cell && other.edge == k) continue;
     const Edge side = seen_from(other, edge);
     // A cell that has a vertex twice, in files only, may not have the edge.
@@ -251,19 +286,21 @@ std::vector<Vector2> MapPieces::middles(const std::vector<Edge>& sides) const {
 void MapPieces::split(const Edge& edge) {
   const std::vector<Edge> all = sides(edge);
   const std::vector<Vector2> uv = middles(all);
-  const auto v = static_cast<Index>(positions_.size());
-  std::map<Index, Index> vt_of_plane_edge;
+  const Index node = next_node_++;
+  std::map<Index, Index> v_of_space_edge, vt_of_plane_edge;
   for (std::size_t s = 0; s < all.size(); ++s) {
     const auto [c, i, j] = all[s];
     Cell& cell = cells_[at(c)];
     const Vector3 xi = (cell.points[at(i)].xi + cell.points[at(j)].xi) / 2;
-    if (s == 0) positions_.push_back(flat_point(c, xi));
     const int k = cell_edge(all[s]);
+    const auto [place, is_new_place] = v_of_space_edge.try_emplace(
+        k < 0 ? -1 : cell.space_edge[at(k)], static_cast<Index>(positions_.size()));
+    if (is_new_place) positions_.push_back(flat_point(c, xi));
     const auto [entry, is_new] = vt_of_plane_edge.try_emplace(
         k < 0 ? -1 : plane_edge(c, k), static_cast<Index>(texcoords_.size()));
     if (is_new) texcoords_.push_back(uv[s]);
     const auto middle = static_cast<int>(cell.points.size());
-    cell.points.push_back({v, entry->second, xi});
+    cell.points.push_back({place->second, entry->second, node, xi});
     const std::size_t before = cell.pieces.size();
     for (std::size_t p = 0; p < before; ++p) {
       const auto corners = cell.pieces[p].corners;

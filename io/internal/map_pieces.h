@@ -5,9 +5,9 @@
 //
 // Points of pieces lie on the flat triangle in space and on the map in the plane. They are numbered
 // twice, like the corners of an OBJ: `v` in space, `vt` in the plane. An edge is split on all its
-// sides at once, with one new v; sides that share their control points share the new vt too. So
-// pieces fit together without T-junctions: in space everywhere, cuts included, and in the plane
-// where the map is continuous.
+// sides at once; sides with the same two v share the new v, sides that share their control points
+// the new vt. So pieces fit together without T-junctions: in space everywhere, cuts and slits
+// included, and in the plane where the map is continuous.
 #pragma once
 
 #include <array>
@@ -22,6 +22,7 @@ class MapPieces {
  public:
   struct Point {
     Index v, vt;
+    Index node;  // on the surface: the same on all sides of an edge, where v may differ, too
     Vector3 xi;  // barycentric coordinates in the cell; exact zeros on the cell's edges
   };
   struct Piece {
@@ -34,7 +35,8 @@ class MapPieces {
     int i, j;
   };
 
-  // coarse: mesh_from_map of `map`; its polygons are called cells here, in its order. Starts with
+  // coarse: mesh_from_map of `map`; its polygons are called cells here, in its order. Its vertices
+  // may be others, those of an input that has a vertex of the map several times. Starts with
   // refine x refine pieces a cell, from a regular lattice whose points are evaluated at multiples
   // of 1 / refine. The map is only referred to.
   // Throws Error(Usage) if refine < 1 or the result needs more than 2^31 points.
@@ -72,7 +74,8 @@ class MapPieces {
   struct Cell {
     std::vector<Point> points;  // corners first
     std::vector<Piece> pieces;
-    std::array<Index, 3> surface_edge, plane_edge;  // of its three edges
+    // Of its three edges: by nodes, by v, by control points.
+    std::array<Index, 3> edge, space_edge, plane_edge;
   };
   struct CellEdge {
     Index cell;
@@ -80,6 +83,7 @@ class MapPieces {
   };
 
   const Cell& of(Index cell) const { return cells_[at(cell)]; }
+  std::vector<Index> nodes_of_corners() const;
   void number_edges();
   void fill_lattice(int refine);
   std::vector<int> control_points_along(Index cell, int edge, bool is_reversed) const;
@@ -90,8 +94,9 @@ class MapPieces {
   const MapFile& map_;
   PolygonMesh coarse_;
   std::vector<Cell> cells_;
-  std::vector<std::vector<CellEdge>> edge_cells_;  // by surface edge
+  std::vector<std::vector<CellEdge>> edge_cells_;  // by edge
   std::vector<int> plane_sides_;                   // by plane edge
+  Index space_edges_ = 0, next_node_ = 0;
   std::vector<Vector3> positions_;
   std::vector<Vector2> texcoords_;
 };

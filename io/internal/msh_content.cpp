@@ -40,6 +40,8 @@ class MshReader {
     number_nodes();
     result_.u = numbered(u_, "u");
     result_.v = numbered(v_, "v");
+    result_.input_vertex = numbered(input_vertices_, nodes_, kMshInputVertex);
+    result_.input_face = numbered(input_faces_, elements_, kMshInputFace);
     return std::move(result_);
   }
 
@@ -77,9 +79,12 @@ class MshReader {
     if (name == "$Nodes") read_nodes();
     if (name == "$Elements") read_elements();
     if (name == "$NodeData") read_view();
+    const std::string_view what = std::string_view(name).substr(1);
+    if (what == kMshInputVertex) read_input_numbers(what, input_vertices_);
+    if (what == kMshInputFace) read_input_numbers(what, input_faces_);
     const std::string end = "$End" + name.substr(1);
-    const bool is_read =
-        name == "$MeshFormat" || name == "$Nodes" || name == "$Elements" || name == "$NodeData";
+    const bool is_read = name == "$MeshFormat" || name == "$Nodes" || name == "$Elements" ||
+                         name == "$NodeData" || what == kMshInputVertex || what == kMshInputFace;
     do {
       require_line();
       if (is_read && cursor_.whole_line() != end)
@@ -185,6 +190,22 @@ class MshReader {
     }
   }
 
+  // Lines of a tag and a number of the input, -1 where there is none.
+  void read_input_numbers(std::string_view name, std::vector<Tagged<Index>>& numbers) {
+    if (!numbers.empty()) cursor_.fail(fmt::format("{} is there twice; correct the file", name));
+    require_line();
+    const long long size = count(fmt::format("number of lines of {}", name));
+    for (long long k = 0; k < size; ++k) {
+      require_line();
+      const long long tag = cursor_.next_integer("tag");
+      const long long number = cursor_.next_integer(name);
+      if (number < -1 || number > kLargestIndex)
+        cursor_.fail(fmt::format("{} {} is out of range", name, number));
+      numbers.push_back({tag, static_cast<Index>(number)});
+      cursor_.require_end_of_line();
+    }
+  }
+
   // The place of a tag in a list that is sorted by it; -1 if it is not there.
   template <class Value>
   static Index find(const std::vector<Tagged<Value>>& list, long long tag) {
@@ -234,6 +255,21 @@ class MshReader {
     return view;
   }
 
+  // In the order of the nodes or elements that the tags are of.
+  template <class Value>
+  Eigen::VectorXi numbered(std::vector<Tagged<Index>>& numbers,
+                           const std::vector<Tagged<Value>>& of, std::string_view name) const {
+    if (numbers.empty()) return {};
+    sort(numbers, fmt::format("lines of {}", name));
+    Eigen::VectorXi result(static_cast<Index>(of.size()));
+    for (std::size_t k = 0; k < of.size(); ++k) {
+      const Index place = find(numbers, of[k].first);
+      if (place < 0) refuse(fmt::format("{} has no line for tag {}", name, of[k].first));
+      result[static_cast<Index>(k)] = numbers[at(place)].second;
+    }
+    return result;
+  }
+
   const std::string& path_;
   const StopCheck& stop_;
   LineCursor cursor_;
@@ -241,6 +277,7 @@ class MshReader {
   std::vector<Tagged<std::array<MshNumber, 3>>> nodes_;
   std::vector<Tagged<std::vector<long long>>> elements_;
   Values u_, v_;
+  std::vector<Tagged<Index>> input_vertices_, input_faces_;
   MshContents result_;
 };
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -26,11 +27,16 @@ struct MshView {
   std::vector<MshNumber> values;  // empty: there is no such view
 };
 
+// Sections of our own, which other programs pass over: of every node the vertex, of every element
+// the face of the input that it is, as the arrays of the same names in a .vtu.
+inline constexpr std::string_view kMshInputVertex = "input_vertex", kMshInputFace = "input_face";
+
 struct MshContents {
   int degree = 1;
   std::vector<std::array<MshNumber, 3>> nodes;  // in the order of their tags
   Cells cells;                                  // #F by (n+1)(n+2)/2 nodes, by element tag
   MshView u, v;
+  Eigen::VectorXi input_vertex, input_face;  // by node, by element; empty: not there
 };
 
 // `content`: the bytes of the file. Throws Error(Unreadable, "file:line: ..."); Stopped.

@@ -6,23 +6,28 @@
 //   if (!match.defect.empty())
 //     match = match_repaired(*mesh, polygons, labels).value_or(match);
 //
-// Face by face, no edges are followed: every polygon must have the cells that repair() makes of it,
-// turned where repair() turns them, or, if all of it lies one way round, another triangulation of
-// its corners. Not for pieces of faces: those of a surface without defects only (surface_match.h).
+// Face by face, no edges of the surface are followed: every polygon must have the cells that
+// repair() makes of it, turned where repair() turns them, or, if all of it lies one way round,
+// another triangulation of its corners, or pieces of these faces: cells that hang together within
+// the face, up to its sides, and have its area.
 #pragma once
 
 #include <optional>
 #include <vector>
 
 #include "majorant/io/internal/surface_match.h"
+#include "majorant/mesh/repair.h"
 
 namespace majorant {
 
 // cells: input_vertex() is a vertex of the surface, or of one exactly where that is: slits do not
-// count. face_of_cell: #F, the polygon of each. Nothing where repair() neither splits, turns, cuts
-// nor welds: match_surface() is the judge of these. Positions as there.
+// count; others are new. face_of_cell: #F, what the file says, the polygon of each, or empty; where
+// it says so, there are no new vertices and no pieces. orientation: as repair() takes it. Nothing
+// where repair() neither splits, turns, cuts nor welds: match_surface() is the judge of these.
+// Positions as there.
 std::optional<SurfaceMatch> match_repaired(const SurfaceMesh& cells, const PolygonMesh& surface,
-                                           const std::vector<Index>& face_of_cell);
+                                           const std::vector<Index>& face_of_cell,
+                                           Orientation orientation = Orientation::MadeConsistent);
 
 }  // namespace majorant
 

@@ -52,12 +52,13 @@ MapFile restored(const py::tuple& state) {
 
 ProofRequest request_from(const Promise& promise, const PolygonMesh& mesh,
                           const std::string& path) {
-  const auto [cuts, is_injective, of_surface, has_labels] = promise;
+  const auto [cuts, is_injective, of_surface, has_labels, is_as_given] = promise;
   ProofRequest request;
   request.cuts = static_cast<CutRule>(cuts);
   if (is_injective) request.overlap = ProofRequest::Overlap::Forbidden;
   if (of_surface) request.surface = &mesh;
   if (has_labels) request.labels = labels_in(path);
+  if (is_as_given) request.orientation = Orientation::AsGiven;
   return request;
 }
 
@@ -72,7 +73,8 @@ void save(const std::string& path, const MapFile& file, const PolygonMesh& mesh,
   if (surface) formats.msh = MshContent::Surface;
   Run run;
   run([&] {
-    write_map(path, file, input ? &mesh : nullptr, formats, certification(path, request, &file));
+    write_map(path, file, input ? &mesh : nullptr, formats,
+              proof_of_file(path, request, file, formats));
     return true;
   });
 }
@@ -116,7 +118,8 @@ py::array multi_indices(int degree) {
 
 Promise promise_from(const ProofRequest& request) {
   return {static_cast<int>(request.cuts), request.overlap == ProofRequest::Overlap::Forbidden,
-          request.surface != nullptr, request.labels == ProofRequest::FaceLabels::Compared};
+          request.surface != nullptr, request.labels == ProofRequest::FaceLabels::Compared,
+          request.orientation == Orientation::AsGiven};
 }
 
 void bind_map_files(py::module_& module) {

@@ -15,8 +15,9 @@ using SharedMap = std::shared_ptr<MapFile>;
 
 // What a file that is made of a map must be proven to be, in a form that can be pickled: which cuts
 // it may have (CutRule), whether it is injective as a whole, whether the surface and the labels of
-// vertices and faces are compared with those of the mesh.
-using Promise = std::tuple<int, bool, bool, bool>;
+// vertices and faces are compared with those of the mesh, whether defects of the mesh are repaired
+// with Orientation::AsGiven.
+using Promise = std::tuple<int, bool, bool, bool, bool>;
 Promise promise_from(const ProofRequest& request);
 
 // Registers MapFile, read_map, save_map, svg_text and multi_indices.

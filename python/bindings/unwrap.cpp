@@ -88,7 +88,7 @@ py::tuple unwrap_mesh(const SharedPolygons& given, const py::dict& wishes,
   finished.options = Json::parse(wish<std::string>(wishes, "as_json"));
   finished.read_seconds = read_seconds;
   const auto file = std::make_shared<MapFile>(atlas_file(finished));
-  return py::make_tuple(file, polygons, promise_from(promise(finished)), true,
+  return py::make_tuple(file, polygons, promise_from(promise(finished, "map.vtu")), true,
                         status_name(atlas.status()), message_of(atlas),
                         json_text(atlas_report(finished)));
 }

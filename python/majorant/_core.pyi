@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 Doubles = NDArray[np.float64]
 Integers = NDArray[np.int32]
 Lists = tuple[Integers, Integers]
-Promise = tuple[int, bool, bool, bool]
+Promise = tuple[int, bool, bool, bool, bool]
 Solved = tuple[MapFile, Mesh, Promise, bool, str, str, str]
 Callback = Optional[Callable[[Step], Any]]
 

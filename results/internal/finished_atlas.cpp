@@ -8,6 +8,7 @@
 #include "majorant/io/atlas_file.h"
 #include "majorant/io/internal/cut_map.h"
 #include "majorant/io/map_distortion.h"
+#include "majorant/results/internal/write_map.h"
 
 namespace majorant {
 namespace {
@@ -156,8 +157,10 @@ MapFile atlas_file(const FinishedAtlas& run, FaceDistortion* table) {
   return file;
 }
 
-ProofRequest promise(const FinishedAtlas& run) {
+ProofRequest promise(const FinishedAtlas& run, const std::string& path) {
   ProofRequest promise;
+  promise.surface = &run.polygons;
+  promise.labels = labels_in(path);
   promise.cuts = CutRule::Free;
   if (run.atlas.packing) promise.overlap = ProofRequest::Overlap::Forbidden;
   return promise;

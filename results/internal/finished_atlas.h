@@ -4,7 +4,7 @@
 //   const Atlas atlas = unwrap(surface.mesh, {}, record);
 //   const FinishedAtlas run{polygons, surface, atlas, record};
 //   const MapFile file = atlas_file(run);
-//   write_map(path, file, &polygons, {}, certification(path, promise(run), &file));
+//   write_map(path, file, &polygons, {}, proof_of_file(path, promise(run, path), file, {}));
 #pragma once
 
 #include <string>
@@ -41,7 +41,7 @@ double seam_length(const FinishedAtlas& run);
 // finite, and where who reads the file could not measure the same.
 MapFile atlas_file(const FinishedAtlas& run, FaceDistortion* table = nullptr);
 // What a data file must be when it is read back.
-ProofRequest promise(const FinishedAtlas& run);
+ProofRequest promise(const FinishedAtlas& run, const std::string& path);
 // Whole but for what writing adds to it: "outputs", their seconds and the total.
 Json atlas_report(const FinishedAtlas& run);
 

@@ -4,7 +4,7 @@
 //   const ParametrizationResult result = parametrize(mesh, options);
 //   const FinishedMap run{"parametrize", polygons, *mesh, options.map, result, record};
 //   const MapFile file = map_file(run);
-//   write_map(path, file, &polygons, {}, certification(path, promise(run, path), &file));
+//   write_map(path, file, &polygons, {}, proof_of_file(path, promise(run, path), file, {}));
 //   const Json report = map_report(run);
 #pragma once
 

@@ -36,6 +36,7 @@ ProofRequest promise_of(const MapFile& map, const PolygonMesh& surface, const st
   const CutCount cuts = MapProof(map, name, question).cuts;
   ProofRequest promise;
   promise.surface = &surface;
+  promise.orientation = Orientation::AsGiven;
   if (cuts.seams > 0) promise.cuts = CutRule::Seams;
   if (cuts.others > 0) promise.cuts = CutRule::SeamsOrFree;
   if (parse_claims(map.claims, name).bijective.value_or(false))
@@ -45,6 +46,20 @@ ProofRequest promise_of(const MapFile& map, const PolygonMesh& surface, const st
 
 Overlap allowed_overlap(const ProofRequest& promise) {
   return promise.overlap == ProofRequest::Overlap::Forbidden ? Overlap::Excluded : Overlap::Allowed;
+}
+
+FileVerification proof_of_file(const std::string& path, const ProofRequest& promise,
+                               const MapFile& map, const MapFormats& formats) {
+  const bool is_image = extension(path) == ".msh" && formats.msh == MshContent::Image;
+  return certification(path, promise, is_image ? &map : nullptr);
+}
+
+std::vector<std::string> left_out(const std::string& path, const MapFile& map,
+                                  const MapFormats& formats) {
+  if (extension(path) == ".msh" && formats.msh == MshContent::Image)
+    return {"the surface (--msh surface does)"};
+  if (is_straight_map_data(path) && map.degree > 1) return {"curves, but straight pieces of them"};
+  return {};
 }
 
 void write_map(const std::string& path, const MapFile& map, const PolygonMesh* input,

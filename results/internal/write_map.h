@@ -2,10 +2,12 @@
 //
 //   MapFormats formats;
 //   formats.tessellation.refine = 2;
-//   write_map("bunny.obj", file, &polygons, formats, certification("bunny.obj", {}, &file));
+//   write_map("bunny.obj", file, &polygons, formats,
+//             proof_of_file("bunny.obj", promise, file, formats));
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "majorant/io/map_file.h"
 #include "majorant/io/map_proof.h"
@@ -45,6 +47,15 @@ struct MapFormats {
   bool view_is_chosen = false;  // of PNG: first_view()
   MapPage page;                 // but for its map
 };
+
+// certification() of what write_map() makes of the map. promise: of the map, on its surface.
+FileVerification proof_of_file(const std::string& path, const ProofRequest& promise,
+                               const MapFile& map, const MapFormats& formats);
+
+// What a data file of that name does not hold of the geometry: "the surface", "curves, but straight
+// pieces of them".
+std::vector<std::string> left_out(const std::string& path, const MapFile& map,
+                                  const MapFormats& formats);
 
 // .vtu .msh .obj .ply .svg .png .html; of other names nothing is written. input may be null.
 // verify: of formats that hold data; pictures (.svg, .png, .html) have nothing to verify. Throws as

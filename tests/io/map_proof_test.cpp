@@ -288,6 +288,43 @@ TEST(CertifiedFile, AnotherSurfaceATearAndAnOverlapAreNotWritten) {
   EXPECT_NE(message(folded, free).find("not globally injective"), std::string::npos);
 }
 
+// Around vertex 0 twelve triangles with angles of 30 degrees, which the map makes 90 degrees.
+PolygonMesh cone_of_1080_degrees() {
+  PolygonMesh mesh;
+  mesh.file = "cone";
+  mesh.positions.emplace_back(0, 0, 0);
+  mesh.texcoords.emplace_back(0, 0);
+  const Vector2 steps[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+  for (Index k = 0; k < 12; ++k) {
+    const double angle = k * std::acos(-1.0) / 6;
+    mesh.positions.emplace_back(std::cos(angle), std::sin(angle), 0);
+    mesh.texcoords.push_back(steps[k % 4]);
+    mesh.polygons.push_back({0, k + 1, (k + 1) % 12 + 1});
+  }
+  mesh.polygon_texcoords = mesh.polygons;
+  return mesh;
+}
+
+TEST(MapProof, ConesThatOnlyClaimsTellAreWrittenWhereTheyCanBeClaimed) {
+  const TemporaryFolder folder;
+  const PolygonMesh mesh = cone_of_1080_degrees();
+  MapFile map = to_map_file(mesh);
+  const ProofRequest seams{.surface = &mesh, .cuts = CutRule::Seams};
+  ASSERT_EQ(MapProof(map, "cone", seams).first_defect(), "");
+  const std::string vtu = folder.file("a.vtu"), obj = folder.file("a.obj");
+  map.claims = R"({"seams": true})";
+  write_vtu(vtu, map, certification(vtu, seams));
+  const auto refusal = [&](const std::string& path, const auto& write) {
+    expect_contains(error_message(ErrorKind::Invalid, write),
+                    {path, "vertex 0", "1080", "tell a cone", ".vtu"});
+    EXPECT_FALSE(std::filesystem::exists(path));
+  };
+  refusal(obj, [&] { write_obj(obj, map, &mesh, {}, certification(obj, seams)); });
+  const std::string unsaid = folder.file("b.vtu");
+  map.claims.clear();
+  refusal(unsaid, [&] { write_vtu(unsaid, map, certification(unsaid, seams)); });
+}
+
 }  // namespace
 }  // namespace majorant
 

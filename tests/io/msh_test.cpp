@@ -58,7 +58,8 @@ TEST(Msh, WhatIsWrittenIsProven) {
     const MapFile map = bent(degree);
     for (const MshContent content : {MshContent::Image, MshContent::Surface}) {
       const std::string path = folder.file("a.msh");
-      write_msh(path, map, content, certification(path, {}, &map));
+      write_msh(path, map, content,
+                certification(path, {}, content == MshContent::Image ? &map : nullptr));
       EXPECT_EQ(MapProof(read_msh(path), path, {}).verdict(), Answer::Proven) << degree;
     }
   }
@@ -71,6 +72,65 @@ TEST(Msh, WhatIsWrittenIsProven) {
           [&] { write_msh(path, other, MshContent::Image, certification(path, {}, &map)); }),
       {"b.msh is not written", "cells"});
   EXPECT_FALSE(std::filesystem::exists(path));
+}
+
+// Two triangles on both sides of a slit: its ends are one, in its middle two vertices have a place.
+PolygonMesh slit() {
+  PolygonMesh mesh;
+  mesh.file = "slit";
+  mesh.positions = {{0, 0, 1}, {1, 0, 1}, {2, 0, 1}, {1, 1, 1}, {1, -1, 1}, {1, 0, 1}};
+  mesh.polygons = {{0, 1, 3}, {1, 2, 3}, {0, 4, 5}, {5, 4, 2}};
+  return mesh;
+}
+
+TEST(Msh, VerticesAtOnePlaceStayApart) {
+  const TemporaryFolder folder;
+  const PolygonMesh surface = slit();
+  PolygonMesh mapped = surface;
+  for (const Vector3& p : surface.positions) mapped.texcoords.emplace_back(p.head<2>());
+  mapped.texcoords[1].y() = 0.125;  // the slit is open in the plane
+  mapped.polygon_texcoords = mapped.polygons;
+  const MapFile map = to_map_file(mapped);
+  const ProofRequest wanted{.surface = &surface, .labels = ProofRequest::FaceLabels::Compared};
+  const std::string path = folder.file("a.msh");
+  write_msh(path, map, MshContent::Surface, certification(path, wanted));
+  const MapFile read = read_msh(path);
+  EXPECT_EQ(read.input_vertex, map.input_vertex);
+  EXPECT_EQ(read.input_face, map.input_face);
+  EXPECT_EQ(MapProof(read, path, wanted).first_defect(), "");
+  EXPECT_EQ(MapProof(read, path, {}).first_defect(), "");
+  // The proof before the rename is that of the file: nothing is taken from the map.
+  MapFile unnamed = map;
+  unnamed.input_vertex.resize(0);
+  unnamed.input_face.resize(0);
+  const std::string other = folder.file("b.msh");
+  expect_contains(
+      error_message(
+          ErrorKind::Invalid,
+          [&] { write_msh(other, unnamed, MshContent::Surface, certification(other, wanted)); }),
+      {"b.msh is not written", "sides of 2 inner edges differ"});
+}
+
+TEST(Msh, DamagedNumbersOfTheInputAreRefused) {
+  const TemporaryFolder folder;
+  MapFile map = random_strip(1, 2, 3);
+  map.input_face = Eigen::VectorXi::LinSpaced(2, 0, 1);
+  write_msh(folder.file("a.msh"), map, MshContent::Surface);
+  const std::string text = content_of(folder.file("a.msh"));
+  const std::string faces = "$input_face\n2\n1 0\n2 1\n$Endinput_face\n";
+  ASSERT_NE(text.find(faces), std::string::npos);
+  for (const auto& [bad, says] : std::vector<std::pair<std::string, std::string>>{
+           {"$input_face\n1\n1 0\n$Endinput_face\n", "input_face has no line for tag 2"},
+           {"$input_face\n2\n1 0\n1 1\n$Endinput_face\n", "tag 1"},
+           {"$input_face\n2\n1 0\n2 -2\n$Endinput_face\n", "input_face -2 is out of range"},
+           {"$input_face\n2\n1 0\n2 1 1\n$Endinput_face\n", "a.msh:"},
+           {"$input_face\n3\n1 0\n2 1\n$Endinput_face\n", "a.msh:"},
+           {faces + faces, "there twice"}}) {
+    std::string damaged = text;
+    damaged.replace(text.find(faces), faces.size(), bad);
+    const std::string path = folder.write("a.msh", damaged);
+    expect_contains(error_message(ErrorKind::Unreadable, [&] { read_msh(path); }), {says});
+  }
 }
 
 TEST(Msh, ChartsAreEntities) {

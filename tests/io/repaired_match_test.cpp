@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "majorant/mesh/repair.h"
@@ -145,6 +148,67 @@ TEST(RepairedMatch, AnyDiagonalButAWrongOne) {
   EXPECT_NE(defect(file, surface).find("face 0 is mapped by cells"), std::string::npos);
   file.cells.polygons[0] = file.cells.polygons[1];
   EXPECT_NE(defect(file, surface), "");
+}
+
+// Every triangle in four pieces, as formats without curves have them; new vertices for each, in the
+// middles of its edges, or shared along edges.
+enum class Middles { Shared, Own };
+PolygonMesh in_pieces(const PolygonMesh& cells, Middles middles) {
+  PolygonMesh out;
+  out.positions = cells.positions;
+  std::map<std::pair<Index, Index>, Index> known;
+  for (const auto& cell : cells.polygons) {
+    if (middles == Middles::Own) known.clear();
+    std::array<Index, 3> middle{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Index a = cell[k], b = cell[(k + 1) % 3];
+      const auto [entry, is_new] =
+          known.emplace(std::minmax(a, b), static_cast<Index>(out.positions.size()));
+      if (is_new) out.positions.emplace_back((cells.positions[at(a)] + cells.positions[at(b)]) / 2);
+      middle[k] = entry->second;
+    }
+    out.polygons.push_back({middle[0], middle[1], middle[2]});
+    for (std::size_t k = 0; k < 3; ++k)
+      out.polygons.push_back({cell[k], middle[k], middle[(k + 2) % 3]});
+  }
+  return out;
+}
+
+TEST(RepairedMatch, PiecesOfFaces) {
+  PolygonMesh twice = tetrahedron();
+  twice.polygons.push_back(twice.polygons[1]);
+  PolygonMesh bow_tie;
+  bow_tie.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {0, 0, 0}};
+  bow_tie.polygons = {{5, 1, 2}, {0, 3, 4}, {0, 3, 1}};
+  for (const PolygonMesh& surface : {with_a_fin(), soup(), twice, bow_tie})
+    for (const Middles middles : {Middles::Shared, Middles::Own}) {
+      const PolygonMesh cells = in_pieces(written(surface).cells, middles);
+      EXPECT_EQ(defect({cells, {}}, surface), "");
+      EXPECT_EQ(match({cells, {}}, surface)->changed, static_cast<Index>(surface.polygons.size()));
+      PolygonMesh bad = cells;
+      bad.polygons.pop_back();
+      EXPECT_NE(defect({bad, {}}, surface), "");  // one is missing
+      bad.polygons.push_back(bad.polygons.front());
+      EXPECT_NE(defect({bad, {}}, surface), "");  // another is there twice
+      bad = cells;
+      std::swap(bad.polygons[1][1], bad.polygons[1][2]);
+      EXPECT_NE(defect({bad, {}}, surface), "");  // turned over
+      bad = cells;
+      bad.positions.back() += Vector3(1e-6, 2e-6, 3e-6);
+      EXPECT_NE(defect({bad, {}}, surface), "");  // beside its edge
+      bad = cells;
+      bad.polygons.push_back({0, 1, 2});
+      EXPECT_NE(defect({bad, {}}, surface), "");  // one too many
+    }
+}
+
+TEST(RepairedMatch, FacesThatDisagreeAsTheyAreGiven) {
+  PolygonMesh surface = tetrahedron();
+  std::swap(surface.polygons[2][0], surface.polygons[2][1]);
+  const RepairedSurface cells =
+      repair(surface, {.orientation = Orientation::AsGiven, .numerics = Numerics::AsGiven});
+  EXPECT_NE(match_repaired(*cells.mesh, surface, {})->defect, "");
+  EXPECT_EQ(match_repaired(*cells.mesh, surface, {}, Orientation::AsGiven)->defect, "");
 }
 
 TEST(RepairedMatch, WhatIsWrongIsNamed) {

@@ -235,6 +235,33 @@ TEST(TessellateMap, PointsLieOnTheMap) {
   EXPECT_EQ(mesh.positions[at(mesh.polygons[0][1])], flat);
 }
 
+TEST(TessellateMap, SidesThatAreOneInTheMapAndTwoInTheInput) {
+  PolygonMesh input;  // a square of two triangles that share no vertex, joined in the map
+  input.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+  input.polygons = {{0, 1, 2}, {3, 5, 4}};
+  MapFile map;
+  map.degree = 2;
+  map.points.resize(9, 3);
+  map.points << 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0.5, 0, 0, 0.5, 0.5, 0, 0, 0.5, 0, 1, 0.5, 0,
+      0.5, 1, 0;
+  map.uv = map.points.leftCols<2>();
+  map.cells.resize(2, 6);
+  map.cells << 0, 1, 2, 4, 5, 6, 1, 3, 2, 7, 8, 5;
+  map.input_vertex.resize(9);
+  map.input_vertex << 0, 1, 2, 5, -1, -1, -1, -1, -1;
+  map.input_face = Eigen::VectorXi::LinSpaced(2, 0, 1);
+  map.uv.row(5) << 0.3, 0.3;  // bends the common edge: at its middle, to (0.4, 0.4)
+  for (const int refine : {1, 2, 3}) {
+    const PolygonMesh mesh = tessellate_map(map, &input, {.refine = refine});
+    EXPECT_EQ(count_not_positive(mesh), 0);
+    // In the plane one piece, in space two, whose new vertices are at the same places.
+    EXPECT_EQ(open_edges(mesh.polygon_texcoords).size(), at(4 * refine)) << refine;
+    EXPECT_EQ(open_edges(mesh.polygons).size(), at(6 * refine)) << refine;
+  }
+  // Its two sides are no boundary that meets itself.
+  EXPECT_EQ(tessellate_map(map, &input, {.overlap = Overlap::Excluded}).polygons, input.polygons);
+}
+
 TEST(TessellateMap, NamesCellsThatAreNotInjective) {
   const TemporaryFolder folder;
   OneBentEdge example;
