@@ -57,7 +57,8 @@ std::string what_holds(const MapFile& map, const Claims& claims) {
   return {};
 }
 
-// Turned until its longer side lies, which its claims say then. One that they say lies already stays.
+// Turned until its longer side lies, which its claims say then. One that they say lies already
+// stays.
 void align(MapFile& map, const std::string& name) {
   const Claims claims = parse_claims(map.claims, name);
   if (const std::string reason = what_holds(map, claims); !reason.empty())
@@ -97,12 +98,10 @@ void measure(const ConvertRequest& request, MapFile& map, WrittenFiles& written)
   written.write(path, [&] { write_distortion(path, map, measured.faces); });
 }
 
-void write_report(const ConvertRequest& request, WrittenFiles& written) {
-  const Json report{{"schema_version", 1},
-                    {"version", MAJORANT_VERSION},
-                    {"command", "convert"},
-                    {"input", {{"file", request.input}}},
-                    {"outputs", written.to_json()}};
+void write_report(const ConvertRequest& request, const MapFile& map, WrittenFiles& written) {
+  const Json report{{"schema_version", 1},      {"version", MAJORANT_VERSION},
+                    {"command", "convert"},     {"input", {{"file", request.input}}},
+                    {"warnings", map.warnings}, {"outputs", written.to_json()}};
   written.write(request.common.report, [&] { write_json(request.common.report, report); });
 }
 
@@ -112,8 +111,10 @@ int convert(ConvertRequest request) {
   require_writable(request.common,
                    {{request.outputs, map_extensions()}, {{request.distortion}, {".csv"}}},
                    {request.input, request.formats.readable_image()});
+  request.formats.require_effect(request.outputs);
   const ThreadCount threads(start_threads(request.common.threads));
-  MapFile map = within_memory(request.input, [&] { return read_map(request.input); });
+  MapFile map = within_memory(
+      request.input, [&] { return read_map(request.input, {}, request.common.strictness()); });
   say_warnings(map.warnings);
   mark_seams(map, request.input);
   if (request.formats.turns_map(request.outputs)) align(map, request.input);
@@ -127,7 +128,7 @@ int convert(ConvertRequest request) {
     written.write(path, [&] {
       write_map(path, map, nullptr, request.formats, certification(path, promise, &map));
     });
-  if (!request.common.report.empty()) write_report(request, written);
+  if (!request.common.report.empty()) write_report(request, map, written);
   return written.conclude(kSuccess);
 }
 
