@@ -17,6 +17,7 @@ ALWAYS = {
     '--bijective': '', '--improve-mesh': 'depends on the mesh', '--tolerance': '', '--max-iterations': '',
     '--time-limit': '', '--normalize': '', '--linear-solver': '', '--seams': '', '--no-pack': '', '--weld': '',
     '--cones': '', '--start': '', '--surface': '', '--cuts': '', '--certify': '', '--plan': '', '--methods': '',
+    '--petsc-options': 'for whichever solver a run comes to',
 }
 
 # option -> (the words without effect, outputs, what is said); for every verb that has it
