@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/arguments/number_check.h"
 #include "apps/parts.h"
 #include "majorant/framework/linear_solver.h"
 #include "majorant/results/internal/solver_ladder.h"
@@ -48,7 +49,7 @@ std::string version_line() {
 void CommonOptions::add_to(CLI::App& verb) {
   verb.set_version_flag("--version", version_line());
   verb.add_option("--threads", threads, "threads (default: all cores); results do not depend on it")
-      ->check(CLI::Range(1, 1024));
+      ->check(whole_number(1, 1024));
   auto* q = verb.add_flag("--quiet", quiet, "no progress");
   verb.add_flag("--verbose", verbose, "a line per iteration")->excludes(q);
   verb.add_option("--report", report, "write a JSON report to FILE, - for stdout")
@@ -68,6 +69,12 @@ void CommonOptions::add_to(CLI::App& verb) {
           },
           ""));
   verb.add_flag("--force", force, "an output may replace a file that is read");
+  verb.add_flag("--strict", strict,
+                "refuse a mesh file of which something would be left out or repaired");
+}
+
+Strictness CommonOptions::strictness(Strictness least) const {
+  return strict ? Strictness::Everything : least;
 }
 
 }  // namespace majorant::app

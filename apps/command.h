@@ -7,6 +7,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/framework/minimizer.h"
+#include "majorant/io/map_file.h"
 
 namespace majorant::app {
 
@@ -29,11 +30,14 @@ inline constexpr const char* kStandardOutput = "-";  // as the name of a report
 struct CommonOptions {
   int threads = 0;  // 0: as many as the machine has
   bool quiet = false, verbose = false;
-  bool force = false;  // an output may replace an input
-  std::string report;  // file name, kStandardOutput or empty
+  bool force = false;   // an output may replace an input
+  bool strict = false;  // nothing of an input is left out or repaired
+  std::string report;   // file name, kStandardOutput or empty
   std::string petsc_options;
 
   void add_to(CLI::App& verb);
+  // Of reading meshes. least: where --strict was not said.
+  Strictness strictness(Strictness least = Strictness::Shape) const;
 };
 
 // Each adds its verb to `app` and sets *run when that verb is chosen; run returns the exit code and

@@ -109,12 +109,10 @@ std::vector<std::string> left_out_of(const std::string& path, const MapFile& map
   return what;
 }
 
-void write_report(const ConvertRequest& request, WrittenFiles& written) {
-  const Json report{{"schema_version", 1},
-                    {"version", MAJORANT_VERSION},
-                    {"command", "convert"},
-                    {"input", {{"file", request.input}}},
-                    {"outputs", written.to_json()}};
+void write_report(const ConvertRequest& request, const MapFile& map, WrittenFiles& written) {
+  const Json report{{"schema_version", 1},      {"version", MAJORANT_VERSION},
+                    {"command", "convert"},     {"input", {{"file", request.input}}},
+                    {"warnings", map.warnings}, {"outputs", written.to_json()}};
   written.write(request.common.report, [&] { write_json(request.common.report, report); });
 }
 
@@ -124,8 +122,10 @@ int convert(ConvertRequest request) {
   require_writable(request.common,
                    {{request.outputs, map_extensions()}, {{request.distortion}, {".csv"}}},
                    {request.input, request.formats.readable_image()});
+  request.formats.require_effect(request.outputs);
   const ThreadCount threads(start_threads(request.common.threads));
-  MapFile map = within_memory(request.input, [&] { return read_map(request.input); });
+  MapFile map = within_memory(
+      request.input, [&] { return read_map(request.input, {}, request.common.strictness()); });
   say_warnings(map.warnings);
   mark_seams(map, request.input);
   if (request.formats.turns_map(request.outputs)) align(map, request.input);
@@ -141,7 +141,7 @@ int convert(ConvertRequest request) {
                 proof_of_file(path, promise, map, request.formats));
       if (!request.common.quiet) say_left_out(path, left_out_of(path, map, request.formats));
     });
-  if (!request.common.report.empty()) write_report(request, written);
+  if (!request.common.report.empty()) write_report(request, map, written);
   return written.conclude(kSuccess);
 }
 

@@ -50,6 +50,7 @@ void describe_surface(const PolygonMesh& polygons, const SurfaceMesh& mesh, Desc
       "area: {:.10g}\n",
       t.faces, t.components, t.boundary_loops, t.euler_characteristic(), mesh.area());
   out.report["input"] = input_section(polygons, mesh);
+  out.report["warnings"] = polygons.warnings;
   for (const std::string& warning : polygons.warnings) out.add("warning: {}\n", one_line(warning));
   for (const auto& note : out.report["input"]["repairs"])
     out.add("note: {}\n", note.get<std::string>());
@@ -177,8 +178,8 @@ void describe_plan_or_refusal(const RepairedSurface& surface, Description& out) 
 
 int info(const InfoRequest& request) {
   require_writable(request.common, {}, {request.input});
-  const PolygonMesh polygons =
-      within_memory(request.input, [&] { return read_mesh(request.input); });
+  const PolygonMesh polygons = within_memory(
+      request.input, [&] { return read_mesh(request.input, {}, request.common.strictness()); });
   Description out;
   const RepairedSurface repaired = repair(polygons);
   describe_surface(polygons, *repaired.mesh, out);

@@ -62,18 +62,19 @@ void MapRequest::add_to(CLI::App& verb) {
               "polynomial degree, 1..{} (3, or 1 where all data outputs are without curves: "
               ".obj .ply)",
               BezierTriangleSpace::kMaxDegree))
-      ->check(CLI::Range(1, BezierTriangleSpace::kMaxDegree));
+      ->check(whole_number(1, BezierTriangleSpace::kMaxDegree));
   verb.add_option("--energy", energy, "distortion: a name below, or a weighted sum");
   verb.add_option("--pins", pins, "hard point constraints, JSON")->type_name("FILE");
   verb.add_option("--handles", handles, "soft point constraints, JSON")->type_name("FILE");
   verb.add_option("--soft", soft, fmt::format("weight of soft handles ({})", soft))
-      ->check(positive_number(kLargestFactor));
+      ->check(positive_number(kLargestFactor))
+      ->needs("--handles");
   verb.add_option("--weights", weights, "a positive factor of the energy for each face, text")
       ->type_name("FILE");
   verb.add_flag("--boundary-angles", boundary_angles,
                 "hold sector sums <= 360 degrees at boundary vertices");
   verb.add_option("--quadrature", quadrature, "lattice points per triangle (default: own rule)")
-      ->check(CLI::Range(1, 10000));
+      ->check(whole_number(1, 10000));
 }
 
 void MapRequest::add_start_to(CLI::App& verb) {
@@ -121,8 +122,12 @@ MapInput read_input(const MapRequest& request, const StopCheck& stop,
                     const StartMaker& make_start) {
   MapInput in;
   parse_energy(request.energy);  // before any work
+  const bool starts_from_texture = request.init == "input" || (request.seamless && !make_start);
+  const Strictness strictness =
+      std::max(request.strictness, starts_from_texture ? Strictness::Texcoords : Strictness::Shape);
   unless_stopped("reading " + request.input, [&] {
-    in.polygons = within_memory(request.input, [&] { return read_mesh(request.input, stop); });
+    in.polygons =
+        within_memory(request.input, [&] { return read_mesh(request.input, stop, strictness); });
     say_warnings(in.polygons.warnings);
     in.mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(in.polygons, stop));
   });

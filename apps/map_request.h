@@ -24,6 +24,7 @@ struct MapRequest {
   int quadrature = 0;
   double soft = MapOptions().handle_weight;
   bool boundary_angles = false, seamless = false;  // seamless: an option of parametrize only
+  Strictness strictness = Strictness::Shape;       // of reading `input`, at least
 
   void add_to(CLI::App& verb);
   void add_start_to(CLI::App& verb);  // --boundary and --init, where the verb makes no start itself

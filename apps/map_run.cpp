@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "apps/energy_option.h"
@@ -24,6 +25,7 @@ MapRun::MapRun(std::string verb, MapVerb& request, const std::vector<std::string
       progress_(request.common),
       record_(request.solve.make_record(progress_)) {
   request.outputs.require_usable(request.map);
+  request.map.strictness = std::max(request.map.strictness, request.common.strictness());
   request.map.choose_degree(request.outputs.files);
   request.solve.require_usable(request.outputs, request.map);
   std::vector<std::string> inputs = request.map.inputs();
@@ -71,6 +73,7 @@ int MapRun::finish(ParametrizationResult result, const Json& extra) {
   Json options = request_.map.to_json();
   options.update(request_.solve.to_json());
   options["linear_solver"] = request_.solve.linear_solver;
+  options["strict"] = request_.common.strict;
   options.update(extra);
   FinishedMap finished{verb_,   in_.polygons,        *in_.mesh,         in_.options.map,   result,
                        record_, request_.map.energy, request_.map.init, std::move(options)};

@@ -8,7 +8,9 @@
 #include <filesystem>
 #include <new>
 #include <optional>
+#include <utility>
 
+#include "apps/arguments/number_check.h"
 #include "apps/arguments/suggestion.h"
 #include "apps/streams.h"
 #include "majorant/framework/error.h"
@@ -218,7 +220,7 @@ void FormatOptions::add_to(CLI::App& verb) {
   verb.add_option("--refine", tessellation.refine,
                   "pieces per edge in OBJ and PLY output, at least (default 1: cells stay one "
                   "triangle where that is valid)")
-      ->check(CLI::Range(1, 20));
+      ->check(whole_number(1, 20));
   verb.add_option_function<std::string>(
           "--vtu",
           [this](const std::string& cells) {
@@ -240,6 +242,32 @@ void FormatOptions::add_to(CLI::App& verb) {
       ->default_str(kAutomatic)  // what it is without a value
       ->expected(0, 1);
   add_pictures_to(verb);
+  for (const auto& [name, extensions] :
+       std::vector<std::pair<const char*, std::vector<std::string>>>{
+           {"--refine", {".obj", ".ply"}},
+           {"--vtu", {".vtu"}},
+           {"--msh", {".msh"}},
+           {"--grid", {".svg"}},
+           {"--color-range", {".svg", ".png"}},
+           {"--color-by", {".svg", ".png"}},
+           {"--align", map_extensions()},
+           {"--size", {".png"}},
+           {"--view", {".png"}},
+           {"--image", {".png"}}})
+    options_.push_back({verb.get_option(name), extensions});
+}
+
+void FormatOptions::require_effect(const std::vector<std::string>& files) const {
+  for (const auto& [option, extensions] : options_) {
+    const bool is_seen = std::any_of(files.begin(), files.end(), [&](const std::string& path) {
+      return std::find(extensions.begin(), extensions.end(), extension(path)) != extensions.end();
+    });
+    if (option->count() > 0 && !is_seen)
+      throw Error(
+          ErrorKind::Usage,
+          fmt::format("{0} is of {1}, and no output is one; add -o OUT{2}, or leave out {0}",
+                      option->get_name(), fmt::join(extensions, " "), extensions.front()));
+  }
 }
 
 void FormatOptions::add_pictures_to(CLI::App& verb) {

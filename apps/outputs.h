@@ -70,9 +70,19 @@ struct FormatOptions : MapFormats {
   bool turns_map(const std::vector<std::string>& files) const;
 
   void add_to(CLI::App& verb);  // --refine --vtu --msh --grid --color-range ...
+  // Throws Error(Usage) for one of these that says something of formats that no file has.
+  void require_effect(const std::vector<std::string>& files) const;
 
  private:
+  // An option of some formats alone, which belongs to the verb.
+  struct OfFormats {
+    const CLI::Option* option;
+    std::vector<std::string> extensions;
+  };
+
   void add_pictures_to(CLI::App& verb);
+
+  std::vector<OfFormats> options_;
 };
 
 // "out.msh: does not hold the surface (--msh surface does)": where anything is left out.

@@ -1,4 +1,6 @@
 // majorant parametrize IN -o OUT...: the main job.
+#include <fmt/format.h>
+
 #include <CLI/App.hpp>
 #include <memory>
 
@@ -37,6 +39,11 @@ Start cut_start(const ParametrizeRequest& request, const PolygonMesh& polygons,
 }
 
 int run_job(ParametrizeRequest request) {
+  if (request.map.seamless && request.map.init != "auto" && request.map.init != "input")
+    throw Error(ErrorKind::Usage,
+                fmt::format("--seamless starts from the texture coordinates; leave out --init {}",
+                            request.map.init));
+  request.map.strictness = request.seams.needed_of_file();
   MapRun run("parametrize", request, {request.seams.file()});
   std::optional<SurfaceCuts> cuts;
   const auto cut_open = [&](const PolygonMesh& polygons, const SurfaceMesh& mesh) {
@@ -66,6 +73,7 @@ void add_parametrize(CLI::App& app, Action* run) {
                 "hold the seams of the input's texture coordinates, up to rotations by 90 degrees");
   request->seams.add_to(verb);
   verb.get_option("--seams")->excludes("--seamless")->excludes("--init");
+  verb.get_option("--max-stretch")->needs("--seams");
   verb.footer(energy_help() +
               "Example: majorant parametrize bunny.obj -o bunny.vtu -o bunny.svg --degree 3 "
               "--report bunny.json");

@@ -102,6 +102,7 @@ void OutputRequest::add_to(CLI::App& verb) {
 void OutputRequest::require_usable(const MapRequest& map) {
   if (!positional.empty()) files.push_back(positional);
   require_some_output(files, extensions);
+  formats.require_effect(files);
   if (normalize && !(map.pins.empty() && map.handles.empty()))
     throw Error(ErrorKind::Usage, "--normalize moves pins and handles; leave one of the two out");
   if (!turns_map()) return;

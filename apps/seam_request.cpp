@@ -2,9 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <vector>
 
 #include "apps/arguments/number_check.h"
+#include "apps/arguments/suggestion.h"
 #include "apps/streams.h"
 #include "majorant/framework/error.h"
 #include "majorant/io/internal/read_vertex_lists.h"
@@ -29,13 +33,24 @@ double sharp_angle(const std::string& seams) {
   return angle;
 }
 
+// What is wrong with a word that is no file, where a known one is near.
+std::string wrong_word(const std::string& seams) {
+  std::error_code ignored;
+  const std::vector<std::string> words = {"auto", "uv", std::string(kSharp)};
+  if (is_sharp(seams) || std::filesystem::exists(seams, ignored)) return {};
+  if (std::find(words.begin(), words.end(), seams) != words.end()) return {};
+  const std::string hint = did_you_mean(seams, words);
+  return hint.empty() ? hint : fmt::format("there is no file '{}'{}", seams, hint);
+}
+
 }  // namespace
 
 void SeamRequest::add_to(CLI::App& verb) {
   verb.add_option("--seams", seams,
                   "where to cut: auto; uv, the islands of the file's texture coordinates; "
                   "sharp[=DEGREES], edges between faces that meet at that angle or more; or a JSON "
-                  "FILE {\"edges\": [[0, 1], ...]}");
+                  "FILE {\"edges\": [[0, 1], ...]}")
+      ->check(CLI::Validator(wrong_word, ""));
   verb.add_option("--max-stretch", max_stretch,
                   fmt::format("auto, sharp: mean stretch up to which a chart is left uncut, > 1 "
                               "({:g})",
@@ -47,6 +62,10 @@ std::string SeamRequest::file() const {
   return seams.empty() || seams == "auto" || seams == "uv" || is_sharp(seams) ? "" : seams;
 }
 
+Strictness SeamRequest::needed_of_file() const {
+  return seams == "uv" ? Strictness::Texcoords : Strictness::Shape;
+}
+
 CutOptions SeamRequest::options(const PolygonMesh& polygons) const {
   CutOptions cuts;
   if (max_stretch && !(*max_stretch > 1))
@@ -54,6 +73,11 @@ CutOptions SeamRequest::options(const PolygonMesh& polygons) const {
         ErrorKind::Usage,
         fmt::format("--max-stretch {:g}: an isometry has 1 already; write --max-stretch {:g}",
                     *max_stretch, cuts.max_stretch));
+  if (max_stretch && !file().empty())
+    throw Error(ErrorKind::Usage,
+                fmt::format("--max-stretch is of --seams auto and sharp; --seams {} says where to "
+                            "cut; leave one of the two out",
+                            seams));
   if (max_stretch) cuts.max_stretch = *max_stretch;
   if (seams == "uv") cuts.method = CutMethod::Texture;
   if (is_sharp(seams)) cuts.method = CutMethod::Sharp;

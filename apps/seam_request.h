@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "majorant/io/map_file.h"
 #include "majorant/parametrization/cuts/choose_cuts.h"
 #include "majorant/results/internal/report.h"
 
@@ -21,6 +22,8 @@ struct SeamRequest {
   void add_to(CLI::App& verb);
   // The file that --seams names; empty where it is one of the words.
   std::string file() const;
+  // What of a mesh file must not be broken.
+  Strictness needed_of_file() const;
   // Throws Error(Usage) for words that make no sense and as read_seams.
   CutOptions options(const PolygonMesh& polygons) const;
   Json to_json() const;  // for reports and claims

@@ -68,7 +68,8 @@ void add_seamless(CLI::App& app, Action* run) {
       ->check(one_of({"automatic", "field", "scaled-field", "conformal"}));
   verb.add_option("--curvature-alignment", r.curvature_alignment,
                   "pull of principal directions on the cross field, 5 to 50 are useful (0)")
-      ->check(non_negative_number(kLargestFactor));
+      ->check(non_negative_number(kLargestFactor))
+      ->excludes("--cones");
   verb.footer(energy_help() +
               "Example: majorant seamless bunny.obj -o bunny.vtu -o bunny.svg --degree 3");
   verb.callback([request, run] { *run = [request] { return run_job(*request); }; });

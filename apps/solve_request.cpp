@@ -26,7 +26,7 @@ void SolveRequest::add_to(CLI::App& verb, std::string& curvature) {
   verb.add_option("--snapshots", snapshots,
                   "the map after every so many iterations goes into the page, .html")
       ->type_name("K")
-      ->check(CLI::Range(1, std::numeric_limits<int>::max()));
+      ->check(whole_number(1));
   add_limits_to(verb, curvature);
 }
 
@@ -41,7 +41,7 @@ void SolveRequest::add_limits_to(CLI::App& verb, std::string& curvature) {
                   fmt::format("relative energy decrease to stop at ({})", tolerance))
       ->check(positive_number());
   verb.add_option("--max-iterations", max_iterations, fmt::format("({})", max_iterations))
-      ->check(non_negative_number());
+      ->check(whole_number(0));
   verb.add_option("--time-limit", time_limit,
                   "seconds; the best valid map is written, if there is one")
       ->check(non_negative_number());

@@ -31,6 +31,7 @@ Json options_of(const UnwrapVerb& request) {
   Json options = request.map.to_json();
   options.update(request.solve.to_json());
   options.update(request.unwrap.to_json());
+  options["strict"] = request.common.strict;
   for (const char* other : {"boundary", "init", "seamless", "bijective", "no_flips",
                             "write_scaffold", "improve_mesh", "snapshots"})
     options.erase(other);
@@ -70,10 +71,12 @@ int unwrap_file(UnwrapVerb request) {
   UnwrapOptions options;
   record.begin(Activity::Reading);
   unless_stopped("reading " + request.map.input, [&] {
-    polygons = within_memory(request.map.input,
-                             [&] { return read_mesh(request.map.input, record.start_stop()); });
+    const Strictness strictness = request.common.strictness(request.unwrap.seams.needed_of_file());
+    polygons = within_memory(request.map.input, [&] {
+      return read_mesh(request.map.input, record.start_stop(), strictness);
+    });
     say_warnings(polygons.warnings);
-    surface = request.unwrap.repaired(polygons, record.start_stop());
+    surface = request.unwrap.repaired(polygons, strictness, record.start_stop());
     polygons = with_welded_vertices(std::move(polygons), surface);
     options = request.unwrap.options(polygons, surface);
     options.chart = read_options(request.map, polygons, *surface.mesh);

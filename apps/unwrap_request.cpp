@@ -14,8 +14,9 @@ void UnwrapRequest::add_to(CLI::App& verb) {
   verb.add_option("--resolution", resolution,
                   fmt::format("pixels along the side of the layout ({})", resolution))
       ->check(positive_number());
-  verb.add_flag("--no-pack", no_pack, "leave charts where they are, also on top of each other");
-  verb.add_flag("--strict", strict, "refuse a mesh with defects instead of repairing it");
+  verb.add_flag("--no-pack", no_pack, "leave charts where they are, also on top of each other")
+      ->excludes("--padding")
+      ->excludes("--resolution");
   verb.add_option("--weld", weld,
                   "join vertices no farther apart than DISTANCE; 0: at equal positions (default: "
                   "only where no face shares a vertex)")
@@ -23,11 +24,12 @@ void UnwrapRequest::add_to(CLI::App& verb) {
       ->check(non_negative_number());
 }
 
-RepairedSurface UnwrapRequest::repaired(const PolygonMesh& polygons, const StopCheck& stop) const {
+RepairedSurface UnwrapRequest::repaired(const PolygonMesh& polygons, Strictness strictness,
+                                        const StopCheck& stop) const {
   RepairOptions options;
   options.weld = weld;
   RepairedSurface surface = repair(polygons, options, stop);
-  if (!strict) return surface;
+  if (strictness != Strictness::Everything) return surface;
   for (const Repair& r : surface.repairs)
     if (r.kind != RepairKind::MovedToOrigin)
       throw Error(ErrorKind::Unsupported,
@@ -53,7 +55,6 @@ Json UnwrapRequest::to_json() const {
   options.update({{"padding", padding},
                   {"resolution", resolution},
                   {"no_pack", no_pack},
-                  {"strict", strict},
                   {"weld", weld ? Json(*weld) : Json()}});
   return options;
 }

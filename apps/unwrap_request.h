@@ -2,7 +2,7 @@
 //
 //   UnwrapRequest request;
 //   request.add_to(verb);
-//   const RepairedSurface surface = request.repaired(polygons, stop);
+//   const RepairedSurface surface = request.repaired(polygons, common.strictness(), stop);
 //   UnwrapOptions options = request.options(polygons, surface);
 #pragma once
 
@@ -20,11 +20,13 @@ struct UnwrapRequest {
   SeamRequest seams;
   std::optional<double> weld;
   double padding = PackOptions().padding_pixels, resolution = PackOptions().resolution;
-  bool no_pack = false, strict = false;
+  bool no_pack = false;
 
   void add_to(CLI::App& verb);
-  // The surface of the file. Throws Error(Unsupported) where --strict refuses what was repaired.
-  RepairedSurface repaired(const PolygonMesh& polygons, const StopCheck& stop) const;
+  // The surface of the file. Throws Error(Unsupported) for what would be repaired, where everything
+  // must be whole.
+  RepairedSurface repaired(const PolygonMesh& polygons, Strictness strictness,
+                           const StopCheck& stop) const;
   // Of cuts and packing; `chart` is left as it is. Throws as SeamRequest::options.
   UnwrapOptions options(const PolygonMesh& polygons, const RepairedSurface& surface) const;
   Json to_json() const;  // for reports and claims

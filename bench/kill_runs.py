@@ -65,7 +65,9 @@ class Trial:
         words = [self.options.binary.resolve(), self.verb, self.source]
         for path in self.outputs:
             words += ['-o', path]
-        words += ['--report', self.folder / 'report.json', '--vtu', self.cells]
+        words += ['--report', self.folder / 'report.json']
+        if any(str(path).endswith('.vtu') for path in self.outputs):
+            words += ['--vtu', self.cells]
         return [str(w) for w in words] + (job_flags() if self.verb == 'parametrize' else [])
 
     def limits(self):

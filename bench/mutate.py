@@ -71,11 +71,17 @@ def solve_options(rng):
     words += some(rng, 0.1, ['-o', 'OUT2.obj']) + some(rng, 0.1, ['-o', 'OUT.svg'])
     words += some(rng, 0.1, ['-o', 'OUT.csv']) + some(rng, 0.3, ['--report', 'OUT.json'])
     words += some(rng, 0.1, ['--curvature', rng.choice(CURVATURES)]) + some(rng, 0.1, ['--elevation', 'direct'])
-    words += some(rng, 0.1, ['--refine', '3']) + some(rng, 0.05, ['--grid'])
+    words += with_format(words, '.obj', some(rng, 0.1, ['--refine', '3']))
+    words += with_format(words, '.svg', some(rng, 0.3, ['--grid']))
     words += some(rng, 0.8, ['--quiet'])
     if rng.random() < 0.25:
         words += ['--bijective'] + some(rng, 0.2, ['--no-flips']) + some(rng, 0.2, ['--write-scaffold', 'OUT_s.vtu'])
     return words
+
+
+def with_format(words, extension, option):
+    """An option of files of one format, where there is one: without, it is refused."""
+    return option if any(word.endswith(extension) for word in words) else []
 
 
 def free_options(rng, words):
@@ -110,8 +116,10 @@ def check(rng, result, surface):
 
 def convert(rng, result, _=None):
     outputs = rng.choice((['OUT.vtu'], ['OUT.obj'], ['OUT.svg'], ['OUT.vtu', 'OUT2.obj', 'OUT.svg']))
+    spacing = some(rng, 0.5, [rng.choice(('0.25', '1e-3', '1e-9', '1e9'))])
     return ['convert', result] + [word for path in outputs for word in ('-o', path)] \
-        + some(rng, 0.2, ['--refine', '2']) + some(rng, 0.2, ['--grid'] + some(rng, 0.5, [rng.choice(('0.25', '1e-3', '1e-9', '1e9'))]))
+        + with_format(outputs, '.obj', some(rng, 0.4, ['--refine', '2'])) \
+        + with_format(outputs, '.svg', some(rng, 0.4, ['--grid'] + spacing))
 
 
 def with_list(rng, kind, good):
@@ -124,7 +132,8 @@ def with_list(rng, kind, good):
         return ['deform', str(good / 'flat.obj'), option, '{}'] + solve_options(rng)
     if rng.random() < 0.1:
         return compare(rng, mesh) + [option, '{}']
-    return parametrize(rng, mesh) + [option, '{}'] + some(rng, 0.2, ['--soft', rng.choice(('1e-3', '1e9'))])
+    soft = some(rng, 0.4, ['--soft', rng.choice(('1e-3', '1e9'))]) if option == '--handles' else []
+    return parametrize(rng, mesh) + [option, '{}'] + soft
 
 
 def on_map(rng, seed, good):

@@ -5,6 +5,7 @@
 #include <limits>
 #include <span>
 
+#include "apps/arguments/number_check.h"
 #include "majorant/framework/error.h"
 
 namespace majorant::app {
@@ -57,7 +58,8 @@ void CheckpointRequest::add_to(CLI::App& verb) {
       ->type_name("FILE");
   verb.add_option("--every", every, "iterations from one checkpoint to the next (10)")
       ->type_name("N")
-      ->check(CLI::Range(1, std::numeric_limits<int>::max()));
+      ->check(whole_number(1))
+      ->needs("--checkpoint");
   verb.add_option("--resume", resume, "go on where this checkpoint was made")->type_name("FILE");
 }
 

@@ -39,9 +39,19 @@ struct MapFile {
   std::vector<std::string> warnings;  // what a reader left out, as in PolygonMesh; never written
 };
 
+// What must not be broken in a mesh file (read_mesh.h).
+enum class Strictness {
+  Shape,       // coordinates and faces
+  Texcoords,   // and texture coordinates: for those who need them; faces may be without
+  Everything,  // what is there
+};
+
 // From a file: .vtu, .pvtu, .msh, or a mesh with texture coordinates (degree 1), .obj or .ply.
-// Throws Error(Unreadable) when it cannot be read or holds no map; Stopped.
-MapFile read_map(const std::string& path, const StopCheck& stop = {});
+// Of a mesh everything but the texture coordinates may be broken, as read_mesh() has it, unless
+// strictness is Everything. Throws Error(Unreadable) when it cannot be read or holds no map,
+// Error(Unsupported) as read_mesh(); Stopped.
+MapFile read_map(const std::string& path, const StopCheck& stop = {},
+                 Strictness strictness = Strictness::Texcoords);
 
 // Judges the complete bytes of a file before they take its name (certification() of map_proof.h is
 // one). The path given is that of another file with the same extension. Throws when the file must

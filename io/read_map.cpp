@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "majorant/io/internal/input_file.h"
 #include "majorant/io/internal/pvtu.h"
 #include "majorant/io/map_file.h"
@@ -7,12 +9,12 @@
 
 namespace majorant {
 
-MapFile read_map(const std::string& path, const StopCheck& stop) {
+MapFile read_map(const std::string& path, const StopCheck& stop, Strictness strictness) {
   const std::string format = format_of(path);
   if (format == ".vtu") return read_vtu(path, stop);
   if (format == ".pvtu") return read_pvtu(path, stop);
   if (format == ".msh") return read_msh(path, stop);
-  return to_map_file(read_mesh(path, stop));
+  return to_map_file(read_mesh(path, stop, std::max(strictness, Strictness::Texcoords)));
 }
 
 }  // namespace majorant

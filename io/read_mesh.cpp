@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <utility>
 
 #include "majorant/framework/error.h"
 #include "majorant/io/internal/input_file.h"
@@ -32,14 +33,34 @@ bool is_mesh_name(const std::string& path) {
   return std::find(kFormats.begin(), kFormats.end(), format_of(path)) != kFormats.end();
 }
 
-PolygonMesh read_mesh(const std::string& path, const StopCheck& stop) {
+std::string foreign_format(const std::string& path) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 22> kForeign = {{
+      {".fbx", "FBX"},   {".3mf", "3MF"},     {".dae", "COLLADA"}, {".blend", "Blender"},
+      {".usd", "USD"},   {".usda", "USD"},    {".usdc", "USD"},    {".usdz", "USD"},
+      {".glb", "GLB"},   {".gltf", "glTF"},   {".abc", "Alembic"}, {".3ds", "3DS"},
+      {".x3d", "X3D"},   {".wrl", "VRML"},    {".step", "STEP"},   {".stp", "STEP"},
+      {".iges", "IGES"}, {".igs", "IGES"},    {".amf", "AMF"},     {".lwo", "LightWave"},
+      {".ma", "Maya"},   {".max", "3ds Max"},
+  }};
   const std::string extension = format_of(path);
-  if (extension == ".obj") return read_obj(path, read_whole_file(path, stop), stop);
-  if (extension == ".off") return read_off(path, read_whole_file(path, stop), stop);
-  if (extension == ".ply") return read_ply(path, read_whole_file(path, stop), stop);
+  for (const auto& [known, name] : kForeign)
+    if (extension == known) return std::string(name);
+  return {};
+}
+
+PolygonMesh read_mesh(const std::string& path, const StopCheck& stop, Strictness strictness) {
+  const std::string extension = format_of(path);
+  if (extension == ".obj") return read_obj(path, read_whole_file(path, stop), stop, strictness);
+  if (extension == ".off") return read_off(path, read_whole_file(path, stop), stop, strictness);
+  if (extension == ".ply") return read_ply(path, read_whole_file(path, stop), stop, strictness);
   if (extension == ".stl") return read_stl(path, read_whole_file(path, stop), stop);
   if (extension == ".msh") return read_msh_mesh(path, read_whole_file(path, stop), stop);
   if (extension == ".vtu") return mesh_from_map(read_vtu(path, stop), path);
+  if (const std::string format = foreign_format(path); !format.empty())
+    throw Error(ErrorKind::Unsupported,
+                fmt::format("{}: {} files are not read; export the mesh as .obj, .ply or .stl from "
+                            "a program that reads them",
+                            path, format));
   throw Error(ErrorKind::Unreadable,
               fmt::format("{}: unknown mesh format {}; use .obj, .off, .ply, .stl, .vtu or .msh, "
                           "or one of them with .gz",

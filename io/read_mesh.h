@@ -18,9 +18,15 @@
 //           as texture coordinates
 //     .obj.gz .off.gz ...  the same, compressed by gzip
 //
-// Readers believe nothing but the syntax: finite numbers, indices in range, polygons of at least
-// three corners, at least one vertex and one polygon. Whether the mesh is a manifold, oriented or
-// connected is for SurfaceMesh to say. Polygons are not triangulated here.
+// Readers believe nothing but the syntax: finite coordinates, vertex indices in range, polygons of
+// at least three corners, at least one vertex and one polygon. Whether the mesh is a manifold,
+// oriented or connected is for SurfaceMesh to say. Polygons are not triangulated here.
+//
+// Of OBJ, OFF and PLY, what else is broken is left out, each kind with one of `warnings`, unless a
+// Strictness refuses: texture coordinates and normals that are no finite numbers, and those of a
+// face of which a corner has an index of none (the whole face is then without); colours (the vertex
+// is then without); a slash behind the last index of a corner; points and lines of vertices that
+// are not there; one line more than the header announces.
 #pragma once
 
 #include <string>
@@ -34,9 +40,14 @@ namespace majorant {
 // Whether the extension of a name is one of these.
 bool is_mesh_name(const std::string& path);
 
+// "FBX" for model.fbx: what a format is called that is known by its extension and not read. Empty
+// for others.
+std::string foreign_format(const std::string& path);
+
 // Throws Error(Unreadable, "file:line: what is wrong; remedy") for an unknown extension, a missing
-// file, or content that breaks the rules above; Stopped.
-PolygonMesh read_mesh(const std::string& path, const StopCheck& stop = {});
+// file, or content that breaks the rules above; Error(Unsupported) for a foreign_format; Stopped.
+PolygonMesh read_mesh(const std::string& path, const StopCheck& stop = {},
+                      Strictness strictness = Strictness::Shape);
 
 // The corner mesh of a map: one triangle per cell, texcoords = the uv of the corner points (one per
 // point, so that cuts stay cuts). Where map.input_vertex is known for every corner, vertices have

@@ -31,7 +31,8 @@ bool is_option(const std::string& word) { return word.size() > 1 && word[0] == '
 // Or will be one.
 bool is_file(const std::string& word) {
   std::error_code ignored;
-  return is_mesh_name(word) || std::filesystem::is_regular_file(word, ignored);
+  return is_mesh_name(word) || !foreign_format(word).empty() ||
+         std::filesystem::is_regular_file(word, ignored);
 }
 
 std::vector<std::string> verbs_of(const CLI::App& app) {

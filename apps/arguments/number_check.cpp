@@ -30,6 +30,20 @@ CLI::Validator non_negative_number(double most) {
   return number_check("non-negative", most, [](double number) { return number >= 0; });
 }
 
+CLI::Validator whole_number(int least, int most) {
+  const std::string range = most == std::numeric_limits<int>::max()
+                                ? fmt::format("from {} on", least)
+                                : fmt::format("from {} to {}", least, most);
+  return CLI::Validator(
+      [=](std::string& text) {
+        int number = 0;
+        const bool is_good = CLI::detail::lexical_cast(text, number) && least <= number &&
+                             number <= most && text.find_first_of(".eE") == std::string::npos;
+        return is_good ? std::string() : fmt::format("'{}' is no whole number {}", text, range);
+      },
+      range);
+}
+
 }  // namespace majorant::app
 
 // SPDX-FileCopyrightText: 2026 the majorant developers

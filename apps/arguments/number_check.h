@@ -12,6 +12,8 @@ namespace majorant::app {
 // Finite and > 0, or >= 0, and at most so much.
 CLI::Validator positive_number(double most = std::numeric_limits<double>::max());
 CLI::Validator non_negative_number(double most = std::numeric_limits<double>::max());
+// Digits alone: 3.0 is none.
+CLI::Validator whole_number(int least, int most = std::numeric_limits<int>::max());
 
 }  // namespace majorant::app
 

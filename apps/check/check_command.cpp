@@ -88,7 +88,9 @@ MapPage page_of(const std::string& name, const MapFile& file, const MapCheck& ch
   return page;
 }
 
-int conclude(const Request& request, const MapFile& file, const MapCheck& check) {
+// warnings: of reading.
+int conclude(const Request& request, const MapFile& file, const MapCheck& check,
+             const std::vector<std::string>& warnings) {
   const std::vector<std::string>& list = check.findings.list();
   if (!list.empty()) {
     const bool is_torn = check.proof.continuous.answer == Answer::Violated;
@@ -104,7 +106,12 @@ int conclude(const Request& request, const MapFile& file, const MapCheck& check)
     written.write(path, [&] { write_page(path, page_of(request.result, file, check)); });
   if (const std::string& path = request.distortion; !path.empty())
     written.write(path, [&] { write_distortion(path, file, measure_distortion(file).faces); });
-  if (!report.empty()) written.write(report, [&] { write_json(report, check.report); });
+  if (!report.empty())
+    written.write(report, [&] {
+      Json all = check.report;
+      all["warnings"] = warnings;
+      write_json(report, all);
+    });
   return written.conclude(list.empty() ? kSuccess : kInvalid);
 }
 
@@ -117,17 +124,19 @@ int check(const Request& request) {
   const StopCheck& stop = record.stop();
   set_output_stop(stop);
   const auto read = [&](const std::string& path, const auto& reader) {
-    return unless_stopped("reading " + path,
-                          [&] { return within_memory(path, [&] { return reader(path, stop); }); });
+    return unless_stopped("reading " + path, [&] {
+      return within_memory(path, [&] { return reader(path, stop, request.common.strictness()); });
+    });
   };
   record.begin(Activity::Reading);
   const MapFile file = read(request.result, read_map);
-  say_warnings(file.warnings);
+  std::vector<std::string> warnings = file.warnings;
   std::optional<PolygonMesh> surface;
   if (!request.surface.empty()) {
     surface = read(request.surface, read_mesh);
-    say_warnings(surface->warnings);
+    warnings.insert(warnings.end(), surface->warnings.begin(), surface->warnings.end());
   }
+  say_warnings(warnings);
   const MapCheck check(file,
                        {.name = request.result,
                         .surface = surface ? &*surface : nullptr,
@@ -137,7 +146,7 @@ int check(const Request& request) {
                         .reported = !request.common.report.empty() || !request.outputs.empty()},
                        record);
   if (check.findings.list().empty()) progress.finish();
-  return conclude(request, file, check);
+  return conclude(request, file, check, warnings);
 }
 
 }  // namespace

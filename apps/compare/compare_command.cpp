@@ -196,6 +196,7 @@ Json report_of(const Request& request, const Comparison& comparison) {
   options["tolerance"] = request.tolerance;
   options["max_iterations"] = request.max_iterations;
   options["time_limit"] = request.time_limit;
+  options["strict"] = request.common.strict;
   const double best = comparison.best_energy();
   Json runs = Json::array();
   for (const MethodRun& run : comparison.runs) {
@@ -279,7 +280,7 @@ void add_compare(CLI::App& app, Action* run) {
       ->check(positive_number());
   verb.add_option("--max-iterations", r.max_iterations,
                   fmt::format("of each method ({})", r.max_iterations))
-      ->check(non_negative_number());
+      ->check(whole_number(0));
   verb.add_option("--time-limit", r.time_limit,
                   fmt::format("seconds for each method ({})", r.time_limit))
       ->check(non_negative_number());
@@ -291,6 +292,7 @@ void add_compare(CLI::App& app, Action* run) {
   verb.callback([request, run] {
     *run = [request] {
       request->map.choose_degree({});
+      request->map.strictness = request->common.strictness();
       return compare(*request);
     };
   });

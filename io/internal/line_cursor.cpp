@@ -166,21 +166,24 @@ std::string_view LineCursor::next_token() {
   return {begin, static_cast<std::size_t>(cursor_ - begin)};
 }
 
+bool LineCursor::try_number(double& value) {
+  number_ = next_token();
+  status_ = parse_number(number_, value_);
+  value = value_;
+  return status_ == NumberStatus::Good;
+}
+
+std::string LineCursor::number_problem(std::string_view what) const {
+  if (number_.empty()) return fmt::format("{} is missing", what);
+  return fmt::format("{} {} is not {}", what, in_quotes(number_),
+                     status_ == NumberStatus::NotFinite ? "finite" : "a number");
+}
+
 double LineCursor::next_number(std::string_view what) {
-  const std::string_view token = next_token();
-  if (token.empty()) fail(fmt::format("{} is missing; the file may be truncated", what));
-  double value = 0.0;
-  switch (parse_number(token, value)) {
-    case NumberStatus::Good:
-      number_ = token;
-      value_ = value;
-      return value;
-    case NumberStatus::NotANumber:
-      fail(fmt::format("{} {} is not a number; correct the file", what, in_quotes(token)));
-    case NumberStatus::NotFinite:
-      break;
-  }
-  fail(fmt::format("{} {} is not finite; correct the file", what, in_quotes(token)));
+  double value = 0;
+  if (try_number(value)) return value;
+  fail(number_problem(what) +
+       (number_.empty() ? "; the file may be truncated" : "; correct the file"));
 }
 
 double LineCursor::rounding() const {

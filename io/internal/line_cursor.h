@@ -22,6 +22,8 @@ enum class Continuation {
   Backslash,  // a backslash at the end of a line continues it (OBJ)
 };
 
+enum class NumberStatus { Good, NotANumber, NotFinite };
+
 class LineCursor {
  public:
   // `file` is for messages. `text` (see require_text) must outlive the cursor. Every function that
@@ -41,7 +43,11 @@ class LineCursor {
   // Throw Error(Unreadable) if it is missing, not a number, not finite or (integers) over 64 bits.
   double next_number(std::string_view what);
   long long next_integer(std::string_view what);
-  // How far the decimals of the number that next_number gave last may be from it: half a unit of
+  // The same for what a file can do without: false where next_number would throw, and
+  // number_problem() says why, without a remedy.
+  bool try_number(double& value);
+  std::string number_problem(std::string_view what) const;
+  // How far the decimals of the number that was read last may be from it: half a unit of
   // its last place, 0 where they are found to be the same number.
   double rounding() const;
 
@@ -66,6 +72,7 @@ class LineCursor {
   Continuation continuation_;
   StopCheck stop_;
   std::string_view number_;  // the token of the last number
+  NumberStatus status_ = NumberStatus::Good;
   double value_ = 0;
   std::size_t steps_ = 0;  // lines and tokens, for polling
 };
@@ -73,8 +80,6 @@ class LineCursor {
 // Whether a decimal is exactly this double, its nearest. Says false for decimals of more than 19
 // digits, or powers of ten beyond 22, that it does not look into.
 bool is_exact(std::string_view decimal, double nearest);
-
-enum class NumberStatus { Good, NotANumber, NotFinite };
 
 // The whole token as a double, independent of the locale. "nan", "inf" and overflow are NotFinite;
 // underflow gives the nearest double (zero or a denormal).

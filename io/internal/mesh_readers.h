@@ -7,13 +7,17 @@
 #include <string_view>
 
 #include "majorant/framework/stop_check.h"
+#include "majorant/io/read_mesh.h"
 #include "majorant/mesh/polygon_mesh.h"
 
 namespace majorant {
 
-PolygonMesh read_obj(const std::string& path, std::string content, const StopCheck& stop);
-PolygonMesh read_off(const std::string& path, std::string content, const StopCheck& stop);
-PolygonMesh read_ply(const std::string& path, std::string content, const StopCheck& stop);
+PolygonMesh read_obj(const std::string& path, std::string content, const StopCheck& stop,
+                     Strictness strictness);
+PolygonMesh read_off(const std::string& path, std::string content, const StopCheck& stop,
+                     Strictness strictness);
+PolygonMesh read_ply(const std::string& path, std::string content, const StopCheck& stop,
+                     Strictness strictness);
 PolygonMesh read_stl(const std::string& path, std::string content, const StopCheck& stop);
 
 // Throws Error(Unreadable) if the mesh has no vertices, no faces or more than 32-bit numbering

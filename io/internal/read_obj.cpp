@@ -1,7 +1,8 @@
 // Wavefront OBJ. The grammar accepted here is the polygonal subset of the "Object Files (.obj)"
 // appendix of Wavefront's Advanced Visualizer manual. Points, lines and attributes are kept as they
 // are; what else a line may begin with, curves and surfaces of the manual or words that programs
-// have added, is skipped, and said in one warning.
+// have added, is skipped, and said in one warning. What is broken and no part of the shape is left
+// out (dropped_parts.h).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include <limits>
 
 #include "majorant/framework/error.h"
+#include "majorant/io/internal/dropped_parts.h"
 #include "majorant/io/internal/input_file.h"
 #include "majorant/io/internal/line_cursor.h"
 #include "majorant/io/internal/mesh_readers.h"
@@ -28,33 +30,35 @@ bool contains(const List& list, std::string_view keyword) {
   return std::find(list.begin(), list.end(), keyword) != list.end();
 }
 
-// One of the three index spaces v, vt, vn: how many elements there are so far, and the largest
-// positive index yet, which may point forward and is checked at the end.
+// One of the three index spaces v, vt, vn: how many elements there are so far, and of v the largest
+// positive index of a face yet, which may point forward and is checked at the end.
 struct IndexSpace {
   std::string_view name;
   long long count = 0;
   long long largest = 0;
   long largest_line = 0;
-  long partial_faces = 0, first_partial = 0;  // faces of which some corners have an index
 };
 
 class ObjReader {
  public:
-  ObjReader(const std::string& path, std::string_view text, const StopCheck& stop)
-      : cursor_(path, text, Continuation::Backslash, stop) {
+  ObjReader(const std::string& path, std::string_view text, const StopCheck& stop,
+            Strictness strictness)
+      : cursor_(path, text, Continuation::Backslash, stop), dropped_(strictness) {
     mesh_.file = path;
   }
 
   PolygonMesh read() {
     while (cursor_.next_line()) read_line();
-    for (const IndexSpace& space : spaces_) require_in_range(space);
+    require_in_range(spaces_[0]);
     require_complete(mesh_);
+    drop_unusable_attributes();
+    drop_elements_out_of_range();
     if (!mesh_.colors.empty()) mesh_.colors.resize(mesh_.positions.size(), no_color());
     if (skipped_lines_ > 0) warn_of_skipped();
-    for (const IndexSpace& space : spaces_)
-      if (space.partial_faces > 0) warn_of_partial(space);
-    if (!has_texcoords_) mesh_.polygon_texcoords.clear();
-    if (!has_normals_) mesh_.polygon_normals.clear();
+    dropped_.conclude(mesh_);
+    for (auto* lists : {&mesh_.polygon_texcoords, &mesh_.polygon_normals})
+      if (std::all_of(lists->begin(), lists->end(), [](const auto& list) { return list.empty(); }))
+        lists->clear();
     return std::move(mesh_);
   }
 
@@ -68,9 +72,7 @@ class ObjReader {
     } else if (keyword == "vt") {
       read_texcoord();
     } else if (keyword == "vn") {
-      mesh_.normals.push_back(read_vector("normal component"));
-      while (!cursor_.at_end_of_line()) cursor_.next_number("normal component");
-      ++spaces_[2].count;
+      read_normal();
     } else if (keyword == "l" || keyword == "p") {
       keep_element(keyword);
     } else if (contains(kDirectives, keyword)) {
@@ -98,63 +100,127 @@ class ObjReader {
         skipped_.size() == kMostNamed ? " and maybe others" : ""));
   }
 
-  void warn_of_partial(const IndexSpace& space) {
-    mesh_.warnings.push_back(fmt::format(
-        "{}:{}: {} face{} with a {} index at some corners only, taken as without", mesh_.file,
-        space.first_partial, space.partial_faces, space.partial_faces == 1 ? "" : "s", space.name));
+  // "file:line: problem", for warnings.
+  std::string here(std::string_view problem) const {
+    return fmt::format("{}:{}: {}", mesh_.file, cursor_.line(), problem);
   }
 
-  Vector3 read_vector(std::string_view what) {
-    Vector3 vector;
-    for (int k = 0; k < 3; ++k) vector[k] = cursor_.next_number(what);
-    return vector;
+  template <int N>
+  static Eigen::Matrix<double, N, 1> none() {
+    return Eigen::Matrix<double, N, 1>::Constant(std::numeric_limits<double>::quiet_NaN());
+  }
+  static Vector3 no_color() { return none<3>(); }
+
+  // What is left of the line as numbers_ and how far they are rounded_, at least so many; false
+  // where that is not so, which is a part that is dropped. Lines that have run together are not:
+  // the other would be lost.
+  bool read_numbers(std::string_view what, std::size_t least, DroppedPart part) {
+    numbers_.clear();
+    rounded_.clear();
+    while (numbers_.size() < least || !cursor_.at_end_of_line()) {
+      double number = 0;
+      if (!cursor_.try_number(number)) {
+        dropped_.add(part, [&] { return here(cursor_.number_problem(what)); });
+        require_one_line();
+        return false;
+      }
+      numbers_.push_back(number);
+      if (part == DroppedPart::Texcoord) rounded_.push_back(cursor_.rounding());
+    }
+    return true;
   }
 
-  static Vector3 no_color() { return Vector3::Constant(std::numeric_limits<double>::quiet_NaN()); }
+  void require_one_line() {
+    constexpr std::array<std::string_view, 4> kKeywords = {"v", "vt", "vn", "f"};
+    const std::string_view line = cursor_.whole_line();
+    LineCursor rest(mesh_.file, line, Continuation::Backslash);
+    rest.next_line();
+    rest.next_token();
+    while (!rest.at_end_of_line())
+      if (const std::string_view token = rest.next_token(); contains(kKeywords, token))
+        cursor_.fail(fmt::format("{} inside of a line; divide the line there", in_quotes(token)));
+  }
 
   // A position, and a colour if three numbers more follow. Others (a weight) are dropped.
   void read_vertex() {
-    mesh_.positions.push_back(read_vector("coordinate"));
+    Vector3 position;
+    for (int k = 0; k < 3; ++k) position[k] = cursor_.next_number("coordinate");
+    mesh_.positions.push_back(position);
     ++spaces_[0].count;
-    std::vector<double> more;
-    while (!cursor_.at_end_of_line()) more.push_back(cursor_.next_number("coordinate"));
-    if (more.size() != 3) return;
+    if (!read_numbers("colour", 0, DroppedPart::Color) || numbers_.size() != 3) return;
     mesh_.colors.resize(mesh_.positions.size(), no_color());
-    mesh_.colors.back() = Vector3(more[0], more[1], more[2]);
+    mesh_.colors.back() = Vector3(numbers_[0], numbers_[1], numbers_[2]);
+  }
+
+  // Broken ones keep their number until the end.
+  void read_normal() {
+    const bool is_good = read_numbers("normal component", 3, DroppedPart::Normal);
+    mesh_.normals.push_back(is_good ? Vector3(numbers_[0], numbers_[1], numbers_[2]) : none<3>());
+    ++spaces_[2].count;
+  }
+
+  void read_texcoord() {
+    Vector2 texcoord = none<2>(), rounding(0, 0);
+    if (read_numbers("texture coordinate", 1, DroppedPart::Texcoord)) {
+      const bool has_two = numbers_.size() > 1;
+      texcoord = Vector2(numbers_[0], has_two ? numbers_[1] : 0.0);
+      rounding = Vector2(rounded_[0], has_two ? rounded_[1] : 0.0);
+    }
+    mesh_.texcoords.push_back(texcoord);
+    mesh_.texcoord_rounding.push_back(rounding);
+    ++spaces_[1].count;
   }
 
   // Points and lines, by the numbers of vertices alone: an output has other texture coordinates.
   void keep_element(std::string_view keyword) {
     std::string text(keyword);
+    Element element{mesh_.directives.size(), 0, cursor_.line()};
     while (!cursor_.at_end_of_line()) {
       const std::string_view token = cursor_.next_token();
-      text += fmt::format(
-          " {}", 1 + resolve(read_index(token.substr(0, token.find('/')), token), spaces_[0]));
+      const FoundIndex found = find_index(token.substr(0, token.find('/')), spaces_[0]);
+      if (!found.problem.empty())
+        return dropped_.add(DroppedPart::Element, [&] { return here(found.problem); });
+      element.largest = std::max(element.largest, found.index);
+      text += fmt::format(" {}", found.index + 1);
     }
+    elements_.push_back(element);
     mesh_.directives.emplace_back(static_cast<Index>(mesh_.polygons.size()), std::move(text));
   }
 
-  // All of `digits`, which are of this token.
-  long long read_index(std::string_view digits, std::string_view token) {
-    long long value = 0;
-    const char* end = digits.data() + digits.size();
-    const auto [stop, code] = std::from_chars(digits.data(), end, value);
-    if (code != std::errc() || stop != end)
-      cursor_.fail(fmt::format("{} is no vertex index; correct the file", in_quotes(token)));
-    return value;
+  void drop_elements_out_of_range() {
+    std::vector<char> is_dropped(mesh_.directives.size(), 0);
+    for (const Element& element : elements_)
+      if (at(element.largest) >= mesh_.positions.size()) {
+        is_dropped[element.directive] = 1;
+        dropped_.add(DroppedPart::Element, [&] {
+          return fmt::format("{}:{}: {}", mesh_.file, element.line,
+                             out_of_range(spaces_[0], element.largest + 1));
+        });
+      }
+    auto next = is_dropped.begin();
+    std::erase_if(mesh_.directives, [&](const auto&) { return *next++ != 0; });
   }
 
-  void read_texcoord() {
-    Vector2 texcoord(cursor_.next_number("texture coordinate"), 0.0);
-    Vector2 rounding(cursor_.rounding(), 0.0);
-    if (!cursor_.at_end_of_line()) {
-      texcoord[1] = cursor_.next_number("texture coordinate");
-      rounding[1] = cursor_.rounding();
-    }
-    while (!cursor_.at_end_of_line()) cursor_.next_number("texture coordinate");
-    mesh_.texcoords.push_back(texcoord);
-    mesh_.texcoord_rounding.push_back(rounding);
-    ++spaces_[1].count;
+  void drop_unusable_attributes() {
+    const auto warn = [this](DroppedPart part, const IndexSpace& space) {
+      return [this, part, &space](std::size_t polygon, Index index) {
+        dropped_.add(part, [&] {
+          return fmt::format("{}:{}: {}", mesh_.file, mesh_.polygon_lines[polygon],
+                             index < space.count
+                                 ? fmt::format("{} {} is left out", space.name, index + 1)
+                                 : out_of_range(space, index + 1LL));
+        });
+      };
+    };
+    std::vector<Vector3> nothing;
+    drop_unusable(mesh_.texcoords, mesh_.texcoord_rounding, mesh_.polygon_texcoords,
+                  warn(DroppedPart::FaceTexcoords, spaces_[1]));
+    drop_unusable(mesh_.normals, nothing, mesh_.polygon_normals,
+                  warn(DroppedPart::FaceNormals, spaces_[2]));
+  }
+
+  static std::string out_of_range(const IndexSpace& space, long long index) {
+    return fmt::format("{} index {} out of range, the file has {}", space.name, index, space.count);
   }
 
   void keep_directive() {
@@ -176,7 +242,8 @@ class ObjReader {
 
   void read_face() {
     std::array<std::vector<Index>, 3> lists;
-    while (!cursor_.at_end_of_line()) read_corner(cursor_.next_token(), lists);
+    std::array<bool, 3> is_broken{};
+    while (!cursor_.at_end_of_line()) read_corner(cursor_.next_token(), lists, is_broken);
     const std::size_t corners = lists[0].size();
     if (corners < 3) {
       cursor_.fail(
@@ -185,38 +252,65 @@ class ObjReader {
                       corners, corners == 1 ? "" : "s"));
     }
     for (std::size_t k = 1; k < 3; ++k) {
-      if (lists[k].empty() || lists[k].size() == corners) continue;
+      if (!is_broken[k] && (lists[k].empty() || lists[k].size() == corners)) continue;
       lists[k].clear();
-      if (spaces_[k].partial_faces++ == 0) spaces_[k].first_partial = cursor_.line();
+      if (is_broken[k]) continue;
+      dropped_.add(k == 1 ? DroppedPart::PartialTexcoords : DroppedPart::PartialNormals, [&] {
+        return here(fmt::format("a {} index at some corners only", spaces_[k].name));
+      });
     }
-    has_texcoords_ |= !lists[1].empty();
-    has_normals_ |= !lists[2].empty();
     mesh_.polygons.push_back(std::move(lists[0]));
     mesh_.polygon_texcoords.push_back(std::move(lists[1]));
     mesh_.polygon_normals.push_back(std::move(lists[2]));
     mesh_.polygon_lines.push_back(cursor_.line());
   }
 
-  // v, v/vt, v//vn or v/vt/vn.
-  void read_corner(std::string_view token, std::array<std::vector<Index>, 3>& lists) {
-    const char* at = token.data();
-    const char* end = at + token.size();
+  // v, v/vt, v//vn or v/vt/vn. Other lists than that of v may be broken.
+  void read_corner(std::string_view token, std::array<std::vector<Index>, 3>& lists,
+                   std::array<bool, 3>& is_broken) {
+    std::string_view rest = token;
     for (std::size_t k = 0; k < 3; ++k) {
-      if (!(k == 1 && at != end && *at == '/')) {  // v//vn leaves vt out
-        long long value = 0;
-        const auto [stop, code] = std::from_chars(at, end, value);
-        if (code == std::errc::result_out_of_range) {
-          cursor_.fail(
-              fmt::format("index {} overflows 64 bits; correct the face", in_quotes(token)));
-        }
-        if (code != std::errc()) refuse_corner(token);
-        at = stop;
-        lists[k].push_back(resolve(value, spaces_[k]));
-      }
-      if (at == end) return;
-      if (*at != '/' || k == 2) refuse_corner(token);
-      ++at;
+      const std::size_t slash = rest.find('/');
+      const std::string_view digits = rest.substr(0, slash);
+      if (k == 0)
+        lists[0].push_back(vertex_of(digits, token));
+      else if (!digits.empty())
+        add_attribute(k, digits, lists[k], is_broken[k]);
+      else if (slash == std::string_view::npos)
+        drop_slash(token);
+      if (slash == std::string_view::npos) return;
+      rest.remove_prefix(slash + 1);
     }
+    if (!rest.empty()) refuse_corner(token);
+    drop_slash(token);
+  }
+
+  void drop_slash(std::string_view token) {
+    dropped_.add(DroppedPart::Slash,
+                 [&] { return here(fmt::format("{} ends with a slash", in_quotes(token))); });
+  }
+
+  Index vertex_of(std::string_view digits, std::string_view token) {
+    IndexSpace& space = spaces_[0];
+    const FoundIndex found = find_index(digits, space);
+    if (found.is_no_number) refuse_corner(token);
+    if (!found.problem.empty()) cursor_.fail(found.problem + "; correct the face");
+    if (found.index >= space.largest) {
+      space.largest = found.index + 1LL;
+      space.largest_line = cursor_.line();
+    }
+    return found.index;
+  }
+
+  void add_attribute(std::size_t k, std::string_view digits, std::vector<Index>& list,
+                     bool& is_broken) {
+    const FoundIndex found = find_index(digits, spaces_[k]);
+    if (!found.problem.empty() && !is_broken) {
+      is_broken = true;
+      dropped_.add(k == 1 ? DroppedPart::FaceTexcoords : DroppedPart::FaceNormals,
+                   [&] { return here(found.problem); });
+    }
+    list.push_back(found.index);
   }
 
   [[noreturn]] void refuse_corner(std::string_view token) {
@@ -224,36 +318,52 @@ class ObjReader {
                              in_quotes(token)));
   }
 
+  struct FoundIndex {
+    Index index = -1;  // from 0; it may point forward
+    std::string problem;
+    bool is_no_number = false;
+  };
+
   // From OBJ's numbering (1, 2, ... from the start, -1, -2, ... back from here) to 0, 1, ...
-  Index resolve(long long value, IndexSpace& space) {
-    if (value == 0) {
-      cursor_.fail(fmt::format("{} index 0; OBJ counts from 1", space.name));
-    }
+  FoundIndex find_index(std::string_view digits, const IndexSpace& space) const {
+    long long value = 0;
+    const char* end = digits.data() + digits.size();
+    const auto [stop, code] = std::from_chars(digits.data(), end, value);
+    if (stop != end || code == std::errc::invalid_argument)
+      return {.problem = fmt::format("{} is no {} index", in_quotes(digits), space.name),
+              .is_no_number = true};
+    if (code != std::errc())
+      return {.problem = fmt::format("index {} overflows 64 bits", in_quotes(digits))};
+    if (value == 0) return {.problem = fmt::format("{} index 0, OBJ counts from 1", space.name)};
     if (value < 0) value += space.count + 1;
-    if (value <= 0 || value > std::numeric_limits<Index>::max()) {
-      cursor_.fail(fmt::format("{} index out of range, {} were read up to here; correct the file",
-                               space.name, space.count));
-    }
-    if (value > space.largest) {
-      space.largest = value;
-      space.largest_line = cursor_.line();
-    }
-    return static_cast<Index>(value - 1);
+    if (value <= 0 || value > std::numeric_limits<Index>::max())
+      return {.problem = fmt::format("{} index out of range, {} were read up to here", space.name,
+                                     space.count)};
+    FoundIndex found;
+    found.index = static_cast<Index>(value - 1);
+    return found;
   }
 
   void require_in_range(const IndexSpace& space) const {
     if (space.largest <= space.count) return;
-    throw Error(
-        ErrorKind::Unreadable,
-        fmt::format("{}:{}: {} index {} out of range, the file has {}; correct the face",
-                    mesh_.file, space.largest_line, space.name, space.largest, space.count));
+    throw Error(ErrorKind::Unreadable,
+                fmt::format("{}:{}: {}; correct the face", mesh_.file, space.largest_line,
+                            out_of_range(space, space.largest)));
   }
+
+  // A point or a line that is kept.
+  struct Element {
+    std::size_t directive;
+    Index largest;  // vertex
+    long line;
+  };
 
   LineCursor cursor_;
   PolygonMesh mesh_;
   std::array<IndexSpace, 3> spaces_ = {IndexSpace{"v"}, IndexSpace{"vt"}, IndexSpace{"vn"}};
-  bool has_texcoords_ = false;
-  bool has_normals_ = false;
+  DroppedParts dropped_;
+  std::vector<Element> elements_;
+  std::vector<double> numbers_, rounded_;
   static constexpr std::size_t kMostNamed = 8;  // keywords in the warning
   std::vector<std::string> skipped_;            // in quotes
   long skipped_lines_ = 0, first_skipped_ = 0;
@@ -261,9 +371,10 @@ class ObjReader {
 
 }  // namespace
 
-PolygonMesh read_obj(const std::string& path, std::string content, const StopCheck& stop) {
+PolygonMesh read_obj(const std::string& path, std::string content, const StopCheck& stop,
+                     Strictness strictness) {
   require_text(path, content);
-  return ObjReader(path, content, stop).read();
+  return ObjReader(path, content, stop, strictness).read();
 }
 
 }  // namespace majorant

@@ -6,11 +6,13 @@
 // not announce, and others have several faces on a line. So a file is read as the first of these
 // that it fits: a stream without colours, to the last number; as many lines as vertices and faces,
 // each with a line of its own, whatever else is on it; a stream with colours to the ends of lines.
+// Colours and one line too many may be broken (dropped_parts.h).
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
 
+#include "majorant/io/internal/dropped_parts.h"
 #include "majorant/io/internal/input_file.h"
 #include "majorant/io/internal/line_cursor.h"
 #include "majorant/io/internal/mesh_readers.h"
@@ -20,8 +22,11 @@ namespace {
 
 class OffReader {
  public:
-  OffReader(const std::string& path, std::string_view text, const StopCheck& stop)
-      : cursor_(path, text, Continuation::None, stop), size_(static_cast<long long>(text.size())) {
+  OffReader(const std::string& path, std::string_view text, const StopCheck& stop,
+            Strictness strictness)
+      : cursor_(path, text, Continuation::None, stop),
+        size_(static_cast<long long>(text.size())),
+        dropped_(strictness) {
     mesh_.file = path;
   }
 
@@ -30,14 +35,35 @@ class OffReader {
     choose_layout();
     for (long long i = 0; i < vertices_; ++i) read_vertex(i);
     for (long long i = 0; i < faces_; ++i) read_face(i);
-    if (!cursor_.at_end_of_line() || cursor_.next_line()) {
-      cursor_.fail("content after the last face that the header announces; correct the counts");
-    }
+    read_end();
     require_complete(mesh_);
+    dropped_.conclude(mesh_);
     return std::move(mesh_);
   }
 
  private:
+  // Files with one line more are about, which programs leave unread.
+  void read_end() {
+    if (cursor_.at_end_of_line() && !cursor_.next_line()) return;
+    LineCursor ahead = cursor_;
+    if (ahead.next_line())
+      cursor_.fail("content after the last face that the header announces; correct the counts");
+    dropped_.add(DroppedPart::Line, [&] {
+      return here(fmt::format("one line more than {} vertices and {} faces", vertices_, faces_));
+    });
+  }
+
+  std::string here(std::string_view problem) const {
+    return fmt::format("{}:{}: {}", mesh_.file, cursor_.line(), problem);
+  }
+
+  // A number that says nothing of the shape.
+  void skip_attribute(std::string_view what) {
+    double ignored = 0;
+    if (!cursor_.try_number(ignored))
+      dropped_.add(DroppedPart::Color, [&] { return here(cursor_.number_problem(what)); });
+  }
+
   void read_header() {
     if (!cursor_.next_line()) cursor_.fail("the header OFF is missing; the file is empty");
     const std::string_view keyword = cursor_.next_token();
@@ -127,11 +153,11 @@ class OffReader {
       position[k] = cursor_.next_number("coordinate");
     }
     if (layout_ == Layout::Lines) {
-      while (!cursor_.at_end_of_line()) cursor_.next_number("vertex attribute");
+      while (!cursor_.at_end_of_line()) skip_attribute("vertex attribute");
     } else {
       for (int k = 0; k < attributes_; ++k) {
         continue_record("vertices", i, vertices_);
-        cursor_.next_number("vertex attribute");
+        skip_attribute("vertex attribute");
       }
     }
     mesh_.positions.push_back(position);
@@ -155,8 +181,7 @@ class OffReader {
       }
       polygon.push_back(static_cast<Index>(vertex));
     }
-    while (layout_ != Layout::Stream && !cursor_.at_end_of_line())
-      cursor_.next_number("face colour");
+    while (layout_ != Layout::Stream && !cursor_.at_end_of_line()) skip_attribute("face colour");
     mesh_.polygons.push_back(std::move(polygon));
     mesh_.polygon_lines.push_back(line);
   }
@@ -175,14 +200,16 @@ class OffReader {
   long long vertices_ = 0, faces_ = 0;
   int attributes_ = 0;  // numbers that follow the coordinates of a vertex
   Layout layout_ = Layout::Stream;
+  DroppedParts dropped_;
   PolygonMesh mesh_;
 };
 
 }  // namespace
 
-PolygonMesh read_off(const std::string& path, std::string content, const StopCheck& stop) {
+PolygonMesh read_off(const std::string& path, std::string content, const StopCheck& stop,
+                     Strictness strictness) {
   require_text(path, content);
-  return OffReader(path, content, stop).read();
+  return OffReader(path, content, stop, strictness).read();
 }
 
 }  // namespace majorant

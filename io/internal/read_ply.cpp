@@ -1,6 +1,7 @@
 // PLY (Stanford polygon file). Every record is decoded through the layout that the header declares;
 // what is not a vertex position, a texture coordinate, a colour, a face or a strip of triangles is
-// read and dropped.
+// read and dropped; so are texture coordinates, colours and one line too many that are broken
+// (dropped_parts.h).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,12 +11,12 @@
 #include <tuple>
 
 #include "majorant/framework/error.h"
-#include "majorant/io/internal/byte_cursor.h"
+#include "majorant/io/internal/dropped_parts.h"
 #include "majorant/io/internal/input_file.h"
 #include "majorant/io/internal/join_copies.h"
-#include "majorant/io/internal/line_cursor.h"
 #include "majorant/io/internal/mesh_readers.h"
 #include "majorant/io/internal/ply_header.h"
+#include "majorant/io/internal/ply_sources.h"
 
 namespace majorant {
 namespace {
@@ -26,102 +27,17 @@ struct PlyRecord {
   std::vector<std::size_t> begin;
 };
 
-// Numbers from a text line; a record is a line.
-class AsciiPlySource {
- public:
-  AsciiPlySource(const std::string& path, std::string_view text, long first_line)
-      : cursor_(path, text, Continuation::None), first_line_(first_line), path_(path) {}
-
-  void begin_record() {
-    if (!cursor_.next_line()) fail("a record is missing; the file is truncated");
-  }
-  void end_record() {
-    if (!cursor_.at_end_of_line()) fail("more numbers than the header declares; correct the file");
-  }
-  double next(PlyType) {
-    double value = 0.0;
-    const std::string_view token = cursor_.next_token();
-    if (token.empty()) fail("a number is missing; the file may be truncated");
-    if (parse_number(token, value) == NumberStatus::NotANumber) {
-      fail(fmt::format("{} is not a number; correct the file", in_quotes(token)));
-    }
-    return parse_number(token, value) == NumberStatus::NotFinite
-               ? std::numeric_limits<double>::quiet_NaN()
-               : value;
-  }
-  void require_count(long long, std::size_t) {}  // a list ends with its line
-  void finish() {
-    if (cursor_.next_line()) fail("content after the last record; correct the header's counts");
-  }
-  long place(long long) const { return first_line_ + cursor_.line(); }
-  [[noreturn]] void fail(std::string_view problem) const {
-    throw Error(ErrorKind::Unreadable,
-                fmt::format("{}:{}: {}", path_, first_line_ + cursor_.line(), problem));
-  }
-
- private:
-  LineCursor cursor_;
-  long first_line_;
-  const std::string& path_;
-};
-
-class BinaryPlySource {
- public:
-  BinaryPlySource(const std::string& path, std::string_view bytes, ByteOrder order)
-      : cursor_(path, bytes, order), path_(path) {}
-
-  void begin_record() {}
-  void end_record() {}
-  double next(PlyType type) {
-    switch (type) {
-      case PlyType::Int8:
-        return cursor_.next<signed char>();
-      case PlyType::UInt8:
-        return cursor_.next<unsigned char>();
-      case PlyType::Int16:
-        return cursor_.next<std::int16_t>();
-      case PlyType::UInt16:
-        return cursor_.next<std::uint16_t>();
-      case PlyType::Int32:
-        return cursor_.next<std::int32_t>();
-      case PlyType::UInt32:
-        return cursor_.next<std::uint32_t>();
-      case PlyType::Float32:
-        return static_cast<double>(cursor_.next<float>());
-      case PlyType::Float64:
-        break;
-    }
-    return cursor_.next<double>();
-  }
-  // That `count` pieces of at least `size` bytes can still follow.
-  void require_count(long long count, std::size_t size) {
-    if (static_cast<std::size_t>(count) > cursor_.remaining() / size) {
-      fail(fmt::format("{} entries announced, {} bytes left; truncated", count,
-                       cursor_.remaining()));
-    }
-  }
-  void finish() {}  // padding after the last record is harmless
-  long place(long long record) const { return static_cast<long>(record) + 1; }
-  [[noreturn]] void fail(std::string_view problem) const {
-    throw Error(ErrorKind::Unreadable, fmt::format("{}: {}", path_, problem));
-  }
-
- private:
-  ByteCursor cursor_;
-  const std::string& path_;
-};
-
 template <class Source>
 class PlyReader {
  public:
-  PlyReader(Source source, const std::string& path, const StopCheck& stop)
-      : source_(std::move(source)), stop_(stop) {
+  PlyReader(Source source, const std::string& path, const StopCheck& stop, Strictness strictness)
+      : source_(std::move(source)), stop_(stop), dropped_(strictness) {
     mesh_.file = path;
   }
 
   PolygonMesh read(const PlyHeader& header) {
     for (const PlyElement& element : header.elements) read_element(element);
-    source_.finish();
+    source_.finish(dropped_);
     require_indices();
     require_complete(mesh_);
     if (std::any_of(wedge_uv_.begin(), wedge_uv_.end(),
@@ -130,11 +46,26 @@ class PlyReader {
     } else if (!mesh_.texcoords.empty()) {
       mesh_.polygon_texcoords = mesh_.polygons;
       if (!copy_of_.empty()) join_copies(mesh_, copy_of_);
+      drop_unusable_texcoords();
     }
+    dropped_.conclude(mesh_);
     return std::move(mesh_);
   }
 
  private:
+  // Those that were read as NaN.
+  void drop_unusable_texcoords() {
+    std::vector<Vector2> nothing;
+    drop_unusable(mesh_.texcoords, nothing, mesh_.polygon_texcoords,
+                  [this](std::size_t p, Index vertex) {
+                    dropped_.add(DroppedPart::FaceTexcoords, [&] {
+                      return fmt::format("{}: the texture coordinates of vertex {} are left out",
+                                         source_.where("face", mesh_.polygon_lines[p]), vertex);
+                    });
+                  });
+    if (mesh_.texcoords.empty()) mesh_.polygon_texcoords.clear();
+  }
+
   void read_element(const PlyElement& element) {
     if (element.properties.empty() || element.count == 0) return;
     source_.require_count(element.count, element.least_size());
@@ -170,12 +101,23 @@ class PlyReader {
     coordinates_ = {require_property(element, {"x"}), require_property(element, {"y"}),
                     require_property(element, {"z"})};
     locate_color(element);
-    has_texcoords_ =
-        element.find({"texture_u", "s", "u"}) >= 0 && element.find({"texture_v", "t", "v"}) >= 0;
-    if (!has_texcoords_) return;
-    texcoord_ = {require_property(element, {"texture_u", "s", "u"}),
-                 require_property(element, {"texture_v", "t", "v"})};
-    locate_copies(element);
+    locate_texcoord(element);
+    if (has_texcoords_) locate_copies(element);
+  }
+
+  void locate_texcoord(const PlyElement& element) {
+    constexpr std::array<std::array<std::string_view, 2>, 4> kNames = {
+        {{"texture_u", "texture_v"}, {"texcoord_u", "texcoord_v"}, {"s", "t"}, {"u", "v"}}};
+    for (const auto& [u, v] : kNames) {
+      const std::array<int, 2> found = {element.find({u}), element.find({v})};
+      const auto is_number = [&element](int k) {
+        return k >= 0 && !element.properties[static_cast<std::size_t>(k)].list_size_type;
+      };
+      if (!std::all_of(found.begin(), found.end(), is_number)) continue;
+      texcoord_ = {static_cast<std::size_t>(found[0]), static_cast<std::size_t>(found[1])};
+      has_texcoords_ = true;
+      return;
+    }
   }
 
   // What write_ply marks copies of a vertex with.
@@ -206,9 +148,9 @@ class PlyReader {
       const PlyProperty& channel = element.properties[static_cast<std::size_t>(found[k])];
       if (channel.list_size_type) return;
       color_[k] = static_cast<std::size_t>(found[k]);
-      color_scale_[k] = channel.type == PlyType::UInt8    ? 255.0
-                        : channel.type == PlyType::UInt16 ? 65535.0
-                                                          : 1.0;
+      color_scale_[static_cast<Index>(k)] = channel.type == PlyType::UInt8    ? 255.0
+                                            : channel.type == PlyType::UInt16 ? 65535.0
+                                                                              : 1.0;
     }
     has_colors_ = true;
   }
@@ -236,25 +178,38 @@ class PlyReader {
     source_.end_record();
   }
 
-  double finite(const PlyRecord& record, std::size_t property) const {
-    const double value = record.values[record.begin[property]];
-    if (!std::isfinite(value)) {
-      source_.fail(fmt::format("vertex {}: a number is not finite; correct the file", record_ + 1));
-    }
-    return value;
+  template <std::size_t N>
+  static Eigen::Matrix<double, int{N}, 1> values_of(const PlyRecord& record,
+                                                    const std::array<std::size_t, N>& properties) {
+    Eigen::Matrix<double, int{N}, 1> values;
+    for (std::size_t k = 0; k < N; ++k)
+      values[static_cast<Index>(k)] = record.values[record.begin[properties[k]]];
+    return values;
   }
 
+  void drop(DroppedPart part, std::string_view element, std::string_view problem) {
+    dropped_.add(part, [&] {
+      return fmt::format("{}: {}", source_.where(element, source_.place(record_)), problem);
+    });
+  }
+
+  // What is no finite number stays NaN for now: a colour that a vertex has not.
   void add_vertex(const PlyRecord& record) {
-    mesh_.positions.emplace_back(finite(record, coordinates_[0]), finite(record, coordinates_[1]),
-                                 finite(record, coordinates_[2]));
+    const Vector3 position = values_of(record, coordinates_);
+    if (!position.allFinite())
+      source_.fail(fmt::format("vertex {}: a coordinate is no finite number; correct the file",
+                               record_ + 1));
+    mesh_.positions.push_back(position);
     if (has_colors_) {
-      Vector3 color;
-      for (std::size_t k = 0; k < 3; ++k)
-        color[static_cast<Index>(k)] = finite(record, color_[k]) / color_scale_[k];
+      const Vector3 color = values_of(record, color_).cwiseQuotient(color_scale_);
+      if (!color.allFinite()) drop(DroppedPart::Color, "vertex", "a colour is no finite number");
       mesh_.colors.push_back(color);
     }
     if (!has_texcoords_) return;
-    mesh_.texcoords.emplace_back(finite(record, texcoord_[0]), finite(record, texcoord_[1]));
+    const Vector2 texcoord = values_of(record, texcoord_);
+    if (!texcoord.allFinite())
+      drop(DroppedPart::Texcoord, "vertex", "a texture coordinate is no finite number");
+    mesh_.texcoords.push_back(texcoord);
     if (has_copies_) copy_of_.push_back(vertex_index(record.values[record.begin[input_vertex_]]));
   }
 
@@ -276,18 +231,18 @@ class PlyReader {
   void add_wedges(const PlyRecord& record, std::size_t corners) {
     const std::size_t first = record.begin[wedges_];
     const std::size_t count = record.begin[wedges_ + 1] - first;
-    if (count != 0 && count != 2 * corners)
-      source_.fail(
-          fmt::format("face {} has {} corners and {} texture coordinates; 2 a corner are "
-                      "needed",
-                      record_ + 1, corners, count));
     wedge_uv_.resize(mesh_.polygons.size());
+    if (count != 0 && count != 2 * corners)
+      return drop(DroppedPart::FaceTexcoords, "face",
+                  fmt::format("{} corners and {} texture coordinates, 2 a corner are needed",
+                              corners, count));
     auto& list = wedge_uv_.back();
-    for (std::size_t k = first; k < first + count; k += 2) {
+    for (std::size_t k = first; k < first + count; k += 2)
       list.emplace_back(record.values[k], record.values[k + 1]);
-      if (!list.back().allFinite())
-        source_.fail(fmt::format("face {}: a number is not finite; correct the file", record_ + 1));
-    }
+    if (std::all_of(list.begin(), list.end(), [](const Vector2& uv) { return uv.allFinite(); }))
+      return;
+    drop(DroppedPart::FaceTexcoords, "face", "a texture coordinate is no finite number");
+    list.clear();
   }
 
   Index vertex_index(double value) const {
@@ -352,11 +307,12 @@ class PlyReader {
   Source source_;
   const StopCheck& stop_;
   PolygonMesh mesh_;
+  DroppedParts dropped_;
   long long record_ = 0;
   std::array<std::size_t, 3> coordinates_{};
   std::array<std::size_t, 2> texcoord_{};
   std::array<std::size_t, 3> color_{};
-  std::array<double, 3> color_scale_{};
+  Vector3 color_scale_;
   bool has_texcoords_ = false, has_colors_ = false, has_copies_ = false, has_wedges_ = false;
   std::size_t corners_ = 0, wedges_ = 0, input_vertex_ = 0;
   std::vector<Index> copy_of_;                  // by vertex
@@ -365,17 +321,19 @@ class PlyReader {
 
 }  // namespace
 
-PolygonMesh read_ply(const std::string& path, std::string content, const StopCheck& stop) {
+PolygonMesh read_ply(const std::string& path, std::string content, const StopCheck& stop,
+                     Strictness strictness) {
   const PlyHeader header = read_ply_header(path, content);
   if (header.encoding == PlyEncoding::Ascii) {
     std::string records = content.substr(header.size);
     require_text(path, records);
-    return PlyReader(AsciiPlySource(path, records, header.lines), path, stop).read(header);
+    return PlyReader(AsciiPlySource(path, records, header.lines), path, stop, strictness)
+        .read(header);
   }
   const ByteOrder order =
       header.encoding == PlyEncoding::LittleEndian ? ByteOrder::Little : ByteOrder::Big;
   const std::string_view records = std::string_view(content).substr(header.size);
-  return PlyReader(BinaryPlySource(path, records, order), path, stop).read(header);
+  return PlyReader(BinaryPlySource(path, records, order), path, stop, strictness).read(header);
 }
 
 }  // namespace majorant

@@ -112,6 +112,8 @@ std::vector<Entry> read_once(VertexList& list, std::string_view what, const Read
 
 std::optional<Vector2> read_target(const VertexList& list, const json& entry) {
   if (!entry.contains("target")) list.fail_here("a handle needs \"vertex\" and \"target\"");
+  if (entry.contains("weight"))  // would be taken for more than a comment
+    list.fail_here("\"weight\": all handles have one weight; leave it out");
   const json& target = entry["target"];
   if (target.is_string() && target == "initial") return std::nullopt;
   if (!target.is_array() || target.size() != 2 || !target[0].is_number() || !target[1].is_number())

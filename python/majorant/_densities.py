@@ -10,6 +10,10 @@ import numpy as np
 from ._errors import UsageError
 from ._options import choice
 
+# Of the largest entry of a Hessian, by how much two that should be equal may differ. Origin: chosen,
+# not tuned; roundings and differences of values stay below, a formula with a slip does not.
+_SYMMETRY = 1e-3
+
 
 class Density:
     """An energy given by a density of the Jacobian J: E = sum over faces of the integral of e(J).
@@ -70,25 +74,15 @@ class Density:
                              'Hessian)')
         n, size = len(J), J[0].size if len(J) else 4
         return (_as('gradient', found[0], (n, size), J.shape),
-                _as('Hessian', found[1], (n, size, size), J.shape + J.shape[1:]))
+                symmetric(f'{self.name!r} at point', np.arange(n),
+                          _as('Hessian', found[1], (n, size, size), J.shape + J.shape[1:])))
 
     def check_derivatives(self, J: Any, tolerance: float = 1e-5) -> None:
         """Raises AssertionError, naming entry and point, where derivatives(J) are not those of value(J).
 
         J: (q, 2, 2), inside of the domain and away from its boundary.
         """
-        J = np.asarray(J, dtype=float)
-        gradient, hessian = self.differentiate(J)
-        step = 1e-6 * np.maximum(1, np.abs(J).max())
-        for k in range(J[0].size):
-            move = np.zeros(J[0].size)
-            move[k] = step
-            move = move.reshape(J.shape[1:])
-            slope = (self.evaluate(J + move) - self.evaluate(J - move)) / (2 * step)
-            _agree(f'gradient[{k}]', gradient[:, k], slope, tolerance)
-            bend = (self.differentiate(J + move)[0] - self.differentiate(J - move)[0]) / (2 * step)
-            for i in range(J[0].size):
-                _agree(f'Hessian[{i}, {k}]', hessian[:, i, k], bend[:, i], tolerance)
+        require_derivatives(self.evaluate, self.differentiate, 'point', np.asarray(J, dtype=float), tolerance)
 
     def __repr__(self) -> str:
         return f'<majorant.Density {self.name!r}>'
@@ -102,8 +96,38 @@ def _as(what: str, array: Any, *shapes: tuple[int, ...]) -> np.ndarray:
     return np.ascontiguousarray(array, dtype=np.float64).reshape(shapes[0])
 
 
+def symmetric(place: str, numbers: np.ndarray, hessians: np.ndarray) -> np.ndarray:
+    """The same (n, k, k), of the places with these numbers. Raises UsageError where one is not
+    symmetric; what is not finite is not looked at."""
+    with np.errstate(all='ignore'):
+        bound = _SYMMETRY * np.abs(hessians).max(axis=(1, 2), initial=0, keepdims=True)
+        differs = np.abs(hessians - hessians.transpose(0, 2, 1)) > bound
+    if differs.any():
+        p, i, k = (int(n) for n in np.argwhere(differs)[0])
+        raise UsageError(f'Hessian of {place} {numbers[p]} is not symmetric: [{i}, {k}] is {hessians[p, i, k]}, '
+                         f'[{k}, {i}] is {hessians[p, k, i]}')
+    return hessians
+
+
+def require_derivatives(evaluate: Callable[..., np.ndarray], differentiate: Callable[..., Any], place: str,
+                        points: np.ndarray, tolerance: float) -> None:
+    """Raises AssertionError where differentiate(points) is not what differences of evaluate give."""
+    gradient, hessian = differentiate(points)
+    size = points[0].size
+    step = 1e-6 * np.maximum(1, np.abs(points).max())
+    for k in range(size):
+        move = np.zeros(size)
+        move[k] = step
+        move = move.reshape(points.shape[1:])
+        slope = (evaluate(points + move) - evaluate(points - move)) / (2 * step)
+        _agree(f'gradient[{k}] at {place}', gradient[:, k], slope, tolerance)
+        bend = (differentiate(points + move)[0] - differentiate(points - move)[0]) / (2 * step)
+        for i in range(size):
+            _agree(f'Hessian[{i}, {k}] at {place}', hessian[:, i, k], bend[:, i], tolerance)
+
+
 def _agree(what: str, given: np.ndarray, expected: np.ndarray, tolerance: float) -> None:
     scale = np.maximum(np.abs(given), np.abs(expected)) + np.abs(expected).max() + 1e-12
     worst = int(np.argmax(np.abs(given - expected) / scale))
     if abs(given[worst] - expected[worst]) > tolerance * scale[worst]:
-        raise AssertionError(f'{what} at point {worst} is {given[worst]}, differences say {expected[worst]}')
+        raise AssertionError(f'{what} {worst} is {given[worst]}, differences say {expected[worst]}')

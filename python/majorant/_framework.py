@@ -9,7 +9,7 @@ from typing import Any, Callable
 import numpy as np
 
 from . import _arrays, _core, _options
-from ._densities import _as
+from ._densities import _as, require_derivatives, symmetric
 from ._errors import UsageError
 
 _METHODS = ('newton', 'lbfgs', 'gradient-flow', 'ceres-lbfgs', 'ceres-nlcg')
@@ -71,12 +71,28 @@ class Term:
     """A sum of functions of few unknowns, for `Problem.add`: see `Space.energy`, `penalty`,
     `linear_term`, `element_term`."""
 
-    def __init__(self, parts: list[tuple[_core.Term, float]], size: int):
+    def __init__(self, parts: list[tuple[_core.Term, float]], size: int, *, of_all: bool = False,
+                 elements: tuple[np.ndarray, '_ElementFunction'] | None = None):
         self._parts, self._size = parts, size
+        self._of_all = of_all  # of a problem with exactly `size` unknowns, not of the first ones
+        self._elements = elements  # their unknowns, a row each, and f
 
     @property
     def name(self) -> str:
         return ' + '.join(part.name for part, _ in self._parts)
+
+    def check_derivatives(self, x: Any, tolerance: float = 1e-5) -> None:
+        """Of an `element_term`: raises AssertionError, naming entry and element, where the derivatives
+        at x, inside of the domain, are not those of the value."""
+        if self._elements is None:
+            raise UsageError(f'{self.name}: the derivatives of element_term alone are yours to check')
+        unknowns, function = self._elements
+        z = _arrays.floats('x', x, (None,))
+        if len(z) < self._size:
+            raise UsageError(f'x has {len(z)} numbers, {self.name} takes {self._size}')
+        e = np.arange(len(unknowns), dtype=np.int32)
+        require_derivatives(lambda points: function.evaluate(points, e),
+                            lambda points: function.differentiate(points, e), 'element', z[unknowns], tolerance)
 
     def __repr__(self) -> str:
         return f'<majorant.Term {self.name!r}>'
@@ -93,13 +109,13 @@ def penalty(A: Any, b: Any) -> Term:
     if len(empty) or longest > 512:
         raise UsageError(f'row {empty[0]} of A is empty' if len(empty) else
                          f'a row of A has {longest} entries, more than 512')
-    return Term([(_core.penalty(starts, columns, values, targets), 1.0)], size)
+    return Term([(_core.penalty(starts, columns, values, targets), 1.0)], size, of_all=True)
 
 
 def linear_term(c: Any) -> Term:
     """c . x: loads, gravity. Something else has to hold x, or the energy has no minimum."""
     coefficients = _arrays.floats('c', c, (None,))
-    return Term([(_core.linear_term(coefficients), 1.0)], len(coefficients))
+    return Term([(_core.linear_term(coefficients), 1.0)], len(coefficients), of_all=True)
 
 
 def element_term(nodes: Any, value: Callable[..., Any], derivatives: Callable[..., Any], *,
@@ -115,7 +131,8 @@ def element_term(nodes: Any, value: Callable[..., Any], derivatives: Callable[..
 
     nodes: (#E, nodes of an element); a node is `block` unknowns that follow each other, so that z has
     k = block * nodes columns: z[:, block * i + c] = x[block * nodes[e, i] + c]. value may be inf or NaN
-    outside of its domain. The Hessian is exact; solvers make it definite where they need that.
+    outside of its domain. The Hessian is exact and symmetric (UsageError where it is not); solvers make
+    it definite where they need that. `Term.check_derivatives` compares it with differences.
     """
     block = _options.integer('block', block, 1, 64)
     cells = _arrays.integers('nodes', nodes, (None, None), 2**31 - 1, 'nodes')
@@ -124,14 +141,15 @@ def element_term(nodes: Any, value: Callable[..., Any], derivatives: Callable[..
     for function in (value, derivatives):
         if not callable(function):
             raise UsageError(f'{function!r} cannot be called')
-    function = _ElementFunction(value, derivatives, cells.shape[1] * block)
+    function = _ElementFunction(str(name), value, derivatives, cells.shape[1] * block)
+    unknowns = (block * cells[:, :, None].astype(np.int64) + np.arange(block)).reshape(len(cells), -1)
     return Term([(_core.element_term(str(name), cells, block, function), 1.0)],
-                (int(cells.max()) + 1) * block)
+                (int(cells.max()) + 1) * block, elements=(unknowns, function))
 
 
 class _ElementFunction:
-    def __init__(self, value: Callable[..., Any], derivatives: Callable[..., Any], size: int):
-        self._value, self._derivatives, self._size = value, derivatives, size
+    def __init__(self, name: str, value: Callable[..., Any], derivatives: Callable[..., Any], size: int):
+        self._name, self._value, self._derivatives, self._size = name, value, derivatives, size
 
     def evaluate(self, z: np.ndarray, e: np.ndarray) -> np.ndarray:
         with np.errstate(all='ignore'):
@@ -143,7 +161,8 @@ class _ElementFunction:
         if not isinstance(found, tuple) or len(found) != 2:
             raise UsageError(f'derivatives returned {type(found).__name__}, not (gradient, Hessian)')
         n, k = z.shape
-        return _as('gradient', found[0], (n, k)), _as('Hessian', found[1], (n, k, k))
+        hessians = _as('Hessian', found[1], (n, k, k))
+        return _as('gradient', found[0], (n, k)), symmetric(f'{self._name!r} at element', e, hessians)
 
 
 class Solution:
@@ -190,6 +209,8 @@ class Problem:
             raise UsageError(f'{term!r} is no Term')
         if term._size > self.full_size:
             raise UsageError(f'{term.name} has unknowns up to {term._size - 1}; the problem has {self.full_size}')
+        if term._of_all and term._size != self.full_size:
+            raise UsageError(f'{term.name} is of {term._size} unknowns, the problem has {self.full_size}')
         factor = _options.number('weight', weight, 0, _options.LARGEST, zero=True)
         for part, own in term._parts:
             self._core.add(part, factor * own)
@@ -203,7 +224,7 @@ class Problem:
         roundings.
         """
         starts, columns, values, targets, size = _rows(A, b)
-        if size > self.full_size:
+        if size != self.full_size:
             raise UsageError(f'A has {size} columns, the problem {self.full_size} unknowns')
         self._core.constrain(starts, columns, values, targets)
         return self
@@ -286,4 +307,4 @@ def _rows(A: Any, b: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarra
     values = _arrays.floats('A.data', rows.data, (None,))
     targets = _arrays.floats('b', b, (rows.shape[0],))
     return (rows.indptr.astype(np.int32), rows.indices.astype(np.int32), values, targets,
-            int(rows.indices.max(initial=-1)) + 1)
+            int(rows.shape[1]))

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import json
 import os
+import warnings
 from typing import Any, Callable, Mapping, Sequence
 
 import numpy as np
@@ -24,7 +25,8 @@ def flatten(V: Any, F: Any, **options: Any) -> np.ndarray:
 
     V: (#V, 3) vertices, or (#V, 2). F: (#F, 3) triangles, or polygons; counterclockwise. The surface
     is one piece with at least one boundary loop and no handles; it may have holes. No triangle is
-    turned over: that is proven. options: those of `parametrize`, whose degree is 1 here.
+    turned over: that is proven. Rows of V that no face uses lie where the first corner of the first
+    face does. options: those of `parametrize`, whose degree is 1 here.
 
     Not for closed surfaces, handles, several pieces or defects: UnsupportedError, and `unwrap` cuts
     them into charts. Not for more than uv: `parametrize` returns the map.
@@ -61,7 +63,7 @@ def parametrize(V: Any, F: Any, *, degree: int = 3, energy: Any = 'symmetric-dir
       boundary_angles hold the sums of angles at boundary vertices to 360 degrees
     From where:
       init            'auto', 'tutte', 'multiresolution', or 'input': from uv
-      uv              (#V, 2), or (#F, 3, 2) by corner
+      uv              (#V, 2), or (#F, 3, 2) by corner: for init='input' and seamless alone
       seamless        hold the seams that uv has, up to quarter turns; any surface then
     How: curvature, elevation, quadrature, improve_mesh: as the flags of the command, see
       docs/interface.md. threads: 0 takes all; results do not depend on it.
@@ -78,6 +80,10 @@ def parametrize(V: Any, F: Any, *, degree: int = 3, energy: Any = 'symmetric-dir
     mesh = _arrays.mesh(V, F, uv)
     if (init == 'input' or seamless is True) and uv is None:
         raise UsageError(f'{"seamless" if seamless else "init=" + repr(init)} needs uv')
+    if uv is not None and init != 'input' and seamless is not True:
+        raise UsageError("uv is for init='input' or seamless=True; say one of them, or leave it out")
+    if seamless is True and init not in ('auto', 'input'):
+        raise UsageError(f'seamless starts from uv; leave out init={init!r}')
     return _solve(_core.parametrize, mesh, said)
 
 
@@ -100,6 +106,8 @@ def seamless(V: Any, F: Any, *, degree: int = 3, energy: Any = 'symmetric-dirich
     """
     said = {k: v for k, v in locals().items() if k not in ('V', 'F')}
     mesh = _arrays.mesh(V, F)
+    if cones is not None and curvature_alignment:
+        raise UsageError('curvature_alignment is of the field that finds cones; leave out cones or it')
     extra = {
         'cones': None if cones is None else _cones(cones, len(mesh.positions)),
         'start': _options.choice('start', start, ('automatic', 'field', 'scaled-field', 'conformal')),
@@ -124,7 +132,8 @@ def unwrap(V: Any, F: Any, *, seams: Any = 'auto', max_stretch: float | None = N
         r.corner_uv                          # (#F, 3, 2), in the unit square
         r.charts                             # (#F,)
 
-    seams: 'auto', where distortion is saved; 'uv', the islands of uv; 'sharp' or 'sharp=40', along
+    seams: 'auto', where distortion is saved; 'uv', the islands of uv (which is for this, and for
+    the seams that vertices have whose weld joins them); 'sharp' or 'sharp=40', along
     edges of that many degrees; or (#E, 2) vertices of edges. max_stretch: up to which 'auto' and
     'sharp' leave a chart uncut. pack: into one square, padding pixels apart where it has resolution
     pixels a side; normalize: that square is the unit square. weld: distance up to which vertices are
@@ -137,6 +146,12 @@ def unwrap(V: Any, F: Any, *, seams: Any = 'auto', max_stretch: float | None = N
     mesh = _arrays.mesh(V, F, uv)
     if normalize is True and (pins or handles):
         raise UsageError('normalize moves pins and handles; leave one of the two out')
+    if uv is not None and weld is None and not (isinstance(seams, str) and seams == 'uv'):
+        raise UsageError("uv is for seams='uv', or for what weld joins; say one of them, or leave it out")
+    if pack is False and (padding != _options.PADDING or resolution != _options.RESOLUTION):
+        raise UsageError('padding and resolution are for packing; leave them out, or pack=False')
+    if max_stretch is not None and not isinstance(seams, str):
+        raise UsageError("max_stretch is of seams 'auto' and 'sharp'; leave it or the edges out")
     extra = {
         **_cuts(seams, uv, len(mesh.positions)),
         'max_stretch': None if max_stretch is None else _options.number('max_stretch', max_stretch, 1),
@@ -222,20 +237,29 @@ def read(path: str | os.PathLike) -> Map:
     Nothing is believed: `check` says whether it is valid. Raises ReadError naming the place.
     """
     file, mesh, promise = _core.read_map(_arrays.path(path))
+    _warn(file.warnings)
     return Map(file, mesh, promise, False, 'read', f'read from {os.fspath(path)}', 'null')
 
 
 def read_mesh(path: str | os.PathLike) -> tuple[np.ndarray, Any]:
     """V and F of a mesh: .obj .off .ply .stl .vtu .msh, also .gz.
 
-    F is an array where all faces have equally many corners, else a list of arrays.
+    F is an array where all faces have equally many corners, else a list of arrays. What the file has
+    besides and is broken - texture coordinates, normals, colours, one line too many - is left out,
+    which a UserWarning says; broken coordinates or faces raise ReadError.
     """
     mesh = _core.read_mesh(_arrays.path(path))
+    _warn(mesh.warnings)
     corners, starts = mesh.polygons
     sizes = np.diff(starts)
     if len(sizes) and (sizes == sizes[0]).all():
         return mesh.positions, corners.reshape(-1, sizes[0])
     return mesh.positions, np.split(corners, starts[1:-1])
+
+
+def _warn(sentences: list[str]) -> None:
+    for sentence in sentences:
+        warnings.warn(sentence, stacklevel=3)
 
 
 def energies() -> dict[str, str]:

@@ -77,9 +77,11 @@ class Map:
 
     @property
     def uv(self) -> np.ndarray:
-        """(#V, 2): the image of every row of V; NaN where no face uses it. Only of maps without
-        cuts; else UnsupportedError, and `corner_uv` is what you want."""
-        out = np.full((len(self._mesh.positions), 2), np.nan)
+        """(#V, 2): the image of every row of V. Rows that no face uses have none: they lie where the
+        first corner of the first face does, so that no number is NaN and the layout grows no larger;
+        `np.unique(F)` are the others. Only of maps without cuts; else UnsupportedError, and
+        `corner_uv` is what you want."""
+        out = np.tile(self.corner_uv[0, 0], (len(self._mesh.positions), 1))
         corners = self.faces
         out[corners] = self.corner_uv
         differs = (out[corners] != self.corner_uv).any(axis=(1, 2))

@@ -126,6 +126,8 @@ def wishes(mesh: _core.Mesh, said: Mapping[str, Any]) -> dict[str, Any]:
         if out['init'] == 'multiresolution':
             raise UsageError("init='multiresolution' knows energies with a name only; take 'tutte'")
         out['init'] = 'tutte' if out['init'] == 'auto' else out['init']
+    if out['soft'] != SOFT and not get('handles'):
+        raise UsageError('soft is the weight of handles; give handles, or leave it out')
     if out['improve_mesh'] and weights is not None:
         raise UsageError('improve_mesh changes the faces that weights are for; leave one of the two out')
     out['as_json'] = json.dumps({name: _plain(value) for name, value in said.items()

@@ -173,6 +173,7 @@ Json atlas_report(const FinishedAtlas& run) {
           {"command", "unwrap"},
           {"status", status_name(atlas.status())},
           {"message", ""},
+          {"warnings", run.polygons.warnings},
           {"input", input_section(run.polygons, *run.surface.mesh)},
           {"repairs", repairs_section(run.surface)},
           {"options", run.options},

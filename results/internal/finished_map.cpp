@@ -134,6 +134,7 @@ Json map_report(const FinishedMap& run) {
               {"command", run.command},
               {"status", status_name(r.status)},
               {"message", r.message},
+              {"warnings", run.polygons.warnings},
               {"input", input_section(run.polygons, run.mesh)},
               {"options", run.options},
               {"result", result_section(run)},

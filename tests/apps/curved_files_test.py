@@ -145,10 +145,9 @@ class CurvedFiles(CommandTest):
         def lower():
             resource.setrlimit(resource.RLIMIT_FSIZE, (4000, 4000))
         self.solve('-o', self.path('map.vtu'), '--degree', '4')
-        for name in ('a.msh', 'a.ply', 'l.vtu'):
+        for name, how in (('a.msh', []), ('a.ply', ['--refine', '4']), ('l.vtu', ['--vtu', 'lagrange'])):
             self.write(name, 'old')
-            process = subprocess.run([BINARY, 'convert', self.path('map.vtu'), '-o', self.path(name),
-                                      '--vtu', 'lagrange', '--refine', '4'],
+            process = subprocess.run([BINARY, 'convert', self.path('map.vtu'), '-o', self.path(name), *how],
                                      stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                      stderr=subprocess.PIPE, text=True, preexec_fn=lower,
                                      timeout=300)

@@ -49,6 +49,36 @@ class MeantWords(CommandTest):
         self.assertIn("did you mean 'newton'",
                       self.said('compare', generated('cap'), '--methods', 'newtn'))
 
+    def test_numbers(self):
+        mesh = generated('cap')
+        run = ['parametrize', mesh, '-o', self.path('out.vtu')]
+        for option, value, wanted in [('--degree', '3.0', 'whole number from 1 to 8'),
+                                      ('--degree', '9', 'whole number from 1 to 8'),
+                                      ('--degree', '1e0', 'whole number from 1 to 8'),
+                                      ('--max-iterations', '2.5', 'whole number from 0 on'),
+                                      ('--threads', '99999999999', 'whole number from 1 to 1024'),
+                                      ('--quadrature', '0', 'whole number from 1 to 10000')]:
+            self.assertIn("%s: '%s' is no %s" % (option, value, wanted), self.said(*run, option, value))
+
+    def test_seams_that_are_nearly_a_word(self):
+        for verb in ('unwrap', 'parametrize'):
+            for wrong, right in [('sharpp', 'sharp'), ('uv2', 'uv'), ('atuo', 'auto')]:
+                self.assertIn("there is no file '%s' (did you mean '%s'?)" % (wrong, right),
+                              self.said(verb, generated('cap'), '-o', self.path('o.obj'), '--seams', wrong))
+        self.refused(UNREADABLE, 'unwrap', generated('cap'), '-o', self.path('o.obj'), '--seams', 'no.json',
+                     says='no.json')
+        self.write('uw', '{"edges": []}')
+        outcome = majorant('unwrap', generated('cap'), '-o', self.path('o.obj'), '--seams', 'uw', '--quiet',
+                           cwd=self.folder)
+        self.assertEqual(outcome.code, OK, outcome.err)
+
+    def test_formats_that_are_not_read(self):
+        for args, name in [(['x.fbx', 'd.obj'], 'FBX'), (['model.3mf', '-o', 'd.obj'], '3MF'),
+                           (['unwrap', 'x.FBX', '-o', 'd.obj'], 'FBX'), (['info', 'x.dae'], 'COLLADA'),
+                           (['check', 'x.glb'], 'GLB'), (['parametrize', 'x.usdz', 'd.obj'], 'USD'),
+                           (['convert', 'x.blend', 'd.obj'], 'Blender')]:
+            self.refused(UNSUPPORTED, *args, says='%s files are not read; export the mesh as .obj' % name)
+
     def test_help(self):
         self.assertEqual(self.run_ok('help').out, self.run_ok('--help').out)
         self.assertEqual(self.run_ok('help', 'check').out, self.run_ok('check', '--help').out)

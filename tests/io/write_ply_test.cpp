@@ -122,11 +122,12 @@ TEST(WritePly, WedgesThatAreNone) {
   const std::string some = folder.write("a.ply", wedges("3 0 1 2 6 0 0 1 0 1 1 0\n3 0 2 3 0 0\n"));
   expect_contains(error_message(ErrorKind::Unreadable, [&] { read_map(some); }), {"face 2"});
   const std::string odd = folder.write("a.ply", wedges("3 0 1 2 5 0 0 1 0 1 0\n3 0 2 3 0 0\n"));
-  expect_contains(error_message(ErrorKind::Unreadable, [&] { read_mesh(odd); }),
-                  {"face 1", "3 corners and 5"});
+  expect_contains(error_message(ErrorKind::Unreadable, [&] { read_map(odd); }),
+                  {"a.ply:", "3 corners and 5"});
   const std::string nan = folder.write("a.ply", wedges("3 0 1 2 6 0 0 nan 0 1 1 0\n3 0 2 3 0 0\n"));
-  expect_contains(error_message(ErrorKind::Unreadable, [&] { read_mesh(nan); }),
-                  {"face 1", "not finite"});
+  expect_contains(error_message(ErrorKind::Unreadable, [&] { read_map(nan); }),
+                  {"a.ply:", "no finite number"});
+  for (const std::string& path : {odd, nan}) EXPECT_TRUE(read_mesh(path).texcoords.empty());
 }
 
 std::string copies(const std::string& vertices) {

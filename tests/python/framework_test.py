@@ -270,6 +270,9 @@ def test_spaces():
     (lambda p: p.constrain(scipy.sparse.csr_array(np.full((1, 6), 1j)), [1]), majorant.UsageError,
      'A.data holds complex numbers'),
     (lambda p: p.constrain(np.eye(7), np.zeros(7)), majorant.UsageError, 'A has 7 columns, the problem 6'),
+    (lambda p: p.constrain(np.zeros((1, 7)), [0]), majorant.UsageError, 'A has 7 columns, the problem 6'),
+    (lambda p: p.constrain(np.eye(5), np.zeros(5)), majorant.UsageError, 'A has 5 columns, the problem 6'),
+    (lambda p: p.constrain(scipy.sparse.csr_array((1, 9)), [0]), majorant.UsageError, 'A has 9 columns'),
     (lambda p: p.constrain(np.eye(6), np.zeros(5)), majorant.UsageError, 'b has shape (5,), not (6,)'),
     (lambda p: p.constrain([[1, 0, 0, 0, 0, 0]] * 2, [1, 2]).size, majorant.UnsupportedError, 'row'),
     (lambda p: p.minimize(np.zeros(5)), majorant.UsageError, 'x0 has shape (5,), not (6,)'),
@@ -279,6 +282,12 @@ def test_spaces():
     (lambda p: p.minimize(np.zeros(6), curvature='gauss'), majorant.UsageError, "curvature='gauss' is none"),
     (lambda p: p.add('arap'), majorant.UsageError, "'arap' is no Term"),
     (lambda p: p.add(majorant.penalty(np.eye(7), np.zeros(7))), majorant.UsageError, 'unknowns up to 6'),
+    (lambda p: p.add(majorant.penalty(np.eye(6, 7), np.zeros(6))), majorant.UsageError, 'unknowns up to 6'),
+    (lambda p: p.add(majorant.penalty(np.eye(5), np.zeros(5))), majorant.UsageError,
+     'is of 5 unknowns, the problem has 6'),
+    (lambda p: p.add(majorant.linear_term(np.ones(5))), majorant.UsageError, 'is of 5 unknowns, the problem has 6'),
+    (lambda p: majorant.penalty(np.eye(6), np.zeros(6)).check_derivatives(np.zeros(6)), majorant.UsageError,
+     'the derivatives of element_term alone'),
     (lambda p: p.add(majorant.penalty(np.eye(6), np.zeros(6)), -1), majorant.UsageError, 'weight=-1 is no number'),
     (lambda p: p.keep_injective(majorant.Space(V, F)), majorant.UsageError, 'the problem 6'),
     (lambda p: p.keep_injective(3), majorant.UsageError, '3 is no Space'),
@@ -307,6 +316,54 @@ def test_what_an_element_function_raises_comes_back():
         problem.value(np.zeros(4))
     with pytest.raises(Mine):
         problem.minimize(np.zeros(4))
+
+
+def test_hessians_that_are_not_symmetric():
+    """Of elements, and of densities: else a run goes on to its limit."""
+    value, derivatives = springs(np.ones(3))
+
+    def one_sided(z, e):
+        gradient, hessian = derivatives(z, e)
+        hessian[e == 2, 0, 3] += 1
+        return gradient, hessian
+
+    edges = [[0, 1], [1, 2], [2, 0]]
+    x = np.array([0, 0, 1, 0.1, 0.2, 1])
+    for functions, refused in [((value, derivatives), None), ((value, one_sided), "'net' at element 2")]:
+        problem = majorant.Problem(6).add(majorant.element_term(edges, *functions, block=2, name='net'))
+        if refused is None:
+            problem.minimize(x, max_iterations=3)
+            continue
+        for call in (lambda: problem.minimize(x, max_iterations=3), lambda: problem.hessian(x)):
+            with pytest.raises(majorant.UsageError, match=refused + r' is not symmetric: \[0, 3\] is'):
+                call()
+
+    def askew(J):
+        gradient, hessian = dirichlet_derivatives(J)
+        return gradient, hessian.reshape(-1, 4, 4) + np.eye(4, k=1)
+
+    space, problem = problem_of(majorant.Density('askew', dirichlet, askew))
+    with pytest.raises(majorant.UsageError, match="Hessian of 'askew' at point 0 is not symmetric"):
+        problem.gradient(space.tutte())
+
+
+def test_derivatives_of_elements_are_checked():
+    value, derivatives = springs(np.ones(3))
+    edges, x = [[0, 1], [1, 2], [2, 0]], np.array([0, 0, 1, 0.1, 0.2, 1])
+
+    def wrong(which):
+        def changed(z, e):
+            found = [part.copy() for part in derivatives(z, e)]
+            found[which][e == 1] *= 1.01
+            return tuple(found)
+        return majorant.element_term(edges, value, changed, block=2)
+
+    majorant.element_term(edges, value, derivatives, block=2).check_derivatives(x)
+    for which, entry in [(0, r'gradient\[0\] at element 1 is'), (1, r'Hessian\[\d, \d\] at element 1 is')]:
+        with pytest.raises(AssertionError, match=entry):
+            wrong(which).check_derivatives(x)
+    with pytest.raises(majorant.UsageError, match='x has 5 numbers, element term takes 6'):
+        wrong(0).check_derivatives(x[:5])
 
 
 def test_callbacks_of_problems_end_them():

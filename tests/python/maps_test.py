@@ -41,10 +41,13 @@ def test_flatten_gives_uv_in_the_order_of_V():
     assert np.allclose(distance(moved), distance(uv[order]), atol=1e-4)
 
 
-def test_unused_vertices_have_no_image():
+def test_unused_vertices_lie_with_the_first_corner():
+    """Never NaN, nor outside of what the layout takes up; the others are as they are without them."""
     V, F = helpers.grid(3)
-    uv = majorant.flatten(np.vstack([[[9, 9, 9]], V]), F + 1)
-    assert np.isnan(uv[0]).all() and np.isfinite(uv[1:]).all()
+    uv = majorant.flatten(np.vstack([[[9, 9, 9]], V, [[7, 7, 7]]]), F + 1)
+    assert np.isfinite(uv).all() and (uv[0] == uv[-1]).all()
+    assert (uv[0] == uv[1 + F[0, 0]]).all()
+    assert np.array_equal(uv[1:-1], majorant.flatten(V, F))
 
 
 def pieces(V, F, count):
@@ -353,6 +356,19 @@ def test_read_gives_what_was_saved(cap, tmp_path):
     (tmp_path / 'broken.obj').write_text('v 0 0\nf 1 2 3\n')
     with pytest.raises(majorant.ReadError, match='broken.obj:1'):
         majorant.read_mesh(tmp_path / 'broken.obj')
+
+
+def test_what_readers_leave_out_is_a_warning(tmp_path):
+    square = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn x\n'
+    mesh = tmp_path / 'a.obj'
+    mesh.write_text(square + 'f 1/1 2/2 3/3 4/4\n')
+    for reader in (majorant.read_mesh, majorant.read):
+        with pytest.warns(UserWarning, match="a.obj:9: normal component 'x' is not a number: left out") as caught:
+            reader(mesh)
+        assert len(caught) == 1 and caught[0].filename == __file__
+    mesh.write_text(square + 'f 1/1 2/2 3/3 4/9\n')
+    with pytest.raises(majorant.ReadError, match='a.obj:10: vt index 9 out of range, the file has 4'):
+        majorant.read(mesh)
 
 
 def test_notebooks_see_the_layout(cap):

@@ -56,6 +56,16 @@ WRONG = [
     (lambda: flat(uv=V[:4, :2]), 'uv has shape (4, 2), not (9, 2)'),
     (lambda: flat(uv=NAN[:, :2]), 'uv[4, 1] is nan'),
     (lambda: flat(uv=np.zeros((7, 3, 2))), 'uv has shape (7, 3, 2), not (8, 3, 2)'),
+    (lambda: flat(uv=V[:, :2]), "uv is for init='input' or seamless=True; say one of them"),
+    (lambda: flat(uv=V[:, :2], init='tutte'), "uv is for init='input' or seamless=True"),
+    (lambda: majorant.parametrize(V, F, uv=V[:, :2], seamless=True, init='tutte'), "leave out init='tutte'"),
+    (lambda: majorant.unwrap(V, F, uv=V[:, :2]), "uv is for seams='uv', or for what weld joins"),
+    # without effect
+    (lambda: flat(soft=3.0), 'soft is the weight of handles; give handles'),
+    (lambda: majorant.unwrap(V, F, pack=False, padding=3), 'padding and resolution are for packing'),
+    (lambda: majorant.unwrap(V, F, pack=False, resolution=256), 'padding and resolution are for packing'),
+    (lambda: majorant.unwrap(V, F, seams=[[0, 1]], max_stretch=2), "max_stretch is of seams 'auto' and 'sharp'"),
+    (lambda: majorant.seamless(V, F, cones={0: 3}, curvature_alignment=5), 'leave out cones or it'),
     # points
     (lambda: flat(pins=[3]), 'pins is no dictionary {vertex: (u, v)}'),
     (lambda: flat(pins={9: (0, 0)}), 'pins[0] is 9, but there are 9 vertices, from 0'),

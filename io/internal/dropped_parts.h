@@ -1,0 +1,91 @@
+// What readers leave out of a file because it is broken and the shape does not need it: one warning
+// for each kind, with the first place and how many there were.
+//
+//   DroppedParts dropped(Strictness::Shape);
+//   dropped.add(DroppedPart::Normal, [] { return "a.obj:7: normal 'nan' is not finite"; });
+//   dropped.conclude(mesh);   // mesh.warnings has "a.obj:7: normal 'nan' is not finite: left out"
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "majorant/io/read_mesh.h"
+#include "majorant/mesh/polygon_mesh.h"
+
+namespace majorant {
+
+enum class DroppedPart {
+  Texcoord,
+  FaceTexcoords,     // all of a face
+  PartialTexcoords,  // the same, since some corners have none
+  Normal,
+  FaceNormals,
+  PartialNormals,
+  Color,
+  Slash,    // behind the last index of a corner
+  Element,  // points and lines of an OBJ
+  Line,     // one more than a header announces
+};
+
+class DroppedParts {
+ public:
+  explicit DroppedParts(Strictness strictness) : strictness_(strictness) {}
+
+  // problem() is called for the first of a kind: "file:line: what is wrong there".
+  // Throws Error(Unreadable) with it for what must not be left out.
+  template <class Problem>
+  void add(DroppedPart part, const Problem& problem) {
+    Entry& entry = entries_[static_cast<std::size_t>(part)];
+    if (entry.count++ == 0) begin(part, entry, problem());
+  }
+
+  // Adds the warnings to those of the mesh.
+  void conclude(PolygonMesh& mesh) const;
+
+ private:
+  struct Entry {
+    long count = 0;
+    std::string problem;  // of the first
+  };
+  void begin(DroppedPart part, Entry& entry, std::string problem) const;
+
+  Strictness strictness_;
+  std::array<Entry, static_cast<std::size_t>(DroppedPart::Line) + 1> entries_;
+};
+
+// Empties those of `lists` that name one of `values` that is not there or not finite, after
+// dropped(list, index); then takes values that are not finite out of `values`, what belongs to them
+// out of `companions` (as many, or none), and numbers the others anew.
+template <class Vector, class Dropped>
+void drop_unusable(std::vector<Vector>& values, std::vector<Vector>& companions,
+                   std::vector<std::vector<Index>>& lists, const Dropped& dropped) {
+  for (std::size_t p = 0; p < lists.size(); ++p) {
+    const auto bad = std::find_if(lists[p].begin(), lists[p].end(), [&](Index k) {
+      return k < 0 || at(k) >= values.size() || !values[at(k)].allFinite();
+    });
+    if (bad == lists[p].end()) continue;
+    dropped(p, *bad);
+    lists[p].clear();
+  }
+  std::vector<Index> numbers(values.size());
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    numbers[k] = static_cast<Index>(kept);
+    if (!values[k].allFinite()) continue;
+    if (!companions.empty()) companions[kept] = companions[k];
+    values[kept++] = values[k];
+  }
+  if (kept == values.size()) return;
+  values.resize(kept);
+  if (!companions.empty()) companions.resize(kept);
+  for (auto& list : lists)
+    for (Index& k : list) k = numbers[at(k)];
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,119 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Options that would change nothing are refused, with what to do; every option of --help has a row here."""
+import re
+
+from command_helpers import *
+
+MAPS = ['parametrize', 'unwrap', 'seamless', 'deform']
+
+# Options that always say something, and why those do that may seem not to.
+ALWAYS = {
+    '--help': '', '--version': '', '--output': '', '--report': '', '--distortion': 'a file of its own',
+    '--force': 'a permission', '--strict': 'a demand', '--quiet': '', '--verbose': 'steps, of whatever has some',
+    '--threads': 'results do not depend on it', '--degree': '', '--energy': '', '--pins': '', '--handles': '',
+    '--weights': '', '--boundary-angles': 'a demand', '--quadrature': 'the rule, whatever the degree',
+    '--boundary': '', '--curvature': '', '--elevation': 'the way to the degree, also to the first',
+    '--bijective': '', '--improve-mesh': 'depends on the mesh', '--tolerance': '', '--max-iterations': '',
+    '--time-limit': '', '--normalize': '', '--linear-solver': '', '--seams': '', '--no-pack': '', '--weld': '',
+    '--cones': '', '--start': '', '--surface': '', '--cuts': '', '--certify': '', '--plan': '', '--methods': '',
+    '--petsc-options': 'for whichever solver a run comes to',
+}
+
+# option -> (the words without effect, outputs, what is said); for every verb that has it
+CASES = {
+    '--soft': (['--soft', '10'], ['.vtu'], '--soft requires --handles'),
+    '--no-flips': (['--no-flips'], ['.vtu'], '--no-flips needs --bijective'),
+    '--write-scaffold': (['--write-scaffold', 's.vtu'], ['.vtu'], '--write-scaffold needs --bijective'),
+    '--snapshots': (['--snapshots', '2'], ['.vtu'], 'add -o OUT.html'),
+    '--refine': (['--refine', '2'], ['.vtu', '.svg'], 'add -o OUT.obj'),
+    '--vtu': (['--vtu', 'lagrange'], ['.obj', '.html'], 'add -o OUT.vtu'),
+    '--msh': (['--msh', 'surface'], ['.vtu'], 'add -o OUT.msh'),
+    '--grid': (['--grid', '0.1'], ['.vtu', '.png'], 'add -o OUT.svg'),
+    '--color-range': (['--color-range', '4,5'], ['.vtu'], 'add -o OUT.svg'),
+    '--color-by': (['--color-by', 'area'], ['.vtu'], 'add -o OUT.svg'),
+    '--size': (['--size', '99,99'], ['.svg'], 'add -o OUT.png'),
+    '--view': (['--view', '1,0,0'], ['.svg'], 'add -o OUT.png'),
+    '--image': (['--image', 'PICTURE'], ['.svg'], 'add -o OUT.png'),
+    '--padding': (['--no-pack', '--padding', '3'], ['.vtu'], '--padding excludes --no-pack'),
+    '--resolution': (['--no-pack', '--resolution', '300'], ['.vtu'], '--resolution excludes --no-pack'),
+    '--curvature-alignment': (['--cones', 'FILE', '--curvature-alignment', '9'], ['.vtu'],
+                              '--cones excludes --curvature-alignment'),
+}
+# option -> verb -> the same
+OF_VERBS = {
+    '--align': {**{verb: (['--align'], ['.csv'], 'add -o OUT.vtu') for verb in ('parametrize', 'seamless', 'deform')},
+                'unwrap': (['--align'], ['.json'], 'add -o OUT.vtu'), 'convert': None},  # no output but maps
+    '--init': {'parametrize': (['--seamless', '--init', 'tutte'], ['.vtu'], 'leave out --init tutte'),
+               'compare': None},
+    '--seamless': {'parametrize': None, 'check': None},
+    '--max-stretch': {'parametrize': (['--max-stretch', '2'], ['.vtu'], '--max-stretch requires --seams'),
+                      'unwrap': (['--seams', 'FILE', '--max-stretch', '2'], ['.vtu'], '--seams FILE says where')},
+}
+
+
+def verbs():
+    return re.findall(r'^  (\w+) ', majorant('--help').out.split('Subcommands:')[1], re.MULTILINE)
+
+
+def options_of(verb):
+    return sorted(set(re.findall(r'^  (?:-\w,)?(--[a-z-]+)', majorant(verb, '--help').out, re.MULTILINE)))
+
+
+class OptionsWithoutEffect(CommandTest):
+    def case(self, option, verb):
+        """(words, outputs, message), or None where the option always says something."""
+        if option in OF_VERBS:
+            return OF_VERBS[option][verb]
+        return CASES.get(option)
+
+    def test_every_option_has_a_row(self):
+        found = set()
+        for verb in verbs():
+            for option in options_of(verb):
+                found.add(option)
+                self.assertEqual(sum([option in ALWAYS, option in CASES, verb in OF_VERBS.get(option, {})]), 1,
+                                 (verb, option))
+        self.assertEqual(found, set(ALWAYS) | set(CASES) | set(OF_VERBS))
+
+    def test_refused_with_what_to_do(self):
+        mesh = self.write('flat.obj', obj_text(*grid(3, lambda x, y: 0.0)))
+        handles = self.write('h.json', '{"handles": [{"vertex": 0, "target": "initial"}]}')
+        self.write('FILE', '{"edges": [[0, 1]], "cones": []}')
+        self.run_ok('parametrize', mesh, '-o', self.path('PICTURE.png'), '--quiet', '--degree', 1)
+        self.run_ok('parametrize', mesh, '-o', self.path('map.vtu'), '--quiet', '--degree', 1)
+        tried = 0
+        for verb in verbs():
+            for option in options_of(verb):
+                case = self.case(option, verb)
+                if case is None:
+                    continue
+                words, outputs, says = case
+                words = [self.path('PICTURE.png') if w == 'PICTURE' else w for w in words]
+                run = [verb, self.path('map.vtu') if verb == 'convert' else mesh, *words]
+                run += ['--pins', handles] if verb == 'deform' else []
+                for k, extension in enumerate(outputs if verb != 'compare' else ['.csv']):
+                    run += ['-o', self.path('out%d%s' % (k, extension))]
+                with self.subTest(run=run):
+                    tried += 1
+                    outcome = majorant(*run, cwd=self.folder)
+                    self.assertEqual(outcome.code, USAGE, outcome.err)
+                    self.assertEqual(outcome.err.count('\n'), 1, outcome.err)
+                    self.assertIn(says, outcome.err)
+                    self.assertFalse([f for f in self.files() if f.startswith('out')])
+        self.assertGreater(tried, 50)
+
+    def test_with_effect_they_are_taken(self):
+        mesh = generated('cap')
+        self.run_ok('parametrize', mesh, '--quiet', '--degree', 2, '-o', self.path('a.vtu'), '-o', self.path('a.obj'),
+                    '-o', self.path('a.svg'), '-o', self.path('a.png'), '-o', self.path('a.msh'), '--vtu', 'lagrange',
+                    '--msh', 'surface', '--refine', 2, '--grid', 0.1, '--color-range', '0.5,5', '--color-by', 'area',
+                    '--size', '64,64', '--view', '1,1,1', '--align')
+        self.run_ok('unwrap', mesh, '--quiet', '-o', self.path('b.obj'), '--padding', 2, '--resolution', 512,
+                    '--max-stretch', 1.1)
+        handles = self.write('h.json', '{"handles": [{"vertex": 0, "target": "initial"}]}')
+        self.run_ok('parametrize', mesh, '--quiet', '-o', self.path('c.vtu'), '--handles', handles, '--soft', 10)
+
+
+if __name__ == '__main__':
+    main()
