@@ -17,6 +17,7 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "apps/arguments/command_line.h"
@@ -318,8 +319,10 @@ void add_to(CLI::App& app, Request& request) {
       "Example: mpirun -n 8 majorant-mpi parametrize big.ply -o big.pvtu --report run.json");
 }
 
-// What CLI11 makes of the words; a number: nothing is left to do.
-std::optional<int> parse(std::vector<std::string> words, Request& request, bool speaks) {
+using Ending = std::pair<int, std::string>;  // code and text
+
+// What CLI11 makes of the words; an ending where nothing is left to do.
+std::optional<Ending> parse(std::vector<std::string> words, Request& request) {
   CLI::App app{"majorant-mpi: maps of surfaces onto the plane, on several processes",
                "majorant-mpi"};
   app.set_version_flag("--version", version_line());
@@ -329,63 +332,43 @@ std::optional<int> parse(std::vector<std::string> words, Request& request, bool 
   try {
     app.parse(words);
   } catch (const CLI::ParseError& e) {
-    if (e.get_exit_code() == 0) {
-      std::ostringstream text;
-      app.exit(e, text, text);
-      if (speaks) print_text(text.str());
-      return kSuccess;
-    }
-    if (speaks) say("majorant-mpi: {}\n", usage_message(app, e));
-    return kUsage;
+    std::ostringstream text;
+    if (e.get_exit_code() != 0) return Ending{kUsage, usage_message(app, e)};
+    app.exit(e, text, text);
+    return Ending{kSuccess, text.str()};
   }
   return {};
 }
 
-// PETSc begins before anything else is read, since then ranks know who speaks. Those that are wrong
-// parse() refuses.
-std::vector<std::string> early_petsc_words(const std::vector<std::string>& words) {
-  const std::string option = "--petsc-options";
-  std::string text;
-  for (std::size_t k = 0; k < words.size(); ++k) {
-    if (words[k] == option && k + 1 < words.size()) text = words[k + 1];
-    if (words[k].starts_with(option + "=")) text = words[k].substr(option.size() + 1);
-  }
-  try {
-    return petsc_words(text);
-  } catch (const Error&) {
-    return {};
-  }
-}
-
 int run(int argc, char** argv) {
-  const std::vector<std::string> words(argv + 1, argv + argc);
-  std::optional<Processes> started;
+  Request request;
+  std::optional<Ending> ending;
+  std::optional<Processes> processes;
   try {
-    started.emplace(early_petsc_words(words));
-  } catch (const Error& e) {
+    ending = parse({argv + 1, argv + argc}, request);
+    processes.emplace(ending ? std::vector<std::string>()
+                             : petsc_words(request.common.petsc_options));
+    request.map.choose_degree({});
+    if (!ending) require_possible(request);
+  } catch (const Error& e) {  // all ranks see the same
     if (is_first_process()) say("majorant-mpi: {}\n", e.what());
     return exit_code(e.kind());
   }
-  const Processes& processes = *started;
-  const int rank = processes.ranks()->rank();
+  const int rank = processes->ranks()->rank();
+  if (ending) {
+    if (rank == 0 && ending->first == kSuccess) print_text(ending->second);
+    if (rank == 0 && ending->first != kSuccess) say("majorant-mpi: {}\n", ending->second);
+    return ending->first;
+  }
   // What one rank alone has come upon the others wait for: all end.
   const auto fail = [&](int code) -> int {
-    if (processes.ranks()->count() > 1) processes.abort(code);
+    if (processes->ranks()->count() > 1) processes->abort(code);
     return code;
   };
   try {
-    Request request;
-    if (const auto code = parse(words, request, rank == 0)) return *code;
-    request.map.choose_degree({});
-    try {
-      require_possible(request);
-    } catch (const Error& e) {  // all ranks see the same
-      if (rank == 0) say("majorant-mpi: {}\n", e.what());
-      return exit_code(e.kind());
-    }
     const ThreadCount threads(start_threads(request.common.threads));
-    const int code = Job(request, processes).run();
-    if (const auto unused = processes.unused_options();
+    const int code = Job(request, *processes).run();
+    if (const auto unused = processes->unused_options();
         rank == 0 && !request.common.quiet && !unused.empty())
       say("majorant-mpi: warning: --petsc-options: nothing has asked for {}\n",
           fmt::join(unused, ", "));

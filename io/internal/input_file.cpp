@@ -58,7 +58,8 @@ class InputFile {
   // Calls take(bytes) with the blocks of the file, in order.
   template <class Take>
   void for_each_block(const StopCheck& stop, const Take& take) const {
-    std::string block(std::size_t{1} << 16, '\0');
+    constexpr std::size_t kRead = std::size_t{1} << 16;
+    std::string block(kRead, '\0');
     for (;;) {
       stop.poll();
       pollfd ready{descriptor_, POLLIN, 0};

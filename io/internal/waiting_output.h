@@ -11,7 +11,7 @@
 
 namespace majorant {
 
-// Between two questions whether to go on, while waiting.
+// Between two questions whether to go on, while waiting. Origin: chosen; nobody notices it.
 inline constexpr int kWaitMilliseconds = 50;
 
 // Seconds that a reader may take for a piece once the run is to end. Origin: chosen; schedulers

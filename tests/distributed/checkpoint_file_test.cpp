@@ -130,7 +130,8 @@ TEST_F(Forged, Depth) {
   write_checkpoint_file(path_, sound());
   std::ifstream stream(path_, std::ios::binary);
   std::string bytes(std::istreambuf_iterator<char>(stream), {});
-  const std::string deep = "\"other\": " + std::string(300000, '[') + std::string(300000, ']') + ",";
+  const std::string deep =
+      "\"other\": " + std::string(300000, '[') + std::string(300000, ']') + ",";
   std::uint64_t length = 0;
   std::memcpy(&length, bytes.data() + 16, sizeof length);
   length += deep.size();

@@ -119,8 +119,8 @@ def test_says_what_is_wrong(call, message):
 def test_names_with_a_null_character(name, tmp_path, monkeypatch):
     """To the system they would be other names."""
     monkeypatch.chdir(tmp_path)
-    surface = flat()
-    for call in (surface.save, majorant.read, majorant.read_mesh, majorant.check):
+    result = majorant.parametrize(V, F)
+    for call in (result.save, majorant.read, majorant.read_mesh, majorant.check):
         with pytest.raises(ValueError, match='null character'):
             call(name)
     assert list(tmp_path.iterdir()) == []
