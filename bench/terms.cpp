@@ -1,12 +1,16 @@
-// What a term of a lambda costs beside the same one differentiated by hand: time per linearization,
-// assembly included (Google Benchmark). The ratio of two lines of one run is what counts.
+// What a term of a lambda costs beside the same one differentiated by hand, and what a density of
+// tetrahedra costs: time of an energy, a gradient and a linearization, assembly included (Google
+// Benchmark). The ratio of two lines of one run is what counts.
 //
 // Sample run:
 //   build/release/bench/majorant_terms_bench
 #include <benchmark/benchmark.h>
 
+#include <array>
 #include <random>
 
+#include "majorant/elements/bezier_tetrahedron_space.h"
+#include "majorant/energies/make_energy.h"
 #include "majorant/framework/evaluator.h"
 #include "majorant/framework/packed_symmetric.h"
 #include "majorant/framework/thread_count.h"
@@ -144,31 +148,95 @@ class BendingByHand final : public ByHand {
   }
 };
 
-// Of a wavy line whose edges are `stretch` times as long as they want to be.
-void linearize(benchmark::State& state, const std::shared_ptr<const EnergyTerm>& term,
-               Curvature curvature, double stretch) {
+enum class Asked { Value, Gradient, Exact, Projected };
+constexpr std::pair<Asked, const char*> kAsked[] = {{Asked::Value, "/value"},
+                                                    {Asked::Gradient, "/gradient"},
+                                                    {Asked::Exact, "/exact"},
+                                                    {Asked::Projected, "/projected"}};
+
+void evaluate(benchmark::State& state, const std::shared_ptr<const EnergyTerm>& term, const Vec& y,
+              Asked asked) {
   const ThreadCount one(1);
-  const Problem problem = ProblemBuilder(2 * kPoints).add(term, 1).build();
-  Vec y(2 * kPoints), g, h;
+  Evaluator evaluator(ProblemBuilder(static_cast<Index>(y.size())).add(term, 1).build());
+  Vec g, h;
+  const auto run = [&] {
+    if (asked == Asked::Value) return evaluator.value(y);
+    if (asked == Asked::Gradient) return evaluator.gradient(y, g);
+    const bool exact = asked == Asked::Exact;
+    return evaluator.linearize(y, exact ? Curvature::Exact : Curvature::Projected, g, h);
+  };
+  for (auto _ : state) benchmark::DoNotOptimize(run());
+  state.counters["ns/element"] = benchmark::Counter(
+      term->stencils().element_count(),
+      benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+void bench(const std::string& name, const std::shared_ptr<const EnergyTerm>& term, const Vec& y) {
+  for (const auto& [asked, text] : kAsked)
+    benchmark::RegisterBenchmark((name + text).c_str(), evaluate, term, y, asked)
+        ->Unit(benchmark::kMillisecond);
+}
+
+// A wavy line whose edges are `stretch` times as long as they want to be.
+Vec line(double stretch) {
+  Vec y(2 * kPoints);
   Vector2 p(0, 0);
   for (Index i = 0; i < kPoints; ++i) {
     y.segment<2>(2 * i) = p;
     const double angle = std::sin(0.3 * i) + 0.2 * std::cos(1.1 * i);
     p += stretch * kEdge * Vector2(std::cos(angle), std::sin(angle));
   }
-  Evaluator evaluator(problem);
-  for (auto _ : state) benchmark::DoNotOptimize(evaluator.linearize(y, curvature, g, h));
-  state.counters["ns/element"] = benchmark::Counter(
-      static_cast<double>(kPoints),
-      benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  return y;
 }
 
-void bench(const char* name, const std::shared_ptr<const EnergyTerm>& term, double stretch) {
-  for (const auto& [model, text] :
-       {std::pair(Curvature::Exact, "/exact"), {Curvature::Projected, "/projected"}})
-    benchmark::RegisterBenchmark((std::string(name) + text).c_str(), linearize, term, model,
-                                 stretch)
-        ->Unit(benchmark::kMillisecond);
+// A box of 9,984 straight tetrahedra, its vertices moved a little.
+struct Tetrahedra {
+  static constexpr Index kLength = 26, kWidth = 8;
+  RowMatrix corners{(kLength + 1) * (kWidth + 1) * (kWidth + 1), 3};
+  Cells cells{6 * kLength * kWidth * kWidth, 4};
+  Vec moved;
+
+  Tetrahedra() {
+    const auto vertex = [](const std::array<Index, 3>& at) {
+      return (at[0] * (kWidth + 1) + at[1]) * (kWidth + 1) + at[2];
+    };
+    std::array<Index, 3> at;
+    for (at[0] = 0; at[0] <= kLength; ++at[0])
+      for (at[1] = 0; at[1] <= kWidth; ++at[1])
+        for (at[2] = 0; at[2] <= kWidth; ++at[2]) corners.row(vertex(at)) << at[0], at[1], at[2];
+    constexpr std::size_t kOrders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1},
+                                           {1, 0, 2}, {2, 1, 0}, {0, 2, 1}};
+    Index e = 0;
+    for (Index i = 0; i < kLength; ++i)
+      for (Index j = 0; j < kWidth; ++j)
+        for (Index k = 0; k < kWidth; ++k)
+          for (int t = 0; t < 6; ++t, ++e) {
+            at = {i, j, k};
+            cells(e, 0) = vertex(at);
+            for (int corner = 1; corner < 4; ++corner) {
+              ++at[kOrders[t][corner - 1]];
+              cells(e, corner) = vertex(at);
+            }
+            if (t >= 3) std::swap(cells(e, 1), cells(e, 2));  // odd orders turn the other way
+          }
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> move(-0.05, 0.05);
+    moved = Eigen::Map<const Vec>(corners.data(), corners.size());
+    for (double& x : moved) x += move(random);
+  }
+};
+
+// |J|^2 + |J^-1|^2, with one point, which is the default, and with 14.
+void bench_tetrahedra() {
+  const Tetrahedra mesh;
+  const auto space = std::make_shared<const BezierTetrahedronSpace>(
+      mesh.cells, static_cast<Index>(mesh.corners.rows()), 1);
+  const RestShapes rest = flat_simplices(mesh.corners, mesh.cells);
+  const auto energy = density<3, 3>("symmetric-dirichlet-3d", [](const auto& J) {
+    return J.squaredNorm() + J.inverse().squaredNorm();
+  });
+  bench("tetrahedra", make_energy(space, rest, energy), mesh.moved);
+  bench("tetrahedra/14 points", make_energy(space, rest, energy, {walkington_rule()}), mesh.moved);
 }
 
 }  // namespace
@@ -177,12 +245,13 @@ void bench(const char* name, const std::shared_ptr<const EnergyTerm>& term, doub
 int main(int argc, char** argv) {
   using namespace majorant;
   const auto springs_by_hand = std::make_shared<const SpringsByHand>();
-  bench("springs/stretched/lambda", springs(), 1.2);
-  bench("springs/stretched/hand", springs_by_hand, 1.2);
-  bench("springs/compressed/lambda", springs(), 0.8);
-  bench("springs/compressed/hand", springs_by_hand, 0.8);
-  bench("bending/lambda", bending(), 1);
-  bench("bending/hand", std::make_shared<const BendingByHand>(), 1);
+  bench("springs/stretched/lambda", springs(), line(1.2));
+  bench("springs/stretched/hand", springs_by_hand, line(1.2));
+  bench("springs/compressed/lambda", springs(), line(0.8));
+  bench("springs/compressed/hand", springs_by_hand, line(0.8));
+  bench("bending/lambda", bending(), line(1));
+  bench("bending/hand", std::make_shared<const BendingByHand>(), line(1));
+  bench_tetrahedra();
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();
 }

@@ -114,6 +114,20 @@ ContractionTable BernsteinSpace::tabulate(const Quadrature& rule) const {
   return contraction_table(element_, rule);
 }
 
+Quadrature BernsteinSpace::default_rule(RestJacobian rest) const {
+  const Factors& cell = element_.factors;
+  const int n = element_.degree, dim = element_.dim();
+  // By the coordinates of a factor: one derivative lowers the degree in its own factor alone, every
+  // product of the determinant has as many of them as the factor has dimensions.
+  const int jacobian = cell.size() == 1 ? n - 1 : n;
+  int degree = 0;
+  for (const int corners : cell) {
+    const int determinant = rest == RestJacobian::Varying ? dim * n - (corners - 1) : 0;
+    degree = std::max({degree, 2 * jacobian, determinant});
+  }
+  return exact_rule(cell, std::min(degree, highest_exactness(cell)));
+}
+
 void BernsteinSpace::require_element(Index e, VecIn x) const {
   require_index("element", e, element_count());
   require_enough("the map x", x.size(), reference_dim() * node_count());

@@ -41,6 +41,10 @@ class BernsteinSpace : public ElementSpace {
   // These throw InvalidArgument for the rule of another cell, an element that does not exist and
   // fewer unknowns than the space has.
   ContractionTable tabulate(const Quadrature& rule) const final;
+  // Exact for |J|^2 where M is constant, so that no map but a constant one has a J of 0 at all of
+  // its points: one point where J is constant, else exact_rule() for twice the degree of J, and for
+  // the rest determinant where M varies; as exact as there are rules.
+  Quadrature default_rule(RestJacobian rest) const final;
   PositivityProof certify(Index e, VecIn x, int max_depth) const final;
   double largest_step(Index e, VecIn x, VecIn d, double s, int max_depth) const final;
 

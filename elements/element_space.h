@@ -56,6 +56,9 @@ struct ProofDepth {
   static constexpr int kFinal = 16;
 };
 
+// Of rest shapes (rest_shapes.h): whether their inverse Jacobian M is the same all over an element.
+enum class RestJacobian { Constant, Varying };
+
 class ElementSpace {
  public:
   virtual ~ElementSpace() = default;
@@ -69,6 +72,8 @@ class ElementSpace {
 
   // Throws InvalidArgument for the rule of another cell (require_cell() says why).
   virtual ContractionTable tabulate(const Quadrature& rule) const = 0;
+  // The rule of terms that are given none. Throws InvalidArgument where a space has none: here.
+  virtual Quadrature default_rule(RestJacobian rest) const;
 
   // Proof that det J > 0 on element e of the map x (D numbers per node), by bisection of its
   // Bernstein coefficients down to max_depth, rounding errors included. det J is by reference

@@ -1,7 +1,9 @@
 // Quadrature rules: points of a reference cell and weights that add to 1.
 //
-//   space->tabulate(radon_rule());                                        // triangles
-//   const Quadrature wedge = product_rule(radon_rule(), gauss_rule(3));   // triangle x segment
+//   space->tabulate(exact_rule({3}, 5));            // triangles, quintic polynomials
+//   const Quadrature wedge = exact_rule({3, 2}, 5);   // triangle x segment
+//
+// Terms that are given no rule take that of their space (ElementSpace::default_rule).
 //
 // A rule knows its cell, and spaces refuse the rule of another one: three columns are a point of a
 // triangle or of a cube. All rules here are symmetric under the symmetries of the cell, so results
@@ -27,14 +29,25 @@ struct Quadrature {
 // made for it, its points inside, as many weights as points, adding to 1.
 void require_cell(const Quadrature& rule, const Factors& cell, std::string_view name);
 
+// The rule of fewest points here that is exact for polynomials of this degree in the coordinates of
+// every factor of the cell:
+//     degree            1   2   3, 4   5   6   7, 8   9, 10   11, 12
+//     of a triangle     1   3      6   7  12     16      25       33
+//     of a tetrahedron  1   4     14  14  24     46
+// and (degree + 2) / 2 Gauss points of a segment, rounded down. Throws InvalidArgument for a
+// negative degree, one above highest_exactness(), and a cell of other factors.
+Quadrature exact_rule(const Factors& cell, int degree);
+// The highest degree of exact_rule(); the largest int where all factors are segments.
+int highest_exactness(const Factors& cell);
+
 // Centroids of the m(m+1)/2 upright triangles of the m-fold subdivision, equal weights; exact for
 // linear functions. [MC20] Sec. 8.3 as repaired in method.md E5 (i).
 Quadrature lattice_rule(int m);
 
-// Radon's 7 points, exact for degree 5 [Rad48].
+// Radon's 7 points, exact for degree 5 [Rad48]: exact_rule({3}, 5).
 Quadrature radon_rule();
 
-// 14 points of the tetrahedron, exact for degree 5 [Wal00].
+// 14 points of the tetrahedron, exact for degree 5 [Wal00]: exact_rule({4}, 5).
 Quadrature walkington_rule();
 
 // m Gauss points of the unit segment, exact for degree 2m - 1: a factor for product_rule.
@@ -55,6 +68,10 @@ Quadrature composite_rule(const Quadrature& rule, int m);
 // `rule`, of a triangle, on the subtriangles of a mesh graded towards the corners: `levels` times,
 // the corner subtriangles of the m-fold subdivision are halved.
 Quadrature corner_graded_rule(const Quadrature& rule, int m, int levels);
+
+// Of guard points at the corners: changes no integral by more than it takes to see the corners.
+// Origin: QuadratureRules::corner_guard, which bench/tune.py varies.
+inline constexpr double kCornerGuard = 1e-3;
 
 // `rule` scaled by 1 - weight, and the lattice points of its cell, whose coordinates are multiples
 // of 1/m (corners for m = 1), sharing `weight`: guard points that let the energy see the element's

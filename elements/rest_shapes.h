@@ -18,6 +18,9 @@ struct RestShapes {
   Vec measure;        // #E: area or volume, model units
   RowMatrix nodes;    // #N by d >= D: rest position of every node, where M varies; else no rows
   bool curved() const { return nodes.rows() > 0; }
+  RestJacobian jacobian() const {
+    return curved() ? RestJacobian::Varying : RestJacobian::Constant;
+  }
 
   // M of element e as a D by D matrix; only where it is constant.
   Eigen::Map<const RowMatrix> inverse_of(Index e) const {
@@ -47,7 +50,7 @@ RowMatrix in_frames(const Points3& positions, const Cells& faces, const Points3&
 // other sizes, and for axes that are zero or not finite.
 //
 //   const RowMatrix fibres = in_frames(mesh->positions(), mesh->faces(), directions);
-//   auto term = make_energy(space, turned(rest, fibres), shear, {rule});
+//   auto term = make_energy(space, turned(rest, fibres), shear);
 RestShapes turned(RestShapes rest, const RowMatrix& first_axes);
 
 // Rest shapes that are themselves images of the reference element: positions #N by d of the space's

@@ -3,13 +3,13 @@
 //   auto mips = density<2, 2>("mips", [](const auto& J) {
 //     return J.squaredNorm() / J.determinant();
 //   });
-//   builder.add(make_energy(space, rest, mips, {rule}), 1.0 / area);
+//   builder.add(make_energy(space, rest, mips), 1.0 / area);
 //
 // J is M by D, both 1 to 3: M unknowns per node, D the dimension of the element, in the frame of
-// the rest shape (RestShapes; turned() turns it). Derivatives come from Dual2, so the formula may
-// do what Dual2 does; branches too. The projected Hessian comes from an eigendecomposition of the
-// MD by MD block at every quadrature point: for isotropic planar energies spectral() and
-// invariant() are faster and know more curvature models.
+// the rest shape (RestShapes; turned() turns it). Derivatives come from Dual1 and Dual2 (dual2.h),
+// so the formula may do what these do; branches too. The projected Hessian comes from an
+// eigendecomposition of the MD by MD block at every quadrature point: for isotropic planar energies
+// spectral() and invariant() are faster and know more curvature models.
 #pragma once
 
 #include <cstddef>
@@ -49,14 +49,23 @@ class GeneralDensity {
   // With the exact Hessian.
   template <class... Data>
   void model(const double (&z)[size], PointModel<double, size>& m, const Data&... data) const {
-    using Scalar = Dual2<double, size>;
-    const Scalar e = f_(matrix<Scalar>([&z](int r) { return Scalar::variable(z[r], r); }), data...);
-    m.f = inside_domain(e.v, z);
-    for (std::size_t r = 0; r < e.d.size(); ++r) m.g[r] = e.d[r];
-    for (std::size_t p = 0; p < e.h.size(); ++p) m.k[p] = e.h[p];
+    differentiate<Dual2<double, size>>(z, m, data...);
+  }
+  // m.k is left alone.
+  template <class... Data>
+  void slope(const double (&z)[size], PointModel<double, size>& m, const Data&... data) const {
+    differentiate<Dual1<double, size>>(z, m, data...);
   }
 
  private:
+  template <class Scalar, class... Data>
+  void differentiate(const double (&z)[size], PointModel<double, size>& m,
+                     const Data&... data) const {
+    const Scalar e = f_(matrix<Scalar>([&z](int r) { return Scalar::variable(z[r], r); }), data...);
+    m.f = inside_domain(e.v, z);
+    for (std::size_t r = 0; r < e.d.size(); ++r) m.g[r] = e.d[r];
+    for (std::size_t p = 0; p != e.h.size(); ++p) m.k[p] = e.h[p];
+  }
   template <class T, class Entry>
   static SmallMatrix<T, M, D> matrix(const Entry& entry) {
     SmallMatrix<T, M, D> J;

@@ -1,9 +1,13 @@
 #include "majorant/energies/energy_factory.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
+#include "majorant/energies/detail/pointwise.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/argument_check.h"
 
@@ -29,6 +33,15 @@ Rows rows_of(const Rows& all, std::span<const Index> elements) {
 
 }  // namespace
 
+void detail::refuse_asymmetric(std::string_view name, double ab, double ba) {
+  const bool neither = !std::isfinite(ab) && !std::isfinite(ba);
+  if (neither || std::abs(ab - ba) <= kAsymmetry * std::max(std::abs(ab), std::abs(ba))) return;
+  throw InvalidArgument(fmt::format(
+      "energy '{0}': its formula is {1:g} at ({3}, {4}) and {2:g} at ({4}, {3}); spectral() takes "
+      "formulas that are symmetric in both singular values, density<2, 2>() takes any of J",
+      name, ab, ba, kTriedS, kTriedLess));
+}
+
 DensityTraits detail::traits_of(std::string_view name, const Traits& traits,
                                 std::span<const bool> supported) {
   DensityTraits all{std::string(name), {}, traits.barrier, traits.free_scale, {}, {}};
@@ -46,6 +59,14 @@ EnergyFactory EnergyFactory::of_density(DensityTraits traits, std::shared_ptr<co
                                                kernels);
   };
   return {std::move(traits), make, std::move(part)};
+}
+
+std::shared_ptr<const DensityTerm> EnergyFactory::operator()(
+    std::shared_ptr<const ElementSpace> space, const RestShapes& rest) const {
+  Quadrature rule = given("EnergyFactory: the space", space)->default_rule(rest.jacobian());
+  if (traits_.barrier != Barrier::None && rule.size() > 1)
+    rule = guarded_rule(rule, 1, kCornerGuard);
+  return make_(std::move(space), rest, {std::move(rule)});
 }
 
 EnergyFactory EnergyFactory::for_elements(std::span<const Index> elements) const {

@@ -1,8 +1,10 @@
 // From a density of the Jacobian to an energy term: the usual way to add an energy.
 //
 //   auto energy = make_energy(space, rest, spectral("my-energy",
-//       [](auto S, auto s) { return S / s + s / S; }), {rule});
+//       [](auto S, auto s) { return S / s + s / S; }));
 //   builder.add(energy, 1.0 / rest.measure.sum());       // a mean over the surface
+//
+// Integrated by the rule that fits the space and its degree; others may be named (quadrature.h).
 //
 // Drivers that build spaces and rules themselves take an EnergyFactory instead:
 //
@@ -64,8 +66,10 @@ struct CalledItself {
 
 }  // namespace detail
 
+// Throws InvalidArgument for a spectral() formula that is not symmetric.
 template <class Density>
 EnergyFactory energy_factory(const Density& density) {
+  detail::require_symmetric<double>(density);
   using Object = detail::CalledByPoint<Density>;
   return detail::make_factory(
       std::make_shared<const Object>(density), detail::point_kernels<Density>(),
@@ -86,7 +90,12 @@ EnergyFactory energy_factory(const Density& density, const DensityKernels& kerne
       [kernels](const Density& other) { return energy_factory(other, kernels); });
 }
 
-// Throw InvalidArgument as DensityTerm does.
+// Throw InvalidArgument as DensityTerm does. Without rules: as EnergyFactory::operator() has it.
+template <class Density>
+std::shared_ptr<const DensityTerm> make_energy(std::shared_ptr<const ElementSpace> space,
+                                               const RestShapes& rest, const Density& density) {
+  return energy_factory(density)(std::move(space), rest);
+}
 template <class Density>
 std::shared_ptr<const DensityTerm> make_energy(std::shared_ptr<const ElementSpace> space,
                                                const RestShapes& rest, const Density& density,

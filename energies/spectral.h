@@ -2,13 +2,14 @@
 //
 //   auto sd = spectral("symmetric-dirichlet",
 //       [](auto S, auto s) { return S * S + s * s + 1.0 / (S * S) + 1.0 / (s * s); });
-//   builder.add(make_energy(space, rest, sd, {rule}), 1.0 / area);
+//   builder.add(make_energy(space, rest, sd), 1.0 / area);
 //
 // `spectral` takes h(Sigma, sigma), sigma signed; `invariant` takes k(x, y) of x = |alpha|^2,
 // y = |beta|^2 and is cheaper and exact at similarities (no square roots): prefer it where the
 // density is smooth in x and y. Both are differentiated by Dual2. h must be even under B -> -B,
-// that is symmetric in its arguments. For densities that are not isotropic, or not planar, see
-// density.h; for formulas that are told of the element, element_data.h.
+// that is symmetric in its arguments: energy_factory() and make_energy() try that at one point. For
+// densities that are not isotropic, or not planar, see density.h; for formulas that are told of the
+// element, element_data.h.
 #pragma once
 
 #include <string>
@@ -191,6 +192,13 @@ class SpectralDensity : public IsotropicDensity<SpectralDensity<H, Majorant>, Ma
     using namespace scalar_math;
     const T a = sqrt(x), b = sqrt(y);
     return h_(a + b, a - b, data...);
+  }
+  // (S, s) -> (h(S, s), h(s, S)): the same of a function of singular values.
+  template <class T, class... Data>
+  void in_both_orders(T (&values)[2], const Data&... data) const {
+    const T S = values[0], s = values[1];
+    values[0] = h_(S, s, data...);
+    values[1] = h_(s, S, data...);
   }
   // k_A = h_S + h_s, k_B = h_S - h_s. Below B = kEvenBelow A the even expansion in B takes over.
   // Origin: there k_B / B = k_BB to a few 1e-11, while the quotient has lost as much to

@@ -15,12 +15,14 @@
 
 namespace majorant {
 
-// For make_energy() and energy_factory() with this density.
+// For make_energy() and energy_factory() with this density. Throws InvalidArgument for a spectral()
+// formula that is not symmetric.
 template <detail::Isotropic Density>
-DensityKernels vectorized(const Density&) {
+DensityKernels vectorized(const Density& density) {
   static_assert(
       !requires(const Density& density) { density.element_count(); },
       "formulas with data of elements are called point by point");
+  detail::require_symmetric<xsimd::batch<double>>(density);
   return kernel::make_kernels<xsimd::default_arch, Density>();
 }
 

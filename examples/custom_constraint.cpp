@@ -42,8 +42,7 @@ int main(int argc, char** argv) {
   // 2. The problem of a map, with one constraint more.
   const RestShapes rest = flat_triangles(mesh->positions(), mesh->faces());
   ProblemBuilder builder(2 * mesh->vertex_count());
-  builder.add(symmetric_dirichlet()(start.shared_space(), rest, {lattice_rule(1)}),
-              1 / mesh->area());
+  builder.add(symmetric_dirichlet()(start.shared_space(), rest), 1 / mesh->area());
   builder.add(std::make_shared<const LocalInjectivity>(start.shared_space(), 2 * rest.measure));
   builder.add(FixedPoints::at({a}, x));
   builder.add(Link(a, b, offset));

@@ -23,7 +23,7 @@ int main(int argc, char** argv) {
   write_vtu(argv[2], to_map_file(*result.map));
   // 3. While writing a new energy: its derivatives against finite differences.
   auto term = make_energy(result.map->shared_space(),
-                          flat_triangles(mesh->positions(), mesh->faces()), mine, {radon_rule()});
+                          flat_triangles(mesh->positions(), mesh->faces()), mine);
   auto report = check_derivatives(*term, result.map->control_points());
   std::cout << status_name(result.status) << ", energy " << result.measures.value << "\n"
             << report.message();

@@ -82,8 +82,7 @@ int main(int argc, char** argv) {
   const BezierMap start = *parametrize(mesh, options).map;
   const RestShapes rest = flat_triangles(mesh->positions(), mesh->faces());
   ProblemBuilder builder(2 * mesh->vertex_count());
-  builder.add(symmetric_dirichlet()(start.shared_space(), rest, {lattice_rule(1)}),
-              1 / mesh->area());
+  builder.add(symmetric_dirichlet()(start.shared_space(), rest), 1 / mesh->area());
   builder.add(springs, 100 / lengths.sum());
   builder.add(std::make_shared<const LocalInjectivity>(start.shared_space(), 2 * rest.measure));
   builder.add(FixedPoints::at({0}, start.control_points()));

@@ -40,8 +40,7 @@ int main(int argc, char** argv) {
   const Vec start = Eigen::Map<const Vec>(flat.data(), flat.size());
   auto injectivity = std::make_shared<const LocalInjectivity>(space, rest.measure);
   ProblemBuilder builder(2 * space->node_count());
-  builder.add(symmetric_dirichlet()(space, rest, {guarded_rule(tensor_gauss_rule(4), 1, 1e-3)}),
-              1 / rest.measure.sum());
+  builder.add(symmetric_dirichlet()(space, rest), 1 / rest.measure.sum());
   builder.add(injectivity);
   builder.add(FixedPoints::at({0}, start));
   const Problem problem = builder.build();

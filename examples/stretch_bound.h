@@ -33,8 +33,7 @@ class StretchBound final : public BarrierChecker {
       return -log(b * b - b * J.squaredNorm() + J.determinant() * J.determinant());
     };
     const Traits everywhere{.domain = Domain::Everywhere};
-    return make_energy(net_.triangles, net_.rest, density<2, 2>("stretch", wall, everywhere),
-                       {lattice_rule(1)});
+    return make_energy(net_.triangles, net_.rest, density<2, 2>("stretch", wall, everywhere));
   }
   std::shared_ptr<const BarrierChecker> relaxed(VecIn x) const override {
     const double stretch = largest_stretch(net_, x).maxCoeff();

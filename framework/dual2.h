@@ -1,13 +1,14 @@
-// Second-order forward differentiation in N variables: a value, its gradient and its Hessian.
+// Forward differentiation in N variables: a value, its gradient and, of second order, its Hessian.
 //
 //   auto [S, s] = dual2_variables<double>(1.5, 0.7);
 //   auto h = S * S + s * s + 1.0 / (S * S) + 1.0 / (s * s);   // h.v, h.d[i], h.hess(i, j)
 //
-// What the lambdas of make_term(), density() and spectral() are called with. Inside them write
+// What the lambdas of make_term(), density() and spectral() are called with: Dual2 where a Hessian
+// is wanted, Dual1 where the gradient alone is (make_term, density). Inside them write
 // `using std::sqrt;` and so on, so that the same code works on doubles. T is double or a SIMD
 // batch; comparisons, and with them branches, are for doubles. Small N only (2 for isotropic
-// densities, 12 for the corners of a tetrahedron): a product costs 3 N^2 multiplications;
-// everything is unrolled, nothing allocates.
+// densities, 12 for the corners of a tetrahedron): a product costs 2 N multiplications in the first
+// order, 3 N^2 in the second; everything is unrolled, nothing allocates.
 //
 // At a kink the derivatives are those of one side: abs(x) has slope 1 at 0; min and max take their
 // first argument where both are equal; hypot(0, 0) has derivatives 0, a subgradient. Where a
@@ -22,32 +23,34 @@
 
 namespace majorant {
 
-template <class T, int N>
-struct Dual2 {
+template <class T, int N, int Order>  // 1 or 2
+struct Dual {
   static constexpr bool is_scalar = std::is_same_v<T, double>;
+  static constexpr int order = Order;
 
   T v;
   std::array<T, N> d;
-  std::array<T, N*(N + 1) / 2> h;  // lower triangle, row by row
+  std::array<T, Order == 2 ? N*(N + 1) / 2 : 0> h;  // lower triangle, row by row
 
-  Dual2() : v(0.0) { clear(); }
-  Dual2(double value) : v(value) { clear(); }
-  explicit Dual2(const T& value) requires(!is_scalar) : v(value) { clear(); }
-  static Dual2 variable(const T& value, int index) {
-    Dual2 x{value};
+  Dual() : v(0.0) { clear(); }
+  Dual(double value) : v(value) { clear(); }
+  explicit Dual(const T& value) requires(!is_scalar) : v(value) { clear(); }
+  static Dual variable(const T& value, int index) {
+    Dual x{value};
     x.d[static_cast<std::size_t>(index)] = T(1.0);
     return x;
   }
-  const T& hess(int i, int j) const {
+  const T& hess(int i, int j) const requires(Order == 2) {
     return h[static_cast<std::size_t>(i >= j ? i * (i + 1) / 2 + j : j * (j + 1) / 2 + i)];
   }
 
   // f(x) given f, f' and f'' at x.v.
-  Dual2 chain(const T& f, const T& f1, const T& f2) const {
-    Dual2 r(f, Unset{});
+  Dual chain(const T& f, const T& f1, const T& f2) const {
+    Dual r(f, Unset{});
     for (std::size_t i = 0, k = 0; i < N; ++i) {
       r.d[i] = f1 * d[i];
-      for (std::size_t j = 0; j <= i; ++j, ++k) r.h[k] = f1 * h[k] + f2 * (d[i] * d[j]);
+      if constexpr (Order == 2)
+        for (std::size_t j = 0; j <= i; ++j, ++k) r.h[k] = f1 * h[k] + f2 * (d[i] * d[j]);
     }
     return r;
   }
@@ -55,128 +58,126 @@ struct Dual2 {
   struct Partials {
     T f, fa, fb, faa, fab, fbb;
   };
-  static Dual2 chain(const Dual2& a, const Dual2& b, const Partials& p) {
-    Dual2 r(p.f, Unset{});
+  static Dual chain(const Dual& a, const Dual& b, const Partials& p) {
+    Dual r(p.f, Unset{});
     for (std::size_t i = 0, k = 0; i < N; ++i) {
       r.d[i] = p.fa * a.d[i] + p.fb * b.d[i];
-      const T along_a = p.faa * a.d[i] + p.fab * b.d[i], along_b = p.fab * a.d[i] + p.fbb * b.d[i];
-      for (std::size_t j = 0; j <= i; ++j, ++k)
-        r.h[k] = p.fa * a.h[k] + p.fb * b.h[k] + along_a * a.d[j] + along_b * b.d[j];
+      if constexpr (Order == 2) {
+        const T along_a = p.faa * a.d[i] + p.fab * b.d[i];
+        const T along_b = p.fab * a.d[i] + p.fbb * b.d[i];
+        for (std::size_t j = 0; j <= i; ++j, ++k)
+          r.h[k] = p.fa * a.h[k] + p.fb * b.h[k] + along_a * a.d[j] + along_b * b.d[j];
+      }
     }
     return r;
   }
 
-  Dual2& operator+=(const Dual2& o) {
+  Dual& operator+=(const Dual& o) {
     v += o.v;
     for (std::size_t i = 0; i < d.size(); ++i) d[i] += o.d[i];
-    for (std::size_t k = 0; k < h.size(); ++k) h[k] += o.h[k];
+    for (std::size_t k = 0; k != h.size(); ++k) h[k] += o.h[k];
     return *this;
   }
-  Dual2& operator-=(const Dual2& o) {
+  Dual& operator-=(const Dual& o) {
     v -= o.v;
     for (std::size_t i = 0; i < d.size(); ++i) d[i] -= o.d[i];
-    for (std::size_t k = 0; k < h.size(); ++k) h[k] -= o.h[k];
+    for (std::size_t k = 0; k != h.size(); ++k) h[k] -= o.h[k];
     return *this;
   }
-  Dual2& operator*=(double c) {
-    const T factor(c);
-    v *= factor;
-    for (auto& x : d) x *= factor;
-    for (auto& x : h) x *= factor;
-    return *this;
-  }
-  Dual2& operator+=(double c) {
+  Dual& operator+=(double c) {
     v += T(c);
     return *this;
   }
-  Dual2& operator-=(double c) {
+  Dual& operator-=(double c) {
     v -= T(c);
     return *this;
   }
-  Dual2& operator/=(double c) { return *this *= 1.0 / c; }
-  Dual2& operator*=(const Dual2& o) { return *this = *this * o; }
-  Dual2& operator/=(const Dual2& o) { return *this = *this / o; }
+  Dual& operator*=(double c) { return *this = *this * c; }
+  Dual& operator/=(double c) { return *this *= 1.0 / c; }
+  Dual& operator*=(const Dual& o) { return *this = *this * o; }
+  Dual& operator/=(const Dual& o) { return *this = *this / o; }
 
-  friend const Dual2& operator+(const Dual2& a) { return a; }
-  friend Dual2 operator-(const Dual2& a) { return a * -1.0; }
-  friend Dual2 operator+(const Dual2& a, const Dual2& b) {
-    Dual2 r(T(a.v + b.v), Unset{});
+  friend const Dual& operator+(const Dual& a) { return a; }
+  friend Dual operator-(const Dual& a) { return a * -1.0; }
+  friend Dual operator+(const Dual& a, const Dual& b) {
+    Dual r(T(a.v + b.v), Unset{});
     for (std::size_t i = 0; i < r.d.size(); ++i) r.d[i] = a.d[i] + b.d[i];
-    for (std::size_t k = 0; k < r.h.size(); ++k) r.h[k] = a.h[k] + b.h[k];
+    for (std::size_t k = 0; k != r.h.size(); ++k) r.h[k] = a.h[k] + b.h[k];
     return r;
   }
-  friend Dual2 operator-(const Dual2& a, const Dual2& b) {
-    Dual2 r(T(a.v - b.v), Unset{});
+  friend Dual operator-(const Dual& a, const Dual& b) {
+    Dual r(T(a.v - b.v), Unset{});
     for (std::size_t i = 0; i < r.d.size(); ++i) r.d[i] = a.d[i] - b.d[i];
-    for (std::size_t k = 0; k < r.h.size(); ++k) r.h[k] = a.h[k] - b.h[k];
+    for (std::size_t k = 0; k != r.h.size(); ++k) r.h[k] = a.h[k] - b.h[k];
     return r;
   }
-  friend Dual2 operator*(const Dual2& a, const Dual2& b) {
-    Dual2 r(T(a.v * b.v), Unset{});
+  friend Dual operator*(const Dual& a, const Dual& b) {
+    Dual r(T(a.v * b.v), Unset{});
     for (std::size_t i = 0, k = 0; i < N; ++i) {
       r.d[i] = a.v * b.d[i] + a.d[i] * b.v;
-      for (std::size_t j = 0; j <= i; ++j, ++k)
-        r.h[k] = (a.v * b.h[k] + a.h[k] * b.v) + (a.d[i] * b.d[j] + a.d[j] * b.d[i]);
+      if constexpr (Order == 2)
+        for (std::size_t j = 0; j <= i; ++j, ++k)
+          r.h[k] = (a.v * b.h[k] + a.h[k] * b.v) + (a.d[i] * b.d[j] + a.d[j] * b.d[i]);
     }
     return r;
   }
-  friend Dual2 inverse(const Dual2& a) {
+  friend Dual inverse(const Dual& a) {
     const T i = T(1.0) / a.v, i2 = i * i;
     return a.chain(i, -i2, T(2.0) * i2 * i);
   }
-  friend Dual2 operator/(const Dual2& a, const Dual2& b) { return a * inverse(b); }
-  friend Dual2 operator+(Dual2 a, double b) { return a += b; }
-  friend Dual2 operator+(double b, Dual2 a) { return a += b; }
-  friend Dual2 operator-(Dual2 a, double b) { return a -= b; }
-  friend Dual2 operator-(double b, const Dual2& a) { return -a + b; }
-  friend Dual2 operator*(const Dual2& a, double b) {
+  friend Dual operator/(const Dual& a, const Dual& b) { return a * inverse(b); }
+  friend Dual operator+(Dual a, double b) { return a += b; }
+  friend Dual operator+(double b, Dual a) { return a += b; }
+  friend Dual operator-(Dual a, double b) { return a -= b; }
+  friend Dual operator-(double b, const Dual& a) { return -a + b; }
+  friend Dual operator*(const Dual& a, double b) {
     const T factor(b);
-    Dual2 r(T(a.v * factor), Unset{});
+    Dual r(T(a.v * factor), Unset{});
     for (std::size_t i = 0; i < r.d.size(); ++i) r.d[i] = a.d[i] * factor;
-    for (std::size_t k = 0; k < r.h.size(); ++k) r.h[k] = a.h[k] * factor;
+    for (std::size_t k = 0; k != r.h.size(); ++k) r.h[k] = a.h[k] * factor;
     return r;
   }
-  friend Dual2 operator*(double b, const Dual2& a) { return a * b; }
-  friend Dual2 operator/(const Dual2& a, double b) { return a * (1.0 / b); }
-  friend Dual2 operator/(double b, const Dual2& a) { return inverse(a) * b; }
+  friend Dual operator*(double b, const Dual& a) { return a * b; }
+  friend Dual operator/(const Dual& a, double b) { return a * (1.0 / b); }
+  friend Dual operator/(double b, const Dual& a) { return inverse(a) * b; }
 
   // Of the values alone.
-  friend auto operator<=>(const Dual2& a, const Dual2& b) requires is_scalar { return a.v <=> b.v; }
-  friend auto operator<=>(const Dual2& a, double b) requires is_scalar { return a.v <=> b; }
-  friend bool operator==(const Dual2& a, const Dual2& b) requires is_scalar { return a.v == b.v; }
-  friend bool operator==(const Dual2& a, double b) requires is_scalar { return a.v == b; }
+  friend auto operator<=>(const Dual& a, const Dual& b) requires is_scalar { return a.v <=> b.v; }
+  friend auto operator<=>(const Dual& a, double b) requires is_scalar { return a.v <=> b; }
+  friend bool operator==(const Dual& a, const Dual& b) requires is_scalar { return a.v == b.v; }
+  friend bool operator==(const Dual& a, double b) requires is_scalar { return a.v == b; }
 
-  friend Dual2 sqrt(const Dual2& a) {
+  friend Dual sqrt(const Dual& a) {
     using std::sqrt;
     const T r = sqrt(a.v), i = T(0.5) / r;
     return a.chain(r, i, T(-0.5) * i / a.v);
   }
-  friend Dual2 log(const Dual2& a) {
+  friend Dual log(const Dual& a) {
     using std::log;
     const T i = T(1.0) / a.v;
     return a.chain(log(a.v), i, -(i * i));
   }
-  friend Dual2 exp(const Dual2& a) {
+  friend Dual exp(const Dual& a) {
     using std::exp;
     const T e = exp(a.v);
     return a.chain(e, e, e);
   }
 
   // Negative bases where the exponent is a whole number, 0 where it is at least 2 (or 0 or 1).
-  friend Dual2 pow(const Dual2& a, double p) {
+  friend Dual pow(const Dual& a, double p) {
     using std::pow;
     const auto power = [&a](double q) { return T(pow(a.v, T(q))); };
     return a.chain(power(p), p == 0 ? T(0.0) : T(p) * power(p - 1),
-                   p == 0 || p == 1 ? T(0.0) : T(p * (p - 1)) * power(p - 2));
+                   Order == 1 || p == 0 || p == 1 ? T(0.0) : T(p * (p - 1)) * power(p - 2));
   }
-  friend Dual2 pow(double a, const Dual2& p) {
+  friend Dual pow(double a, const Dual& p) {
     using std::log;
     using std::pow;
     const T f = pow(T(a), p.v), l = a == 0 ? T(0.0) : T(log(T(a)));
     return p.chain(f, l * f, l * l * f);
   }
   // Of positive bases.
-  friend Dual2 pow(const Dual2& a, const Dual2& p) {
+  friend Dual pow(const Dual& a, const Dual& p) {
     using std::log;
     using std::pow;
     const T f = pow(a.v, p.v), l = log(a.v), q = f / a.v, pq = p.v * q;
@@ -184,7 +185,7 @@ struct Dual2 {
   }
 
   // The angle of (x, y), in (-pi, pi].
-  friend Dual2 atan2(const Dual2& y, const Dual2& x) {
+  friend Dual atan2(const Dual& y, const Dual& x) {
     using std::atan2;
     const T i = T(1.0) / (x.v * x.v + y.v * y.v), c = x.v * i, s = y.v * i;
     const T mixed = s * s - c * c, same = T(2.0) * c * s;
@@ -192,58 +193,57 @@ struct Dual2 {
   }
 
   // sqrt(a a + b b) without overflow.
-  friend Dual2 hypot(const Dual2& a, const Dual2& b) {
+  friend Dual hypot(const Dual& a, const Dual& b) {
     using std::hypot;
     const T r = hypot(a.v, b.v), i = either(r > T(0.0), T(1.0) / r, T(0.0));
     const T c = a.v * i, s = b.v * i;
     return chain(a, b, {r, c, s, s * s * i, -(c * s * i), c * c * i});
   }
-  friend Dual2 abs(const Dual2& a) { return either(a.v < T(0.0), -a, a); }
-  friend Dual2 fabs(const Dual2& a) { return abs(a); }
-  friend Dual2 min(const Dual2& a, const Dual2& b) { return either(b.v < a.v, b, a); }
-  friend Dual2 max(const Dual2& a, const Dual2& b) { return either(a.v < b.v, b, a); }
+  friend Dual abs(const Dual& a) { return either(a.v < T(0.0), -a, a); }
+  friend Dual fabs(const Dual& a) { return abs(a); }
+  friend Dual min(const Dual& a, const Dual& b) { return either(b.v < a.v, b, a); }
+  friend Dual max(const Dual& a, const Dual& b) { return either(a.v < b.v, b, a); }
 
   // With a double in place of one of two arguments.
-  friend Dual2 atan2(const Dual2& y, double x) { return atan2(y, Dual2(x)); }
-  friend Dual2 atan2(double y, const Dual2& x) { return atan2(Dual2(y), x); }
-  friend Dual2 hypot(const Dual2& a, double b) { return hypot(a, Dual2(b)); }
-  friend Dual2 hypot(double a, const Dual2& b) { return hypot(Dual2(a), b); }
-  friend Dual2 min(const Dual2& a, double b) { return min(a, Dual2(b)); }
-  friend Dual2 min(double a, const Dual2& b) { return min(Dual2(a), b); }
-  friend Dual2 max(const Dual2& a, double b) { return max(a, Dual2(b)); }
-  friend Dual2 max(double a, const Dual2& b) { return max(Dual2(a), b); }
+  friend Dual atan2(const Dual& y, double x) { return atan2(y, Dual(x)); }
+  friend Dual atan2(double y, const Dual& x) { return atan2(Dual(y), x); }
+  friend Dual hypot(const Dual& a, double b) { return hypot(a, Dual(b)); }
+  friend Dual hypot(double a, const Dual& b) { return hypot(Dual(a), b); }
+  friend Dual min(const Dual& a, double b) { return min(a, Dual(b)); }
+  friend Dual min(double a, const Dual& b) { return min(Dual(a), b); }
+  friend Dual max(const Dual& a, double b) { return max(a, Dual(b)); }
+  friend Dual max(double a, const Dual& b) { return max(Dual(a), b); }
 
  private:
   struct Unset {};
-  Dual2(const T& value, Unset) : v(value) {}  // its derivatives are about to be written
+  Dual(const T& value, Unset) : v(value) {}  // its derivatives are about to be written
   void clear() {
     d.fill(T(0.0));
     h.fill(T(0.0));
   }
   static const T& either(bool first, const T& a, const T& b) { return first ? a : b; }
-  static const Dual2& either(bool first, const Dual2& a, const Dual2& b) { return first ? a : b; }
+  static const Dual& either(bool first, const Dual& a, const Dual& b) { return first ? a : b; }
   template <class Mask>
   static T either(const Mask& first, const T& a, const T& b) requires(!is_scalar) {
     return select(first, a, b);
   }
   template <class Mask>
-  static Dual2 either(const Mask& first, const Dual2& a, const Dual2& b) requires(!is_scalar) {
-    Dual2 r(select(first, a.v, b.v), Unset{});
+  static Dual either(const Mask& first, const Dual& a, const Dual& b) requires(!is_scalar) {
+    Dual r(select(first, a.v, b.v), Unset{});
     for (std::size_t i = 0; i < r.d.size(); ++i) r.d[i] = select(first, a.d[i], b.d[i]);
-    for (std::size_t k = 0; k < r.h.size(); ++k) r.h[k] = select(first, a.h[k], b.h[k]);
+    for (std::size_t k = 0; k != r.h.size(); ++k) r.h[k] = select(first, a.h[k], b.h[k]);
     return r;
   }
 };
 
-// The two variables of an isotropic density.
-template <class T>
-std::array<Dual2<T, 2>, 2> dual2_variables(const T& a, const T& b) {
-  return {Dual2<T, 2>::variable(a, 0), Dual2<T, 2>::variable(b, 1)};
-}
+template <class T, int N>
+using Dual1 = Dual<T, N, 1>;
+template <class T, int N>
+using Dual2 = Dual<T, N, 2>;
 
 }  // namespace majorant
 
-// Trigonometric and hyperbolic functions.
+// Trigonometric and hyperbolic functions, dual2_variables().
 #include "majorant/framework/dual2_functions.h"
 
 // SPDX-FileCopyrightText: 2026 the majorant developers

@@ -1,6 +1,6 @@
-// Dual2 as the scalar of Eigen's small matrices, mixed with doubles:
+// Dual numbers as the scalars of Eigen's small matrices, mixed with doubles:
 //
-//   Eigen::Matrix<Dual2<double, 4>, 2, 2> J;
+//   Eigen::Matrix<Dual2<double, 4>, 2, 2> J;   // or Dual1
 //   const Eigen::Matrix2d rest_inverse = Eigen::Matrix2d::Identity();
 //   const auto det = (J * rest_inverse).determinant();
 //
@@ -13,9 +13,9 @@
 
 namespace Eigen {
 
-template <int N>
-struct NumTraits<majorant::Dual2<double, N>> : NumTraits<double> {
-  using Real = majorant::Dual2<double, N>;
+template <int N, int Order>
+struct NumTraits<majorant::Dual<double, N, Order>> : NumTraits<double> {
+  using Real = majorant::Dual<double, N, Order>;
   using NonInteger = Real;
   using Nested = Real;
   enum {
@@ -23,19 +23,19 @@ struct NumTraits<majorant::Dual2<double, N>> : NumTraits<double> {
     IsInteger = 0,
     IsSigned = 1,
     RequireInitialization = 1,
-    ReadCost = N * N / 2,
-    AddCost = N * N / 2,
-    MulCost = 3 * N * N
+    ReadCost = Order == 2 ? N * N / 2 : N,
+    AddCost = ReadCost,
+    MulCost = Order == 2 ? 3 * N * N : 2 * N
   };
 };
 
-template <int N, class Operation>
-struct ScalarBinaryOpTraits<majorant::Dual2<double, N>, double, Operation> {
-  using ReturnType = majorant::Dual2<double, N>;
+template <int N, int Order, class Operation>
+struct ScalarBinaryOpTraits<majorant::Dual<double, N, Order>, double, Operation> {
+  using ReturnType = majorant::Dual<double, N, Order>;
 };
-template <int N, class Operation>
-struct ScalarBinaryOpTraits<double, majorant::Dual2<double, N>, Operation> {
-  using ReturnType = majorant::Dual2<double, N>;
+template <int N, int Order, class Operation>
+struct ScalarBinaryOpTraits<double, majorant::Dual<double, N, Order>, Operation> {
+  using ReturnType = majorant::Dual<double, N, Order>;
 };
 
 }  // namespace Eigen

@@ -48,23 +48,26 @@ struct Residuals {
     return rho(s)[0] / 2;
   }
   template <class Variable>
-  Variable model(Index e, const NodeValues<Variable, Block, N>& z, BlendedCurvature curvature,
-                 bool second) const {
+  Variable model(Index e, const NodeValues<Variable, Block, N>& z,
+                 BlendedCurvature curvature) const {
     constexpr std::size_t size = N * Block;
     const double exact = curvature.model == Curvature::Reweighted ? 0 : 1 - curvature.clamp;
     Variable sum;  // value |r|^2, gradient J^T r, second derivatives J^T J and what Exact adds
     for_each(f(e, z), [&](const Variable& r) {
       sum.v += r.v * r.v;
       for (std::size_t i = 0; i < size; ++i) sum.d[i] += r.v * r.d[i];
-      for (std::size_t i = 0, k = 0; second && i < size; ++i)
-        for (std::size_t j = 0; j <= i; ++j, ++k)
-          sum.h[k] += r.d[i] * r.d[j] + exact * r.v * r.h[k];
+      if constexpr (Variable::order == 2)
+        for (std::size_t i = 0, k = 0; i < size; ++i)
+          for (std::size_t j = 0; j <= i; ++j, ++k)
+            sum.h[k] += r.d[i] * r.d[j] + exact * r.v * r.h[k];
     });
     const auto [rho0, rho1, rho2] = rho(sum.v);
-    const double bend = 2 * (rho2 < 0 ? exact * rho2 : rho2);
-    for (std::size_t i = 0, k = 0; second && i < size; ++i)
-      for (std::size_t j = 0; j <= i; ++j, ++k)
-        sum.h[k] = rho1 * sum.h[k] + bend * sum.d[i] * sum.d[j];
+    if constexpr (Variable::order == 2) {
+      const double bend = 2 * (rho2 < 0 ? exact * rho2 : rho2);
+      for (std::size_t i = 0, k = 0; i < size; ++i)
+        for (std::size_t j = 0; j <= i; ++j, ++k)
+          sum.h[k] = rho1 * sum.h[k] + bend * sum.d[i] * sum.d[j];
+    }
     for (double& d : sum.d) d *= rho1;
     sum.v = rho0 / 2;
     return sum;

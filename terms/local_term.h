@@ -11,11 +11,11 @@
 //   builder.add(springs, 10.0);
 //
 // The lambda gets the element's number, for data that it captures, and the unknowns z of its nodes:
-// Block by N, column i the node ends(e, i), double where the energy alone is wanted, Dual2 where
-// derivatives are. It has to be generic in them, deterministic and safe to call from several
-// threads; `using std::sqrt;` and so on make functions of numbers work on both (dual2.h has the
-// list). Branches on values are fine where the energy stays continuous. It is Eigen's algebra:
-// expressions that are used twice want .eval(), and data enter as doubles.
+// Block by N, column i the node ends(e, i), double where the energy alone is wanted, Dual1 where
+// the gradient is, Dual2 where the Hessian is, too. It has to be generic in them, deterministic and
+// safe to call from several threads; `using std::sqrt;` and so on make functions of numbers work on
+// both (dual2.h has the list). Branches on values are fine where the energy stays continuous. It is
+// Eigen's algebra: expressions that are used twice want .eval(), and data enter as doubles.
 //
 // NaN and +inf mean that z is outside of the domain: line searches stay inside. An exception thrown
 // by the lambda ends the solve and reaches the caller of minimize().
@@ -25,7 +25,8 @@
 //
 // Curvature: Exact, and Projected by an eigendecomposition of the N Block by N Block matrix. Not
 // for energies of maps (make_energy() is several times faster and integrates), nor for elements of
-// more than 30 unknowns: derivatives cost 3 (N Block)^2 operations for every product in the lambda.
+// more than 30 unknowns: a Hessian costs 3 (N Block)^2 operations for every product in the lambda,
+// a gradient 2 N Block.
 #pragma once
 
 #include <algorithm>
@@ -69,10 +70,11 @@ struct LocalFunction {
   static bool supports(Curvature c) { return c == Curvature::Exact || c == Curvature::Projected; }
   double value(Index e, const NodeValues<double, Block, N>& z) const { return f(e, z); }
   template <class Variable>
-  Variable model(Index e, const NodeValues<Variable, Block, N>& z, BlendedCurvature curvature,
-                 bool second) const {
+  Variable model(Index e, const NodeValues<Variable, Block, N>& z,
+                 BlendedCurvature curvature) const {
     Variable result = f(e, z);
-    if (second && curvature.clamp > 0) {
+    if constexpr (Variable::order == 2) {
+      if (!(curvature.clamp > 0)) return result;
       if constexpr (N == 2)
         make_pair_semidefinite<Block>(curvature.clamp, result.h.data());
       else

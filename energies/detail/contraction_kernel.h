@@ -9,6 +9,7 @@
 //     defines(Curvature)                                 constexpr: models worth compiling
 //     value(z), model<Curvature>(z, clamp, PointModel&)  z: rows * dims coordinates of J; clamp:
 //                                                         BlendedCurvature::clamp
+//     slope(z, PointModel&)                              without curvature; where it is a saving
 //     to_coordinates, gradient_to_jacobian, curvature_to_jacobian
 // as energies/spectral.h and energies/density.h have them.
 //
@@ -37,6 +38,16 @@ template <class Density>
                    {lanes, elements, element_count < lanes ? element_count : lanes});
   else
     return (*static_cast<const Density*>(object));
+}
+
+// hessian: null where the curvature is not looked at.
+template <Curvature C, class Density, class B, int N>
+[[gnu::always_inline]] inline void differentiate(const Density& density, const B (&z)[N],
+                                                 double clamp, const double* hessian,
+                                                 PointModel<B, N>& m) {
+  if constexpr (requires { density.slope(z, m); })
+    if (!hessian) return density.slope(z, m);
+  density.template model<C>(z, clamp, m);
 }
 
 template <class Arch, class Density>
@@ -79,7 +90,7 @@ template <class Arch, class Density, Curvature C>
     PointModel<B, N> m;
     for (int l = 0; l < t.points; ++l) {
       frame.at_point(t, l, z);
-      density.template model<C>(z, clamp, m);
+      differentiate<C>(density, z, clamp, hessian, m);
       sum += frame.weight(t, l) * m.f;
       if (frame.rest_step != 0) frame.pull_back_gradient(l, m.g);
       const double* wf = t.weighted_first + l * t.first_count;

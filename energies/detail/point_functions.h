@@ -23,6 +23,7 @@ struct PointBatch {
 struct JacobianFunction {
   const void* formula;
   void (*values)(const void* formula, const PointBatch&, const double* J, double* f);
+  void (*slopes)(const void* formula, const PointBatch&, const double* J, double* f, double* g);
   void (*models)(const void* formula, const PointBatch&, const double* J, double* f, double* g,
                  double* k);
 };

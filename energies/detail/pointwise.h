@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <memory>
+#include <string_view>
+#include <type_traits>
 #include <utility>
 
 #include "majorant/energies/detail/isotropic.h"
@@ -30,12 +32,27 @@ struct JacobianPoints {
   static void load(const double* J, int p, double (&z)[kSize]) {
     for (int r = 0; r < kSize; ++r) z[r] = J[r * kLanes + p];
   }
+  static void store(const PointModel<double, kSize>& m, int p, double* f, double* g) {
+    f[p] = m.f;
+    for (int r = 0; r < kSize; ++r) g[r * kLanes + p] = m.g[r];
+  }
   static void values(const void* formula, const PointBatch& batch, const double* J, double* f) {
     const auto& density = *static_cast<const Density*>(formula);
     for_points(density, batch, [&](int p, const auto&... data) {
       double z[kSize];
       load(J, p, z);
       f[p] = density.value(z, data...);
+    });
+  }
+  static void slopes(const void* formula, const PointBatch& batch, const double* J, double* f,
+                     double* g) {
+    const auto& density = *static_cast<const Density*>(formula);
+    for_points(density, batch, [&](int p, const auto&... data) {
+      double z[kSize];
+      PointModel<double, kSize> m;
+      load(J, p, z);
+      density.slope(z, m, data...);
+      store(m, p, f, g);
     });
   }
   static void models(const void* formula, const PointBatch& batch, const double* J, double* f,
@@ -46,8 +63,7 @@ struct JacobianPoints {
       PointModel<double, kSize> m;
       load(J, p, z);
       density.model(z, m, data...);
-      f[p] = m.f;
-      for (int r = 0; r < kSize; ++r) g[r * kLanes + p] = m.g[r];
+      store(m, p, f, g);
       for (int r = 0; r < kSize * (kSize + 1) / 2; ++r) k[r * kLanes + p] = m.k[r];
     });
   }
@@ -93,7 +109,7 @@ auto point_function(const Density& density) {
     return function;
   } else {
     using Points = JacobianPoints<Density>;
-    return JacobianFunction{&density, &Points::values, &Points::models};
+    return JacobianFunction{&density, &Points::values, &Points::slopes, &Points::models};
   }
 }
 
@@ -108,6 +124,35 @@ DensityKernels point_kernels() {
   if constexpr (requires(const Density& density) { density.element_count(); })
     kernels.star = nullptr;
   return kernels;
+}
+
+// Where a formula of singular values is tried in both orders: two of no special place. Origin: well
+// inside the domain of energies of maps.
+inline constexpr double kTriedS = 1.25, kTriedLess = 0.75;
+// Relative difference of the two that is no rounding. Origin: far above the rounding of a formula.
+inline constexpr double kAsymmetry = 1e-9;
+
+// Throws InvalidArgument where h(a, b) is not h(b, a); name: of the density.
+void refuse_asymmetric(std::string_view name, double ab, double ba);
+
+// T: double or a batch, of which the first counts. Of a formula with data: those of element 0.
+template <class T, class Density>
+void require_symmetric(const Density& density) {
+  const auto compare = [&density](const auto&... data) {
+    if constexpr (requires(T(&values)[2]) { density.in_both_orders(values, data...); }) {
+      T values[2]{T(kTriedS), T(kTriedLess)};
+      density.in_both_orders(values, data...);
+      if constexpr (std::is_same_v<T, double>)
+        refuse_asymmetric(density.name(), values[0], values[1]);
+      else
+        refuse_asymmetric(density.name(), values[0].get(0), values[1].get(0));
+    }
+  };
+  if constexpr (requires { density.element_count(); }) {
+    if (density.element_count() > 0) compare(density.data_of(0));
+  } else {
+    compare();
+  }
 }
 
 // A density beside the function that refers to it: neither moves.

@@ -30,6 +30,14 @@ class PointwiseJacobian {
     function_.values(function_.formula, points_, J, f);
     return T::load_unaligned(f);
   }
+  template <class T>
+  void slope(const T (&z)[size], PointModel<T, size>& m) const {
+    double J[size * kLanes], f[kLanes], g[size * kLanes];
+    for (int r = 0; r < size; ++r) z[r].store_unaligned(J + r * kLanes);
+    function_.slopes(function_.formula, points_, J, f, g);
+    m.f = T::load_unaligned(f);
+    for (int r = 0; r < size; ++r) m.g[r] = T::load_unaligned(g + r * kLanes);
+  }
   template <Curvature, class T>
   void model(const T (&z)[size], double clamp, PointModel<T, size>& m) const {
     double J[size * kLanes], f[kLanes], g[size * kLanes], k[packed * kLanes];

@@ -40,17 +40,23 @@ void play_values(const void* object, const PointBatch& batch, const double*, dou
   points.next += static_cast<std::size_t>(batch.count);
 }
 
+void play_slopes(const void* object, const PointBatch& batch, const double* J, double* f,
+                 double* g) {
+  const auto& points = *static_cast<const Points*>(object);
+  const double* gradient = points.g.data() + points.next * kSize;
+  play_values(object, batch, J, f);
+  for (int p = 0; p < batch.count; ++p, gradient += kSize)
+    for (int r = 0; r < kSize; ++r) g[r * kLanes + p] = gradient[r];
+}
+
 void play_models(const void* object, const PointBatch& batch, const double* J, double* f, double* g,
                  double* k) {
   const auto& points = *static_cast<const Points*>(object);
-  const double* gradient = points.g.data() + points.next * kSize;
   const double* hessian = points.H.data() + points.next * kSize * kSize;
-  play_values(object, batch, J, f);
-  for (int p = 0; p < batch.count; ++p, gradient += kSize, hessian += kSize * kSize) {
-    for (int r = 0; r < kSize; ++r) g[r * kLanes + p] = gradient[r];
+  play_slopes(object, batch, J, f, g);
+  for (int p = 0; p < batch.count; ++p, hessian += kSize * kSize)
     for (int i = 0, r = 0; i < kSize; ++i)
       for (int j = 0; j <= i; ++j, ++r) k[r * kLanes + p] = hessian[i * kSize + j];
-  }
 }
 
 // The library's, which call a JacobianFunction for some points at a time.
@@ -59,8 +65,10 @@ const DensityKernels& kernels() {
   return kernels;
 }
 
-JacobianFunction recorder(const Points& points) { return {&points, &record, nullptr}; }
-JacobianFunction player(const Points& points) { return {&points, &play_values, &play_models}; }
+JacobianFunction recorder(const Points& points) { return {&points, &record, nullptr, nullptr}; }
+JacobianFunction player(const Points& points) {
+  return {&points, &play_values, &play_slopes, &play_models};
+}
 
 struct PythonDensity {
   std::shared_ptr<const Kept> density;

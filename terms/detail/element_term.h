@@ -16,7 +16,7 @@
 
 namespace majorant {
 
-// The unknowns of an element's N nodes, a column of Block each; T is double or a Dual2.
+// The unknowns of an element's N nodes, a column of Block each; T is double or a dual number.
 template <class T, int Block, int N>
 using NodeValues = Eigen::Matrix<T, Block, N>;
 
@@ -26,13 +26,12 @@ namespace detail {
 //     nodes, block                       constexpr, N and Block
 //     supports(Curvature)
 //     value(e, z)                        of element e, z of doubles; NaN: outside the domain
-//     model(e, z, curvature, second)     z of Dual2; the second derivatives of what it returns are
-//                                        the curvature, if `second`, else they do not matter
+//     model(e, z, curvature)             z of Dual1 or Dual2; the second derivatives of what it
+//                                        returns, if it has any, are the curvature
 template <class Model>
 class ElementTerm final : public EnergyTerm {
  public:
   static constexpr int N = Model::nodes, Block = Model::block, size = N * Block;
-  using Variable = Dual2<double, size>;
 
   ElementTerm(std::string name, Cells nodes, Model model)
       : name_(std::move(name)), stencils_{std::move(nodes), Block}, model_(std::move(model)) {
@@ -58,21 +57,28 @@ class ElementTerm final : public EnergyTerm {
 
   void local(VecIn x, const Chunk& chunk, BlendedCurvature curvature, const TermState&, Workspace&,
              LocalSystem& out) const override {
+    if (out.hessian)
+      differentiate<Dual2<double, size>>(x, chunk, curvature, out);
+    else
+      differentiate<Dual1<double, size>>(x, chunk, curvature, out);
+  }
+
+ private:
+  template <class Variable>
+  void differentiate(VecIn x, const Chunk& chunk, BlendedCurvature curvature,
+                     LocalSystem& out) const {
     constexpr std::size_t stride = LocalSystem::stride;
     NodeValues<Variable, Block, N> z;
     for (int k = 0; k < size; ++k) z(k % Block, k / Block) = Variable::variable(0, k);
     for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
       const Index e = chunk.elements[p];
       for_each_unknown(e, [&](int k, Index unknown) { z(k % Block, k / Block).v = x[unknown]; });
-      const Variable result = model_.model(e, z, curvature, out.hessian != nullptr);
+      const Variable result = model_.model(e, z, curvature);
       out.value[p] = inside_domain(result.v);
       for (std::size_t k = 0; k < result.d.size(); ++k) out.gradient[k * stride + p] = result.d[k];
-      if (!out.hessian) continue;
-      for (std::size_t k = 0; k < result.h.size(); ++k) out.hessian[k * stride + p] = result.h[k];
+      for (std::size_t k = 0; k != result.h.size(); ++k) out.hessian[k * stride + p] = result.h[k];
     }
   }
-
- private:
   template <class Visit>
   void for_each_unknown(Index e, const Visit& visit) const {
     for (int i = 0, k = 0; i < N; ++i)

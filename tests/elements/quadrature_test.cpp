@@ -30,13 +30,13 @@ double mean(const Quadrature& q, int i, int j, int k) {
 }
 
 int exactness(const Quadrature& q) {
-  for (int degree = 0; degree <= 12; ++degree)
+  for (int degree = 0; degree <= 15; ++degree)
     for (int i = 0; i <= degree; ++i)
       for (int j = 0; j <= degree - i; ++j) {
         const double e = exact_mean(i, j, degree - i - j);
         if (std::abs(mean(q, i, j, degree - i - j) - e) > 1e-13 * e) return degree - 1;
       }
-  return 12;
+  return 15;
 }
 
 void expect_sound(const Quadrature& q) {
@@ -143,7 +143,7 @@ TEST(Quadrature, GuardPoints) {
 // ---- Tetrahedra: barycentric points. ----
 
 int tetrahedron_exactness(const Quadrature& q) {
-  for (int degree = 0; degree <= 8; ++degree)
+  for (int degree = 0; degree <= 11; ++degree)
     for (int i = 0; i <= degree; ++i)
       for (int j = 0; j <= degree - i; ++j)
         for (int k = 0; k <= degree - i - j; ++k) {
@@ -157,7 +157,7 @@ int tetrahedron_exactness(const Quadrature& q) {
                              test::factorial(l) / test::factorial(degree + 3)));
           if (std::abs(sum - exact) > 1e-13 * exact) return degree - 1;
         }
-  return 8;
+  return 11;
 }
 
 // Points and weights after a renumbering of coordinates, in a fixed order.
@@ -192,6 +192,48 @@ TEST(Quadrature, CompositeTetrahedraKeepExactnessAndSymmetry) {
     EXPECT_EQ(q.size(), 14 * ((m * m * m + 2 * m) / 3 + 8 * (m * m * m - m) / 6));
     expect_tetrahedron_rule(q, 5);
   }
+}
+
+// ---- By degree. ----
+
+TEST(Quadrature, ExactRulesOfTriangles) {
+  EXPECT_EQ(highest_exactness({3}), 12);
+  const int exact[] = {1, 1, 2, 4, 4, 5, 6, 8, 8, 10, 10, 12, 12};
+  const Index sizes[] = {1, 1, 3, 6, 6, 7, 12, 16, 16, 25, 25, 33, 33};
+  for (int degree = 0; degree <= 12; ++degree) {
+    const Quadrature q = exact_rule({3}, degree);
+    EXPECT_EQ(q.size(), sizes[degree]);
+    expect_sound(q);
+    EXPECT_EQ(exactness(q), exact[degree]);
+    expect_symmetric(q);
+  }
+}
+
+TEST(Quadrature, ExactRulesOfTetrahedra) {
+  EXPECT_EQ(highest_exactness({4}), 8);
+  const int exact[] = {1, 1, 2, 5, 5, 5, 6, 8, 8};
+  const Index sizes[] = {1, 1, 4, 14, 14, 14, 24, 46, 46};
+  for (int degree = 0; degree <= 8; ++degree) {
+    const Quadrature q = exact_rule({4}, degree);
+    EXPECT_EQ(q.size(), sizes[degree]);
+    expect_tetrahedron_rule(q, exact[degree]);
+  }
+}
+
+TEST(Quadrature, ExactRulesOfProducts) {
+  const auto same = [](const Quadrature& a, const Quadrature& b) {
+    EXPECT_EQ(a.cell, b.cell);
+    EXPECT_EQ(a.points, b.points);
+    EXPECT_EQ(a.weights, b.weights);
+  };
+  for (int m = 1; m <= 9; ++m) same(exact_rule({2}, 2 * m - 1), gauss_rule(m));
+  same(exact_rule({2}, 4), gauss_rule(3));
+  same(exact_rule({2, 2}, 5), tensor_gauss_rule(3));
+  same(exact_rule({3, 2}, 5), product_rule(radon_rule(), gauss_rule(3)));
+  same(exact_rule({2, 2, 2}, 3), product_rule(tensor_gauss_rule(2), gauss_rule(2)));
+  same(exact_rule({4}, 3), walkington_rule());
+  EXPECT_EQ(highest_exactness({2, 3}), highest_exactness({3}));
+  EXPECT_GT(highest_exactness({2, 2}), 1000);
 }
 
 // ---- Rules know their cells. ----
