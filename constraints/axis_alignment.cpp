@@ -25,6 +25,7 @@ AxisAlignment::AxisAlignment(std::shared_ptr<const BezierTriangleSpace> space,
 // last: rows that are solved without touching each other, which a row for each pair of neighbours
 // would not be.
 void AxisAlignment::append_rows(ConstraintRows& rows) const {
+  rows.expect_nodes(2, "AxisAlignment", "it is a constraint of maps to the plane");
   const Index unknowns = 2 * space_->node_count();
   UnionFind components(unknowns);
   for (const AlignedEdge& edge : edges_) {

@@ -1,7 +1,10 @@
 // Hard point constraints: control points held at given positions by elimination.
 //
-//   builder.add(FixedPoints({{12, {0.1, 0.2}}}));            // a pin
-//   builder.add(FixedPoints::at({12, 13, 14}, x));           // points held where x has them
+//   builder.add(FixedPoints({{12, {0.1, 0.2}}}));                     // a pin in the plane
+//   builder.add(FixedPoints::at({12, 13, 14}, x));                    // points held where x has them
+//   builder.add(FixedPoints::in_space({{7, {0.1, 0.2, 0.3}}}));       // 3 unknowns a node
+//
+// A problem whose terms have nodes of another dimension refuses them, with InvalidArgument.
 #pragma once
 
 #include <vector>
@@ -14,17 +17,25 @@ struct FixedPoint {
   Index node;
   Vector2 position;
 };
+struct FixedPoint3 {
+  Index node;
+  Vector3 position;
+};
 
 class FixedPoints final : public Constraint {
  public:
-  explicit FixedPoints(std::vector<FixedPoint> points) : points_(std::move(points)) {}
-  // Holds `nodes` where x (2 numbers per node) has them.
-  static FixedPoints at(const std::vector<Index>& nodes, VecIn x);
+  explicit FixedPoints(const std::vector<FixedPoint>& points);
+  static FixedPoints in_space(std::vector<FixedPoint3> points);
+  // Holds `nodes` where x has them, which has `dim` numbers per node. Throws InvalidArgument for a
+  // node that x does not have, and unless dim is 2 or 3.
+  static FixedPoints at(const std::vector<Index>& nodes, VecIn x, int dim = 2);
 
   void append_rows(ConstraintRows& rows) const override;
 
  private:
-  std::vector<FixedPoint> points_;
+  FixedPoints(std::vector<FixedPoint3> points, int dim) : points_(std::move(points)), dim_(dim) {}
+  std::vector<FixedPoint3> points_;  // of the plane: z is not looked at
+  int dim_;
 };
 
 }  // namespace majorant

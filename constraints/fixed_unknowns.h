@@ -4,7 +4,7 @@
 //   builder.add(FixedUnknowns(held));
 //   builder.add(std::make_shared<QuadraticPenalty>(FixedUnknowns(held)), 1e3);   // the same, soft
 //
-// For points of the plane fixed_points.h is shorter.
+// For points of the plane or of space fixed_points.h is shorter.
 #pragma once
 
 #include <vector>

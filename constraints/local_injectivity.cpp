@@ -33,6 +33,12 @@ LocalInjectivity::LocalInjectivity(std::shared_ptr<const ElementSpace> space, Ve
   if (rest_det_.size() != space_->element_count())
     throw InvalidArgument(fmt::format("LocalInjectivity: {} rest determinants for {} elements",
                                       rest_det_.size(), space_->element_count()));
+  for (Index e = 0; e < rest_det_.size(); ++e)
+    if (!(rest_det_[e] > 0) || !std::isfinite(rest_det_[e]))
+      throw InvalidArgument(
+          fmt::format("LocalInjectivity: the rest determinant of element {} is {}, finite and "
+                      "positive is needed: RestShapes::measure / ElementSpace::reference_measure()",
+                      e, rest_det_[e]));
   require_at_least("LocalInjectivity: the depth", max_depth, 0);
 }
 
@@ -49,9 +55,8 @@ Vec LocalInjectivity::certify(VecIn x, std::vector<long>* proven) const {
   for (Index e = 0; e < count; ++e)
     errors.guard([&] {
       const PositivityProof proof = space_->certify(e, x, max_depth_);
-      const bool certified = proof.result == Positivity::Certified && rest_det_[e] > 0;
-      bounds[e] = (certified ? proof.lower_bound : std::min(proof.lower_bound, 0.0)) /
-                  std::abs(rest_det_[e]);
+      const bool certified = proof.result == Positivity::Certified;
+      bounds[e] = (certified ? proof.lower_bound : std::min(proof.lower_bound, 0.0)) / rest_det_[e];
       if (certified && proven) depths[at(e)] = std::min(proof.depth, max_depth_);
     });
   errors.rethrow();

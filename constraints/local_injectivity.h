@@ -24,10 +24,10 @@ class LocalInjectivity final : public FeasibilityChecker {
   // Deeper is taken as this. Origin: 2^-63 of a triangle is below the rounding of its coordinates.
   static constexpr int kMaxDepth = 63;
   // rest_det: #E determinants of the rest shapes (their measures over the reference measure), to
-  // make margins dimensionless. Where they are not positive nothing is certified. stop: polled by
-  // max_step() alone, which then throws Stopped. Throws InvalidArgument for another number of
-  // them, no space, or a negative depth; all members do for fewer unknowns than the
-  // space has (more may follow: those of a scaffold).
+  // make margins dimensionless. stop: polled by max_step() alone, which then throws Stopped. Throws
+  // InvalidArgument for another number of them, one that is not positive and finite, no space, or a
+  // negative depth; all members do for fewer unknowns than the space has (more may follow: those of
+  // a scaffold).
   LocalInjectivity(std::shared_ptr<const ElementSpace> space, Vec rest_det,
                    int max_depth = ProofDepth::kStart, StopCheck stop = {});
 

@@ -64,6 +64,7 @@ SeamlessConstraint::SeamlessConstraint(std::shared_ptr<const BezierTriangleSpace
 }
 
 void SeamlessConstraint::append_rows(ConstraintRows& rows) const {
+  rows.expect_nodes(2, "SeamlessConstraint", "it is a constraint of maps to the plane");
   const auto surface_vertex = [&](Index cut) { return seams_->surface_vertex()[at(cut)]; };
   for (const auto& pairs : pairs_by_chain(*space_, *seams_)) {
     const Index half_translation[2] = {rows.add_auxiliary(), rows.add_auxiliary()};

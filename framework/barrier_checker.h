@@ -4,12 +4,12 @@
 //   const auto hold = [](ProblemBuilder& b, std::shared_ptr<const BarrierChecker> bound) {
 //     b.add(bound);                                        // at every step
 //     const TermId barrier = b.add(bound->barrier(), 1.0);
-//     return BarrierMinimizer({barrier});                  // from a start that is inside
+//     return BarrierMinimizer::of_bounds({{barrier, bound}});
 //   };
 //
 // The barrier grows to infinity towards the limit; while its weight falls, minima of the sum run
 // along a path inside the feasible set to the constrained minimum (interior points, [NW06]
-// Sec. 19.6). A start outside is led inside by relaxed bounds. parametrize() does all that for what
+// Sec. 19.6). A start outside is led inside by relaxed bounds. parametrize() does the same for what
 // MapExtension::add() is given (map_extension.h). Not for what has no derivatives: a
 // FeasibilityChecker alone, where runs end "held at the limit of the feasible set".
 #pragma once

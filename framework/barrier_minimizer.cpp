@@ -1,11 +1,15 @@
 #include "majorant/framework/barrier_minimizer.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <utility>
 
 #include "majorant/framework/error.h"
+#include "majorant/framework/internal/argument_check.h"
+#include "majorant/framework/internal/bound_entry.h"
 
 namespace majorant {
 namespace {
@@ -17,13 +21,21 @@ double element_weights(const Problem& problem, TermId id) {
   return state.weight * (each.size() ? each.sum() : static_cast<double>(count));
 }
 
+HeldBounds held(const std::vector<HeldBound>& bounds) {
+  HeldBounds::Bounds all;
+  for (const HeldBound& b : bounds) all.push_back(b.bound);
+  return HeldBounds(std::move(all));
+}
+
 // One run: the phases so far and the point they have reached.
 class Phases {
  public:
-  Phases(const Problem& problem, const std::vector<TermId>& barriers, const BarrierOptions& options,
-         Vec y0, const Observer& observer)
+  Phases(const Problem& problem, const std::vector<TermId>& barriers,
+         const std::vector<HeldBound>& bounds, const BarrierOptions& options, Vec y0,
+         const Observer& observer)
       : problem_(problem),
         barriers_(barriers),
+        bounds_(held(bounds)),
         options_(options),
         observer_(observer),
         stepper_(problem, options.newton) {
@@ -35,7 +47,7 @@ class Phases {
   }
 
   BarrierResult run() {
-    if (!check_start(stepper_.evaluator(), result_)) return std::move(result_);
+    if (!enter() || !check_start(stepper_.evaluator(), result_)) return std::move(result_);
     result_.energy = measure().energy;
     double mu = m_ > 0 ? options_.first_gap * scale() / m_ : 0;
     for (;; mu *= options_.fall) {
@@ -64,16 +76,76 @@ class Phases {
     return phase;
   }
 
-  void minimize(double mu, bool last) {
+  // To where the bounds are met.
+  bool enter() {
+    require_size("the start y", result_.y.size(), problem_.size());
+    require_finite("the start y", result_.y);
+    const auto point = [this] { return problem_.expand(result_.y); };
+    if (!bounds_.violated(point())) return true;
+    result_.energy = measure().energy;
+    const double mu = options_.first_gap * scale() / m_;
+    const BoundEntryRules rules;
+    bool checked = false;
+    const auto descend = [&](double factor) {
+      const Problem relaxed = with_held_bounds();
+      stepper_.reset(relaxed);
+      if (!checked && !check_start(stepper_.evaluator(), result_)) return false;
+      checked = true;
+      stepper_.reset(weighted(relaxed, factor * mu));
+      this->descend(brief_rules(0, rules.tolerance), stepper_.evaluator().value(result_.y));
+      return result_.status == Status::Converged || result_.status == Status::Stalled;
+    };
+    const Entry entry = enter_bounds(bounds_, rules, point, descend);
+    stepper_.reset(problem_);
+    if (entry == Entry::Outside) {
+      const BarrierChecker& violated = *bounds_.violated(point());
+      result_.status = Status::Infeasible;
+      result_.message =
+          fmt::format("no point was found that meets the bound '{}'", violated.name());
+      result_.blocking = violated.check(point()).blocking;
+    }
+    if (entry != Entry::Inside) result_.energy = measure().energy;
+    return entry == Entry::Inside;
+  }
+
+  // The problem with what is held in place of the bounds.
+  Problem with_held_bounds() const {
+    std::vector<std::pair<TermId, std::shared_ptr<const EnergyTerm>>> terms;
+    auto checkers = problem_.checkers();
+    for (std::size_t k = 0; k < bounds_.bounds().size(); ++k) {
+      terms.emplace_back(barriers_[k], bounds_.barriers()[k]);
+      for (auto& checker : checkers)
+        if (checker == bounds_.bounds()[k]) checker = bounds_.held()[k];
+    }
+    return problem_.exchanged(terms, std::move(checkers));
+  }
+
+  Problem weighted(const Problem& problem, double mu) const {
     TermChanges changes;
     for (const TermId id : barriers_) {
-      changes.emplace_back(id, problem_.state(id));
+      changes.emplace_back(id, problem.state(id));
       changes.back().second.weight *= mu;
     }
-    stepper_.reset(problem_.with(std::move(changes)));
+    return problem.with(std::move(changes));
+  }
+
+  void minimize(double mu, bool last) {
+    stepper_.reset(weighted(problem_, mu));
     const double start = stepper_.evaluator().value(result_.y);
     StoppingRules rules = options_.newton.stopping;
     if (!last) rules = brief_rules(0, relative_to(start, options_.centred * m_ * mu));
+    const int steps = descend(rules, start);
+    BarrierPhase phase = measure();
+    result_.energy = phase.energy;
+    phase.mu = mu;
+    phase.gap = m_ * mu;
+    phase.iterations = steps;
+    phase.status = result_.status;
+    result_.phases.push_back(phase);
+  }
+
+  // From where the run is; the number of iterations.
+  int descend(StoppingRules rules, double start) {
     rules.max_iterations = iterations_left();
     Directive directive = Directive::Continue;
     SolveResult part =
@@ -82,7 +154,7 @@ class Phases {
       part.status = stopped_status(directive);
       part.message = Stopped(directive).what();
     }
-    append(std::move(part), mu);
+    return append(std::move(part));
   }
 
   // Iterations count through all phases. What it said last is kept.
@@ -96,7 +168,7 @@ class Phases {
     };
   }
 
-  void append(SolveResult part, double mu) {
+  int append(SolveResult part) {
     const auto before = static_cast<int>(result_.iterations.size());
     for (IterationRecord& record : part.iterations) record.iteration += before;
     std::vector<IterationRecord> all = std::move(result_.iterations);
@@ -104,17 +176,12 @@ class Phases {
     const auto steps = static_cast<int>(part.iterations.size());
     static_cast<SolveResult&>(result_) = std::move(part);
     result_.iterations = std::move(all);
-    BarrierPhase phase = measure();
-    result_.energy = phase.energy;
-    phase.mu = mu;
-    phase.gap = m_ * mu;
-    phase.iterations = steps;
-    phase.status = result_.status;
-    result_.phases.push_back(phase);
+    return steps;
   }
 
   const Problem& problem_;
   const std::vector<TermId>& barriers_;
+  HeldBounds bounds_;
   const BarrierOptions& options_;
   const Observer& observer_;
   NewtonStepper stepper_;
@@ -132,13 +199,32 @@ BarrierMinimizer::BarrierMinimizer(std::vector<TermId> barriers, BarrierOptions 
         "BarrierOptions: fall must be in (0, 1), tolerance and first_gap positive");
 }
 
+BarrierMinimizer BarrierMinimizer::of_bounds(std::vector<HeldBound> bounds,
+                                             std::vector<TermId> more, BarrierOptions options) {
+  std::vector<TermId> barriers;
+  for (const HeldBound& b : bounds) {
+    require_given("BarrierMinimizer::of_bounds: a bound", b.bound);
+    barriers.push_back(b.barrier);
+  }
+  barriers.insert(barriers.end(), more.begin(), more.end());
+  BarrierMinimizer minimizer(std::move(barriers), std::move(options));
+  minimizer.bounds_ = std::move(bounds);
+  return minimizer;
+}
+
 BarrierResult BarrierMinimizer::run(const Problem& problem, Vec y0,
                                     const Observer& observer) const {
   for (auto id = barriers_.begin(); id != barriers_.end(); ++id)
     if (static_cast<std::size_t>(*id) >= problem.terms().size() ||
         std::find(barriers_.begin(), id, *id) != id)
       throw InvalidArgument("BarrierMinimizer: a barrier is no term of the problem, or twice");
-  return Phases(problem, barriers_, options_, std::move(y0), observer).run();
+  for (const HeldBound& b : bounds_) {
+    const auto& checkers = problem.checkers();
+    if (std::find(checkers.begin(), checkers.end(), b.bound) == checkers.end())
+      throw InvalidArgument(fmt::format(
+          "BarrierMinimizer: the bound '{}' is none of the problem's checkers", b.bound->name()));
+  }
+  return Phases(problem, barriers_, bounds_, options_, std::move(y0), observer).run();
 }
 
 }  // namespace majorant

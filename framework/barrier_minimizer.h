@@ -18,11 +18,19 @@
 // with m the sum of the weights of all elements of the barriers, which for convex problems and -log
 // g bounds what E is above its constrained minimum. A constraint with multiplier l ends at the
 // distance mu / l from its boundary. Not for equality constraints: eliminate them (constraint.h);
-// nor for starts on the boundary: they must be inside.
+// nor for starts on the boundary: they must be inside, but for bounds that can be relaxed:
+//
+//   const TermId walled = builder.add(bound->barrier(), 1.0);    // a BarrierChecker
+//   builder.add(bound);
+//   const auto from_anywhere = BarrierMinimizer::of_bounds({{walled, bound}});
+//
+// A start that does not meet such a bound is first led inside: by barriers of the bound relaxed as
+// far as the point needs it, and tightened as it comes nearer.
 #pragma once
 
 #include <vector>
 
+#include "majorant/framework/barrier_checker.h"
 #include "majorant/framework/newton.h"
 
 namespace majorant {
@@ -53,22 +61,36 @@ struct BarrierPhase {
   Status status = Status::Failed;  // MaxIterations, too, where it was left early on purpose
 };
 
-struct BarrierResult : SolveResult {  // energy: E; energies of `iterations`: E + mu B
+// A bound of the problem, among its checkers, and its barrier() among its terms.
+struct HeldBound {
+  TermId barrier;
+  std::shared_ptr<const BarrierChecker> bound;
+};
+
+// energy: E; energies of `iterations`: E + mu B. Iterations that led a start inside come before
+// those of the phases.
+struct BarrierResult : SolveResult {
   std::vector<BarrierPhase> phases;
 };
 
 class BarrierMinimizer final : public Minimizer {
  public:
   explicit BarrierMinimizer(std::vector<TermId> barriers, BarrierOptions options = {});
+  // Other barriers than those of bounds: `more`. Throws InvalidArgument for a bound that is null.
+  static BarrierMinimizer of_bounds(std::vector<HeldBound> bounds, std::vector<TermId> more = {},
+                                    BarrierOptions options = {});
 
-  // y0: strictly inside. Throws InvalidArgument for ids that the problem does not have.
+  // y0: strictly inside, but for the bounds. Status::Infeasible names what it violates, or the
+  // bound that no point was found to meet. Throws InvalidArgument for ids that the problem does not
+  // have, and for bounds that are none of its checkers.
   BarrierResult run(const Problem& problem, Vec y0, const Observer& observer = {}) const;
   SolveResult minimize(const Problem& problem, Vec y0, const Observer& observer) const override {
     return run(problem, std::move(y0), observer);
   }
 
  private:
-  std::vector<TermId> barriers_;
+  std::vector<TermId> barriers_;  // those of bounds_ first
+  std::vector<HeldBound> bounds_;
   BarrierOptions options_;
 };
 

@@ -58,6 +58,18 @@ class ConstraintRows {
                             "' was begun, but not ended with end_row()");
   }
 
+  // Says that rows are of nodes with so many unknowns each. ProblemBuilder::build() throws
+  // InvalidArgument where the nodes of all its terms have other numbers of them: "`what` has ...;
+  // `remedy`". Terms whose nodes have one unknown list unknowns and say nothing.
+  void expect_nodes(int unknowns_each, std::string what, std::string remedy) {
+    expected_nodes_.push_back({unknowns_each, std::move(what), std::move(remedy)});
+  }
+  struct ExpectedNodes {
+    int unknowns_each;
+    std::string what, remedy;
+  };
+  const std::vector<ExpectedNodes>& expected_nodes() const { return expected_nodes_; }
+
   // A new auxiliary unknown. A point x says nothing of it: its value there follows from the first
   // row in which it is the only auxiliary unknown that is not known yet.
   Index add_auxiliary() { return -++auxiliary_count_; }
@@ -84,6 +96,7 @@ class ConstraintRows {
   std::vector<std::size_t> starts_;
   std::vector<Entry> entries_;
   std::vector<double> rhs_;
+  std::vector<ExpectedNodes> expected_nodes_;
   Index auxiliary_count_ = 0;
 };
 

@@ -38,7 +38,8 @@ class FeasibilityChecker {
   virtual std::string_view name() const = 0;
   virtual Verdict check(VecIn x) const = 0;
   // Largest s' <= s such that x + t d is feasible for all 0 <= t < s', given that x is feasible. A
-  // checker that cannot certify paths returns s: its check() at the end point then decides.
+  // checker that cannot certify paths returns s: its check() at the end point then decides. Solvers
+  // throw InvalidArgument, with the name, for an answer that is negative or NaN.
   virtual StepBound max_step(VecIn x, VecIn d, double s) const = 0;
 };
 

@@ -1,9 +1,12 @@
 #include "majorant/framework/line_search.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "majorant/framework/error.h"
 #include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/internal/backtracking.h"
 #include "majorant/framework/internal/problem_parts.h"
@@ -55,6 +58,11 @@ StepBound LineSearch::certified(double s) const {
   for (const auto& checker : evaluator_.problem().checkers()) {
     stop_.poll();
     StepBound b = checker->max_step(x_, d_, bound.step);
+    if (!(b.step >= 0))
+      throw InvalidArgument(
+          fmt::format("feasibility checker '{}': max_step() is {} for a step of {:g}; it may be 0 "
+                      "to that step, which is the answer where paths are not certified",
+                      checker->name(), b.step, bound.step));
     if (b.step < bound.step) bound = std::move(b);
   }
   const double here = bound.step;

@@ -53,6 +53,23 @@ void require_fitting(const EnergyTerm& term, Index full_size) {
             term.name(), k, e, s.nodes(e, k), full_size, s.block, nodes - 1));
 }
 
+// ConstraintRows::expect_nodes().
+void require_expected_nodes(const ConstraintRows& rows, const Terms& terms) {
+  for (const auto& expected : rows.expected_nodes()) {
+    const EnergyTerm* other = nullptr;
+    bool found = false;
+    for (const auto& term : terms) {
+      const int block = term->stencils().block;
+      found = found || block == expected.unknowns_each;
+      if (block > 1 && block != expected.unknowns_each) other = term.get();
+    }
+    if (other && !found)
+      throw InvalidArgument(fmt::format(
+          "{}, with {} unknowns each: the nodes of term '{}' have {}; {}", expected.what,
+          expected.unknowns_each, other->name(), other->stencils().block, expected.remedy));
+  }
+}
+
 }  // namespace
 
 // What the first terms of a problem fill, whatever comes after them.
@@ -110,6 +127,16 @@ struct Problem::Structure {
   std::vector<SlotTable> slots;
   std::shared_ptr<const LeadingTerms> leading;  // those that a problem before had, too
   Partition partition;
+
+  // The first terms that are those of `other`, on the same unknowns.
+  std::size_t shared_terms(const Structure& other) const {
+    std::size_t count = 0;
+    while (count < terms.size() && count < other.terms.size() &&
+           terms[count] == other.terms[count] &&
+           elimination.begins_like(other.elimination, extent(*terms[count])))
+      ++count;
+    return count;
+  }
 };
 
 Index Problem::full_size() const { return structure_->elimination.full_size(); }
@@ -259,43 +286,53 @@ Problem ProblemBuilder::build() const { return build_after(nullptr); }
 
 Problem ProblemBuilder::build(const Problem& before) const { return build_after(&before); }
 
-// The first terms that are those of `before`, on the same unknowns.
-std::size_t ProblemBuilder::shared_terms(const Problem& before,
-                                         const Elimination& elimination) const {
-  const Problem::Structure& other = *before.structure_;
-  std::size_t count = 0;
-  while (count < terms_.size() && count < other.terms.size() &&
-         terms_[count] == other.terms[count] &&
-         elimination.begins_like(other.elimination, extent(*terms_[count])))
-    ++count;
-  return count;
-}
-
 Problem ProblemBuilder::build_after(const Problem* before) const {
-  Problem problem;
-  problem.states_ = states_;
+  require_expected_nodes(rows_, terms_);
   Problem::Structure s{terms_, {}, checkers_, Elimination(full_size_, rows_), {}, {}, {}, {}};
   s.partition = reduced_partition(partition_.get(), s.elimination);
-  const std::size_t shared = before ? shared_terms(*before, s.elimination) : 0;
-  s.pattern = reduced_pattern(stencils(terms_, shared, terms_.size()), s.elimination);
+  return Problem::assembled(std::move(s), states_, before);
+}
+
+Problem Problem::exchanged(
+    const std::vector<std::pair<TermId, std::shared_ptr<const EnergyTerm>>>& terms,
+    std::vector<std::shared_ptr<const FeasibilityChecker>> checkers) const {
+  Structure s{structure_->terms,    {}, std::move(checkers), structure_->elimination, {}, {}, {},
+              structure_->partition};
+  for (const auto& [id, term] : terms) {
+    require_term("Problem::exchanged", id);
+    require_given("Problem::exchanged: the term", term);
+    require_fitting(*term, full_size());
+    require_valid(*term, states_[number(id)]);
+    s.terms[number(id)] = term;
+  }
+  for (const auto& checker : s.checkers) require_given("Problem::exchanged: a checker", checker);
+  return assembled(std::move(s), states_, this);
+}
+
+Problem Problem::assembled(Structure s, std::vector<TermState> states, const Problem* before) {
+  Problem problem;
+  problem.states_ = std::move(states);
+  const std::size_t count = s.terms.size(),
+                    shared = before ? s.shared_terms(*before->structure_) : 0;
+  s.pattern = reduced_pattern(stencils(s.terms, shared, count), s.elimination);
   if (shared > 0) {
     s.leading = before->structure_->leading;
     if (!s.leading || s.leading->count != shared)
-      s.leading = std::make_shared<const LeadingTerms>(terms_, shared, s.elimination);
-    s.pattern.block_of = node_blocks(stencils(terms_, 0, terms_.size()), s.elimination);
+      s.leading = std::make_shared<const LeadingTerms>(s.terms, shared, s.elimination);
+    s.pattern.block_of = node_blocks(stencils(s.terms, 0, count), s.elimination);
     std::vector<Index> places;
     s.pattern = s.leading->pattern.joined(s.pattern, places);
     for (const SlotTable& slots : s.leading->slots) s.slots.push_back(slots.moved(places));
   }
-  for (std::size_t k = 0; k < terms_.size(); ++k) {
+  for (std::size_t k = 0; k < count; ++k) {
     s.ids.push_back(TermId(k));
-    const Stencils& stencils = terms_[k]->stencils();
+    const Stencils& stencils = s.terms[k]->stencils();
     if (k >= shared) s.slots.emplace_back(stencils, s.elimination, s.pattern);
     const bool same =
-        k < shared && same_rules(before->states_[k].element_rule, states_[k].element_rule);
-    problem.plans_.push_back(
-        same ? before->plans_[k]
-             : std::make_shared<const ChunkPlan>(stencils, states_[k].element_rule, s.elimination));
+        k < shared && same_rules(before->states_[k].element_rule, problem.states_[k].element_rule);
+    problem.plans_.push_back(same ? before->plans_[k]
+                                  : std::make_shared<const ChunkPlan>(
+                                        stencils, problem.states_[k].element_rule, s.elimination));
   }
   problem.structure_ = std::make_shared<const Problem::Structure>(std::move(s));
   return problem;

@@ -59,6 +59,11 @@ class Problem {
   // solver) the symbolic factor stay valid. Throws InvalidArgument for a term that the problem does
   // not have and for what ProblemBuilder::add() would refuse.
   Problem with(TermChanges changes) const;
+  // The same unknowns and constraints with other terms in place of some, in their states, and with
+  // these checkers: what a bound that is relaxed needs. Another structure. Throws InvalidArgument
+  // as with() does and ProblemBuilder::add().
+  Problem exchanged(const std::vector<std::pair<TermId, std::shared_ptr<const EnergyTerm>>>& terms,
+                    std::vector<std::shared_ptr<const FeasibilityChecker>> checkers) const;
   // Whether a factorization analysed for `other` fits this problem.
   bool same_structure(const Problem& other) const { return structure_ == other.structure_; }
 
@@ -72,6 +77,9 @@ class Problem {
   friend struct ProblemParts;  // what evaluators need
   struct Structure;
   void require_term(std::string_view where, TermId id) const;
+  // before: whose first terms are taken over where they are the same; may be null.
+  static Problem assembled(Structure structure, std::vector<TermState> states,
+                           const Problem* before);
 
   std::shared_ptr<const Structure> structure_;
   std::vector<TermState> states_;
@@ -121,7 +129,6 @@ class ProblemBuilder {
 
  private:
   Problem build_after(const Problem* before) const;
-  std::size_t shared_terms(const Problem& before, const Elimination& elimination) const;
 
   Index full_size_;
   std::shared_ptr<const Partition> partition_;  // null: one process

@@ -70,6 +70,7 @@ class BoundChecker final : public FeasibilityChecker {
   std::string_view name() const override { return "bounds"; }
 
   Verdict check(VecIn x) const override {
+    require_fitting(x);
     Verdict verdict;
     verdict.margin = kNone;
     for (Index k = 0; k < lower_.size(); ++k) {
@@ -82,6 +83,7 @@ class BoundChecker final : public FeasibilityChecker {
   }
 
   StepBound max_step(VecIn x, VecIn d, double s) const override {
+    require_fitting(x);
     StepBound bound{s, {}};
     for (Index k = 0; k < lower_.size(); ++k) bound.step = std::min(bound.step, step(x, d, k));
     if (bound.step == s) return bound;
@@ -91,6 +93,13 @@ class BoundChecker final : public FeasibilityChecker {
   }
 
  private:
+  void require_fitting(VecIn x) const {
+    if (x.size() != lower_.size())
+      throw InvalidArgument("Bounds of " + std::to_string(lower_.size()) +
+                            " unknowns in a problem of " + std::to_string(x.size()) +
+                            ": one for each of the full unknowns is needed, -inf or +inf where "
+                            "there is none");
+  }
   double step(VecIn x, VecIn d, Index k) const {
     if (d[k] == 0) return kNone;
     return ((d[k] > 0 ? upper_[k] : lower_[k]) - x[k]) / d[k];

@@ -34,7 +34,7 @@ class Bounds {
   // all are the exact one, which is positive.
   std::shared_ptr<const EnergyTerm> barrier() const;
   // Feasible: strictly inside. Blocking "elements" are unknowns. Steps are limited exactly, but for
-  // rounding.
+  // rounding. Its members throw InvalidArgument for another number of unknowns.
   std::shared_ptr<const FeasibilityChecker> checker() const;
   // x moved inside where it is not: at least `margin` away from a single bound, that part of the
   // gap between two. 0 < margin <= 1/2.

@@ -49,6 +49,9 @@ void require_parallel(const PolygonMesh& input, const char* name,
 // Shortest edges must span this many units in the last place of the largest coordinate. Origin:
 // leaves an edge eight digits.
 constexpr double kUsableUlps = 1e8;
+// Of edges: shortest and longest. Origin: areas and sums of them are doubles, 1e-308 to 1e308, with
+// eight digits to spare on either side.
+constexpr double kLeastLength = 1e-150, kMostLength = 1e150;
 
 const Vector3& position(const PolygonMesh& m, Index v) { return m.positions[at(v)]; }
 
@@ -114,26 +117,33 @@ void require_sound_lists(const PolygonMesh& input) {
 }
 
 bool has_area(const Vector3& a, const Vector3& b, const Vector3& c) {
-  const Vector3 u = b - a, v = c - a;
-  const double longest = std::max({u.norm(), v.norm(), (u - v).norm()});
+  const Vector3 u = b / 4 - a / 4, v = c / 4 - a / 4;  // lengths themselves may overflow
+  const double longest = std::max({u.stableNorm(), v.stableNorm(), (u - v).stableNorm()});
   return (u / longest).cross(v / longest).norm() > kDegenerateHeight;
 }
 
 void require_usable_coordinates(const PolygonMesh& input) {
-  double largest = 0, shortest = std::numeric_limits<double>::infinity();
+  double largest = 0, longest = 0, shortest = std::numeric_limits<double>::infinity();
   Index where = 0;
   for (std::size_t p = 0; p < input.polygons.size(); ++p) {
     const auto& polygon = input.polygons[p];
     for (std::size_t k = 0; k < polygon.size(); ++k) {
       const Vector3& a = position(input, polygon[k]);
-      const double length = (a - position(input, polygon[(k + 1) % polygon.size()])).norm();
+      const double length = (a - position(input, polygon[(k + 1) % polygon.size()])).stableNorm();
       largest = std::max(largest, a.cwiseAbs().maxCoeff());
+      longest = std::max(longest, std::isfinite(length) ? length : largest);
       if (length > 0 && length < shortest) {
         shortest = length;
         where = static_cast<Index>(p);
       }
     }
   }
+  if (longest > kMostLength || shortest < kLeastLength)
+    throw Error(ErrorKind::Unsupported,
+                opening(input.file) +
+                    fmt::format("edges of length {:.3g} to {:.3g}: areas leave the range of "
+                                "doubles; scale the mesh to lengths between {:g} and {:g}",
+                                shortest, longest, kLeastLength, kMostLength));
   const double spacing = std::numeric_limits<double>::epsilon() * largest;
   if (spacing * kUsableUlps > shortest)
     refuse(input, face_place(input, where),

@@ -24,7 +24,7 @@ bool has_area(const Vector3& a, const Vector3& b, const Vector3& c);
 void require_sound_lists(const PolygonMesh& input);
 
 // Each throws Error(Unsupported) with "file: place: what; remedy", the command that works.
-void require_usable_coordinates(const PolygonMesh& input);  // precision
+void require_usable_coordinates(const PolygonMesh& input);  // range and precision
 void require_proper_faces(const PolygonMesh& input, const TriangleList& list, Shapes shapes,
                           const StopCheck& stop);  // degenerate, twice
 void require_manifold_edges(const PolygonMesh& input, const TriangleList& list);

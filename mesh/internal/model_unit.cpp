@@ -1,6 +1,7 @@
 #include "majorant/mesh/internal/model_unit.h"
 
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "majorant/mesh/internal/geometry.h"
@@ -16,7 +17,8 @@ constexpr int kOrdinary = 100;
 
 double model_unit(const SurfaceMesh& mesh) {
   const double size = extent(mesh.positions());
-  if (!(size > 0) || !std::isfinite(size)) return 1;
+  if (!std::isfinite(size)) return std::ldexp(1.0, std::numeric_limits<double>::max_exponent - 1);
+  if (!(size > 0)) return 1;
   const int exponent = std::ilogb(size);
   return std::abs(exponent) <= kOrdinary ? 1 : std::ldexp(1.0, exponent);
 }

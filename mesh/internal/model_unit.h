@@ -13,7 +13,7 @@
 namespace majorant {
 
 // A power of two: 1 where the extent of the surface is ordinary (or none), else such that in these
-// units it is between 1 and 2.
+// units it is between 1 and 2; 2^1023 where it overflows.
 double model_unit(const SurfaceMesh& mesh);
 
 // The same faces, lengths divided by `unit`, a power of two.

@@ -89,9 +89,14 @@ class Surfaces(UnwrapTest):
             self.assertEqual(squares[power], squares[0], power)
         for factor in (1e200, 1e-200):
             mesh = self.mesh([tuple(factor * x for x in p) for p in points], faces)
-            self.refused(UNSUPPORTED, 'unwrap', mesh, self.path('none.obj'),
-                         says=('mesh.obj', 'range of doubles', 'scale the mesh'))
+            for verb in ('unwrap', 'parametrize'):
+                self.refused(UNSUPPORTED, verb, mesh, self.path('none.obj'),
+                             says=('mesh.obj', 'range of doubles', 'scale the mesh'))
             self.assertFalse(os.path.exists(self.path('none.obj')))
+        # Differences of coordinates overflow.
+        mesh = self.mesh([tuple(1.7e308 * (2 * x - 1) for x in p) for p in points], faces)
+        self.refused(UNSUPPORTED, 'unwrap', mesh, self.path('none.obj'),
+                     says=('mesh.obj', 'range of doubles', 'scale the mesh'))
 
     def first(self, key, report):
         """The value that the first report had."""

@@ -58,6 +58,18 @@ void add(const Constraint& constraint) {
   ProblemBuilder builder(8);
   builder.add(energy(rest(), {radon_rule()}), 1.0).add(constraint).build();
 }
+// Of a tetrahedron in space.
+ProblemBuilder solid() {
+  const Cells cell{{0, 1, 2, 3}};
+  RowMatrix corners = RowMatrix::Zero(4, 3);
+  corners.bottomRows(3).setIdentity();
+  const auto volume = density<3, 3>("volume", [](const auto& J) { return J.squaredNorm(); });
+  ProblemBuilder builder(12);
+  builder.add(make_energy(std::make_shared<const BezierTetrahedronSpace>(cell, 4, 1),
+                          flat_simplices(corners, cell), volume),
+              1.0);
+  return builder;
+}
 
 const std::vector<Call> kCalls{
     {"degree_zero", "InvalidArgument: BezierTriangleSpace: degree must be 1..8, is 0",
@@ -107,6 +119,16 @@ const std::vector<Call> kCalls{
     {"basis_at_cartesian_point", "InvalidArgument: BernsteinBasis::values: the point has 2 numbers",
      [] { space()->basis().values(Vec::Zero(2)); }},
     {"rule_of_no_points", "InvalidArgument: gauss_rule: m is 0", [] { gauss_rule(0); }},
+    {"exact_rule_negative", "InvalidArgument: exact_rule: the degree is -1",
+     [] { exact_rule({3}, -1); }},
+    {"exact_rule_too_high", "InvalidArgument: exact_rule: degree 9 of a tetrahedron, 8 is the high",
+     [] { exact_rule({4}, 9); }},
+    {"exact_rule_of_nothing", "InvalidArgument: exact_rule: the cell has no factors",
+     [] { exact_rule({}, 1); }},
+    {"exact_rule_of_pentagons", "InvalidArgument: exact_rule: a factor with 5 corners",
+     [] { exact_rule({5}, 1); }},
+    {"default_rule_of_nothing", "InvalidArgument: EnergyFactory: the space is null",
+     [] { symmetric_dirichlet()(nullptr, rest()); }},
     {"lattice_rule_negative", "InvalidArgument: lattice_rule: m is -1", [] { lattice_rule(-1); }},
     {"composite_of_no_pieces", "...m is 0", [] { composite_rule(radon_rule(), 0); }},
     {"rest_index", "InvalidArgument: flat_simplices: cell 1 has vertex 3, there are 3",
@@ -183,6 +205,41 @@ const std::vector<Call> kCalls{
     {"injectivity_few_dets",
      "InvalidArgument: LocalInjectivity: 1 rest determinants for 2 elements",
      [] { LocalInjectivity(space(), Vec::Ones(1)); }},
+    {"injectivity_nan_det",
+     "InvalidArgument: LocalInjectivity: the rest determinant of element 1 is nan, finite and "
+     "positive is needed",
+     [] {
+       LocalInjectivity(space(), Vec{{1, kNan}});
+     }},
+    {"injectivity_negative_det",
+     "InvalidArgument: LocalInjectivity: the rest determinant of element 0 is -1,",
+     [] {
+       LocalInjectivity(space(), Vec{{-1, 1}});
+     }},
+    {"injectivity_zero_det", "...the rest determinant of element 0 is 0,",
+     [] {
+       LocalInjectivity(space(), Vec{{0, 1}});
+     }},
+    {"spectral_not_symmetric",
+     "InvalidArgument: energy 'twisted': its formula is 2.75 at (1.25, 0.75) and 3.25 at (0.75, "
+     "1.25)",
+     [] { energy_factory(spectral("twisted", [](auto S, auto s) { return S + 2.0 * s; })); }},
+    {"spectral_not_symmetric_with_data", "InvalidArgument: energy 'twisted': its formula is",
+     [] {
+       make_energy(space(), rest(),
+                   spectral(
+                       "twisted", [](auto S, auto s, double k) { return S + k * s; },
+                       Vec(Vec::Constant(2, 3))));
+     }},
+    {"spectral_infinite_in_one_order", "InvalidArgument: energy 'one': its formula is 0.693",
+     [] {
+       energy_factory(spectral("one", [](auto S, auto s) {
+         using std::log;
+         return -log(S - s);
+       }));
+     }},
+    {"spectral_symmetric", "accepted",
+     [] { energy_factory(spectral("fine", [](auto S, auto s) { return S * S + s * s; })); }},
     {"injectivity_negative_depth", "InvalidArgument: LocalInjectivity: the depth is -1",
      [] { LocalInjectivity(space(), Vec::Ones(2), -1); }},
     {"injectivity_short_x", "InvalidArgument: LocalInjectivity: x has 3 numbers, 8 are needed",
@@ -198,6 +255,29 @@ const std::vector<Call> kCalls{
      [] {
        add(FixedPoints({{7, {0, 0}}}));
      }},
+    {"fixed_in_the_plane_of_space",
+     "InvalidArgument: FixedPoints of the plane, with 2 unknowns each: the nodes of term 'volume' "
+     "have 3; FixedPoints::in_space() holds points of space",
+     [] {
+       solid().add(FixedPoints({{1, {0, 0}}})).build();
+     }},
+    {"fixed_in_the_space_of_plane",
+     "InvalidArgument: FixedPoints of space, with 3 unknowns each: the nodes of term "
+     "'symmetric-dirichlet' have 2; FixedPoints() holds points of the plane",
+     [] {
+       add(FixedPoints::in_space({{0, {0, 0, 0}}}));
+     }},
+    {"alignment_in_space",
+     "InvalidArgument: AxisAlignment, with 2 unknowns each: the nodes of term",
+     [] {
+       solid().add(AxisAlignment(space(), {{0, 0}})).build();
+     }},
+    {"fixed_in_space", "accepted",
+     [] {
+       solid().add(FixedPoints::in_space({{1, {1, 0, 0}}})).build();
+     }},
+    {"fixed_at_of_lines", "InvalidArgument: FixedPoints::at: 1 numbers per node, 2 or 3 are",
+     [] { FixedPoints::at({0}, identity(), 1); }},
     {"fixed_node_negative", "InvalidArgument: FixedPoints: a node is -1",
      [] {
        add(FixedPoints({{-1, {0, 0}}}));

@@ -101,6 +101,38 @@ const std::vector<Call> kCalls{
      [] { surface([](PolygonMesh& m) {
             m.polygons[1] = {0, 2, 2};
           }); }},
+    {"huge",
+     "Error Unsupported: edges of length 1e+200 to 1.41e+200: areas leave the range of doubles; "
+     "scale the mesh",
+     [] {
+       surface([](PolygonMesh& m) {
+         for (auto& p : m.positions) p *= 1e200;
+       });
+     }},
+    {"tiny", "Error Unsupported: edges of length 1e-200 to 1.41e-200: areas leave the range",
+     [] {
+       surface([](PolygonMesh& m) {
+         for (auto& p : m.positions) p *= 1e-200;
+       });
+     }},
+    {"lengths_overflow", "Error Unsupported: edges of length",
+     [] {
+       surface([](PolygonMesh& m) {
+         for (auto& p : m.positions) p = 1.7e308 * (2 * p - Vector3(1, 1, 0));
+       });
+     }},
+    {"large", "accepted",
+     [] {
+       surface([](PolygonMesh& m) {
+         for (auto& p : m.positions) p *= 1e140;
+       });
+     }},
+    {"small", "accepted",
+     [] {
+       surface([](PolygonMesh& m) {
+         for (auto& p : m.positions) p *= 1e-140;
+       });
+     }},
     {"zero_area", "Error Unsupported: face 1: zero area (vertices 0, 2, 3)",
      [] { surface([](PolygonMesh& m) {
             m.positions[3] = {0.5, 0.5, 0};

@@ -8,6 +8,7 @@
 #include "majorant/framework/gradient_flow.h"
 #include "majorant/framework/lbfgs.h"
 #include "majorant/framework/newton.h"
+#include "majorant/terms/bounds.h"
 #include "misuse/outcome.h"
 
 namespace majorant::misuse {
@@ -84,7 +85,34 @@ Problem smaller() {
   return builder.build();
 }
 
+// Never certifies a step but by what it is told to say.
+struct Answers final : FeasibilityChecker {
+  explicit Answers(double says) : step(says) {}
+  std::string_view name() const override { return "answers"; }
+  Verdict check(VecIn) const override { return {}; }
+  StepBound max_step(VecIn, VecIn, double) const override { return {step, {}}; }
+  double step;
+};
+SolveResult newton_checked(std::shared_ptr<const FeasibilityChecker> checker) {
+  ProblemBuilder builder(kCount);
+  builder.add(std::make_shared<const Chain>(kCount, test::parabola(1, 0)), 1.0);
+  builder.add(std::move(checker));
+  return newton(builder.build(), 3 * ones());
+}
+
 const std::vector<Call> kCalls{
+    {"checker_nan_step",
+     "InvalidArgument: feasibility checker 'answers': max_step() is nan for a step of 1;",
+     [] { return newton_checked(std::make_shared<const Answers>(kNan)); }},
+    {"checker_negative_step", "InvalidArgument: feasibility checker 'answers': max_step() is -1",
+     [] { return newton_checked(std::make_shared<const Answers>(-1)); }},
+    {"checker_without_limit", "converged",
+     [] { return newton_checked(std::make_shared<const Answers>(test::kInfinity)); }},
+    {"bounds_of_fewer",
+     "InvalidArgument: Bounds of 3 unknowns in a problem of 5: one for each of the full unknowns",
+     [] { return newton_checked(Bounds(Vec::Zero(3), Vec::Constant(3, 9)).checker()); }},
+    {"bounds_of_more", "InvalidArgument: Bounds of 6 unknowns in a problem of 5",
+     [] { return newton_checked(Bounds(Vec::Zero(6), Vec::Constant(6, 9)).checker()); }},
     {"newton_short_start", "InvalidArgument: the start y has 3 numbers, 5 are needed",
      [] { return newton(good(), ones(3)); }},
     {"newton_empty_start", "InvalidArgument: the start y has 0 numbers",

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "majorant/framework/barrier_checker.h"
 #include "majorant/framework/derivative_check.h"
 #include "majorant/terms/inequality.h"
 #include "majorant/terms/linear_term.h"
@@ -142,11 +143,142 @@ TEST(BarrierMinimizer, LimitsAndStarts) {
   EXPECT_EQ(outside.y, Vec::Constant(10, 1));
 }
 
+// x_k >= limit for every unknown; certifies paths.
+class Above final : public BarrierChecker {
+ public:
+  explicit Above(double limit) : limit_(limit) {}
+  std::string_view name() const override { return "above"; }
+  Verdict check(VecIn x) const override {
+    Verdict verdict;
+    verdict.margin = x.minCoeff() - limit_;
+    verdict.feasible = verdict.margin > 0;
+    if (!verdict.feasible) verdict.blocking.push_back(0);
+    return verdict;
+  }
+  StepBound max_step(VecIn x, VecIn d, double s) const override {
+    StepBound bound{s, {}};
+    for (Index k = 0; k < x.size(); ++k)
+      if (d[k] < 0) bound.step = std::min(bound.step, (limit_ - x[k]) / d[k]);
+    return bound;
+  }
+  std::shared_ptr<const EnergyTerm> barrier() const override {
+    return make_term<1>("above", Cells{{0}, {1}}, [l = limit_](Index, const auto& z) {
+      using std::log;
+      return -log(z[0] - l);
+    });
+  }
+  std::shared_ptr<const BarrierChecker> relaxed(VecIn x) const override {
+    const double least = x.minCoeff();
+    return std::make_shared<const Above>(std::min(limit_, least - 0.1 * (1 + std::abs(least))));
+  }
+
+ private:
+  double limit_;
+};
+
+// Relaxes to itself.
+class Stubborn final : public BarrierChecker {
+ public:
+  std::string_view name() const override { return "stubborn"; }
+  Verdict check(VecIn x) const override { return above_.check(x); }
+  StepBound max_step(VecIn, VecIn, double s) const override { return {s, {}}; }
+  std::shared_ptr<const EnergyTerm> barrier() const override { return above_.barrier(); }
+  std::shared_ptr<const BarrierChecker> relaxed(VecIn) const override {
+    return std::make_shared<const Stubborn>();
+  }
+
+ private:
+  Above above_{1};
+};
+
+// Every unknown below a half.
+class HeldBelow final : public FeasibilityChecker {
+ public:
+  std::string_view name() const override { return "held below"; }
+  Verdict check(VecIn x) const override {
+    Verdict verdict;
+    verdict.feasible = x.maxCoeff() < 0.5;
+    return verdict;
+  }
+  StepBound max_step(VecIn, VecIn, double s) const override { return {s, {}}; }
+};
+
+// |x - target|^2 with x >= 1, y >= 1.
+struct Walled {
+  Problem problem;
+  BarrierMinimizer minimizer;
+
+  Walled(Vec target, std::shared_ptr<const BarrierChecker> wall, BarrierOptions options = {})
+      : Walled(target, wall, options, ProblemBuilder(2)) {}
+
+ private:
+  Walled(Vec target, std::shared_ptr<const BarrierChecker> wall, const BarrierOptions& options,
+         ProblemBuilder builder)
+      : problem(), minimizer({}) {
+    builder.add(make_term<1>("pull", Cells{{0}, {1}},
+                             [target](Index e, const auto& z) {
+                               return (z[0] - target[e]) * (z[0] - target[e]);
+                             }),
+                1);
+    const TermId barrier = builder.add(wall->barrier(), 1);
+    builder.add(wall);
+    problem = builder.build();
+    minimizer = BarrierMinimizer::of_bounds({{barrier, wall}}, {}, options);
+  }
+};
+
+TEST(BarrierMinimizer, LeadsStartsInside) {
+  const auto above = std::make_shared<const Above>(1);
+  for (const double start : {-40.0, 0.0, 1.0, 5.0}) {
+    SCOPED_TRACE(start);
+    const Walled w(Vec{{-3, 4}}, above);
+    const BarrierResult result = w.minimizer.run(w.problem, Vec{{start, start}});
+    EXPECT_EQ(result.status, Status::Converged) << result.message;
+    EXPECT_LE((result.y - Vec{{1, 4}}).norm(), 1e-5);
+    EXPECT_GT(result.y[0], 1);
+    EXPECT_FALSE(result.phases.empty());
+    for (std::size_t k = 0; k < result.iterations.size(); ++k)
+      EXPECT_EQ(result.iterations[k].iteration, static_cast<int>(k) + 1);
+  }
+}
+
+TEST(BarrierMinimizer, SaysWhichBoundNoPointMeets) {
+  // Both unknowns are held below 1.
+  const auto above = std::make_shared<const Above>(1);
+  ProblemBuilder builder(2);
+  builder.add(
+      make_term<2>("bowl", Cells{{0, 1}}, [](Index, const auto& z) { return z.squaredNorm(); }), 1);
+  const TermId barrier = builder.add(above->barrier(), 1);
+  builder.add(above);
+  builder.add(std::make_shared<const HeldBelow>());
+  const BarrierResult result =
+      BarrierMinimizer::of_bounds({{barrier, above}}).run(builder.build(), Vec::Zero(2));
+  EXPECT_EQ(result.status, Status::Infeasible);
+  EXPECT_EQ(result.message, "no point was found that meets the bound 'above'");
+  EXPECT_EQ(result.blocking, std::vector<Index>{0});
+  EXPECT_TRUE(result.phases.empty());
+}
+
+TEST(BarrierMinimizer, LimitsHoldOnTheWayInside) {
+  BarrierOptions few;
+  few.newton.stopping.max_iterations = 1;
+  const Walled w(Vec{{-3, 4}}, std::make_shared<const Above>(1), few);
+  const BarrierResult result = w.minimizer.run(w.problem, Vec::Constant(2, -40));
+  EXPECT_EQ(result.status, Status::MaxIterations);
+  EXPECT_EQ(result.iterations.size(), 1);
+}
+
 TEST(BarrierMinimizer, Misuse) {
   const Disks disks(5);
   const Vec y0 = Vec::Zero(10);
   EXPECT_THROW(BarrierMinimizer({TermId(7)}).run(disks.problem, y0), Error);
   EXPECT_THROW(BarrierMinimizer({disks.barrier, disks.barrier}).run(disks.problem, y0), Error);
+  const auto above = std::make_shared<const Above>(1);
+  EXPECT_THROW(BarrierMinimizer::of_bounds({{disks.barrier, above}}).run(disks.problem, y0),
+               InvalidArgument);  // none of its checkers
+  EXPECT_THROW(BarrierMinimizer::of_bounds({{disks.barrier, nullptr}}), InvalidArgument);
+  const Walled wrong(y0, std::make_shared<const Stubborn>());
+  EXPECT_THROW(wrong.minimizer.run(wrong.problem, Vec::Zero(2)), InvalidArgument);
   EXPECT_THROW(BarrierMinimizer({}, {.fall = 1}), Error);
   EXPECT_THROW(BarrierMinimizer({}, {.tolerance = 0}), Error);
   EXPECT_THROW(BarrierMinimizer({}, {.first_gap = -1}), Error);

@@ -128,9 +128,11 @@ class Translations {
 
 Additions::Additions(std::shared_ptr<const MapExtension> extension)
     : extension_(std::move(extension)) {
+  HeldBounds::Bounds bounds;
   for (const auto& checker : extension_->checkers())
     if (auto bound = std::dynamic_pointer_cast<const BarrierChecker>(checker))
-      bounds_.push_back(std::move(bound));
+      bounds.push_back(std::move(bound));
+  bounds_ = HeldBounds(std::move(bounds));
 }
 
 std::vector<TermId> Additions::add_to(ProblemBuilder& builder) const {
@@ -142,8 +144,10 @@ std::vector<TermId> Additions::add_to(ProblemBuilder& builder) const {
   for (const auto& checker : extension_->checkers())
     if (!dynamic_cast<const BarrierChecker*>(checker.get()))
       builder.add(std::make_shared<const OnMap>(checker, unknowns));
-  for (const auto& bound : held_) builder.add(std::make_shared<const OnMap>(bound, unknowns));
-  for (const auto& barrier : barriers_) barriers.push_back(builder.add(barrier, barrier_weight_));
+  for (const auto& bound : bounds_.held())
+    builder.add(std::make_shared<const OnMap>(bound, unknowns));
+  for (const auto& barrier : bounds_.barriers())
+    barriers.push_back(builder.add(barrier, barrier_weight_));
   return barriers;
 }
 
@@ -156,7 +160,7 @@ FixedUnknowns Additions::gauge(const MapSpecification& spec, const BezierTriangl
     for (const auto& constraint : extension_->constraints()) constraint->append_rows(rows);
     translations.constrain(rows);
     for (const auto& added : extension_->terms()) translations.constrain(*added.term, start);
-    for (const auto& barrier : barriers_) translations.constrain(*barrier, start);
+    for (const auto& barrier : bounds_.barriers()) translations.constrain(*barrier, start);
   }
   return FixedUnknowns(translations.stopped(start));
 }
@@ -169,7 +173,7 @@ void Additions::require_curvature(Curvature asked) const {
           fmt::format("term '{}' has no curvature model '{}'", term.name(), curvature_name(asked)));
   };
   for (const auto& added : extension_->terms()) require(*added.term);
-  for (const auto& bound : bounds_) require(*bound->barrier());
+  for (const auto& bound : bounds_.bounds()) require(*bound->barrier());
 }
 
 double Additions::energy(VecIn x) const {
@@ -180,25 +184,13 @@ double Additions::energy(VecIn x) const {
   return sum;
 }
 
-const BarrierChecker* Additions::violated(VecIn x) const {
-  for (const auto& bound : bounds_)
-    if (!bound->check(x.head(extension_->start().size())).feasible) return bound.get();
-  return nullptr;
-}
-
-void Additions::hold(VecIn x) {
-  const Vec map = x.head(extension_->start().size());
-  held_.clear();
-  barriers_.clear();
-  for (const auto& bound : bounds_) {
-    held_.push_back(bound->check(map).feasible ? bound : bound->relaxed(map));
-    barriers_.push_back(held_.back()->barrier());
-  }
+Vec Additions::of_map(VecIn x) const {
+  return extension_ ? x.head(extension_->start().size()) : Vec(x);
 }
 
 double Additions::barrier_size(VecIn x) const {
   double sum = 0;
-  for (const auto& barrier : barriers_) sum += values_of(*barrier, x).cwiseAbs().sum();
+  for (const auto& barrier : bounds_.barriers()) sum += values_of(*barrier, x).cwiseAbs().sum();
   return sum;
 }
 

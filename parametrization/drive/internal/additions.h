@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "majorant/constraints/fixed_unknowns.h"
+#include "majorant/framework/internal/bound_entry.h"
 #include "majorant/framework/problem.h"
 #include "majorant/parametrization/drive/map_extension.h"
 #include "majorant/parametrization/maps/map_problem.h"
@@ -37,12 +38,13 @@ class Additions {
   double energy(VecIn x) const;
 
   // ---- Bounds with a barrier ----
-  bool bounded() const { return !bounds_.empty(); }
+  bool bounded() const { return !bounds_.bounds().empty(); }
   // Whether x meets all of them; the first one that it does not, by name.
   bool met(VecIn x) const { return violated(x) == nullptr; }
-  const BarrierChecker* violated(VecIn x) const;
-  // From here on they are held, relaxed where x does not meet them.
-  void hold(VecIn x);
+  const BarrierChecker* violated(VecIn x) const { return bounds_.violated(of_map(x)); }
+  // What is held in their place; they see the map's unknowns alone.
+  HeldBounds& bounds() { return bounds_; }
+  Vec of_map(VecIn x) const;
   double barrier_weight() const { return barrier_weight_; }
   void set_barrier_weight(double weight) { barrier_weight_ = weight; }
   // Sum of the absolute values of the elements of the held bounds' barriers.
@@ -50,9 +52,7 @@ class Additions {
 
  private:
   std::shared_ptr<const MapExtension> extension_;
-  std::vector<std::shared_ptr<const BarrierChecker>> bounds_;
-  std::vector<std::shared_ptr<const BarrierChecker>> held_;  // none: left out
-  std::vector<std::shared_ptr<const EnergyTerm>> barriers_;  // of held_
+  HeldBounds bounds_;
   double barrier_weight_ = 1;
 };
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "majorant/framework/evaluator.h"
 #include "majorant/parametrization/drive/internal/degree_solver.h"
@@ -30,30 +29,26 @@ SolveResult DegreeSolver::solve_within_bounds(RunRecord& record) {
   return exhaust(kRemedies, tries_, record);
 }
 
-// Bounds relaxed as far as x_ needs it are tightened as x_ moves away from them. Whether it is
-// inside.
+// Whether x_ is inside.
 bool DegreeSolver::enter_bounds(SolveResult& result, RunRecord& record) {
   const BoundRules& rules = setup_.rules.bounds;
-  double weight = 0, margin = -std::numeric_limits<double>::infinity();
-  for (int round = 0; round < rules.most_rounds; ++round) {
+  double weight = 0;
+  const auto point = [this] { return added_.of_map(x()); };
+  const auto go_on = [&](double factor) {
     setup_.stop.poll();
-    added_.hold(x());
-    if (round == 0)
+    if (weight == 0)
       weight = rules.first_share * std::max(std::abs(result.energy), rules.least_energy) /
                std::max(added_.barrier_size(x()), rules.least_barrier);
-    added_.set_barrier_weight(weight);
+    added_.set_barrier_weight(factor * weight);
     rebuild();
-    result = descend(unlimited(rules.entry_tolerance), Phase::Barrier, record);
-    if (was_stopped(result.status)) return false;
-    const BarrierChecker* violated = added_.violated(x());
-    if (!violated) {
-      added_.hold(x());
-      rebuild();
-      return true;
-    }
-    const double now = violated->check(x()).margin;
-    if (!(now > margin + rules.least_progress * std::abs(now))) weight *= rules.harder;
-    margin = now;
+    result = descend(unlimited(rules.entry.tolerance), Phase::Barrier, record);
+    return !was_stopped(result.status);
+  };
+  const Entry entry = majorant::enter_bounds(added_.bounds(), rules.entry, point, go_on);
+  if (entry == Entry::Stopped) return false;
+  if (entry == Entry::Inside) {
+    rebuild();
+    return true;
   }
   result.status = Status::Infeasible;
   result.message =

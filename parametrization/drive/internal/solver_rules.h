@@ -15,6 +15,7 @@
 
 #include "majorant/elements/element_space.h"
 #include "majorant/framework/barrier_minimizer.h"
+#include "majorant/framework/internal/bound_entry.h"
 #include "majorant/framework/internal/direct_solver.h"
 #include "majorant/framework/newton.h"
 #include "majorant/parametrization/drive/solve_options.h"
@@ -94,13 +95,7 @@ struct BoundRules {
   double least_energy = ScaffoldRules{}.least_energy;
   // The same of a barrier's values, which are 0 where rooms are 1. Origin: no weight is infinite.
   double least_barrier = 1e-6;
-  // Relative decrease that ends a round on the way inside. Origin: they only lead there.
-  double entry_tolerance = 1e-3;
-  // Of the margin, by which a round comes nearer; else the weight grows. Origin: a small part of
-  // the tenth by which bounds are relaxed; chosen, not tuned.
-  double least_progress = 0.02;
-  // By so much. Origin: chosen, not tuned: a round costs a few steps.
-  double harder = 10;
+  BoundEntryRules entry;
   // The weight from round to round.
   double fall = BarrierOptions{}.fall;
   // Origin: bounds the cost of what leads nowhere; chosen, not tuned.

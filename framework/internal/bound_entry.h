@@ -1,0 +1,77 @@
+// The way inside of bounds from a start that does not meet them: they are relaxed as far as the
+// start needs it, and tightened as their barriers lead away from them.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "majorant/framework/barrier_checker.h"
+
+namespace majorant {
+
+// What stands in place of bounds at a point: each itself, or relaxed where the point does not meet
+// it.
+class HeldBounds {
+ public:
+  using Bounds = std::vector<std::shared_ptr<const BarrierChecker>>;
+
+  HeldBounds() = default;
+  explicit HeldBounds(Bounds bounds) : bounds_(std::move(bounds)) {}
+
+  const Bounds& bounds() const { return bounds_; }
+  // The first that x does not meet; null: it meets all.
+  const BarrierChecker* violated(VecIn x) const;
+  // From here on these are held. Throws InvalidArgument, with its name, where a bound is relaxed to
+  // nothing, or to what x does not meet either.
+  void hold(VecIn x);
+  // In the order of bounds(); none before hold().
+  const Bounds& held() const { return held_; }
+  const std::vector<std::shared_ptr<const EnergyTerm>>& barriers() const { return barriers_; }
+
+ private:
+  Bounds bounds_, held_;
+  std::vector<std::shared_ptr<const EnergyTerm>> barriers_;
+};
+
+struct BoundEntryRules {
+  // Relative decrease that ends a round on the way inside. Origin: they only lead there.
+  double tolerance = 1e-3;
+  // Of the margin, by which a round comes nearer; else the weight grows. Origin: a small part of
+  // the tenth by which bounds are relaxed; chosen, not tuned.
+  double least_progress = 0.02;
+  // By so much. Origin: chosen, not tuned: a round costs a few steps.
+  double harder = 10;
+  // Origin: bounds the cost of what leads nowhere; chosen, not tuned.
+  int most_rounds = 40;
+};
+
+enum class Entry { Inside, Stopped, Outside };
+
+// point(): where the run is. descend(factor): goes on from there with what is held, the weight of
+// its barriers multiplied by the factor; false where the run was stopped.
+template <class Point, class Descend>
+Entry enter_bounds(HeldBounds& bounds, const BoundEntryRules& rules, const Point& point,
+                   const Descend& descend) {
+  double factor = 1, margin = -std::numeric_limits<double>::infinity();
+  for (int round = 0; round < rules.most_rounds; ++round) {
+    bounds.hold(point());
+    if (!descend(factor)) return Entry::Stopped;
+    const BarrierChecker* violated = bounds.violated(point());
+    if (!violated) {
+      bounds.hold(point());
+      return Entry::Inside;
+    }
+    const double now = violated->check(point()).margin;
+    if (!(now > margin + rules.least_progress * std::abs(now))) factor *= rules.harder;
+    margin = now;
+  }
+  return Entry::Outside;
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
