@@ -18,6 +18,14 @@ constexpr double kSmallestScale = 1e-14;
 // that has one begins to cancel there; the squares of what is below leave the range of doubles.
 constexpr double kUnbounded = 1e100;
 
+// Of a run that ends far from a minimum, or near one where it is held.
+std::string stalled_at(StepLimit limit) {
+  if (limit == StepLimit::Checker) return "held at the limit of the feasible set";
+  if (limit == StepLimit::Domain) return "held at the limit of the energy's domain";
+  return "the energy does not fall as its derivatives promise: it is not smooth there, they are "
+         "wrong, or its Hessian is nearly singular";
+}
+
 }  // namespace
 
 StoppingRules first_order_rules() {
@@ -90,11 +98,9 @@ Advice StoppingTest::after(const StepResult& step, Since since) {
   const bool held = r.step_bound < rules_.stall_step;
   idle_ = small || held ? idle_ + 1 : 0;
   held_ = idle_ == 0 ? 0 : held_ + held;
+  limit_ = idle_ == 0 ? StepLimit::None : std::max(limit_, held ? StepLimit::Checker : step.limit);
   const bool goes_on = near_minimum && plateau && held_ == 0;
-  if (idle_ >= rules_.stall_iterations && !goes_on)
-    advice.stop = near_minimum
-                      ? Stop{Status::Converged, "relative decrease"}
-                      : Stop{Status::Stalled, "held at the limit of the feasible set", true};
+  if (idle_ >= rules_.stall_iterations && !goes_on) advice.stop = idle(near_minimum);
   advice.anchor = idle_ == 0 && r.step_bound >= rules_.anchor_step;
   return advice;
 }
@@ -125,13 +131,19 @@ double StoppingTest::remaining(std::ptrdiff_t window) const {
   return now * (now < before ? std::min(now / (before - now), most) : most);
 }
 
+Stop StoppingTest::idle(bool near_minimum) const {
+  if (!near_minimum) return {Status::Stalled, stalled_at(limit_), true};
+  return {Status::Converged, "relative decrease"};
+}
+
 Stop StoppingTest::no_step(const StepResult& step, bool near_minimum) const {
   using Outcome = StepResult::Outcome;
   if (step.outcome == Outcome::Stopped) return {stopped_status(step.why), Stopped(step.why).what()};
   if (step.outcome == Outcome::Breakdown)
     return {Status::Failed, step.why_none.empty() ? "no finite direction" : step.why_none};
   if (step.outcome == Outcome::AtMinimum) return {Status::Converged, "decrement"};
-  return {near_minimum ? Status::Converged : Status::Stalled, "no further decrease"};
+  if (near_minimum) return {Status::Converged, "no further decrease"};
+  return {Status::Stalled, stalled_at(step.limit)};
 }
 
 }  // namespace majorant

@@ -46,6 +46,8 @@ namespace majorant {
 //       failed in the last stall_iterations steps, a Hessian was indefinite: times saddle_part
 //     no step decreases the energy: Converged or Stalled by the same bound on -g.p; where the
 //       problem has changed since, another try is left, after stall_iterations idle ones the last
+//     the message of a stall names what shortened the idle steps (StepLimit): the feasible set, the
+//       energy's domain, or neither, where the energy does not fall as its derivatives promise
 //     unbounded: an energy below -1e100 max(1, |E_0|): Failed, a minimum does not exist
 // The decrement rule itself is applied inside a step, which it spares (Stepper::move_along).
 struct StoppingRules {
@@ -119,13 +121,15 @@ class StoppingTest {
   void remember(const StepResult& step, Since since);
   bool on_plateau() const;
   double remaining(std::ptrdiff_t window) const;
+  Stop idle(bool near_minimum) const;
   Stop no_step(const StepResult& step, bool near_minimum) const;
 
   StoppingRules rules_;
   double smallest_scale_;  // an energy that vanishes at its minimum has no relative scale there
   int steps_ = 0, idle_ = 0;
-  int held_ = 0;                  // of idle_: a certified step below stall_step
-  std::deque<double> decreases_;  // relative, since the problem has changed, the last ones
+  int held_ = 0;                       // of idle_: a certified step below stall_step
+  StepLimit limit_ = StepLimit::None;  // of the idle steps
+  std::deque<double> decreases_;       // relative, since the problem has changed, the last ones
   int definite_ = std::numeric_limits<int>::max() / 2;  // steps since a factorization failed
   int in_tail_ = 0;                                     // small steps with a small decrement
 };

@@ -51,6 +51,11 @@ StoppingRules rules() {
   return r;
 }
 
+constexpr const char* kNotAsPromised =
+    "the energy does not fall as its derivatives promise: it is not smooth there, they are wrong, "
+    "or "
+    "its Hessian is nearly singular";
+
 void expect_goes_on(const Advice& advice) {
   EXPECT_FALSE(advice.stop.has_value()) << advice.stop->message;
 }
@@ -129,9 +134,9 @@ TEST(Stopping, AStepThatIsHeldHasFurtherTriesWhereTheProblemChanges) {
     held.outcome = outcome;
     StoppingTest test(rules(), 100);
     for (int k = 0; k < 3; ++k) expect_goes_on(test.after(held, Since::ProblemChanged));
-    expect_stop(test.after(held, Since::ProblemChanged), Status::Stalled, "no further decrease");
+    expect_stop(test.after(held, Since::ProblemChanged), Status::Stalled, kNotAsPromised);
     StoppingTest same(rules(), 100);
-    expect_stop(same.after(held), Status::Stalled, "no further decrease");
+    expect_stop(same.after(held), Status::Stalled, kNotAsPromised);
   }
 }
 
@@ -145,6 +150,39 @@ TEST(Stopping, IdleStepsInARowStallFarFromAMinimumAndReturnToTheAnchor) {
   const Advice last = test.after(moved(9e-7, 1e-2));
   expect_stop(last, Status::Stalled, "held at the limit of the feasible set");
   EXPECT_TRUE(last.stop->at_anchor);
+}
+
+// What shortened the idle steps is named, the feasible set before the domain; progress in between
+// makes it forgotten.
+TEST(Stopping, AStallIsToldForWhatHeldTheSteps) {
+  const auto message_of = [](std::initializer_list<StepLimit> limits) {
+    StoppingTest test(rules(), 100);
+    Advice advice;
+    for (const StepLimit limit : limits) {
+      StepResult step = moved(9e-7, 1e-2);
+      step.limit = limit;
+      advice = test.after(step);
+    }
+    return advice.stop ? advice.stop->message : "";
+  };
+  using enum StepLimit;
+  EXPECT_EQ(message_of({None, None, None}), kNotAsPromised);
+  EXPECT_EQ(message_of({Energy, None, Energy}), kNotAsPromised);
+  EXPECT_EQ(message_of({Energy, Domain, None}), "held at the limit of the energy's domain");
+  EXPECT_EQ(message_of({Checker, Domain, Energy}), "held at the limit of the feasible set");
+
+  for (const auto& [limit, message] : {std::pair{Energy, kNotAsPromised},
+                                       {Domain, "held at the limit of the energy's domain"},
+                                       {Checker, "held at the limit of the feasible set"}}) {
+    StoppingTest test(rules(), 100);
+    StepResult step = moved(9e-7, 1e-2);
+    step.limit = Checker;
+    expect_goes_on(test.after(step));
+    expect_goes_on(test.after(moved(0.1, 1e-2)));
+    step = ended(Outcome::NoDecrease, 1e-2);
+    step.limit = limit;
+    expect_stop(test.after(step), Status::Stalled, message);
+  }
 }
 
 TEST(Stopping, IdleStepsNearAMinimumConvergeWhereTheyAre) {
@@ -168,7 +206,7 @@ TEST(Stopping, AStepThatDidNotMoveEndsTheRun) {
   expect_stop(answer(ended(Outcome::Breakdown)), Status::Failed, "no finite direction");
   for (const Outcome outcome : {Outcome::Blocked, Outcome::NoDecrease}) {
     expect_stop(answer(ended(outcome, 9e-5)), Status::Converged, "no further decrease");
-    expect_stop(answer(ended(outcome, 1.1e-4)), Status::Stalled, "no further decrease");
+    expect_stop(answer(ended(outcome, 1.1e-4)), Status::Stalled, kNotAsPromised);
   }
   StepResult limit = ended(Outcome::Stopped);
   limit.why = Directive::TimeLimit;

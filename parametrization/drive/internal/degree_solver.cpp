@@ -9,6 +9,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/framework/evaluator.h"
+#include "majorant/framework/internal/diagnosis.h"
 #include "majorant/framework/internal/stopwatch.h"
 #include "majorant/parametrization/drive/internal/meet_constraints.h"
 #include "majorant/parametrization/drive/internal/solver_rules.h"
@@ -187,7 +188,10 @@ void DegreeSolver::iterate_until(StoppingTest& test, const Rows& rows, double en
   double anchor_energy = result.energy;
   std::optional<Stop> stop;
   while (!(stop = test.before_step())) {
-    const Iteration it = iterate(result, energy, rows);
+    Iteration it = iterate(result, energy, rows);
+    if (it.step.outcome == StepResult::Outcome::Breakdown && it.step.why_none.empty())
+      it.step.why_none =
+          why_no_direction(stepper_.evaluator(), result.y, energy, it.step.record.curvature);
     const Advice advice = test.after(it.step, it.since);
     if ((stop = advice.stop)) break;
     if (advice.polish) stepper_.polish();
