@@ -270,18 +270,19 @@ SolveResult DegreeSolver::approach(double tolerance, RunRecord& record, Phase ph
   return descend(rules, phase, record);
 }
 
-// Ended by this decrease of one iteration, be it on a plateau, by no number of iterations but the
-// run's.
+// Ended by this decrease of one iteration, be it on a plateau, whatever the next one promises, by
+// no number of iterations but the run's.
 StoppingRules DegreeSolver::unlimited(double relative_decrease) const {
   StoppingRules rules = setup_.rules.stopping;
   rules.relative_decrease = relative_decrease;
-  rules.plateau_factor = std::numeric_limits<double>::infinity();
+  rules.last_factor = rules.plateau_factor = std::numeric_limits<double>::infinity();
   rules.max_iterations = std::numeric_limits<int>::max();
   return rules;
 }
 
 StoppingRules DegreeSolver::final_rules() const {
   StoppingRules rules = unlimited(setup_.solve.tolerance);
+  rules.last_factor = setup_.rules.stopping.last_factor;
   rules.plateau_factor = setup_.rules.stopping.plateau_factor;
   return domain_.final_rules(rules);
 }
