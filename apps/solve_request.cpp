@@ -38,7 +38,7 @@ void SolveRequest::add_limits_to(CLI::App& verb, std::string& curvature) {
   verb.add_option("--elevation", elevation, "how the degree is reached")
       ->check(one_of({"incremental", "direct"}));
   verb.add_option("--tolerance", tolerance,
-                  fmt::format("relative energy decrease to stop at ({})", tolerance))
+                  fmt::format("part of the energy that may be left, estimated ({})", tolerance))
       ->check(positive_number());
   verb.add_option("--max-iterations", max_iterations, fmt::format("({})", max_iterations))
       ->check(whole_number(0));

@@ -15,12 +15,16 @@ class GradientFlowStepper final : public Stepper {
   GradientFlowStepper(const Problem& problem, const GradientFlowOptions& options)
       : Stepper(problem, options.line_search, options.stopping.decrement, options.stop),
         metric_(metric_problem(problem, options.metric), options.curvature,
-                make_solver("GradientFlowOptions", options.linear_solver)) {}
+                make_solver("GradientFlowOptions", options.linear_solver)),
+        own_metric_(options.metric.has_value()) {}
 
  private:
   void advance(Vec& y, double& energy, Step& step) override {
     IterationRecord& r = step.record;
-    if (!metric_.factorize_once(y, r, stop_)) return;
+    if (!metric_.factorize_once(y, r, stop_)) {
+      if (own_metric_) step.why_none = metric_.why_none();
+      return;
+    }
     Stopwatch watch;
     evaluator_.gradient(y, gradient_, stop_);
     r.seconds.assemble += watch.restart();
@@ -32,6 +36,7 @@ class GradientFlowStepper final : public Stepper {
   }
 
   Metric metric_;
+  bool own_metric_;   // not that of the problem
   double first_ = 1;  // the metric knows nothing of the energy's scale: the last step does
 };
 

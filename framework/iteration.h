@@ -21,7 +21,7 @@ enum class Status {
   MaxIterations,
   TimeLimit,    // an observer said so
   Interrupted,  // an observer said so
-  Stalled,      // no step decreases the energy inside the feasible set, far from a minimum
+  Stalled,      // no step decreases the energy, or only tiny ones, far from a minimum
   Infeasible,   // the start violates a checker or lies outside an energy's domain
   Failed,       // numerical breakdown: no factorization, no finite energy
 };
@@ -54,6 +54,15 @@ struct IterationRecord {
 // value / |energy|, 0 / 0 = 0: energies may vanish at their minimum.
 double relative_to(double energy, double value);
 
+// What refused the last of the trials that were too long, of a step that was shortened or of one
+// that was not found. In this order: of several the last is named.
+enum class StepLimit {
+  None,     // nothing: the first trial was good
+  Energy,   // it falls less than its derivatives promise, or not at all
+  Domain,   // it is not finite there
+  Checker,  // a FeasibilityChecker
+};
+
 struct StepResult {
   enum class Outcome {
     Moved,
@@ -67,6 +76,7 @@ struct StepResult {
   double energy_before = 0;
   IterationRecord record;       // record.energy is the energy after the step
   std::vector<Index> blocking;  // StepBound::blocking of the line search
+  StepLimit limit = StepLimit::None;
   Directive why = Directive::Continue;
   std::string why_none;  // of a Breakdown, where somebody looked into it: a sentence
 };

@@ -17,13 +17,17 @@ class LbfgsStepper final : public Stepper {
       : Stepper(problem, options.line_search, options.stopping.decrement, options.stop),
         metric_(metric_problem(problem, options.metric), options.curvature,
                 make_solver("LbfgsOptions", options.linear_solver)),
+        own_metric_(options.metric.has_value()),
         history_(options.history, options.cautious) {
     require_at_least("LbfgsOptions: history", options.history, 0);
   }
 
  private:
   void advance(Vec& y, double& energy, Step& step) override {
-    if (!prepare(y, step.record)) return;
+    if (!prepare(y, step.record)) {
+      if (own_metric_) step.why_none = metric_.why_none();
+      return;
+    }
     bool restarted = history_.empty();
     direction_step(y, energy, step);
     while (!restarted && step.outcome != Outcome::Moved && step.outcome != Outcome::AtMinimum) {
@@ -55,6 +59,7 @@ class LbfgsStepper final : public Stepper {
   }
 
   Metric metric_;
+  bool own_metric_;  // not that of the problem
   bool started_ = false;
   History history_;
 };

@@ -45,7 +45,9 @@ LineSearch::LineSearch(Evaluator& evaluator, const LineSearchOptions& options, c
 
 LineSearch::Result LineSearch::find(double first) {
   bound_ = certified(std::max(1.0, first));
-  const double s = bound_.step < first ? options_.boundary_fraction * bound_.step : first;
+  const bool cut = bound_.step < first;
+  if (cut) limit_ = StepLimit::Checker;
+  const double s = cut ? options_.boundary_fraction * bound_.step : first;
   if (s < options_.smallest_step) return Result::Blocked;
   const auto attempt = [this](double step) { return accept(step) ? kTake : kHalve; };
   if (!backtrack(s, {.smallest = options_.smallest_step}, attempt)) return Result::NoDecrease;
@@ -76,14 +78,21 @@ bool LineSearch::accept(double s) {
   ++trials_;
   const Vec candidate = y_ + s * p_;
   const double trial = evaluator_.value(candidate, stop_);
-  if (!std::isfinite(trial) || !(trial <= energy_ - options_.armijo * s * decrement_ + rounding_))
-    return false;
+  if (!std::isfinite(trial)) return refuse(StepLimit::Domain);
+  if (!(trial <= energy_ - options_.armijo * s * decrement_ + rounding_))
+    return refuse(StepLimit::Energy);
   if (best_step_ > 0 && !(trial < best_energy_)) return false;
   const Vec x = evaluator_.problem().expand(candidate);
-  if (evaluator_.violation(x)) return false;
+  if (evaluator_.violation(x)) return refuse(StepLimit::Checker);
   best_step_ = s;
   best_energy_ = trial;
   return true;
+}
+
+// Steps that would be longer than a good one limit nothing. false.
+bool LineSearch::refuse(StepLimit why) {
+  if (best_step_ == 0) limit_ = why;
+  return false;
 }
 
 // Minimum of the parabola through E(0), E'(0) and the best step, at most largest_growth of that.

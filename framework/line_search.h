@@ -11,6 +11,7 @@
 #pragma once
 
 #include "majorant/framework/evaluator.h"
+#include "majorant/framework/iteration.h"
 
 namespace majorant {
 
@@ -63,10 +64,12 @@ class LineSearch {
   const StepBound& bound() const {
     return bound_;
   }  // largest certified step <= max(1, first), what limits
+  StepLimit limit() const { return limit_; }  // why no longer step was found, growth apart
 
  private:
   StepBound certified(double s) const;
   bool accept(double s);
+  bool refuse(StepLimit why);
   double asked() const;
   bool grow(double target);
   bool stride();
@@ -82,6 +85,7 @@ class LineSearch {
   double rounding_;
   Vec x_, d_;
   StepBound bound_;
+  StepLimit limit_ = StepLimit::None;
   double best_step_ = 0, best_energy_ = 0;
   int trials_ = 0;
 };

@@ -57,6 +57,7 @@ void Stepper::move_along(const Vec& p, double first, Vec& y, double& energy, Ste
   const LineSearch::Result result = search.find(first);
   r.step_bound = search.bound().step;
   step.blocking = search.bound().blocking;
+  step.limit = search.limit();
   r.trials += search.trials();
   if (result == LineSearch::Result::Accepted) {
     step.outcome = Outcome::Moved;
@@ -116,7 +117,7 @@ SolveResult Stepper::descend_from(Vec y, double energy, const StoppingRules& rul
       directive = partition().ranks().of_first(directive);
     }
     if (step.outcome == Outcome::Breakdown && step.why_none.empty())
-      step.why_none = why_no_direction(evaluator_, result.y, result.energy);
+      step.why_none = why_no_direction(evaluator_, result.y, result.energy, step.record.curvature);
     const Advice advice = test.after(step);
     if (step.outcome != Outcome::Stopped) {
       result.newton_decrement = step.record.newton_decrement;

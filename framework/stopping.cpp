@@ -18,6 +18,20 @@ constexpr double kSmallestScale = 1e-14;
 // that has one begins to cancel there; the squares of what is below leave the range of doubles.
 constexpr double kUnbounded = 1e100;
 
+// Of a run that ends near a minimum although its last step promised more.
+std::string near_minimum_at(StepLimit limit) {
+  return limit == StepLimit::Checker ? "near a minimum, held at the limit of the feasible set"
+                                     : "no further decrease";
+}
+
+// Of a run that ends far from a minimum.
+std::string stalled_at(StepLimit limit) {
+  if (limit == StepLimit::Checker) return "held at the limit of the feasible set";
+  if (limit == StepLimit::Domain) return "held at the limit of the energy's domain";
+  return "the energy does not fall as its derivatives promise: it is not smooth there, they are "
+         "wrong, or its Hessian is nearly singular";
+}
+
 }  // namespace
 
 StoppingRules first_order_rules() {
@@ -41,6 +55,7 @@ StoppingRules brief_rules(int steps, double relative_decrease) {
   rules.relative_decrease = relative_decrease;
   // Origin: the first small step ends it, exact Hessian or not, and no other rule does.
   rules.tail_factor = 0;
+  rules.last_factor = std::numeric_limits<double>::infinity();
   rules.plateau_factor = std::numeric_limits<double>::infinity();
   rules.stall_decrement = std::numeric_limits<double>::infinity();
   rules.stall_iterations = 1;
@@ -81,8 +96,9 @@ Advice StoppingTest::after(const StepResult& step, Since since) {
   const bool small = r.relative_decrease <= rules_.relative_decrease;
   const bool in_tail = small && since == Since::Same && r.curvature != Curvature::Exact &&
                        r.newton_decrement <= rules_.tail_factor * rules_.relative_decrease * scale;
+  const bool promises = r.newton_decrement > rules_.last_factor * rules_.relative_decrease * scale;
   in_tail_ += in_tail;
-  if (in_tail && in_tail_ >= rules_.tail_steps && !plateau) {
+  if (in_tail && in_tail_ >= rules_.tail_steps && !plateau && !promises) {
     advice.stop = Stop{Status::Converged, "relative decrease"};
     return advice;
   }
@@ -90,11 +106,10 @@ Advice StoppingTest::after(const StepResult& step, Since since) {
   const bool held = r.step_bound < rules_.stall_step;
   idle_ = small || held ? idle_ + 1 : 0;
   held_ = idle_ == 0 ? 0 : held_ + held;
-  const bool goes_on = near_minimum && plateau && held_ == 0;
-  if (idle_ >= rules_.stall_iterations && !goes_on)
-    advice.stop = near_minimum
-                      ? Stop{Status::Converged, "relative decrease"}
-                      : Stop{Status::Stalled, "held at the limit of the feasible set", true};
+  limit_ = idle_ == 0 ? StepLimit::None : std::max(limit_, held ? StepLimit::Checker : step.limit);
+  const bool falls = plateau || (promises && since == Since::Same && falls_visibly());
+  const bool goes_on = near_minimum && falls && held_ == 0;
+  if (idle_ >= rules_.stall_iterations && !goes_on) advice.stop = idle(near_minimum, promises);
   advice.anchor = idle_ == 0 && r.step_bound >= rules_.anchor_step;
   return advice;
 }
@@ -125,13 +140,25 @@ double StoppingTest::remaining(std::ptrdiff_t window) const {
   return now * (now < before ? std::min(now / (before - now), most) : most);
 }
 
+// In one of the last steps that may be idle.
+bool StoppingTest::falls_visibly() const {
+  const auto last = std::min<std::ptrdiff_t>(rules_.stall_iterations, std::ssize(decreases_));
+  return std::any_of(decreases_.end() - last, decreases_.end(), [](double d) { return d > 0; });
+}
+
+Stop StoppingTest::idle(bool near_minimum, bool promises) const {
+  if (!near_minimum) return {Status::Stalled, stalled_at(limit_), true};
+  return {Status::Converged, promises ? near_minimum_at(limit_) : "relative decrease"};
+}
+
 Stop StoppingTest::no_step(const StepResult& step, bool near_minimum) const {
   using Outcome = StepResult::Outcome;
   if (step.outcome == Outcome::Stopped) return {stopped_status(step.why), Stopped(step.why).what()};
   if (step.outcome == Outcome::Breakdown)
     return {Status::Failed, step.why_none.empty() ? "no finite direction" : step.why_none};
   if (step.outcome == Outcome::AtMinimum) return {Status::Converged, "decrement"};
-  return {near_minimum ? Status::Converged : Status::Stalled, "no further decrease"};
+  if (near_minimum) return {Status::Converged, near_minimum_at(step.limit)};
+  return {Status::Stalled, stalled_at(step.limit)};
 }
 
 }  // namespace majorant

@@ -27,15 +27,17 @@ namespace majorant {
 // Stopping formulas, with E_k the energy after iteration k, p the Newton direction, g the gradient:
 //     decrement:   -g.p <= decrement |E_{k-1}|                                Converged, no step
 //     taken small step:  E_{k-1} - E_k <= relative_decrease |E_{k-1}|
-//       and -g.p <= tail_factor relative_decrease |E_{k-1}| and no plateau    Converged
-//       for the tail_steps-th time, the exact Hessian having been given another chance after the
-//       first; steps with the exact Hessian do not count, they converge quadratically to the
-//       decrement rule
+//       and -g.p <= tail_factor relative_decrease |E_{k-1}|: the exact Hessian gets another
+//       chance after the first one, the tail_steps-th and each that follows is
+//                                                                             Converged
+//       if -g.p <= last_factor relative_decrease |E_{k-1}| and this is no plateau; steps with the
+//       exact Hessian do not count, they converge quadratically to the decrement rule
 //     idle: small step, or a certified step below stall_step, in stall_iterations successive
-//       iterations: Converged if -g.p <= stall_decrement |E_{k-1}| - unless this is a plateau and
-//       the certificate lets all these steps pass: then it goes on -, else Stalled, and the result
-//       is the last point reached where the certified step was at least anchor_step: what follows
-//       it led into a corner
+//       iterations: Converged if -g.p <= stall_decrement |E_{k-1}| - unless the certificate lets
+//       all these steps pass and this is a plateau, or -g.p promises more than the last step of
+//       the tail may and the energy still falls visibly: then it goes on -, else Stalled, and the
+//       result is the last point reached where the certified step was at least anchor_step: what
+//       follows it led into a corner
 //     plateau: with d the sum of the last w relative decreases, d' that of the w before, decreases
 //       of at most `decrement` being none, q = d / d', for w = 1 or w = plateau_window (or half of
 //       the steps there are)
@@ -46,6 +48,8 @@ namespace majorant {
 //       failed in the last stall_iterations steps, a Hessian was indefinite: times saddle_part
 //     no step decreases the energy: Converged or Stalled by the same bound on -g.p; where the
 //       problem has changed since, another try is left, after stall_iterations idle ones the last
+//     the message of a stall names what shortened the idle steps (StepLimit): the feasible set, the
+//       energy's domain, or neither, where the energy does not fall as its derivatives promise
 //     unbounded: an energy below -1e100 max(1, |E_0|): Failed, a minimum does not exist
 // The decrement rule itself is applied inside a step, which it spares (Stepper::move_along).
 struct StoppingRules {
@@ -53,6 +57,9 @@ struct StoppingRules {
   double relative_decrease = 1e-6;
   // Origin: -g.p is twice what is left, and that is 5 decreases where each step leaves 5/6.
   double tail_factor = 10;
+  // Origin: bench/tolerance.py, which finds ten times -g.p left in valleys as curved as those of
+  // long strips.
+  double last_factor = 0.1;
   // Such small steps that end a run. Origin: the first is followed by a step with the exact
   // Hessian; 1 where Hessians never become exact.
   int tail_steps = 2;
@@ -118,14 +125,17 @@ class StoppingTest {
  private:
   void remember(const StepResult& step, Since since);
   bool on_plateau() const;
+  bool falls_visibly() const;
   double remaining(std::ptrdiff_t window) const;
+  Stop idle(bool near_minimum, bool promises) const;
   Stop no_step(const StepResult& step, bool near_minimum) const;
 
   StoppingRules rules_;
   double smallest_scale_;  // an energy that vanishes at its minimum has no relative scale there
   int steps_ = 0, idle_ = 0;
-  int held_ = 0;                  // of idle_: a certified step below stall_step
-  std::deque<double> decreases_;  // relative, since the problem has changed, the last ones
+  int held_ = 0;                       // of idle_: a certified step below stall_step
+  StepLimit limit_ = StepLimit::None;  // of the idle steps
+  std::deque<double> decreases_;       // relative, since the problem has changed, the last ones
   int definite_ = std::numeric_limits<int>::max() / 2;  // steps since a factorization failed
   int in_tail_ = 0;                                     // small steps with a small decrement
 };

@@ -85,6 +85,13 @@ std::optional<double> falls_forever(Evaluator& evaluator, VecIn y, double energy
   return before;
 }
 
+// Whether a curvature model is all zeros.
+bool is_flat(Evaluator& evaluator, VecIn y, Curvature curvature) {
+  Vec gradient, hessian;
+  evaluator.linearize(y, curvature, gradient, hessian);
+  return evaluator.problem().partition().ranks().all(hessian.isZero(0));
+}
+
 }  // namespace
 
 std::string why_not_finite(const Problem& problem, VecIn x) {
@@ -108,7 +115,7 @@ std::string why_not_finite(const Problem& problem, VecIn x) {
   return "the sum of its elements leaves the range of doubles";
 }
 
-std::string why_no_direction(Evaluator& evaluator, VecIn y, double energy) {
+std::string why_no_direction(Evaluator& evaluator, VecIn y, double energy, Curvature curvature) {
   const Problem& problem = evaluator.problem();
   const Vec x = problem.expand(y);
   const Ranks& ranks = problem.partition().ranks();
@@ -118,7 +125,12 @@ std::string why_no_direction(Evaluator& evaluator, VecIn y, double energy) {
       return "no finite direction: " + (where.empty() ? "another rank says why" : where);
   }
   if (std::string text = unbounded_along_gradient(evaluator, y, energy); !text.empty()) return text;
-  return "no finite direction: no shift makes the Hessian positive definite";
+  if (!problem.supports(curvature) || !is_flat(evaluator, y, curvature))
+    return "no finite direction: no shift makes the Hessian positive definite";
+  if (problem.supports(Curvature::Exact) && !is_flat(evaluator, y, Curvature::Exact))
+    return "no direction: the energy has no positive curvature here, its Hessian has no positive "
+           "eigenvalue";
+  return "no direction: the energy has no curvature here, its Hessian is 0";
 }
 
 std::string unbounded_along_gradient(Evaluator& evaluator, VecIn y, double energy) {

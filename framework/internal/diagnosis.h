@@ -12,8 +12,8 @@ namespace majorant {
 // 'mine'".
 std::string why_not_finite(const Problem& problem, VecIn x);
 
-// Of a point of finite energy where no Hessian gave a direction.
-std::string why_no_direction(Evaluator& evaluator, VecIn y, double energy);
+// Of a point of finite energy where no Hessian of that model gave a direction.
+std::string why_no_direction(Evaluator& evaluator, VecIn y, double energy, Curvature curvature);
 
 // "unbounded below: ..." where the energy falls faster and faster along its negative gradient, as
 // far as can be seen and no checker objects; else nothing.

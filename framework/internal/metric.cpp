@@ -68,6 +68,12 @@ bool Metric::factorize_once(VecIn y, IterationRecord& record, const StopCheck& s
   return factorized_;
 }
 
+std::string Metric::why_none() const {
+  if (evaluator_.problem().partition().ranks().all(hessian_.isZero(0)))
+    return "no direction: the metric has no curvature here, its Hessian is 0";
+  return "no direction: no shift makes the metric's Hessian positive definite";
+}
+
 const Problem& metric_problem(const Problem& problem, const std::optional<Problem>& metric) {
   if (!metric) return problem;
   if (!same_z(ProblemParts::elimination(problem), ProblemParts::elimination(*metric)))

@@ -29,6 +29,7 @@ void require_valid(const StoppingRules& rules) {
   };
   number("relative_decrease", rules.relative_decrease);
   number("tail_factor", rules.tail_factor);
+  number("last_factor", rules.last_factor);
   number("plateau_factor", rules.plateau_factor);
   number("decrement", rules.decrement);
   number("stall_decrement", rules.stall_decrement);

@@ -96,6 +96,28 @@ TEST(LineSearch, BlockedAndNoDecrease) {
   EXPECT_EQ(t.trials(), 47) << "halvings of 1 above smallest_step";
 }
 
+// Why no longer step was found: what refused the last one.
+TEST(LineSearch, KnowsWhatShortenedAStep) {
+  const auto limit = [](double slope, std::shared_ptr<const FeasibilityChecker> checker,
+                        const Scalar& f = parabola(1, 1)) {
+    Line line(slope, std::move(checker), f);
+    LineSearch s = line.search();
+    s.find(1);
+    return s.limit();
+  };
+  const Scalar wall{[](double t) { return t < 0.3 ? -t : std::nan(""); },
+                    [](double) { return -1.0; }, [](double) { return 1.0; }};
+  using enum StepLimit;
+  EXPECT_EQ(limit(1, nullptr), None);
+  EXPECT_EQ(limit(0.01, std::make_shared<const Box>(0.5, true)), None) << "growth does not count";
+  EXPECT_EQ(limit(50, nullptr), Energy);
+  EXPECT_EQ(limit(50, std::make_shared<const Box>(9, true)), Energy) << "the box is farther";
+  EXPECT_EQ(limit(1, nullptr, wall), Domain);
+  EXPECT_EQ(limit(1, std::make_shared<const Box>(0.5, true)), Checker);
+  EXPECT_EQ(limit(1, std::make_shared<const Box>(0.3, false)), Checker);
+  EXPECT_EQ(limit(1, std::make_shared<const test::Frozen>()), Checker);
+}
+
 // Where the energy is a barrier's, E = 1 / (1 + s / 3)^2, the parabola asks for 1.455.
 TEST(LineSearch, DoublesInTheBarrierPhase) {
   const Scalar barrier{[](double t) { return std::pow(1 + t / 3, -2); },

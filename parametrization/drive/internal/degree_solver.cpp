@@ -9,6 +9,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/framework/evaluator.h"
+#include "majorant/framework/internal/diagnosis.h"
 #include "majorant/framework/internal/stopwatch.h"
 #include "majorant/parametrization/drive/internal/meet_constraints.h"
 #include "majorant/parametrization/drive/internal/solver_rules.h"
@@ -187,7 +188,10 @@ void DegreeSolver::iterate_until(StoppingTest& test, const Rows& rows, double en
   double anchor_energy = result.energy;
   std::optional<Stop> stop;
   while (!(stop = test.before_step())) {
-    const Iteration it = iterate(result, energy, rows);
+    Iteration it = iterate(result, energy, rows);
+    if (it.step.outcome == StepResult::Outcome::Breakdown && it.step.why_none.empty())
+      it.step.why_none =
+          why_no_direction(stepper_.evaluator(), result.y, energy, it.step.record.curvature);
     const Advice advice = test.after(it.step, it.since);
     if ((stop = advice.stop)) break;
     if (advice.polish) stepper_.polish();
@@ -266,18 +270,19 @@ SolveResult DegreeSolver::approach(double tolerance, RunRecord& record, Phase ph
   return descend(rules, phase, record);
 }
 
-// Ended by this decrease of one iteration, be it on a plateau, by no number of iterations but the
-// run's.
+// Ended by this decrease of one iteration, be it on a plateau, whatever the next one promises, by
+// no number of iterations but the run's.
 StoppingRules DegreeSolver::unlimited(double relative_decrease) const {
   StoppingRules rules = setup_.rules.stopping;
   rules.relative_decrease = relative_decrease;
-  rules.plateau_factor = std::numeric_limits<double>::infinity();
+  rules.last_factor = rules.plateau_factor = std::numeric_limits<double>::infinity();
   rules.max_iterations = std::numeric_limits<int>::max();
   return rules;
 }
 
 StoppingRules DegreeSolver::final_rules() const {
   StoppingRules rules = unlimited(setup_.solve.tolerance);
+  rules.last_factor = setup_.rules.stopping.last_factor;
   rules.plateau_factor = setup_.rules.stopping.plateau_factor;
   return domain_.final_rules(rules);
 }
