@@ -101,7 +101,10 @@ int unwrap_file(UnwrapVerb request) {
   finished.energy = request.map.energy;
   finished.options = options_of(request);
   finished.read_seconds = read_seconds;
+  finished.linear_solver = solvers.section();
   finished.memory = solvers.memory();
+  record.begin(Activity::Proving);
+  finished.boundary = prove_boundary(atlas);
   return write_atlas({request.common, request.outputs, request.map, finished,
                       options.chart.map.handles, start, progress});
 }

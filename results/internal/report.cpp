@@ -63,6 +63,7 @@ Json measures_section(const MapSize& size, const MapMeasures& m, double least_de
           {"locally_injective", m.locally_injective},
           {"min_det_bound", least_det},
           {"globally_injective", nullptr},
+          {"overlaps", "not decided: stopped before they were looked for"},
           {"seam_residual", nullptr},
           {"max_boundary_angle_degrees", m.max_boundary_angle * 180 / std::numbers::pi},
           {"boundary_vertices_over_360_degrees", m.boundary_over_full_turn}};

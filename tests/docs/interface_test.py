@@ -209,7 +209,7 @@ class Reports(CommandTest):
         always, sometimes, listed = {}, {}, []
         for key, where, *_ in rows(section('Reports')):
             name = re.match(r'`(.*?)`', key)[1]
-            if name.startswith('linear_solver.') and not self.has_petsc:
+            if name.startswith(('linear_solver.indefinite', 'linear_solver.RUNG')) and not self.has_petsc:
                 continue
             listed.append(name)
             for word in where.split(', '):
