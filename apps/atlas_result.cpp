@@ -17,7 +17,7 @@ namespace {
 MapPage page_of(const FinishedUnwrap& run) {
   MapPage page;
   page.title = page_title(run.map.input);
-  page.facts = page_facts(atlas_report(run.finished));
+  page.facts = page_facts(atlas_report(run.finished), run.map.inputs());
   page.points = pulled_points(run.handles, *run.finished.surface.mesh);
   for (const Chart& chart : run.finished.atlas.charts)
     for (const Pin& pin : chart.pins)

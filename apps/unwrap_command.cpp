@@ -115,7 +115,7 @@ void add_unwrap(CLI::App& app, Action* run) {
   auto request = std::make_shared<UnwrapVerb>();
   CLI::App& verb = *app.add_subcommand(
       "unwrap", "cut any mesh into charts and lay them side by side, without overlaps");
-  request->map.add_to(verb);
+  request->map.add_to(verb, "1");
   request->outputs.extensions = map_extensions({".json"});
   request->outputs.add_to(verb);
   request->unwrap.add_to(verb);

@@ -85,16 +85,16 @@ Json parts_report(const PartsRun& run) {
 }
 
 std::string parts_claims(const PartsRun& run) {
-  return json_text(Json{{"version", MAJORANT_VERSION},
-                        {"degree", run.result.map->degree()},
-                        {"energy", run.energy},
-                        {"value", run.result.measures.value},
-                        {"boundary", run.options["boundary"]},
-                        {"init", run.start},
-                        {"seams", false},
-                        {"bijective", false},
-                        {"cuts", Json::array()},
-                        {"options", run.options}});
+  return json_text(without_folders({{"version", MAJORANT_VERSION},
+                                    {"degree", run.result.map->degree()},
+                                    {"energy", run.energy},
+                                    {"value", run.result.measures.value},
+                                    {"boundary", run.options["boundary"]},
+                                    {"init", run.start},
+                                    {"seams", false},
+                                    {"bijective", false},
+                                    {"cuts", Json::array()},
+                                    {"options", run.options}}));
 }
 
 }  // namespace majorant

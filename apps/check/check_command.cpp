@@ -78,11 +78,11 @@ std::string describe_fault(const MapProof& proof, Index cell) {
              : fmt::format("turned over: det J is {:.3g} at a point of it", least);
 }
 
-MapPage page_of(const std::string& name, const MapFile& file, const MapCheck& check) {
+MapPage page_of(const Request& request, const MapFile& file, const MapCheck& check) {
   MapPage page;
-  page.title = page_title(name);
+  page.title = page_title(request.result);
   page.map = file;
-  page.facts = page_facts(check.report);
+  page.facts = page_facts(check.report, {request.result, request.surface});
   for (const Index cell : check.proof.not_positive)
     page.faults.push_back({cell, describe_fault(check.proof, cell)});
   page.points = claimed_points(check.claims, file);
@@ -104,7 +104,7 @@ int conclude(const Request& request, const MapFile& file, const MapCheck& check,
   WrittenFiles written;
   const std::string& report = request.common.report;
   for (const std::string& path : request.outputs)
-    written.write(path, [&] { write_page(path, page_of(request.result, file, check)); });
+    written.write(path, [&] { write_page(path, page_of(request, file, check)); });
   if (const std::string& path = request.distortion; !path.empty())
     written.write(path, [&] { write_distortion(path, file, measure_distortion(file).faces); });
   if (!report.empty())

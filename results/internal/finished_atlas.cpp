@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "majorant/framework/linear_solver.h"
 #include "majorant/framework/thread_count.h"
@@ -59,7 +60,7 @@ std::string claims(const FinishedAtlas& run, const MapFile& file) {
     claims.erase("energy");
     claims.erase("value");
   }
-  return json_text(claims);
+  return json_text(without_folders(std::move(claims)));
 }
 
 Json charts_section(const Atlas& atlas) {

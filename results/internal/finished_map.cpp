@@ -1,5 +1,7 @@
 #include "majorant/results/internal/finished_map.h"
 
+#include <utility>
+
 #include "majorant/framework/linear_solver.h"
 #include "majorant/framework/thread_count.h"
 #include "majorant/io/internal/cut_map.h"
@@ -57,7 +59,7 @@ std::string claims(const FinishedMap& run, const MapFile& file) {
     claims.erase("value");
   }
   if (!map.seams().trivial()) claims["cones"] = cones_section(map);
-  return json_text(claims);
+  return json_text(without_folders(std::move(claims)));
 }
 
 Json result_section(const FinishedMap& run) {
