@@ -52,6 +52,19 @@ class Info(CommandTest):
         self.assertIn(reason, verdict)
         self.assertEqual(verdict.count('`majorant unwrap'), 1, verdict)
 
+    def test_help_names_the_degree(self):
+        """That a verb takes where nothing is said: as its report has it."""
+        by_outputs = '(3, or 1 where all data outputs are without curves: .obj .ply)'
+        for verb, words in (('unwrap', '(1)'), ('compare', '(3)'), ('parametrize', by_outputs), ('seamless', by_outputs),
+                            ('deform', by_outputs)):
+            text = re.sub(r'\s+', ' ', self.run_ok(verb, '--help').out)
+            self.assertIn('polynomial degree, 1..8 ' + words, text, verb)
+        for verb, out, degree in (('unwrap', 'a.vtu', 1), ('parametrize', 'a.vtu', 3), ('parametrize', 'a.obj', 1)):
+            self.run_ok(verb, self.write('grid.obj', obj_text(*grid(3))), self.path(out), '--force', '--quiet',
+                        '--report', self.path('r.json'))
+            with open(self.path('r.json')) as f:
+                self.assertEqual(json.load(f)['result']['degree'], degree)
+
     def test_a_map_is_named_and_not_judged_by_its_corners(self):
         """Corners of a valid curved map may be turned over as straight triangles."""
         turned_over = 0
