@@ -8,6 +8,7 @@
 #include "apps/seam_request.h"
 #include "apps/streams.h"
 #include "majorant/io/map_distortion.h"
+#include "majorant/results/internal/global_verdict.h"
 
 namespace majorant::app {
 namespace {
@@ -16,7 +17,7 @@ namespace {
 MapPage page_of(const FinishedUnwrap& run) {
   MapPage page;
   page.title = page_title(run.map.input);
-  page.facts = page_facts(atlas_report(run.finished));
+  page.facts = page_facts(atlas_report(run.finished), run.map.inputs());
   page.points = pulled_points(run.handles, *run.finished.surface.mesh);
   for (const Chart& chart : run.finished.atlas.charts)
     for (const Pin& pin : chart.pins)
@@ -77,11 +78,12 @@ void summarize(const FinishedUnwrap& run, const WrittenFiles& written) {
   say_untextured(run.map.input, atlas.cuts);
   const std::string fill = atlas.packing ? fmt::format(", fill {:.2f}", atlas.packing->fill) : "";
   say("{}: {}, {} chart{}, {} {:.6f}, seams {:.4g} ({:.3g} sqrt(area)), stretch {:.4f}{}, "
-      "degree {}, {:.2f} s\n",
+      "degree {}, {}, {:.2f} s\n",
       run.map.input, status_name(atlas.status()), atlas.charts.size(),
       atlas.charts.size() == 1 ? "" : "s", run.map.energy, atlas.value(), seam_length(run.finished),
       seam_length(run.finished) / std::sqrt(run.finished.surface.mesh->area()), atlas.stretch().l2,
-      fill, run.map.degree, seconds_since(run.start));
+      fill, run.map.degree, overlap_words(run.finished.boundary, ImageOf::Charts),
+      seconds_since(run.start));
   for (const std::string& path : run.outputs.files)
     if (is_map_data(path) && written.has(path))
       say("proof: majorant check {}{}\n", path, atlas.packing ? " --certify" : "");

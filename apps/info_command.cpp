@@ -11,6 +11,8 @@
 #include "apps/seam_request.h"
 #include "apps/streams.h"
 #include "apps/within_memory.h"
+#include "majorant/io/internal/claims.h"
+#include "majorant/io/map_file.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/mesh/defects.h"
 #include "majorant/mesh/repair.h"
@@ -68,8 +70,40 @@ void describe_defects(const std::vector<Defect>& defects, Description& out) {
   out.report["defects"] = list;
 }
 
-// The map that the texture coordinates are if they fit along their cuts.
-std::optional<BezierMap> describe_texture(const SurfaceMesh& mesh, Description& out) {
+// What a file that holds a map says of it; none of files that hold a mesh.
+std::optional<MapFile> described_map(const std::string& path, Description& out) {
+  if (const std::string e = extension(path); e != ".vtu" && e != ".pvtu" && e != ".msh") return {};
+  std::optional<MapFile> map;
+  try {
+    map = read_map(path);
+  } catch (const Error&) {  // a mesh
+    return {};
+  }
+  if (map->degree == 1 && map->claims.empty()) return {};
+  const Claims claims = parse_claims(map->claims, path);
+  Json section{{"degree", map->degree}, {"claims", nullptr}};
+  out.add("map: of degree {}", map->degree);
+  if (!map->claims.empty()) {
+    const bool is_bijective = claims.bijective.value_or(false);
+    section["claims"] = {{"version", claims.version ? Json(*claims.version) : Json()},
+                         {"energy", claims.energy ? Json(*claims.energy) : Json()},
+                         {"value", claims.value ? Json(*claims.value) : Json()},
+                         {"bijective", is_bijective},
+                         {"seams", claims.seams.value_or(false)}};
+    out.add("; it claims {}{}{}, {}", claims.energy.value_or("no energy"),
+            claims.value ? fmt::format(" {:.6f}", *claims.value) : "",
+            claims.seams.value_or(false) ? ", seams" : "",
+            is_bijective ? "no overlaps" : "nothing of overlaps");
+  }
+  out.add("; `majorant check {}` proves it\n", path);
+  out.report["map"] = section;
+  return map;
+}
+
+// The map that the texture coordinates are if they fit along their cuts. curved: whose corners they
+// are, which say nothing of it where it is no seamless map by themselves.
+std::optional<BezierMap> describe_texture(const SurfaceMesh& mesh, const MapFile* curved,
+                                          Description& out) {
   if (mesh.corner_texcoords().rows() == 0) return std::nullopt;
   try {
     BezierMap map = seamless_from_texture(mesh).map;
@@ -83,8 +117,12 @@ std::optional<BezierMap> describe_texture(const SurfaceMesh& mesh, Description& 
                              {"seam_edges", seams.edges().size()}};
     return map;
   } catch (const Error& e) {
-    out.add("texture: not seamless: {}\n", one_line(e.what()));
-    out.report["texture"] = {{"seamless", false}, {"message", e.what()}};
+    const std::string reason =
+        curved ? fmt::format("corners of the map of degree {}, whose faces are curved between them",
+                             curved->degree)
+               : e.what();
+    out.add("texture: {}{}\n", curved ? "" : "not seamless: ", one_line(reason));
+    out.report["texture"] = {{"seamless", curved ? Json() : Json(false)}, {"message", reason}};
     return std::nullopt;
   }
 }
@@ -97,11 +135,12 @@ void require_start(const std::shared_ptr<const SurfaceMesh>& mesh, MapInjectivit
 }
 
 // What runs, tried out. Throws Error where nothing does.
-std::string runnable(const std::shared_ptr<const SurfaceMesh>& mesh, Description& out) {
+std::string runnable(const std::shared_ptr<const SurfaceMesh>& mesh, const MapFile* curved,
+                     Description& out) {
   const Topology& t = mesh->topology();
   const bool is_planar = t.boundary_loops > 0 && t.euler_characteristic() == 2 - t.boundary_loops;
   const bool is_disk = is_planar && t.boundary_loops == 1;
-  const std::optional<BezierMap> texture = describe_texture(*mesh, out);
+  const std::optional<BezierMap> texture = describe_texture(*mesh, curved, out);
   const bool has_seams = texture && !texture->seams().trivial();
   if (has_seams && !is_disk) {
     NormalizedStart(*texture, MapOptions());
@@ -127,12 +166,13 @@ std::string unwrap_refusal(const SurfaceMesh& surface) try {
   return e.what();
 }
 
-std::string verdict(const PolygonMesh& polygons, const SurfaceMesh& repaired, Description& out) {
+std::string verdict(const PolygonMesh& polygons, const SurfaceMesh& repaired, const MapFile* curved,
+                    Description& out) {
   std::string refusal, other_verb;
   try {
     const auto mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(polygons));
     other_verb = ", `majorant seamless` tries a map with cones, which may overlap";
-    return runnable(mesh, out);
+    return runnable(mesh, curved, out);
   } catch (const Error& e) {
     refusal = e.what();
   } catch (const std::bad_alloc&) {
@@ -184,7 +224,9 @@ int info(const InfoRequest& request) {
   const RepairedSurface repaired = repair(polygons);
   describe_surface(polygons, *repaired.mesh, out);
   describe_defects(find_defects(polygons).defects, out);
-  const std::string message = verdict(polygons, *repaired.mesh, out);
+  const std::optional<MapFile> map = described_map(request.input, out);
+  const MapFile* const curved = map && map->degree > 1 ? &*map : nullptr;
+  const std::string message = verdict(polygons, *repaired.mesh, curved, out);
   out.add("verdict: {}\n", one_line(message));
   out.report["message"] = message;
   if (request.plan) describe_plan_or_refusal(repaired, out);

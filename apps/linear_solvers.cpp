@@ -35,12 +35,24 @@ std::string gigabytes(std::size_t bytes) {
 
 }  // namespace
 
+CLI::Validator solver_name(const std::vector<std::string>& choices) {
+  const CLI::Validator known = one_of(choices);
+  return CLI::Validator(
+      [known](std::string& word) {
+        if (word != "cholmod") return known(word);
+        return std::string(
+            "CHOLMOD is not part of this program; give --linear-solver direct, the program's own "
+            "sparse Cholesky factorization");
+      },
+      known.get_description());
+}
+
 void add_linear_solver_to(CLI::App& verb, std::string& name) {
   verb.add_option(
           "--linear-solver", name,
           "auto: direct, or cg-hypre where a factor does not fit into memory and that takes "
           "less; direct; with PETSc mumps, cg-hypre")
-      ->check(one_of({"auto", "direct", "mumps", "cg-hypre", "cholmod"}));
+      ->check(solver_name({"auto", "direct", "mumps", "cg-hypre"}));
 }
 
 LinearSolvers::LinearSolvers(std::string name, const std::string& petsc_options, bool quiet,
@@ -88,7 +100,9 @@ std::unique_ptr<LinearSolver> LinearSolvers::instead_of_factor(const FactorSize&
   const SolverMemory memory = solver_memory(needed, available_memory());
   const std::lock_guard lock(mutex_);
   if (memory.direct > largest_.direct) largest_ = memory, process_ = process_bytes();
-  return gives_way(memory, 0) ? petsc_() : nullptr;
+  if (gives_way(memory, 0)) return petsc_();
+  own_ = OwnSolver::Used;
+  return nullptr;
 }
 
 // Whether cg-hypre is to solve instead, now or at a degree that is foreseen (0: now). Says so once:
@@ -131,11 +145,7 @@ void LinearSolvers::say_unused_options() const {
         {fmt::format("--petsc-options: nothing has asked for {}", fmt::join(unused, ", "))});
 }
 
-Json LinearSolvers::ladder() const {
-  const auto is_used = [](const LadderRecord::Use& use) { return use.set_ups > 0; };
-  const auto& rungs = record_->rungs;
-  return std::any_of(rungs.begin(), rungs.end(), is_used) ? ladder_section(*record_) : Json();
-}
+Json LinearSolvers::section() const { return linear_solver_section(name_, own_, *record_); }
 
 Json LinearSolvers::memory() const {
   if (largest_.direct == 0) return nullptr;

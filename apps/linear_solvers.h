@@ -3,7 +3,7 @@
 //   LinearSolvers solvers("cg-hypre", common.quiet);   // loads PETSc where it is asked for
 //   solvers.apply(options.solve);
 //   parametrize(mesh, options);
-//   const Json ladder = solvers.ladder(), memory = solvers.memory();   // for the report
+//   const Json used = solvers.section(), memory = solvers.memory();   // for the report
 #pragma once
 
 #include <CLI/App.hpp>
@@ -20,7 +20,10 @@
 
 namespace majorant::app {
 
-// "auto": direct where the factor fits. "cholmod" is what "direct" was called.
+// As one_of(), with a remedy for a name that users know and this program does not have.
+CLI::Validator solver_name(const std::vector<std::string>& choices);
+
+// "auto": direct where the factor fits.
 void add_linear_solver_to(CLI::App& verb, std::string& name);
 
 class LinearSolvers {
@@ -41,8 +44,8 @@ class LinearSolvers {
   // Says which of --petsc-options nothing has asked for, for the end of the run.
   void say_unused_options() const;
 
-  Json ladder() const;  // null where the direct solver did everything
-  Json memory() const;  // null where there was nothing to factorize by the direct solver
+  Json section() const;  // linear_solver_section()
+  Json memory() const;   // null where there was nothing to factorize by the direct solver
 
  private:
   SolverFactory load(Rung first);
@@ -54,7 +57,8 @@ class LinearSolvers {
   std::vector<std::string> petsc_words_;
   bool quiet_;
   Runs runs_;
-  std::mutex mutex_;     // of what follows
+  std::mutex mutex_;  // of what follows
+  OwnSolver own_ = OwnSolver::Unused;
   SolverFactory petsc_;  // empty: not loaded
   const SolverPlugin* plugin_ = nullptr;
   std::shared_ptr<LadderRecord> record_ = std::make_shared<LadderRecord>();

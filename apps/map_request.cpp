@@ -54,14 +54,11 @@ void require_scale(const MapRequest& request, const MapInput& in) {
 
 }  // namespace
 
-void MapRequest::add_to(CLI::App& verb) {
+void MapRequest::add_to(CLI::App& verb, const char* default_degree) {
   verb.add_option("input", input, "mesh: .obj .off .ply .stl .vtu .msh, also .gz")->required();
-  verb.add_option(
-          "--degree", degree,
-          fmt::format(
-              "polynomial degree, 1..{} (3, or 1 where all data outputs are without curves: "
-              ".obj .ply)",
-              BezierTriangleSpace::kMaxDegree))
+  verb.add_option("--degree", degree,
+                  fmt::format("polynomial degree, 1..{} ({})", BezierTriangleSpace::kMaxDegree,
+                              default_degree))
       ->check(whole_number(1, BezierTriangleSpace::kMaxDegree));
   verb.add_option("--energy", energy, "distortion: a name below, or a weighted sum");
   verb.add_option("--pins", pins, "hard point constraints, JSON")->type_name("FILE");

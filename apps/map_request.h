@@ -15,6 +15,10 @@
 
 namespace majorant::app {
 
+// What MapRequest::choose_degree() does.
+inline constexpr const char* kDegreeByOutputs =
+    "3, or 1 where all data outputs are without curves: .obj .ply";
+
 // Everything the user can say of the map, as said.
 struct MapRequest {
   std::string input, energy = "symmetric-dirichlet", boundary = "free", init = "auto",
@@ -26,7 +30,8 @@ struct MapRequest {
   bool boundary_angles = false, seamless = false;  // seamless: an option of parametrize only
   Strictness strictness = Strictness::Shape;       // of reading `input`, at least
 
-  void add_to(CLI::App& verb);
+  // default_degree: what the verb takes where nothing is said, in words.
+  void add_to(CLI::App& verb, const char* default_degree = kDegreeByOutputs);
   void add_start_to(CLI::App& verb);  // --boundary and --init, where the verb makes no start itself
   // Where nothing was said: 3, or 1 if every data file among the outputs has a format without
   // curves (pictures, traces and reports do not count).

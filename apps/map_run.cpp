@@ -72,13 +72,12 @@ int MapRun::finish(ParametrizationResult result, const Json& extra) {
     placement = place(result);
   Json options = request_.map.to_json();
   options.update(request_.solve.to_json());
-  options["linear_solver"] = request_.solve.linear_solver;
   options["strict"] = request_.common.strict;
   options.update(extra);
   FinishedMap finished{verb_,   in_.polygons,        *in_.mesh,         in_.options.map,   result,
                        record_, request_.map.energy, request_.map.init, std::move(options)};
   finished.read_seconds = read_seconds_;
-  finished.linear_solver = solvers_->ladder();
+  finished.linear_solver = solvers_->section();
   finished.memory = solvers_->memory();
   if (in_.cuts) finished.cuts = &*in_.cuts;
   if (in_.start) finished.start = &*in_.start;
@@ -87,6 +86,7 @@ int MapRun::finish(ParametrizationResult result, const Json& extra) {
       request_.outputs.turns_map() || (placement && placement->direction != Vector2(1, 0));
   finished.is_normalized = request_.outputs.normalize;
   if (film_) finished.film = &*film_;
+  finished.boundary = prove_boundary(result, record_);
   return write_result({request_.common, request_.outputs, request_.map, in_, finished, start_,
                        request_.solve.scaffold_file, progress_});
 }

@@ -34,9 +34,9 @@ std::string page_title(const std::string& input) {
   return std::filesystem::path(input).filename().string();
 }
 
-std::string page_facts(Json report) {
+std::string page_facts(Json report, const std::vector<std::string>& paths) {
   for (const char* left_out : {"outputs", "iterations"}) report.erase(left_out);
-  return json_text(report);
+  return json_text(without_folders(std::move(report), paths));
 }
 
 bool is_page(const std::string& path) { return extension(path) == ".html"; }
@@ -48,7 +48,7 @@ bool has_page(const std::vector<std::string>& paths) {
 MapPage page_of(const FinishedRun& run, Json report) {
   MapPage page;
   page.title = page_title(run.map.input);
-  page.facts = page_facts(std::move(report));
+  page.facts = page_facts(std::move(report), run.map.inputs());
   const BezierMap& map = *run.finished.result.map;
   page.points = held_points(map, run.in.options.map.pins);
   for (const PagePoint& point : pulled_points(run.finished.result.handles, map.mesh()))

@@ -14,8 +14,9 @@ namespace majorant::app {
 
 // The file's name, without its folder.
 std::string page_title(const std::string& input);
-// A report without what pages do not show: outputs, and iterations step by step.
-std::string page_facts(Json report);
+// A report without what pages do not show: outputs, iterations step by step, and the folders of
+// files: of options, and of these `paths`.
+std::string page_facts(Json report, const std::vector<std::string>& paths);
 bool is_page(const std::string& path);
 bool has_page(const std::vector<std::string>& paths);
 

@@ -10,6 +10,7 @@
 #include "apps/streams.h"
 #include "majorant/io/map_distortion.h"
 #include "majorant/io/map_proof.h"
+#include "majorant/results/internal/global_verdict.h"
 
 namespace majorant::app {
 namespace {
@@ -75,13 +76,12 @@ void summarize(const FinishedRun& run) {
                status_name(r.status), r.message.empty() ? "" : fmt::format(" ({})", r.message));
   if (run.common.quiet) return;
   if (run.in.cuts) say_untextured(run.map.input, *run.in.cuts);
-  const std::string seams =
-      r.map ? seam_summary(measures_section(*r.map, r.measures, run.map.energy)) : "";
-  say("{}: {} after {} iterations, {} {:.6f} (start {:.6g}){}, degree {}{}, {:.2f} s\n",
+  const std::string seams = seam_summary(measures_section(*r.map, r.measures, run.map.energy));
+  say("{}: {} after {} iterations, {} {:.6f} (start {:.6g}){}, degree {}{}, {}, {:.2f} s\n",
       run.map.input, status_name(r.status), steps_taken(run.finished.record.trace()),
       run.map.energy, r.measures.value, r.initial_value,
       run.map.weights.empty() ? "" : ", both without the face weights", run.map.degree, seams,
-      seconds_since(run.start));
+      overlap_words(run.finished.boundary, image_of(*r.map)), seconds_since(run.start));
 }
 
 }  // namespace

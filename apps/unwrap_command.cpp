@@ -101,7 +101,10 @@ int unwrap_file(UnwrapVerb request) {
   finished.energy = request.map.energy;
   finished.options = options_of(request);
   finished.read_seconds = read_seconds;
+  finished.linear_solver = solvers.section();
   finished.memory = solvers.memory();
+  record.begin(Activity::Proving);
+  finished.boundary = prove_boundary(atlas);
   return write_atlas({request.common, request.outputs, request.map, finished,
                       options.chart.map.handles, start, progress});
 }
@@ -112,7 +115,7 @@ void add_unwrap(CLI::App& app, Action* run) {
   auto request = std::make_shared<UnwrapVerb>();
   CLI::App& verb = *app.add_subcommand(
       "unwrap", "cut any mesh into charts and lay them side by side, without overlaps");
-  request->map.add_to(verb);
+  request->map.add_to(verb, "1");
   request->outputs.extensions = map_extensions({".json"});
   request->outputs.add_to(verb);
   request->unwrap.add_to(verb);

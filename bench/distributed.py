@@ -51,7 +51,7 @@ def measure(mesh, degree, ranks, serial, args, folder):
     checked = subprocess.run([SERIAL, 'check', out, '--surface', mesh, '--quiet'], stdout=subprocess.PIPE,
                              stderr=subprocess.PIPE)
     value = report['result']['value']
-    ladder = [use for use in report['linear_solver'].values() if isinstance(use, dict)]
+    ladder = [use for use in report['linear_solver'].values() if isinstance(use, dict)]  # of the rungs
     difference = '%9.1e' % (value / serial - 1) if serial else '        -'
     return name + '%.10f %s %4d  cg %5d %3d  indefinite %2d  falls %2d  %4d MB  %6.1f s  %s%s' % (
         value, difference, len(report['iterations']), sum(u['iterations'] for u in ladder),

@@ -24,6 +24,7 @@
 #include "apps/arguments/suggestion.h"
 #include "apps/command.h"
 #include "apps/energy_option.h"
+#include "apps/linear_solvers.h"
 #include "apps/map_request.h"
 #include "apps/outputs.h"
 #include "apps/process.h"
@@ -41,6 +42,7 @@
 #include "distributed/starts_of_parts.h"
 #include "distributed/write_parts.h"
 #include "majorant/framework/thread_count.h"
+#include "majorant/results/internal/global_verdict.h"
 
 namespace majorant::app {
 namespace {
@@ -81,13 +83,16 @@ void require_possible(const Request& request) {
 }
 
 // One rank factorizes as `majorant` does, unless told otherwise.
+bool is_own_solver(const std::string& said, const Ranks& ranks) {
+  return said == "direct" || (said == "auto" && ranks.count() == 1);
+}
+
 SolverFactory solver_of(const std::string& said, const Ranks& ranks,
                         const std::shared_ptr<LadderRecord>& record) {
   if (said == "direct" && ranks.count() > 1)
     throw Error(ErrorKind::Usage,
                 "--linear-solver direct is for one rank; use mumps, or one of the others");
-  if (said == "direct" || (said == "auto" && ranks.count() == 1))
-    return [] { return make_direct_solver(); };
+  if (is_own_solver(said, ranks)) return [] { return make_direct_solver(); };
   if (said == "auto") return petsc_solver({Rung::Amg, kSmall}, record);
   const auto* const name = std::find(kRungNames.begin(), kRungNames.end(), said);
   return petsc_solver({static_cast<Rung>(name - kRungNames.begin()), 0}, record);
@@ -243,16 +248,19 @@ class Job {
   Json options_section() const {
     Json options = request_.map.to_json();
     options.update(request_.solve.to_json());
-    options["linear_solver"] = request_.linear_solver;
     options.update(request_.checkpoint.to_json());
     return options;
+  }
+
+  OwnSolver own_solver() const {
+    return is_own_solver(request_.linear_solver, *ranks_) ? OwnSolver::Used : OwnSolver::Unused;
   }
 
   int conclude(const PartResult& result, const GlobalInjectivity& proof) {
     PartsRun run{*part_,
                  result,
                  proof,
-                 *ladder_,
+                 linear_solver_section(request_.linear_solver, own_solver(), *ladder_),
                  record_,
                  request_.map.energy,
                  start_,
@@ -276,10 +284,11 @@ class Job {
     if (!is_first_) return exit_code(result.status);
     if (!request_.common.report.empty()) write_json(request_.common.report, report);
     if (!request_.common.quiet)
-      say("majorant-mpi: {}: {} ({}), degree {}, {} {:.10g}, {} faces on {} ranks, {:.3g} s\n",
+      say("majorant-mpi: {}: {} ({}), degree {}, {} {:.10g}, {}, {} faces on {} ranks, {:.3g} s\n",
           request_.outputs.front(), status_name(result.status), result.message,
-          result.map->degree(), request_.map.energy, result.measures.value, part_->whole.faces,
-          ranks_->count(), record_.seconds());
+          result.map->degree(), request_.map.energy, result.measures.value,
+          overlap_words(proof, ImageOf::Surface), part_->whole.faces, ranks_->count(),
+          record_.seconds());
     return exit_code(result.status);
   }
 
@@ -301,7 +310,7 @@ void add_to(CLI::App& app, Request& request) {
   CLI::App& verb = *app.add_subcommand(
       "parametrize", "map a disk onto the plane, injectively and with low distortion");
   request.common.add_to(verb);
-  request.map.add_to(verb);
+  request.map.add_to(verb, "3");
   request.map.add_start_to(verb);
   verb.add_flag("--seamless", request.map.seamless, "for one process");
   request.solve.add_to(verb, request.map.curvature);
@@ -313,7 +322,7 @@ void add_to(CLI::App& app, Request& request) {
   verb.add_option("--linear-solver", request.linear_solver,
                   "auto; direct, on one rank; or where the ladder of solvers begins: cg-hypre, "
                   "cg-gamg, cg-icc, mumps")
-      ->check(one_of(solvers));
+      ->check(solver_name(solvers));
   verb.footer(
       energy_help() +
       "Example: mpirun -n 8 majorant-mpi parametrize big.ply -o big.pvtu --report run.json");

@@ -3,6 +3,7 @@
 #include "distributed/internal/collect.h"
 #include "distributed/processes.h"
 #include "majorant/framework/linear_solver.h"
+#include "majorant/results/internal/global_verdict.h"
 
 namespace majorant {
 namespace {
@@ -18,11 +19,8 @@ Json boundary_section(const GlobalInjectivity& proof) {
 Json result_section(const PartsRun& run, GlobalIndex control_points) {
   const PartResult& r = run.result;
   const PartMeasures& m = r.measures;
-  Json injective;  // null: not decided
-  if (run.boundary.result == Injectivity::Violated) injective = false;
-  if (run.boundary.result == Injectivity::Proven && m.locally_injective) injective = true;
   Json section = measures_section({r.map->degree(), control_points}, m, m.least_det, run.energy);
-  section["globally_injective"] = injective;
+  section.update(overlap_section(run.boundary, ImageOf::Surface, m));
   section.update({{"boundary", boundary_section(run.boundary)},
                   {"start", run.start},
                   {"variables", r.variables},
@@ -71,7 +69,7 @@ Json parts_report(const PartsRun& run) {
           {"iterations", iterations_section(run.record.trace())},
           {"injectivity_tests", {{"depth", r.injectivity_tests}}},
           {"remedies", remedies_section(r.remedies)},
-          {"linear_solver", ladder_section(run.ladder)},
+          {"linear_solver", run.linear_solver},
           {"ranks", ranks},
           {"checkpoint", run.checkpoint},
           {"resumed", run.resumed},
@@ -87,16 +85,16 @@ Json parts_report(const PartsRun& run) {
 }
 
 std::string parts_claims(const PartsRun& run) {
-  return json_text(Json{{"version", MAJORANT_VERSION},
-                        {"degree", run.result.map->degree()},
-                        {"energy", run.energy},
-                        {"value", run.result.measures.value},
-                        {"boundary", run.options["boundary"]},
-                        {"init", run.start},
-                        {"seams", false},
-                        {"bijective", false},
-                        {"cuts", Json::array()},
-                        {"options", run.options}});
+  return json_text(without_folders({{"version", MAJORANT_VERSION},
+                                    {"degree", run.result.map->degree()},
+                                    {"energy", run.energy},
+                                    {"value", run.result.measures.value},
+                                    {"boundary", run.options["boundary"]},
+                                    {"init", run.start},
+                                    {"seams", false},
+                                    {"bijective", false},
+                                    {"cuts", Json::array()},
+                                    {"options", run.options}}));
 }
 
 }  // namespace majorant

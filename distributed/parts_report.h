@@ -16,7 +16,7 @@ struct PartsRun {
   const MeshPart& part;
   const PartResult& result;
   const GlobalInjectivity& boundary;  // rank 0's
-  const LadderRecord& ladder;
+  Json linear_solver;                 // the section
   const RunRecord& record;
   std::string energy, start, file;
   Json options = Json::object();

@@ -57,6 +57,10 @@ struct MapPage {
   // `message`, the numbers of `result` and `distortion`, `proofs` and `findings`, where these are.
   std::string facts = "{}";
   Alignment alignment = Alignment::Automatic;  // of the layout as it is shown
+  // What is shown first; none: a checkered texture, or the density where color_range is given.
+  std::optional<Quantity> quantity = std::nullopt;
+  // Of that quantity; none: the fixed range of its scale.
+  std::optional<ColorRange> color_range = std::nullopt;
   // By rising iterations. They are kept in single precision, 8 bytes a control point each.
   std::vector<PageSnapshot> snapshots = {};
 };
@@ -64,7 +68,8 @@ struct MapPage {
 // Texts may hold any bytes; what is not UTF-8 is shown as U+FFFD. Energy and scale of the layout
 // are those of the map's claims. The output depends on nothing but `page`.
 // Throws Error(Invalid) if the map is inconsistent, not finite or of a degree above 8, or if
-// points, faults or snapshots do not belong to it, Error(Usage) if the file cannot be written.
+// points, faults or snapshots do not belong to it, Error(Usage) if the file cannot be written or
+// the range leaves out the isometry.
 void write_page(const std::string& path, const MapPage& page);
 
 }  // namespace majorant

@@ -126,7 +126,7 @@ PixelImage draw(const MapFile& map, const PngOptions& options) {
   const auto painter = heat_painter(map, *heat, claimed_energy(map).sum, scale);
   size.height = std::max(1, size.height - png_legend_height(size.width));
   const ValueSummary values = draw_map(map, options, *painter, size, image);
-  draw_legend(image, make_legend(map, scale, values, "samples"));
+  draw_legend(image, make_legend(map, *heat, scale, values, "samples"));
   return image;
 }
 

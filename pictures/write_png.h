@@ -46,12 +46,12 @@ struct PngOptions {
   Alignment alignment = Alignment::Automatic;
 };
 
-// Heat maps have a legend below, as SVG's: smallest and largest are those of the samples shown.
-// Turned over cells have kFlippedColor there. The bytes depend on the map and the options alone,
-// not on the number of threads.
-// Throws Error(Invalid) if the map is inconsistent or not finite, Error(Unreadable) for an image
-// that is none, Error(Usage) for a size out of range, a view that is no direction, a range without
-// the isometry, a density whose energy is not named, and where the file cannot be written.
+// Heat maps have a legend below, as SVG's, with the same smallest and largest value, those of the
+// whole map. Turned over cells have kFlippedColor. The bytes depend on the map and the options
+// alone, not on the number of threads. Throws Error(Invalid) if the map is inconsistent or not
+// finite, Error(Unreadable) for an image that is none, Error(Usage) for a size out of range, a view
+// that is no direction, a range without the isometry, a density whose energy is not named, and
+// where the file cannot be written.
 void write_png(const std::string& path, const MapFile& map, const PngOptions& options = {});
 
 }  // namespace majorant

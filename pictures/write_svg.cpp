@@ -88,7 +88,7 @@ Heat heat_of(const MapFile& map, Quantity quantity, const Vec& cells, const SvgO
     colors.push_back(std::isnan(value) ? kFlippedColor : scale.color(value));
     if (!std::isnan(value)) values.add(scale, value);
   }
-  return {make_legend(map, scale, values, "triangles"), colors};
+  return {make_legend(map, quantity, scale, values, "triangle means"), colors};
 }
 
 // What was asked for; else the density, where the cells have one and something says of which

@@ -31,7 +31,9 @@ struct SvgOptions {
 //
 // Cells are filled by `distortion`, the mean density of the energy that the map's claims name, on
 // the fixed scale of that energy (color_scale.h): pictures of different maps can be compared. The
-// legend names energy, degree and isometry and says which values are beyond the scale. Without
+// legend names energy, degree and isometry, the smallest and the largest value on the map (not of
+// the means that are drawn; as MapMeasures::max_density), and how many means are beyond the scale.
+// Without
 // either the cells are grey, or in pale colours by chart. The paper is white, whatever page it lies
 // on. The output depends on nothing but the map and the options.
 //

@@ -44,7 +44,7 @@ EXEMPT = {
     'parametrization/fields/cross_field.cpp kSymmetry': 'mathematics',
     'parametrization/fields/internal/field_geometry.h kQuarter': 'mathematics',
     'parametrization/injectivity/internal/box_pairs.h kLeaf': 'size of a node',
-    'parametrization/injectivity/internal/check_layout.cpp kMaxContacts': 'length of a message',
+    'parametrization/injectivity/global_injectivity.h kMostContacts': 'length of a message',
     'parametrization/injectivity/internal/check_layout.cpp kMostPairsLeft': 'length of a count',
     'parametrization/injectivity/internal/curve_contact.cpp kRelativeSize': 'places in messages',
     'parametrization/injectivity/internal/curve_contact.cpp kUnasked': 'how often limits are looked at',

@@ -43,23 +43,24 @@ CheckRequest::Cuts cuts_of(const std::string& said) {
   return said == "none" ? CheckRequest::Cuts::None : CheckRequest::Cuts::Auto;
 }
 
-// "positive (486 cells), continuous (no cuts), ...; not asked: surface (--surface)".
+// "positive (486 cells), continuous (no cuts), ..., no overlaps; not asked: surface (--surface)".
 std::string in_words(const MapCheck& check) {
   const MapProof& proof = check.proof;
   std::string proven, open;
   for (const auto& [question, finding] : proof.findings()) {
     if (finding->answer == Answer::Proven)
       proven += fmt::format("{}{} ({})", proven.empty() ? "" : ", ", question, finding->detail);
-    if (finding->answer == Answer::NotAsked)
-      open += fmt::format("{}{}", open.empty() ? "; not asked: " : ", ",
-                          question == "surface" ? "surface (--surface)" : "overlaps (--certify)");
+    if (finding->answer == Answer::NotAsked && question == "surface")
+      open = "; not asked: surface (--surface)";
   }
   const CutCount& cuts = proof.cuts;
   if (cuts.others > 0)
     proven += fmt::format(", {}, length {:.4g}, {}{}", count_text(cuts.others, "cut edge"),
                           cuts.length, count_text(cuts.charts, "chart"),
                           check.has_untold_cuts ? ": not told from tears" : "");
-  return proven + open;
+  // Found out whether that was asked or not.
+  return fmt::format("{}, {}{}", proven, check.report["result"]["overlaps"].get<std::string>(),
+                     open);
 }
 
 // What a page says of a cell that is not proven to be positive: det J at the points of a lattice.
@@ -77,11 +78,11 @@ std::string describe_fault(const MapProof& proof, Index cell) {
              : fmt::format("turned over: det J is {:.3g} at a point of it", least);
 }
 
-MapPage page_of(const std::string& name, const MapFile& file, const MapCheck& check) {
+MapPage page_of(const Request& request, const MapFile& file, const MapCheck& check) {
   MapPage page;
-  page.title = page_title(name);
+  page.title = page_title(request.result);
   page.map = file;
-  page.facts = page_facts(check.report);
+  page.facts = page_facts(check.report, {request.result, request.surface});
   for (const Index cell : check.proof.not_positive)
     page.faults.push_back({cell, describe_fault(check.proof, cell)});
   page.points = claimed_points(check.claims, file);
@@ -103,7 +104,7 @@ int conclude(const Request& request, const MapFile& file, const MapCheck& check,
   WrittenFiles written;
   const std::string& report = request.common.report;
   for (const std::string& path : request.outputs)
-    written.write(path, [&] { write_page(path, page_of(request.result, file, check)); });
+    written.write(path, [&] { write_page(path, page_of(request, file, check)); });
   if (const std::string& path = request.distortion; !path.empty())
     written.write(path, [&] { write_distortion(path, file, measure_distortion(file).faces); });
   if (!report.empty())

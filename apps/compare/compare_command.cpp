@@ -23,6 +23,7 @@
 #include "apps/energy_option.h"
 #include "apps/map_request.h"
 #include "apps/outputs.h"
+#include "apps/page_content.h"
 #include "apps/process.h"
 #include "apps/progress.h"
 #include "apps/streams.h"
@@ -248,9 +249,9 @@ int compare(const Request& request) {
   const Contest contest = make_contest(request);
   const std::vector<const Method*> chosen = choose(request, contest);
   Comparison comparison;
-  comparison.title = fmt::format("{}, degree {}, {}, {} boundary, {} unknowns", request.map.input,
-                                 request.map.degree, request.map.energy, request.map.boundary,
-                                 contest.problem.size());
+  comparison.title = fmt::format("{}, degree {}, {}, {} boundary, {} unknowns",
+                                 page_title(request.map.input), request.map.degree,
+                                 request.map.energy, request.map.boundary, contest.problem.size());
   comparison.machine = fmt::format("{}, {} threads", processor(), ThreadCount::current());
   warm_up(contest);
   for (const Method* method : chosen) {
@@ -268,7 +269,7 @@ void add_compare(CLI::App& app, Action* run) {
   auto request = std::make_shared<Request>();
   Request& r = *request;
   CLI::App& verb = *app.add_subcommand("compare", "solve one problem with many methods");
-  r.map.add_to(verb);
+  r.map.add_to(verb, "3");
   r.map.init = "tutte";  // far enough from the minimum to compare the ways there
   r.map.add_start_to(verb);
   verb.add_option("--methods", r.methods, "names, comma separated (all that fit the energy)")

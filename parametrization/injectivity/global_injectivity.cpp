@@ -28,6 +28,7 @@ GlobalInjectivity check_boundary(const BezierMap& map, const InjectivityOptions&
   const BezierMap near_one = map.with(map.shared_space(), Vec(map.control_points() / unit));
   GlobalInjectivity proof = check_layout(boundary_loops(near_one), options);
   for (BoundaryContact& contact : proof.contacts) contact.where *= unit;
+  if (proof.covered_twice) *proof.covered_twice *= unit;
   return proof;
 }
 

@@ -66,10 +66,16 @@ struct BoundaryContact {
   Contact kind;                    // Certain: they meet; Possible: that could not be excluded
 };
 
+// Once so many contacts are listed, some of them certain, the search ends.
+inline constexpr std::size_t kMostContacts = 32;
+
 struct GlobalInjectivity {
   // Violated: some contact is Certain, or `reason` says what is wrong.
   Injectivity result = Injectivity::Undecided;
-  std::vector<BoundaryContact> contacts;  // the first few dozen, Certain ones first
+  std::vector<BoundaryContact> contacts;  // the first of them, Certain ones first
+  // uv that has at least two preimages: proven. None where boundaries only touch, and where no such
+  // point was found close to a contact.
+  std::optional<Vector2> covered_twice;
   // Pairs of boundary edges that were compared: those with overlapping bounding boxes; of polygons
   // those next to each other in the plane.
   long pairs_tested = 0;

@@ -14,6 +14,7 @@
 #include "majorant/elements/internal/singular_values.h"
 #include "majorant/framework/evaluator.h"
 #include "majorant/framework/internal/element_values.h"
+#include "majorant/parametrization/maps/internal/extreme_samples.h"
 #include "majorant/parametrization/maps/internal/quadrature_ladder.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 
@@ -22,9 +23,6 @@ namespace {
 
 // Of the total, spread over the elements. Origin: ten times finer than energies are compared.
 constexpr double kEnergyAgreement = 1e-6;
-// Extremes are sampled at the points (i,j,k)/8. Origin: 45 points a face; for reports alone, proofs
-// do not rely on them.
-constexpr int kExtremeSamples = 8;
 
 // A weighted sum of energies on the same rules.
 class Measured {
@@ -60,14 +58,6 @@ std::vector<Index> all_faces(const RestShapes& rest) {
   return faces;
 }
 
-std::vector<Barycentric> sample_points() {
-  std::vector<Barycentric> points;
-  for (int i = 0; i <= kExtremeSamples; ++i)
-    for (int j = 0; j <= kExtremeSamples - i; ++j)
-      points.push_back(Barycentric(i, j, kExtremeSamples - i - j) / kExtremeSamples);
-  return points;
-}
-
 Quadrature single_point(const Barycentric& xi) {
   Quadrature q;
   q.cell = {3};
@@ -79,9 +69,7 @@ Quadrature single_point(const Barycentric& xi) {
 // At one point at least; m.cut_short where stopped before the others.
 void sample_extremes(const BezierMap& map, const RestShapes& rest, const EnergySum& energy,
                      const StopCheck& stop, MapMeasures& m) {
-  const std::vector<Barycentric> points =
-      map.degree() == 1 ? std::vector<Barycentric>{Barycentric::Constant(1.0 / 3)}
-                        : sample_points();
+  const std::vector<Barycentric> points = extreme_samples(map.degree());
   std::vector<Quadrature> rules;
   for (const Barycentric& xi : points) rules.push_back(single_point(xi));
   const Measured measured(energy, map, rest, rules);

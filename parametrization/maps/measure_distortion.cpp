@@ -13,6 +13,7 @@
 #include "majorant/elements/quadrature.h"
 #include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/thread_count.h"
+#include "majorant/parametrization/maps/internal/extreme_samples.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 
 namespace majorant {
@@ -22,9 +23,6 @@ namespace {
 // two rules may differ. Origin: for reports, read to three or four digits; the finer rule of the
 // two is some 50 times better.
 constexpr double kDistortionAgreement = 1e-3;
-// Extremes are sampled at the points (i,j,k)/8, too, as measure.cpp does. Origin: for reports
-// alone.
-constexpr int kSamples = 8;
 // Faces that are measured together. Origin: their tables fit into a core's cache.
 constexpr Index kBlock = 32;
 
@@ -76,12 +74,11 @@ bool agree(const Means& coarse, const Means& fine, Index column) {
   return true;  // infinite, too
 }
 
-Points3 lattice() {
-  Points3 points((kSamples + 1) * (kSamples + 2) / 2, 3);
-  Index l = 0;
-  for (int i = 0; i <= kSamples; ++i)
-    for (int j = 0; j <= kSamples - i; ++j) points.row(l++) << i, j, kSamples - i - j;
-  return points / kSamples;
+Points3 lattice(int degree) {
+  const std::vector<Barycentric> samples = extreme_samples(degree);
+  Points3 points(static_cast<Index>(samples.size()), 3);
+  for (std::size_t l = 0; l < samples.size(); ++l) points.row(static_cast<Index>(l)) = samples[l];
+  return points;
 }
 
 class Measurement {
@@ -113,7 +110,7 @@ class Measurement {
     std::vector<Quadrature> rules{radon_rule()};
     for (const int pieces : {2, 4, 8, 16}) rules.push_back(composite_rule(radon_rule(), pieces));
     for (const Quadrature& rule : rules) tables_.emplace_back(degree, rule.points, rule.weights);
-    extremes_.emplace_back(degree, lattice(), Vec());
+    extremes_.emplace_back(degree, lattice(degree), Vec());
   }
 
   // That keep samples, in a face.

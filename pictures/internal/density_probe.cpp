@@ -7,6 +7,7 @@
 #include "majorant/elements/bezier_triangle_space.h"
 #include "majorant/elements/quadrature.h"
 #include "majorant/framework/error.h"
+#include "majorant/parametrization/maps/distortion.h"
 
 namespace majorant {
 namespace {
@@ -58,6 +59,18 @@ void DensityProbe::evaluate(std::span<const Vector2> sigma, std::span<double> va
       summand.term->values(x, {0, {elements.data(), count}}, {}, workspace, part);
       for (std::size_t k = 0; k < count; ++k) out[k] += summand.weight * part[k];
     }
+  }
+}
+
+void evaluate(Quantity quantity, const DensityProbe& probe, std::span<const Vector2> sigma,
+              std::span<double> values) {
+  if (quantity == Quantity::Density) return probe.evaluate(sigma, values);
+  for (std::size_t k = 0; k < sigma.size(); ++k) {
+    const PointDistortion d{sigma[k][0], sigma[k][1]};
+    values[k] = quantity == Quantity::Area       ? d.area()
+                : quantity == Quantity::Angle    ? d.angle()
+                : quantity == Quantity::SigmaMax ? d.sigma_1
+                                                 : d.sigma_2;
   }
 }
 

@@ -1,4 +1,5 @@
 // The density of an energy at single Jacobians, of any energy: for scales, and pixels of pictures.
+// Likewise the other quantities that pictures show.
 //
 //   const DensityProbe probe({{symmetric_dirichlet(), 1.0}});
 //   probe.at(1, 1);                                            // 4
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "majorant/energies/energy_factory.h"
+#include "majorant/pictures/color_scale.h"
 
 namespace majorant {
 
@@ -31,6 +33,10 @@ class DensityProbe {
   };
   std::vector<Summand> summands_;
 };
+
+// Of any quantity; probe: of the density.
+void evaluate(Quantity quantity, const DensityProbe& probe, std::span<const Vector2> sigma,
+              std::span<double> values);
 
 }  // namespace majorant
 

@@ -3,15 +3,68 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
 #include <tuple>
+#include <vector>
 
 #include "majorant/framework/error.h"
+#include "majorant/framework/internal/parallel_errors.h"
+#include "majorant/io/layout_scale.h"
+#include "majorant/parametrization/maps/internal/extreme_samples.h"
+#include "majorant/pictures/internal/bezier_image.h"
 #include "majorant/pictures/internal/claimed_energy.h"
+#include "majorant/pictures/internal/density_probe.h"
 
 namespace majorant {
 namespace {
 
 constexpr double kSlack = 1e-6;
+// Faces that are looked at together. Origin: their values fit into a core's cache.
+constexpr Index kBlock = 64;
+
+struct Extremes {
+  double smallest = std::numeric_limits<double>::infinity(), largest = -smallest;
+};
+
+// Where map values vary inside of faces.
+std::string how_sampled(int degree) {
+  const std::size_t points = extreme_samples(degree).size();
+  return points == 1 ? "" : fmt::format(" ({} points a face)", points);
+}
+
+// None where no face counts.
+std::optional<Extremes> extremes_of(const MapFile& map, Quantity quantity) {
+  const BezierImage image(map, layout_scale(map));
+  const DensityProbe probe(quantity == Quantity::Density ? claimed_energy(map).sum : EnergySum());
+  const std::vector<Barycentric> points = extreme_samples(map.degree);
+  const auto faces = static_cast<Index>(map.cells.rows());
+  std::vector<Extremes> blocks(at(faces / kBlock + 1));
+  ParallelErrors errors;
+#pragma omp parallel for schedule(dynamic)
+  for (Index block = 0; block < static_cast<Index>(blocks.size()); ++block)
+    errors.guard([&] {
+      std::vector<Vector2> sigma;
+      for (Index f = block * kBlock; f < std::min(faces, (block + 1) * kBlock); ++f)
+        for (const Barycentric& xi : points)
+          if (const PointDistortion d = image.at(f, xi).distortion; d.sigma_2 > 0)
+            sigma.emplace_back(d.sigma_1, d.sigma_2);
+      std::vector<double> values(sigma.size());
+      evaluate(quantity, probe, sigma, values);
+      for (const double value : values) {
+        blocks[at(block)].smallest = std::min(blocks[at(block)].smallest, value);
+        blocks[at(block)].largest = std::max(blocks[at(block)].largest, value);
+      }
+    });
+  errors.rethrow();
+  Extremes all;
+  for (const Extremes& e : blocks) {
+    all.smallest = std::min(all.smallest, e.smallest);
+    all.largest = std::max(all.largest, e.largest);
+  }
+  return all.smallest <= all.largest ? std::optional(all) : std::nullopt;
+}
 
 }  // namespace
 
@@ -28,32 +81,28 @@ ColorScale picture_scale(const MapFile& map, Quantity quantity,
 
 void ValueSummary::add(const ColorScale& scale, double value) {
   const double slack = kSlack * (scale.high() - scale.low());  // densities are rounded
-  smallest = std::min(smallest, value);
-  largest = std::max(largest, value);
   ++count;
   below += value < scale.low() - slack ? 1 : 0;
   above += value <= scale.high() + slack ? 0 : 1;
 }
 
 void ValueSummary::add(const ValueSummary& other) {
-  smallest = std::min(smallest, other.smallest);
-  largest = std::max(largest, other.largest);
   count += other.count;
   below += other.below;
   above += other.above;
 }
 
-Legend make_legend(const MapFile& map, const ColorScale& scale, const ValueSummary& values,
-                   const std::string& parts) {
+Legend make_legend(const MapFile& map, Quantity quantity, const ColorScale& scale,
+                   const ValueSummary& values, const std::string& parts) {
   Legend legend{scale, scale.label(), "", values.below > 0, values.above > 0};
-  if (const std::string energy = claimed_energy(map).name;
-      scale.label() == quantity_name(Quantity::Density))
+  if (const std::string energy = claimed_energy(map).name; quantity == Quantity::Density)
     legend.title = fmt::format("{} density", energy);
   legend.title += fmt::format(", degree {}", map.degree);
   legend.note = fmt::format("isometry {:.4g}", scale.neutral());
-  if (values.count > 0)
-    legend.note +=
-        fmt::format("; smallest {:.4g}, largest {:.4g}", values.smallest, values.largest);
+  const std::optional<Extremes> e = extremes_of(map, quantity);
+  if (e && std::isfinite(e->smallest) && std::isfinite(e->largest))  // else the uv overflow
+    legend.note += fmt::format("; smallest {:.4g}, largest {:.4g}{}", e->smallest, e->largest,
+                               how_sampled(map.degree));
   for (const auto& [count, where, end] :
        {std::tuple{values.below, "below", scale.low()}, {values.above, "above", scale.high()}})
     if (count > 0)

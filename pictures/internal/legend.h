@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <string>
 
 #include "majorant/io/map_file.h"
@@ -21,18 +20,19 @@ struct Legend {
 ColorScale picture_scale(const MapFile& map, Quantity quantity,
                          const std::optional<ColorRange>& range);
 
-// What there is to say of many values.
+// Values that are shown as colours.
 struct ValueSummary {
-  double smallest = std::numeric_limits<double>::infinity(), largest = -smallest;
   std::int64_t count = 0, below = 0, above = 0;  // of the scale
 
   void add(const ColorScale& scale, double value);
   void add(const ValueSummary& other);
 };
 
-// parts: what the values are of, "triangles".
-Legend make_legend(const MapFile& map, const ColorScale& scale, const ValueSummary& values,
-                   const std::string& parts);
+// The smallest and the largest value that the note names are those of the whole map at
+// extreme_samples() of its faces, as in reports, whatever is drawn; turned over and flat faces left
+// out. parts: what the colours are of, "triangles".
+Legend make_legend(const MapFile& map, Quantity quantity, const ColorScale& scale,
+                   const ValueSummary& values, const std::string& parts);
 
 }  // namespace majorant
 

@@ -20,6 +20,7 @@
 #include "majorant/pictures/color_scale.h"
 #include "majorant/pictures/internal/alignment.h"
 #include "majorant/pictures/internal/first_view.h"
+#include "majorant/pictures/internal/legend.h"
 
 namespace majorant {
 namespace {
@@ -185,8 +186,10 @@ Json scale_of(Quantity quantity, const ColorScale& scale) {
           {"ticks", ticks}};
 }
 
+Quantity shown_first(const MapPage& page) { return page.quantity.value_or(Quantity::Density); }
+
 // Of every quantity; the density only where the claims name an energy.
-Json scales_of(const Json& claims) {
+Json scales_of(const MapPage& page, const Json& claims) {
   std::optional<EnergySum> energy;
   const auto named = claims.find("energy");
   if (named != claims.end() && named->is_string())
@@ -194,7 +197,10 @@ Json scales_of(const Json& claims) {
   Json scales = Json::array();
   for (const Quantity quantity : kQuantities)
     if (energy || quantity != Quantity::Density)
-      scales.push_back(scale_of(quantity, color_scale(quantity, energy.value_or(EnergySum()))));
+      scales.push_back(
+          scale_of(quantity,
+                   picture_scale(page.map, quantity,
+                                 quantity == shown_first(page) ? page.color_range : std::nullopt)));
   return scales;
 }
 
@@ -233,7 +239,9 @@ Json page_data(const MapPage& page) {
   if (page.scaffold) data["scaffold"] = plane_of(*page.scaffold);
   data["scale"] = {{"value", layout_scale(map)}, {"assumed", has_assumed_scale(map)}};
   data["claims"] = parsed_object("the map's claims", map.claims);
-  data["scales"] = scales_of(data["claims"]);
+  data["scales"] = scales_of(page, data["claims"]);
+  data["show"] =
+      page.quantity || page.color_range ? Json(quantity_name(shown_first(page))) : Json();
   data["facts"] = parsed_object("what is known of the map", page.facts);
   return data;
 }

@@ -120,7 +120,7 @@ class HeatPainter final : public Painter {
       sigma[k] = {d.sigma_1, d.sigma_2};
     }
     std::vector<double> value(samples.size());
-    evaluate(sigma, value);
+    evaluate(quantity_, density_, sigma, value);
     for (std::size_t k = 0; k < samples.size(); ++k) {
       if (samples[k].cell < 0) continue;
       const bool is_flipped = !(sigma[k][1] > 0);
@@ -130,17 +130,6 @@ class HeatPainter final : public Painter {
   }
 
  private:
-  void evaluate(std::span<const Vector2> sigma, std::span<double> value) const {
-    if (quantity_ == Quantity::Density) return density_.evaluate(sigma, value);
-    for (std::size_t k = 0; k < sigma.size(); ++k) {
-      const PointDistortion d{sigma[k][0], sigma[k][1]};
-      value[k] = quantity_ == Quantity::Area       ? d.area()
-                 : quantity_ == Quantity::Angle    ? d.angle()
-                 : quantity_ == Quantity::SigmaMax ? d.sigma_1
-                                                   : d.sigma_2;
-    }
-  }
-
   BezierImage image_;
   Quantity quantity_;
   DensityProbe density_;

@@ -11,6 +11,7 @@
 #include "majorant/parametrization/starts/texture_seams.h"
 #include "majorant/results/internal/finished_map.h"
 #include "majorant/results/internal/input_points.h"
+#include "majorant/results/internal/solver_ladder.h"
 #include "map_file.h"
 #include "mesh.h"
 #include "options.h"
@@ -58,6 +59,7 @@ py::tuple finish(Job& job, const ParametrizationResult& result) {
                        wish<std::string>(job.wishes, "init")};
   finished.options = Json::parse(wish<std::string>(job.wishes, "as_json"));
   finished.read_seconds = job.read_seconds;
+  finished.linear_solver = linear_solver_section("direct", OwnSolver::Used, {});
   if (job.start) {
     finished.start = &*job.start;
     finished.init = job.verb == "seamless" ? method_name(job.start->method)
@@ -69,6 +71,7 @@ py::tuple finish(Job& job, const ParametrizationResult& result) {
     std::string report;
   };
   const Files files = job.run([&] {
+    finished.boundary = prove_boundary(result, job.run.record());
     return Files{std::make_shared<MapFile>(map_file(finished)), json_text(map_report(finished))};
   });
   return py::make_tuple(files.file, job.polygons, promise_from(promise(finished, "map.vtu")),

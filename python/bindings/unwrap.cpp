@@ -8,6 +8,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/results/internal/finished_atlas.h"
+#include "majorant/results/internal/solver_ladder.h"
 #include "map_file.h"
 #include "options.h"
 #include "run.h"
@@ -87,6 +88,8 @@ py::tuple unwrap_mesh(const SharedPolygons& given, const py::dict& wishes,
   finished.energy = wish<std::string>(wishes, "energy_text");
   finished.options = Json::parse(wish<std::string>(wishes, "as_json"));
   finished.read_seconds = read_seconds;
+  finished.linear_solver = linear_solver_section("direct", OwnSolver::Used, {});
+  finished.boundary = run([&] { return prove_boundary(atlas); });
   const auto file = std::make_shared<MapFile>(atlas_file(finished));
   return py::make_tuple(file, polygons, promise_from(promise(finished, "map.vtu")), true,
                         status_name(atlas.status()), message_of(atlas),

@@ -116,6 +116,13 @@ class Map:
         maps that were read."""
         return json.loads(self._report)
 
+    @property
+    def globally_injective(self) -> bool | None:
+        """Whether no two points of the surface have the same image: True or False, proven; None where
+        that is not decided, and for maps that were read (`check` tells). A map that is only asked to be
+        locally injective may overlap itself: `report['result']['overlaps']` says where."""
+        return ((self.report or {}).get('result') or {}).get('globally_injective')
+
     # ---- points ----------------------------------------------------------------------------------
     def evaluate(self, face: Any, bary: Any) -> np.ndarray:
         """uv at barycentric coordinates.

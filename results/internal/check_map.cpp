@@ -43,10 +43,9 @@ ProofRequest questions(const MapFile& file, const CheckRequest& request, const C
   ProofRequest wanted;
   wanted.surface = request.surface;
   ask_about_cuts(file, request, claims, wanted);
-  if (request.certify || claims.bijective.value_or(false))
-    wanted.overlap = ProofRequest::Overlap::Forbidden;
-  else if (request.reported)
-    wanted.overlap = ProofRequest::Overlap::Reported;
+  const bool is_forbidden = request.certify || claims.bijective.value_or(false);
+  wanted.overlap =
+      is_forbidden ? ProofRequest::Overlap::Forbidden : ProofRequest::Overlap::Reported;
   if (const std::string e = extension(request.name); e == ".vtu" || e == ".pvtu")
     wanted.labels = ProofRequest::FaceLabels::Compared;
   wanted.stop = stop;

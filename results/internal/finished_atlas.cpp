@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "majorant/framework/linear_solver.h"
 #include "majorant/framework/thread_count.h"
 #include "majorant/io/atlas_file.h"
 #include "majorant/io/internal/cut_map.h"
 #include "majorant/io/map_distortion.h"
+#include "majorant/parametrization/injectivity/internal/check_layout.h"
+#include "majorant/results/internal/global_verdict.h"
 #include "majorant/results/internal/write_map.h"
 
 namespace majorant {
@@ -57,7 +60,7 @@ std::string claims(const FinishedAtlas& run, const MapFile& file) {
     claims.erase("energy");
     claims.erase("value");
   }
-  return json_text(claims);
+  return json_text(without_folders(std::move(claims)));
 }
 
 Json charts_section(const Atlas& atlas) {
@@ -93,16 +96,18 @@ Json repairs_section(const RepairedSurface& surface) {
 Json result_section(const FinishedAtlas& run) {
   const Atlas& atlas = run.atlas;
   const Stretch stretch = atlas.stretch();
-  double max_density = 0, sigma_max = 0, sigma_min = INFINITY, min_det = INFINITY;
-  bool is_injective = true;
+  MapMeasures all;
+  all.sigma_min = INFINITY;
+  all.locally_injective = true;
+  double min_det = INFINITY;
   Index points = 0;
   std::vector<const MapDistortion*> distortions;
   for (const Chart& chart : atlas.charts) {
-    max_density = std::max(max_density, chart.measures.max_density);
-    sigma_max = std::max(sigma_max, chart.measures.sigma_max);
-    sigma_min = std::min(sigma_min, chart.measures.sigma_min);
+    all.max_density = std::max(all.max_density, chart.measures.max_density);
+    all.sigma_max = std::max(all.sigma_max, chart.measures.sigma_max);
+    all.sigma_min = std::min(all.sigma_min, chart.measures.sigma_min);
     min_det = std::min(min_det, chart.measures.min_det.minCoeff());
-    is_injective = is_injective && chart.measures.locally_injective;
+    all.locally_injective = all.locally_injective && chart.measures.locally_injective;
     points += chart.map->space().node_count();
     distortions.push_back(&chart.measures.distortion);
   }
@@ -111,15 +116,15 @@ Json result_section(const FinishedAtlas& run) {
               {"energy", run.energy},
               {"value", atlas.value()},
               {"measuring_cut_short", is_cut_short(atlas)},
-              {"max_density", max_density},
-              {"sigma_max", sigma_max},
-              {"sigma_min", sigma_min},
-              {"locally_injective", is_injective},
-              {"globally_injective", atlas.packing ? Json(true) : Json()},
+              {"max_density", all.max_density},
+              {"sigma_max", all.sigma_max},
+              {"sigma_min", all.sigma_min},
+              {"locally_injective", all.locally_injective},
               {"min_det_bound", min_det},
               {"charts", atlas.charts.size()},
               {"stretch_l2", stretch.l2},
               {"stretch_max", stretch.max}};
+  result.update(overlap_section(run.boundary, ImageOf::Charts, all));
   if (!is_cut_short(atlas)) result["distortion"] = distortion_section(distortions, scale_of(run));
   result.update(cuts_section(atlas.cuts, run.surface));
   if (!atlas.packing) return result;
@@ -131,6 +136,27 @@ Json result_section(const FinishedAtlas& run) {
 }
 
 }  // namespace
+
+GlobalInjectivity prove_boundary(const Atlas& atlas) {
+  GlobalInjectivity packed;
+  packed.result = Injectivity::Proven;  // at distances that are proven
+  if (atlas.packing) return packed;
+  BoundaryLoops layout;
+  Index faces = 0;
+  for (const Chart& chart : atlas.charts) {
+    const BoundaryLoops loops = boundary_loops(*chart.map);
+    for (const BoundaryLoop& loop : loops.loops) {
+      const auto begin = static_cast<std::ptrdiff_t>(loop.first), end = std::ptrdiff_t{loop.last};
+      std::vector<Index> half_edges(loops.half_edge.begin() + begin, loops.half_edge.begin() + end);
+      for (Index& h : half_edges) h += 3 * faces;
+      layout.add_loop(layout.charts + loop.chart,
+                      {loops.curves.begin() + begin, loops.curves.begin() + end}, half_edges);
+    }
+    layout.charts += loops.charts;
+    faces += chart.map->mesh().face_count();
+  }
+  return check_layout(layout);
+}
 
 double scale_of(const FinishedAtlas& run) { return run.square ? run.square->size : 1; }
 
@@ -187,6 +213,7 @@ Json atlas_report(const FinishedAtlas& run) {
             {"pack", atlas.packing_seconds},
             {"write", nullptr},
             {"total", nullptr}}},
+          {"linear_solver", run.linear_solver},
           {"memory", run.memory},
           {"peak_memory_bytes", peak_memory_bytes()},
           {"threads", ThreadCount::current()},

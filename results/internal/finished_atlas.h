@@ -2,7 +2,8 @@
 //
 //   const RepairedSurface surface = repair(polygons);
 //   const Atlas atlas = unwrap(surface.mesh, {}, record);
-//   const FinishedAtlas run{polygons, surface, atlas, record};
+//   FinishedAtlas run{polygons, surface, atlas, record};
+//   run.boundary = prove_boundary(atlas);
 //   const MapFile file = atlas_file(run);
 //   write_map(path, file, &polygons, {}, proof_of_file(path, promise(run, path), file, {}));
 #pragma once
@@ -28,9 +29,12 @@ struct FinishedAtlas {
   std::string energy = {};        // as said; empty: one without a name
   Json options = Json::object();  // likewise, all of it
   double read_seconds = 0;
-  Json memory = {};  // section of the report, or null
+  Json linear_solver = {}, memory = {};  // sections of the report, or null
+  GlobalInjectivity boundary = {};       // prove_boundary()
 };
 
+// Whether charts overlap, as they lie now; each for itself does not, and packed ones do not.
+GlobalInjectivity prove_boundary(const Atlas& atlas);
 // Units of the surface per unit of uv in the file.
 double scale_of(const FinishedAtlas& run);
 // Of all cuts, those of repair() included.

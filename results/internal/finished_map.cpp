@@ -1,5 +1,7 @@
 #include "majorant/results/internal/finished_map.h"
 
+#include <utility>
+
 #include "majorant/framework/linear_solver.h"
 #include "majorant/framework/thread_count.h"
 #include "majorant/io/internal/cut_map.h"
@@ -57,11 +59,7 @@ std::string claims(const FinishedMap& run, const MapFile& file) {
     claims.erase("value");
   }
   if (!map.seams().trivial()) claims["cones"] = cones_section(map);
-  return json_text(claims);
-}
-
-bool was_stopped(const ParametrizationResult& r) {
-  return r.measures.cut_short || r.status == Status::TimeLimit || r.status == Status::Interrupted;
+  return json_text(without_folders(std::move(claims)));
 }
 
 Json result_section(const FinishedMap& run) {
@@ -70,14 +68,7 @@ Json result_section(const FinishedMap& run) {
   Json result = measures_section(*r.map, r.measures, run.energy);
   if (!r.measures.cut_short)
     result["distortion"] = distortion_section({&r.measures.distortion}, scale_of(run));
-  if (was_stopped(r) && run.asked.injectivity != MapInjectivity::Global) {
-    result["boundary"] = {{"reason", "not asked after the limit"}};
-  } else {
-    run.record.begin(Activity::Proving);
-    add_global_injectivity(result, *r.map, r.measures, check_boundary(*r.map, {.stopped = [&] {
-                             return run.record.directive() != Directive::Continue;
-                           }}));
-  }
+  add_global_injectivity(result, *r.map, r.measures, run.boundary);
   result["start"] = start_taken(run);
   result["variables"] = r.variables;
   result["initial_value"] = r.initial_value;
@@ -101,6 +92,12 @@ Json seam_start_section(const Start& start) {
 
 bool has_result(const ParametrizationResult& result) {
   return result.map && result.status != Status::Failed && result.status != Status::Infeasible;
+}
+
+GlobalInjectivity prove_boundary(const ParametrizationResult& result, const RunRecord& record) {
+  if (!result.map) return {};
+  record.begin(Activity::Proving);
+  return check_boundary(*result.map);
 }
 
 double scale_of(const FinishedMap& run) { return run.placement ? run.placement->size : 1; }

@@ -2,7 +2,8 @@
 // (parametrize, seamless, deform) leave behind.
 //
 //   const ParametrizationResult result = parametrize(mesh, options);
-//   const FinishedMap run{"parametrize", polygons, *mesh, options.map, result, record};
+//   FinishedMap run{"parametrize", polygons, *mesh, options.map, result, record};
+//   run.boundary = prove_boundary(result, record);
 //   const MapFile file = map_file(run);
 //   write_map(path, file, &polygons, {}, proof_of_file(path, promise(run, path), file, {}));
 //   const Json report = map_report(run);
@@ -15,6 +16,7 @@
 #include "majorant/parametrization/cuts/choose_cuts.h"
 #include "majorant/parametrization/drive/internal/placement.h"
 #include "majorant/parametrization/drive/parametrize.h"
+#include "majorant/parametrization/injectivity/global_injectivity.h"
 #include "majorant/parametrization/starts/start.h"
 #include "majorant/pictures/film.h"
 #include "majorant/results/internal/report.h"
@@ -38,6 +40,7 @@ struct FinishedMap {
   const LayoutPlacement* placement = nullptr;      // how result.map was moved
   bool is_aligned = false, is_normalized = false;  // of that, what was asked for
   const Film* film = nullptr;                      // of the run, if asked for
+  GlobalInjectivity boundary = {};                 // prove_boundary()
   Json linear_solver = {}, memory = {};            // sections of the report, or null
 };
 
@@ -46,6 +49,9 @@ bool has_result(const ParametrizationResult& result);
 // Units of the surface per unit of uv in the file.
 double scale_of(const FinishedMap& run);
 
+// Whether the map is injective as a whole, as it is now: after all that moves it. Takes
+// milliseconds, a second or so where curves run along each other; limits do not end it.
+GlobalInjectivity prove_boundary(const ParametrizationResult& result, const RunRecord& record);
 // Of a run that has a result: with what was measured, and with its claims.
 MapFile map_file(const FinishedMap& run);
 // What a data file of that name must be when it is read back.

@@ -1,8 +1,57 @@
 #include "majorant/results/internal/global_verdict.h"
 
+#include <fmt/format.h>
+
 #include <array>
 
 namespace majorant {
+namespace {
+
+std::string near(const Vector2& uv) { return fmt::format("near ({:.6g}, {:.6g})", uv.x(), uv.y()); }
+
+// Boundaries that only touch are no overlap, and are told apart where that is proven.
+std::string what_meets(const GlobalInjectivity& proof) {
+  if (proof.covered_twice) return "overlaps itself " + near(*proof.covered_twice);
+  if (proof.contacts.empty()) return "overlaps itself: " + proof.reason;
+  return "touches or overlaps itself " + near(proof.contacts.front().where);
+}
+
+std::string what_is_open(const GlobalInjectivity& proof) {
+  std::string text = "whether it overlaps itself is not decided";
+  if (!proof.reason.empty()) text += ": " + proof.reason;
+  if (!proof.contacts.empty())
+    text += (proof.reason.empty() ? ": " : ", ") + std::string("its boundary may meet itself ") +
+            near(proof.contacts.front().where);
+  return text;
+}
+
+}  // namespace
+
+ImageOf image_of(const BezierMap& map) {
+  return map.seams().trivial() ? ImageOf::Surface : ImageOf::CutAtSeams;
+}
+
+std::string overlap_words(const GlobalInjectivity& proof, ImageOf image) {
+  if (proof.result == Injectivity::Proven) return "no overlaps";
+  const bool violated = proof.result == Injectivity::Violated;
+  const std::string found = violated ? what_meets(proof) : what_is_open(proof);
+  if (image == ImageOf::Charts) return "each chart without overlaps, the layout " + found;
+  if (image == ImageOf::CutAtSeams)
+    return "locally injective, cut open along its seams it " + found +
+           (violated ? ", as maps with cones may" : "");
+  return "locally injective, " + found;
+}
+
+Json overlap_section(const GlobalInjectivity& proof, ImageOf image, const MapMeasures& measures) {
+  if (proof.result == Injectivity::Violated)
+    return {{"globally_injective", false}, {"overlaps", overlap_words(proof, image)}};
+  if (!measures.locally_injective)
+    return {{"globally_injective", nullptr},
+            {"overlaps", "not decided: the map is not proven to be locally injective"}};
+  Json injective;  // null: not decided
+  if (proof.result == Injectivity::Proven) injective = true;
+  return {{"globally_injective", injective}, {"overlaps", overlap_words(proof, image)}};
+}
 
 void add_global_injectivity(Json& measures_section, const BezierMap& map,
                             const MapMeasures& measures, const GlobalInjectivity& proof) {
@@ -15,16 +64,17 @@ void add_global_injectivity(Json& measures_section, const BezierMap& map,
     contacts.push_back({{"edges", {edge(c.half_edge_a), edge(c.half_edge_b)}},
                         {"uv", {c.where.x(), c.where.y()}},
                         {"certain", c.kind == Contact::Certain}});
-  const bool locally = measures.min_det.size() > 0 && measures.min_det.minCoeff() > 0;
-  Json injective;  // null: not decided
-  if (proof.result == Injectivity::Violated) injective = false;
-  if (proof.result == Injectivity::Proven && locally) injective = true;
-  measures_section["globally_injective"] = injective;
-  measures_section["boundary"] = {{"pairs_tested", proof.pairs_tested},
-                                  {"pairs_left", proof.pairs_left},
-                                  {"subdivisions", proof.subdivisions},
-                                  {"reason", proof.reason},
-                                  {"contacts", contacts}};
+  Json covered_twice;
+  if (proof.covered_twice) covered_twice = {proof.covered_twice->x(), proof.covered_twice->y()};
+  measures_section.update(overlap_section(proof, image_of(map), measures));
+  measures_section["boundary"] = {
+      {"pairs_tested", proof.pairs_tested},
+      {"pairs_left", proof.pairs_left},
+      {"subdivisions", proof.subdivisions},
+      {"reason", proof.reason},
+      {"covered_twice", covered_twice},
+      {"contacts", contacts},
+      {"contacts_complete", proof.pairs_left == 0 && proof.contacts.size() < kMostContacts}};
 }
 
 }  // namespace majorant

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 
 #include "majorant/framework/internal/curvature_name.h"
@@ -63,6 +65,7 @@ Json measures_section(const MapSize& size, const MapMeasures& m, double least_de
           {"locally_injective", m.locally_injective},
           {"min_det_bound", least_det},
           {"globally_injective", nullptr},
+          {"overlaps", "not decided: stopped before they were looked for"},
           {"seam_residual", nullptr},
           {"max_boundary_angle_degrees", m.max_boundary_angle * 180 / std::numbers::pi},
           {"boundary_vertices_over_360_degrees", m.boundary_over_full_turn}};
@@ -182,6 +185,45 @@ long peak_memory_bytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return usage.ru_maxrss * 1024L;
+}
+
+namespace {
+
+std::string file_name(const std::string& path) {
+  return std::filesystem::path(path).filename().string();
+}
+
+void replace_all(std::string& text, const std::string& path) {
+  const std::string name = file_name(path);
+  for (std::size_t k = text.find(path); k != std::string::npos;
+       k = text.find(path, k + name.size()))
+    text.replace(k, path.size(), name);
+}
+
+void add_paths(const Json& options, std::vector<std::string>& paths) {
+  for (const Json& option : options)
+    if (option.is_string() && option.get_ref<const std::string&>().find('/') != std::string::npos)
+      paths.push_back(option);
+}
+
+void shorten(Json& json, const std::vector<std::string>& paths) {
+  if (json.is_structured())
+    for (Json& part : json) shorten(part, paths);
+  if (json.is_string())
+    for (const std::string& path : paths) replace_all(json.get_ref<std::string&>(), path);
+}
+
+}  // namespace
+
+Json without_folders(Json json, const std::vector<std::string>& paths) {
+  std::vector<std::string> all = paths;
+  if (json.contains("options")) add_paths(json["options"], all);
+  std::erase_if(all, [](const std::string& path) { return file_name(path).empty(); });
+  // One may be the end of another.
+  std::sort(all.begin(), all.end(),
+            [](const std::string& a, const std::string& b) { return a.size() > b.size(); });
+  shorten(json, all);
+  return json;
 }
 
 std::string json_text(const Json& json, int indent) {

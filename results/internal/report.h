@@ -41,6 +41,10 @@ Json remedies_section(const RemedyUses& uses);
 Json iterations_section(const std::vector<TraceEntry>& trace);
 long peak_memory_bytes();
 
+// The same with file names in place of paths, for what is handed on: in every text of it those of
+// `paths`, and of `options` all that have a folder.
+Json without_folders(Json json, const std::vector<std::string>& paths = {});
+
 // The text of every JSON that the command writes: numbers with 17 digits where needed; not finite
 // becomes null; bytes that are not UTF-8 (of paths) become U+FFFD. indent -1: on one line.
 std::string json_text(const Json& json, int indent = -1);

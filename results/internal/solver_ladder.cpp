@@ -22,8 +22,16 @@ constexpr const char* kFile = "libmajorant_petsc.so";
 
 }  // namespace
 
-Json ladder_section(const LadderRecord& record) {
-  Json section{{"indefinite", record.indefinite}};
+Json linear_solver_section(const std::string& asked, OwnSolver own, const LadderRecord& record) {
+  std::vector<std::string_view> used;
+  if (own == OwnSolver::Used) used.emplace_back("direct");
+  for (std::size_t k = 0; k < kRungNames.size(); ++k)
+    if (record.rungs[k].solves > 0) used.push_back(kRungNames[k]);
+  Json section{{"asked", asked}, {"used", nullptr}};
+  if (!used.empty()) section["used"] = fmt::format("{}", fmt::join(used, " + "));
+  const auto is_set_up = [](const LadderRecord::Use& use) { return use.set_ups > 0; };
+  if (std::none_of(record.rungs.begin(), record.rungs.end(), is_set_up)) return section;
+  section["indefinite"] = record.indefinite;
   for (std::size_t k = 0; k < kRungNames.size(); ++k) {
     const LadderRecord::Use& use = record.rungs[k];
     section[std::string(kRungNames[k])] = {{"set_ups", use.set_ups},

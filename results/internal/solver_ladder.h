@@ -4,7 +4,7 @@
 //   auto record = std::make_shared<LadderRecord>();
 //   const SolverPlugin& plugin = load_solver_plugin({"/usr/lib/majorant"});
 //   SolverFactory solver = plugin.ladder({.first = Rung::Mumps}, record);
-//   const Json section = ladder_section(*record);
+//   const Json section = linear_solver_section("mumps", OwnSolver::Unused, *record);
 //
 // What rungs are and when they fail: distributed/petsc_solver.h.
 #pragma once
@@ -41,7 +41,12 @@ struct LadderOptions {
   GlobalIndex direct_below = 0;
 };
 
-Json ladder_section(const LadderRecord& record);  // of reports
+// Whether the library's own factorization solved anything.
+enum class OwnSolver { Unused, Used };
+
+// "linear_solver" of reports: {"asked", "used"} and, where PETSc solved anything, what each rung of
+// the ladder did. used: all that did, "direct + cg-hypre"; null where there was nothing to solve.
+Json linear_solver_section(const std::string& asked, OwnSolver own, const LadderRecord& record);
 
 // The words of --petsc-options, for PETSc's options database: "-ksp_rtol 1e-3 -info" has three.
 // Throws Error(Usage) for what is neither an option nor the value of the one before it, and for

@@ -79,6 +79,8 @@ void write_map(const std::string& path, const MapFile& map, const PolygonMesh* i
     MapPage page = formats.page;
     page.map = map;
     page.alignment = formats.svg.alignment;
+    page.quantity = formats.svg.quantity;
+    page.color_range = formats.svg.color_range;
     write_page(path, page);
   }
 }

@@ -7,20 +7,6 @@ import os
 from command_helpers import *
 
 
-def ramp(turns, steps=36):
-    """A strip that climbs slowly around an axis: flattened without distortion it lies on itself."""
-    points = []
-    for i in range(steps + 1):
-        t = turns * i / steps
-        for r in (1, 1.25, 1.5):
-            points.append((r * math.cos(2 * math.pi * t), r * math.sin(2 * math.pi * t), 0.3 * t))
-    faces = []
-    for i in range(steps):
-        for a in (3 * i, 3 * i + 1):
-            faces += [(a, a + 1, a + 4), (a, a + 4, a + 3)]
-    return points, faces
-
-
 def without(faces, *quads):
     return [f for k, f in enumerate(faces) if k // 2 not in quads]
 

@@ -120,7 +120,7 @@ class Cuts(CommandTest):
 
     def test_the_summary_names_what_was_not_asked(self):
         line = self.run_ok('check', self.torn).err
-        self.assertIn('not asked: surface (--surface), overlaps (--certify)', line)
+        self.assertIn(', no overlaps; not asked: surface (--surface); ', line)
 
     def test_what_was_proven_is_in_the_report(self):
         data = self.report('--surface', self.surface, '--cuts', 'free', '--certify')

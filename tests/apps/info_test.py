@@ -52,6 +52,42 @@ class Info(CommandTest):
         self.assertIn(reason, verdict)
         self.assertEqual(verdict.count('`majorant unwrap'), 1, verdict)
 
+    def test_help_names_the_degree(self):
+        """That a verb takes where nothing is said: as its report has it."""
+        by_outputs = '(3, or 1 where all data outputs are without curves: .obj .ply)'
+        for verb, words in (('unwrap', '(1)'), ('compare', '(3)'), ('parametrize', by_outputs), ('seamless', by_outputs),
+                            ('deform', by_outputs)):
+            text = re.sub(r'\s+', ' ', self.run_ok(verb, '--help').out)
+            self.assertIn('polynomial degree, 1..8 ' + words, text, verb)
+        for verb, out, degree in (('unwrap', 'a.vtu', 1), ('parametrize', 'a.vtu', 3), ('parametrize', 'a.obj', 1)):
+            self.run_ok(verb, self.write('grid.obj', obj_text(*grid(3))), self.path(out), '--force', '--quiet',
+                        '--report', self.path('r.json'))
+            with open(self.path('r.json')) as f:
+                self.assertEqual(json.load(f)['result']['degree'], degree)
+
+    def test_a_map_is_named_and_not_judged_by_its_corners(self):
+        """Corners of a valid curved map may be turned over as straight triangles."""
+        turned_over = 0
+        for degree in (1, 2, 3):
+            result = self.path('result.vtu')
+            self.run_ok('parametrize', generated('creature'), result, '--degree', degree, '--quiet', '--force')
+            outcome = self.run_ok('info', result)
+            report = json.loads(self.run_ok('info', result, '--report', '-').out)
+            vtu = Vtu(result)
+            uv = vtu.rows('uv')
+            for a, b, c in ([uv[v] for v in cell[:3]] for cell in vtu.cells()):
+                turned_over += (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) <= 0
+            self.assertIn('map: of degree %d; it claims symmetric-dirichlet %.6f, nothing of overlaps; '
+                          '`majorant check %s` proves it\n' % (degree, vtu.claims['value'], result), outcome.out)
+            self.assertEqual(report['map']['degree'], degree)
+            self.assertEqual(report['map']['claims']['value'], vtu.claims['value'])
+            for word in ('repair', 'not injective'):
+                self.assertNotIn(word, outcome.out)
+            self.assertIn('verdict: parametrize can run', outcome.out)
+        self.assertGreater(turned_over, 0)
+        plain = self.run_ok('info', generated('creature')).out
+        self.assertNotIn('map:', plain)
+
     def test_the_verdict_holds(self):
         for name, (points, faces), says in [
             ('disk', grid(3), 'parametrize can run'),

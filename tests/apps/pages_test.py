@@ -33,9 +33,53 @@ class Pages(CommandTest):
                          sorted(x for row in Vtu(self.path('a.vtu')).rows('uv') for x in row[:2]))
         facts = data['facts']
         self.assertEqual(facts['command'], 'parametrize')
+        report['input']['file'] = 'bumpy.obj'
         for key in ('status', 'result', 'options', 'input'):
             self.assertEqual(facts[key], report[key])
         self.assertEqual([o['written'] for o in report['outputs']], [True, True])
+
+    def test_no_folders_of_the_author(self):
+        """What is handed on names files, not where they lie on a disk."""
+        mesh = self.write('flat.obj', obj_text(*grid(3, lambda x, y: 0)))
+        pins = self.write('p.json', '{"handles": [{"vertex": 15, "target": "initial"}]}')
+        handles = self.write('h.json', '{"handles": [{"vertex": 0, "target": [-0.25, -0.125]}]}')
+        page, result = self.path('a.html'), self.path('a.vtu')
+        for words in (['parametrize', mesh, '-o', page, '-o', result, '--degree', 1, '--pins', pins],
+                      ['deform', mesh, '-o', page, '-o', result, '--handles', handles, '--pins', pins],
+                      ['unwrap', mesh, '-o', page, '-o', result, '--pins', pins],
+                      ['check', result, '--surface', mesh, '-o', page],
+                      ['convert', result, '-o', page],
+                      ['compare', mesh, '-o', page, '--methods', 'newton', '--degree', 1]):
+            self.run_ok(*words, '--force')
+            self.assertNotIn(self.folder, self.read('a.html').decode(), words)
+            if result in words[3:]:
+                self.assertEqual(Vtu(result).claims['options']['pins'], 'p.json')
+        bad = Vtu(result)
+        bad.arrays['uv'][0] += 100
+        bad.write(result)
+        self.run_ok('check', result, '--surface', mesh, '-o', page, '--force', code=INVALID)
+        self.assertNotIn(self.folder, self.read('a.html').decode())
+
+    def test_color_range(self):
+        """Of pages, too: the scale of what is shown first."""
+        mesh, page = self.bumpy(), self.path('a.html')
+
+        def scales(*flags):
+            self.run_ok('parametrize', mesh, '-o', page, '--force', *flags)
+            data = self.data('a.html')
+            return data['show'], {s['name']: (s['low'], s['high']) for s in data['scales']}
+        shown, fixed = scales()
+        self.assertIsNone(shown)
+        self.assertEqual(fixed['density'], (4, 40))
+        shown, ranged = scales('--color-range', '4,4.5')
+        self.assertEqual(shown, 'density')
+        self.assertEqual(ranged, {**fixed, 'density': (4, 4.5)})
+        shown, ranged = scales('--color-range', '0.5,2', '--color-by', 'area')
+        self.assertEqual(shown, 'area')
+        self.assertEqual(ranged, {**fixed, 'area': (0.5, 2)})
+        self.assertEqual(scales('--color-by', 'angle'), ('angle', fixed))
+        outcome = self.run_ok('parametrize', mesh, '-o', page, '--force', '--color-range', '3,5', code=USAGE)
+        self.assertIn('4 at isometry', outcome.err)
 
     def test_pins_and_handles(self):
         mesh = self.write('flat.obj', obj_text(*grid(3, lambda x, y: 0)))

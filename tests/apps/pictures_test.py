@@ -50,6 +50,24 @@ class Pictures(CommandTest):
         self.run_ok('convert', result, '-o', self.path(name), '--force', *more)
         return self.read(name)
 
+    def test_the_largest_value_is_one_number(self):
+        """Of the report, captions, and pages of the run and of check: not means of triangles, nor pixels."""
+        for verb, mesh, flags in (('parametrize', 'creature', ['--degree', 3]), ('seamless', 'buckle', ['--degree', 2]),
+                                  ('unwrap', 'buckle', [])):
+            report, page, drawing, result = map(self.path, ('r.json', 'a.html', 'a.svg', 'a.vtu'))
+            self.run_ok(verb, generated(mesh), '--quiet', '--force', '-o', result, '-o', page, '-o', drawing,
+                        '--report', report, *flags)
+            with open(report) as f:
+                value = json.load(f)['result']['max_density']
+            with open(drawing) as f:
+                said = re.search(r'largest ([\d.e+]+)', f.read())[1]
+            self.assertEqual(said, '%.4g' % value)
+            cuts = ['--cuts', 'free'] if verb == 'unwrap' else []
+            self.run_ok('check', result, '-o', self.path('b.html'), '--quiet', '--force', *cuts)
+            for name in ('a.html', 'b.html'):
+                found = re.search(r'"max_density":([\d.e+]+)', self.read(name).decode())[1]
+                self.assertAlmostEqual(float(found) / value, 1, delta=1e-9)
+
     def test_two_maps_have_one_scale(self):
         legends = []
         for degree in (1, 2):

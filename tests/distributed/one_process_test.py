@@ -22,12 +22,15 @@ class OneProcess(CommandTest):
     def same(self, verb, *args, tolerance=1e-8):
         """By both solvers the minimum of the direct one; what they did is in the report."""
         whole = self.report(verb, *args)
-        self.assertIsNone(whole['linear_solver'])
+        self.assertEqual(whole['linear_solver'], {'asked': 'auto', 'used': 'direct'})
         for solver in SOLVERS:
             with self.subTest(solver=solver, args=args):
                 report = self.report(verb, *args, '--linear-solver', solver)
                 self.assertEqual(report['status'], whole['status'])
                 self.assertLess(abs(report['result']['value'] / whole['result']['value'] - 1), tolerance)
+                self.assertEqual(report['linear_solver']['asked'], solver)
+                self.assertIn(solver, report['linear_solver']['used'].split(' + '))
+                self.assertNotIn('direct', report['linear_solver']['used'])
                 used = report['linear_solver'][solver]
                 self.assertGreater(used['solves'], 0)
                 self.assertGreater(used['set_ups'], 0)
@@ -58,13 +61,16 @@ class OneProcess(CommandTest):
                                        '{"vertex": 48, "target": [1.1, 1]}]}')
         self.same('deform', flat, '--degree', 2, '--handles', pull)
 
-    def test_the_old_name_of_direct(self):
-        mesh, out = disk('nefertiti_500'), []
-        for name in ('auto', 'direct', 'cholmod'):
-            self.report('parametrize', mesh, '--degree', 1, '--linear-solver', name, name=name)
-            out.append(Vtu(self.path(name + '.vtu')).rows('uv'))
-        self.assertEqual(out[0], out[1])
-        self.assertEqual(out[0], out[2])
+    def test_what_is_not_there_is_refused(self):
+        """CHOLMOD does not solve, and nothing says that it did."""
+        mesh = disk('nefertiti_500')
+        for verb, *words in (('parametrize', mesh), ('unwrap', mesh), ('seamless', generated('buckle')),
+                             ('deform', mesh, '--handles', 'none.json')):
+            self.refused(USAGE, verb, *words, '-o', self.path('a.vtu'), '--linear-solver', 'cholmod',
+                         says=['--linear-solver', 'CHOLMOD is not part of this program', 'direct'])
+        self.assertEqual(self.files(), [])
+        help_text = self.run_ok('parametrize', '--help').out
+        self.assertNotIn('cholmod', help_text)
 
     def test_unwrap_refuses(self):
         self.refused(USAGE, 'unwrap', generated('buckle'), self.path('a.obj'), '--linear-solver', 'mumps',
@@ -98,11 +104,11 @@ class Memory(CommandTest):
     def test_a_factor_that_does_not_fit(self):
         whole, said = self.run_with(1 << 40, '--degree', '2')
         self.assertEqual(said, [])
-        self.assertIsNone(whole['linear_solver'])
+        self.assertEqual(whole['linear_solver'], {'asked': 'auto', 'used': 'direct'})
         needed = whole['memory']['factor_bytes']
         self.assertEqual(whole['memory']['available_bytes'], 1 << 40)
         report = self.run_with(needed, '--degree', '2')[0]
-        self.assertIsNone(report['linear_solver'], 'exactly as much')
+        self.assertEqual(report['linear_solver']['used'], 'direct', 'exactly as much')
         # One byte less: the last degree alone is solved otherwise.
         report, said = self.run_with(needed - 1, '--degree', '2')
         self.assertEqual(len(said), 1)
@@ -110,6 +116,7 @@ class Memory(CommandTest):
         self.assertIn('solving by cg-hypre', said[0])
         by = {row['degree']: row['solver_iterations'] for row in report['iterations']}
         self.assertEqual(by[1], 0)
+        self.assertEqual(report['linear_solver']['used'], 'direct + cg-hypre')
         self.assertGreater(report['linear_solver']['cg-hypre']['solves'], 0)
         self.assertLess(abs(report['result']['value'] / whole['result']['value'] - 1), 1e-6)
         report, said = self.run_with(1000, '--degree', '2')
@@ -122,7 +129,7 @@ class Memory(CommandTest):
         self.assertEqual(len(said), 1)
         self.assertIn('at degree 2', said[0])
         self.assertIn('going on all the same, since cg-hypre would take 0.1 GB', said[0])
-        self.assertIsNone(report['linear_solver'])
+        self.assertEqual(report['linear_solver']['used'], 'direct')
         self.assertEqual(report['memory']['multigrid_bytes'], 10**8)
 
     def test_the_last_degree_is_foreseen(self):
@@ -166,12 +173,12 @@ class Memory(CommandTest):
     def test_asked_for(self):
         report, said = self.run_with(1000, '--degree', '1', '--linear-solver', 'direct')
         self.assertEqual(said, [])
-        self.assertIsNone(report['linear_solver'])
+        self.assertEqual(report['linear_solver']['used'], 'direct')
 
     def test_nothing_else_there(self):
         binary = shutil.copy(BINARY, self.path('majorant'))
         report, said = self.run_with(1000, '--degree', '1', binary=binary)
-        self.assertIsNone(report['linear_solver'])
+        self.assertEqual(report['linear_solver']['used'], 'direct')
         self.assertEqual(len(said), 1)
         for part in ('going on', 'libmajorant_petsc.so', 'petsc-dev'):
             self.assertIn(part, said[0])

@@ -32,6 +32,10 @@ class SameAnswer(MpiTest):
                         self.assertEqual(report['result']['variables'], whole['variables'])
                         self.assertEqual(report['result']['control_points'], whole['control_points'])
                         self.assertEqual(report['result']['globally_injective'], whole['globally_injective'])
+                        words = [r['overlaps'].split(' near ')[0] for r in (report['result'], whole)]
+                        self.assertEqual(*words)
+                        self.assertIn(words[0], ('no overlaps', 'locally injective, overlaps itself'))
+                        self.assertEqual(report['linear_solver']['asked'], 'auto')
                         self.assertEqual(sum(r['faces'] for r in report['ranks']), report['input']['faces'])
                 shared = [uv for uv in self.uv_of_vertices('all').values() if len(uv) > 1]
                 self.assertGreater(len(shared), 10)

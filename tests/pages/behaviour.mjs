@@ -107,6 +107,57 @@ const scenes = {
       return {face, seen: 65536 * high + 256 * middle + low - 1};
     });
   }, 1600),
+  // What the page says while the film shows its first map, and at its end.
+  film: async (page) => {
+    const said = () => page.evaluate(() => ({
+      summary: document.getElementById('summary').textContent,
+      heading: document.querySelector('#facts h2').textContent,
+      isPast: document.getElementById('facts').classList.contains('past'),
+    }));
+    const atEnd = await said();
+    await page.evaluate(() => window.majorantPage.app.state.set({frame: 0}));
+    const inFilm = await said();
+    await page.evaluate(() => window.majorantPage.app.state.set({frame: null}));
+    return {atEnd, inFilm, after: await said()};
+  },
+  // "Save picture": dark pixels in the column of the slider's line and beside it, in both views.
+  wipe: (page) => page.evaluate(async (wipe) => {
+    const {app, picture} = window.majorantPage;
+    app.state.set({wipe});
+    const image = new Image();
+    image.src = picture();
+    await image.decode();
+    const canvas = document.createElement('canvas');
+    [canvas.width, canvas.height] = [image.width, image.height];
+    const pen = canvas.getContext('2d', {willReadFrequently: true});
+    pen.drawImage(image, 0, 0);
+    const ink = (x, y, height) => {
+      const {data} = pen.getImageData(x - 1, y, 3, height);
+      let dark = 0;
+      for (let k = 0; k < data.length; k += 4) dark += data[k] + data[k + 1] + data[k + 2] < 300;
+      return dark / height;
+    };
+    const head = 44 * app.stage.renderer.getPixelRatio();
+    return {
+      labels: [...document.querySelectorAll('#layout .wipe b')].map((b) => b.textContent),
+      ink: app.stage.views.map((view) => {
+        const {x, width, height, pixel} = app.stage.rectangleOf(view);
+        return ink(Math.round((x + wipe * width) * pixel), head, Math.round(height * pixel));
+      }),
+    };
+  }, options.wipe),
+  // Where the layout meets itself: listed, marked, found.
+  overlaps: async (page) => {
+    const listed = await page.evaluate(() => document.getElementById('overlaps').innerText);
+    await page.click('#overlaps button');
+    return page.evaluate((listed) => {
+      const {app} = window.majorantPage;
+      return {listed, pinned: app.state.pinned, shown: app.state.overlaps,
+              marks: app.marks.meeting.length, contacts: app.map.contacts.length,
+              toggles: [...document.querySelectorAll('#toggles button')].map((b) => b.textContent),
+              summary: document.getElementById('summary').textContent};
+    }, listed);
+  },
   keys: walkWithKeys,
 };
 

@@ -10,7 +10,7 @@ import numpy as np
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'apps'))
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import browser
-from command_helpers import (INVALID, CommandTest, Vtu, generated, grid, main, obj_text, torus)
+from command_helpers import (INVALID, CommandTest, Vtu, generated, grid, main, obj_text, ramp, torus)
 from uv_pass_test import evaluate
 
 HOSTILE = '<b id=x>&"\'</script><script>document.title=1</script>'
@@ -100,6 +100,44 @@ class MapPage(CommandTest):
         self.assertNotEqual(found['neighbour']['pinned']['face'], found['chosen']['pinned']['face'])
         self.assertIsNone(found['free']['pinned'])
         self.assertNotEqual(found['free']['layout'], found['moved']['layout'])
+
+    def test_the_film_is_not_the_result(self):
+        self.make('--degree', 2, '--snapshots', 4, '--init', 'tutte', mesh=generated('creature'))
+        found = self.play('film', 'a.html')
+        value = '%.5g' % json.loads(self.read('a.json'))['result']['value']
+        self.assertIn(value, found['atEnd']['summary'])
+        self.assertEqual((found['atEnd']['heading'], found['atEnd']['isPast']), ('Measured', False))
+        self.assertIn('iteration 0', found['inFilm']['summary'])
+        self.assertNotIn(value, found['inFilm']['summary'])
+        self.assertEqual((found['inFilm']['heading'], found['inFilm']['isPast']), ('Measured, of the result', True))
+        self.assertEqual(found['after'], found['atEnd'])
+
+    def test_a_saved_picture_says_which_side_is_which(self):
+        self.make('--degree', 3)
+        found = self.play('wipe', 'a.html', wipe=0.5)
+        self.assertEqual(found['labels'], ['straight', 'cubic'])
+        whole = self.play('wipe', 'a.html', wipe=0)
+        for with_line, without in zip(found['ink'], whole['ink']):
+            self.assertGreater(with_line, 0.5)  # dashed, of a pixel and a half
+            self.assertLess(without, with_line)
+
+    def test_overlaps_are_marked(self):
+        mesh = self.write('ramp.obj', obj_text(*ramp(1.3)))
+        self.make('--degree', 2, mesh=mesh)
+        contacts = json.loads(self.read('a.json'))['result']['boundary']['contacts']
+        self.run_ok('check', self.path('a.vtu'), '-o', self.path('c.html'))
+        for page in ('a.html', 'c.html'):
+            found = self.play('overlaps', page)
+            self.assertEqual(found['contacts'], len(contacts))
+            self.assertEqual(found['marks'], 2 * len(contacts))
+            self.assertIn('Boundary edges meet: ', found['listed'])
+            self.assertIn('(%d, %d)' % tuple(contacts[0]['edges'][0]), found['listed'])
+            self.assertIn('locally injective, overlaps itself near (', found['summary'])
+            self.assertIn('overlaps', found['toggles'])
+            self.assertTrue(found['shown'])
+            self.assertIsNotNone(found['pinned'])
+        self.make('--degree', 2, '--bijective', mesh=mesh)
+        self.assertIn('no overlaps', self.play('facts', 'a.html')['text'])
 
     def test_without_webgl(self):
         self.make('--degree', 2)

@@ -244,6 +244,18 @@ def test_seamless_maps_know_their_cones():
     assert majorant.seamless(*helpers.octahedron(), degree=1, cones=cones).cones == cones
 
 
+def test_maps_say_whether_they_overlap(tmp_path):
+    free = majorant.parametrize(*helpers.grid(4), degree=1)
+    assert free.globally_injective is True
+    assert free.report['result']['overlaps'] == 'no overlaps'
+    assert free.report['linear_solver'] == {'asked': 'direct', 'used': 'direct'}
+    free.save(tmp_path / 'free.vtu')
+    assert majorant.read(tmp_path / 'free.vtu').globally_injective is None
+    seamless = majorant.seamless(*helpers.mesh('buckle'), degree=1)
+    assert seamless.globally_injective is False
+    assert 'it overlaps itself near (' in seamless.report['result']['overlaps']
+
+
 def test_unwrap_fits_the_unit_square():
     V, F = helpers.octahedron()
     r = majorant.unwrap(V, F, normalize=True)

@@ -14,7 +14,6 @@
 namespace majorant {
 namespace {
 
-constexpr std::size_t kMaxContacts = 32;  // a few show what is wrong; then the search ends
 constexpr long kMostPairsLeft = 1000000;  // counting them takes milliseconds
 
 // ---- Contacts ----
@@ -61,7 +60,7 @@ class Contacts {
   }
 
   // Doubts are not enough: the search goes on for a contact that is certain.
-  bool has_enough() const { return certain_ > 0 && out_.contacts.size() >= kMaxContacts; }
+  bool has_enough() const { return certain_ > 0 && out_.contacts.size() >= kMostContacts; }
 
   CurveContact contact(Index i, Index j) {
     const PlanarCurve &a = boundary_.curves[at(i)], &b = boundary_.curves[at(j)];
@@ -77,7 +76,7 @@ class Contacts {
       return c.half_edge_a == a && c.half_edge_b == b;
     };
     const bool certain = contact.kind == Contact::Certain;
-    if (!certain && out_.contacts.size() >= kMaxContacts) return;
+    if (!certain && out_.contacts.size() >= kMostContacts) return;
     if (std::any_of(out_.contacts.begin(), out_.contacts.end(), is_this)) return;
     certain_ += certain;
     out_.contacts.push_back({a, b, contact.where, contact.kind});
@@ -99,35 +98,55 @@ struct Finding {
 
 const Finding kStopped{Injectivity::Undecided, "stopped before it was decided"};
 
-// A point that is covered several times, near contacts that could not be decided: proves what pairs
-// of curves do not show, such as boundaries that cross at their vertices.
-Finding find_double_cover(const BoundaryLoops& boundary,
-                          const std::vector<BoundaryContact>& contacts, SubdivisionBudget& budget) {
-  // Origin: a few places that could not be decided show what any would; chosen, not tuned.
-  constexpr std::size_t kPlaces = 8;
+struct DoubleCover {
+  Vector2 where;
+  long times;
+};
+
+const PlanarCurve& curve_of(const BoundaryLoops& boundary, Index half_edge) {
+  const auto edge = std::find(boundary.half_edge.begin(), boundary.half_edge.end(), half_edge);
+  return boundary.curves[static_cast<std::size_t>(edge - boundary.half_edge.begin())];
+}
+
+// Where a point that is covered twice may be, seen from a contact: where two edges cross it is to
+// the left of both.
+std::vector<Vector2> directions_at(const PlanarCurve& a, const PlanarCurve& b) {
+  // Origin: where edges have other directions than their ends, at a vertex say; chosen, not tuned.
   constexpr int kDirections = 6;
+  const auto to_the_left = [](const PlanarCurve& curve) {
+    const Vector2 along = (curve.back() - curve.front()).stableNormalized();
+    return Vector2(-along.y(), along.x());
+  };
+  std::vector<Vector2> directions{(to_the_left(a) + to_the_left(b)).stableNormalized()};
+  for (int d = 0; d < kDirections; ++d) {
+    const double angle = 0.3 + 2 * std::numbers::pi * d / kDirections;
+    directions.emplace_back(std::cos(angle), std::sin(angle));
+  }
+  return directions;
+}
+
+// A point that is covered several times, near contacts: proves what pairs of curves do not show,
+// such as boundaries that cross at their vertices, and tells overlaps from boundaries that touch.
+std::optional<DoubleCover> find_double_cover(const BoundaryLoops& boundary,
+                                             const std::vector<BoundaryContact>& contacts,
+                                             SubdivisionBudget& budget) {
+  // Origin: a few places show what any would; chosen, not tuned.
+  constexpr std::size_t kPlaces = 8;
   const LoopWinding winding(boundary);
   const auto all = [](const BoundaryLoop&) { return true; };
   for (std::size_t k = 0; k < std::min(kPlaces, contacts.size()); ++k) {
-    const BoundaryContact& contact = contacts[k];
-    const auto edge =
-        std::find(boundary.half_edge.begin(), boundary.half_edge.end(), contact.half_edge_a);
-    const PlanarCurve& curve =
-        boundary.curves[static_cast<std::size_t>(edge - boundary.half_edge.begin())];
+    const PlanarCurve& curve = curve_of(boundary, contacts[k].half_edge_a);
+    const auto directions = directions_at(curve, curve_of(boundary, contacts[k].half_edge_b));
     const double size = (curve.back() - curve.front()).norm();
     for (const double relative : {0x1p-3, 0x1p-8, 0x1p-16, 0x1p-32, 0x1p-42})  // sizes of the edge
-      for (int d = 0; d < kDirections; ++d) {
-        if (budget.stopped()) return kStopped;
-        const double angle = 0.3 + 2 * std::numbers::pi * d / kDirections;
-        const Vector2 p =
-            contact.where + relative * size * Vector2(std::cos(angle), std::sin(angle));
+      for (const Vector2& direction : directions) {
+        if (budget.stopped()) return {};
+        const Vector2 p = contacts[k].where + relative * size * direction;
         const std::optional<long> times = winding.around(p, all);
-        if (times && *times > 1)
-          return {Injectivity::Violated,
-                  fmt::format("({:.9g}, {:.9g}) is covered {} times", p.x(), p.y(), *times)};
+        if (times && *times > 1) return DoubleCover{p, *times};
       }
   }
-  return {Injectivity::Undecided, ""};
+  return {};
 }
 
 // Every chart has one counterclockwise loop: these loops, by chart.
@@ -185,18 +204,24 @@ std::string unfinished(const GlobalInjectivity& proof, const SubdivisionBudget& 
   return fmt::format("{}; {} pairs of boundary edges are not compared", why, left);
 }
 
-// Of what the comparison of curves has left open.
-Finding conclude(const BoundaryLoops& boundary, const GlobalInjectivity& proof,
+// Of what the comparison of curves has found and left open.
+Finding conclude(const BoundaryLoops& boundary, GlobalInjectivity& proof,
                  SubdivisionBudget& budget) {
-  if (!proof.contacts.empty() && proof.contacts.front().kind == Contact::Certain)
-    return {Injectivity::Violated, ""};
+  const bool is_certain =
+      !proof.contacts.empty() && proof.contacts.front().kind == Contact::Certain;
   const bool finished = !budget.stopped() && !budget.used_up();
   if (finished && proof.contacts.empty()) return check_nesting(boundary, budget);
-  Finding finding{Injectivity::Undecided, ""};
-  if (!budget.was_stopped()) finding = find_double_cover(boundary, proof.contacts, budget);
-  if (finding.result == Injectivity::Undecided && !finished)
-    finding.reason = unfinished(proof, budget);
-  return finding;
+  if (!budget.was_stopped())
+    if (const auto cover = find_double_cover(boundary, proof.contacts, budget)) {
+      proof.covered_twice = cover->where;
+      if (!is_certain)
+        return {Injectivity::Violated,
+                fmt::format("({:.9g}, {:.9g}) is covered {} times", cover->where.x(),
+                            cover->where.y(), cover->times)};
+    }
+  if (is_certain) return {Injectivity::Violated, ""};
+  if (!finished) return {Injectivity::Undecided, unfinished(proof, budget)};
+  return budget.was_stopped() ? kStopped : Finding{Injectivity::Undecided, ""};
 }
 
 }  // namespace

@@ -67,6 +67,36 @@ void expect(Injectivity result, const std::vector<Loop>& loops, const std::strin
     }
 }
 
+GlobalInjectivity proof_of(const std::vector<Loop>& loops) {
+  BoundaryLoops layout;
+  for (const Loop& loop : loops) add(layout, loop.chart, polygon(loop.points, 1));
+  return check_layout(layout);
+}
+
+TEST(CheckLayout, OverlapsAreToldFromBoundariesThatTouch) {
+  const Points left = square(0, 0, 1);
+  for (const Vector2& p : {Vector2(2, 0), Vector2(2, 0.5), Vector2(2, 2)}) {
+    const GlobalInjectivity touching = proof_of({{0, left}, {1, square(p.x(), p.y(), 1)}});
+    EXPECT_EQ(touching.result, Injectivity::Violated) << p.transpose();
+    EXPECT_FALSE(touching.covered_twice) << p.transpose();
+  }
+  // Down to thin wedges, between edges of very different lengths.
+  for (const double angle : {1.5, 0.1, 1e-3, 1e-6})
+    for (const double length : {1e-3, 1.0, 1e3}) {
+      const Vector2 along(std::cos(angle), std::sin(angle));
+      const Vector2 across(-along.y(), along.x());
+      const Points other{-length * along, length * along, length * (along + across),
+                         length * (across - along)};
+      const GlobalInjectivity crossing =
+          proof_of({{0, {{-1, -1}, {1, -1}, {1, 0}, {-1, 0}}}, {1, other}});
+      EXPECT_EQ(crossing.result, Injectivity::Violated);
+      ASSERT_TRUE(crossing.covered_twice) << angle << ' ' << length;
+      const Vector2& p = *crossing.covered_twice;
+      EXPECT_TRUE(-1 < p.x() && p.x() < 1 && -1 < p.y() && p.y() < 0) << p.transpose();
+      EXPECT_GT(p.dot(across), 0);
+    }
+}
+
 TEST(CheckLayout, ChartsMayLieInHolesAndNotInCharts) {
   const Points big = square(0, 0, 8), hole = backwards(square(0, 0, 4));
   const Points small = square(0.5, 0.25, 1), hole_in_small = backwards(square(0.5, 0.25, 0.5));

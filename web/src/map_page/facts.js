@@ -4,6 +4,7 @@
 // What is known of the map, in words: one line below the title, numbers, proofs, faults.
 
 import {byId, element} from './elements.js';
+import {middleOf} from './map_data.js';
 import {count, degreeName, readable} from './numbers.js';
 
 const resultNames = [
@@ -15,14 +16,21 @@ const resultNames = [
 
 const wordsOf = (status) => String(status ?? 'status').replaceAll('_', ' ');
 
-export function summaryOf(map) {
+// frame: of the film; null: of the map itself.
+export function summaryOf(map, frame) {
   const {facts} = map;
+  if (map.snapshots[frame]) {
+    const {iteration, degree, energy} = map.snapshots[frame];
+    return [`iteration ${readable(iteration)}, ${degreeName(degree)}`,
+            count(map.faceCount, 'face'), `energy ${readable(energy, 6)}`].join(' \u00b7 ');
+  }
   const parts = [`${degreeName(map.degree)}, ${count(map.faceCount, 'face')}`];
   const energy = map.claims.energy;
   const value = facts.result?.value ?? map.claims.value;
   if (energy && Number.isFinite(value)) parts.push(`${energy} ${readable(value)}`);
   else if (energy) parts.push(energy);
   if (facts.status) parts.push(wordsOf(facts.status));
+  if (facts.result?.overlaps) parts.push(String(facts.result.overlaps));
   if (map.faults.length > 0) parts.push(count(map.faults.length, 'face fails', 'faces fail'));
   return parts.join(' \u00b7 ');
 }
@@ -33,7 +41,7 @@ function numbersOf(facts) {
   for (const [key, name] of resultNames)
     if (typeof sources[key] === 'number')
       list.append(element('dt', {}, name), element('dd', {}, readable(sources[key])));
-  return list.childElementCount > 0 ? [element('h2', {}, 'Measured'), list] : [];
+  return list.childElementCount > 0 ? [element('h2', {'data-of': 'result'}, 'Measured'), list] : [];
 }
 
 function proofsOf(facts) {
@@ -53,9 +61,8 @@ function proofsOf(facts) {
 }
 
 export function writeFacts(app) {
-  const {map} = app;
+  const {map, state} = app;
   const {facts} = map;
-  byId('summary').textContent = summaryOf(map);
   const parts = [...numbersOf(facts), ...proofsOf(facts)];
   if (facts.message)
     parts.push(element('p', {className: 'note'}, `${wordsOf(facts.status)}: ${facts.message}`));
@@ -64,6 +71,34 @@ export function writeFacts(app) {
                        element('pre', {tabindex: 0}, JSON.stringify(facts, null, 1))));
   byId('facts').append(...parts);
   byId('facts').hidden = parts.length === 0;
+  // What the film shows is not what was measured.
+  state.watch(['frame'], () => {
+    const isResult = state.frame === null;
+    byId('summary').textContent = summaryOf(map, state.frame);
+    byId('facts').classList.toggle('past', !isResult);
+    const heading = byId('facts').querySelector('h2');
+    if (heading?.dataset.of === 'result')
+      heading.textContent = isResult ? 'Measured' : 'Measured, of the result';
+  });
+}
+
+// Where the layout meets itself, as buttons that show it. Images of cut surfaces with cones do.
+export function listOverlaps(app) {
+  const {contacts, cones, facts} = app.map;
+  if (contacts.length === 0 || cones.length > 0) return;
+  const section = byId('overlaps');
+  section.hidden = false;
+  const items = contacts.map(({edges, uv, places, certain}) => {
+    const [{face, edge} = {face: 0, edge: 0}] = places;
+    const names = edges.map((ends) => `(${ends.join(', ')})`).join(' and ');
+    const at = `near (${uv.map((x) => readable(x, 4)).join(', ')})`;
+    return element('li', {}, element('button', {
+      type: 'button', onclick: () => app.focusOn({face, xi: middleOf(edge)}),
+    }, `edges ${names}`), ` ${certain ? 'meet' : 'may meet'} ${at}`);
+  });
+  const some = facts.result.boundary.contacts_complete ? '' : 'at least ';
+  section.append(element('h2', {}, `Boundary edges meet: ${some}${count(contacts.length, 'pair')}`),
+                 element('ul', {}, ...items));
 }
 
 const kListed = 200;

@@ -7,7 +7,7 @@ import {RepeatWrapping, Texture} from 'three';
 
 import {byId, choice, element} from './elements.js';
 import {parseEnergy} from './energies.js';
-import {listFaults, writeFacts} from './facts.js';
+import {listFaults, listOverlaps, writeFacts} from './facts.js';
 import {showWithoutWebGl} from './fallback.js';
 import {Film} from './film.js';
 import {Histogram} from './histogram.js';
@@ -16,7 +16,7 @@ import {LayoutView} from './layout_view.js';
 import {keepAddress} from './link.js';
 import {readMap} from './map_data.js';
 import {Marks, themeColor} from './marks.js';
-import {pictureOf, savePicture} from './picture.js';
+import {pictureOf, savePicture, sidesOf} from './picture.js';
 import {followPointer} from './pointer.js';
 import {Readout, measure} from './readout.js';
 import {Scale} from './scales.js';
@@ -51,8 +51,8 @@ function makeApp() {
   const map = readMap(data);
   const scales = Object.fromEntries(data.scales.map((scale) => [scale.name, new Scale(scale)]));
   const state = new State({
-    show: 'texture', texture: 'checker', wipe: 0, edges: true, seams: true, cones: true,
-    points: true, scaffold: true, faults: true, brush: null, hovered: null, pinned: null,
+    show: data.scales.some(({name}) => name === data.show) ? data.show : 'texture', texture: 'checker', wipe: 0, edges: true, seams: true, cones: true,
+    points: true, scaffold: true, faults: true, overlaps: map.cones.length === 0, brush: null, hovered: null, pinned: null,
     frame: null, theme: 0,
   });
   return {
@@ -78,7 +78,7 @@ function makeViewTools(app) {
   state.watch(['show'], () => { byId('texture').hidden = state.show !== 'texture'; });
   byId('wipe').addEventListener('input', () => state.set({wipe: byId('wipe').value / 100}));
   const toggles = [['edges', 'edges'], ['seams', 'seams'], ['cones', 'cones'],
-                   ['points', 'points'], ['scaffold', 'scaffold'], ['faults', 'faults']];
+                   ['points', 'points'], ['scaffold', 'scaffold'], ['overlaps', 'overlaps'], ['faults', 'faults']];
   for (const [name, label] of toggles) {
     if (name !== 'edges' && !marks.has[name]) continue;
     const button = element('button', {
@@ -146,6 +146,7 @@ function drawState(app) {
     for (const line of document.querySelectorAll('.wipe')) {
       line.hidden = state.wipe === 0;
       line.style.left = `${100 * state.wipe}%`;
+      line.replaceChildren(...sidesOf(map).map((name) => element('b', {}, name)));
     }
   });
   redraw(['edges'], () => { uniforms.uEdges.value = state.edges ? 0.3 : 0; });
@@ -220,6 +221,7 @@ function start() {
   new Histogram(app);
   new Readout(app);
   listFaults(app);
+  listOverlaps(app);
   exposeApp(app);
 }
 

@@ -38,6 +38,9 @@ export function controlOf(map, face, uv = map.uv) {
 // Where corners 0, 1, 2 stand in the local order.
 export const cornerLocals = (n) => [0, cellSize(n) - n - 1, cellSize(n) - 1];
 
+// Of an edge 0 (01), 1 (12), 2 (20) of a face, as barycentric coordinates.
+export const middleOf = (edge) => [0, 1, 2].map((k) => (k === (edge + 2) % 3 ? 0 : 0.5));
+
 export function cornersOf(map, face) {
   return cornerLocals(map.degree).map((l) => map.cells[face * map.size + l]);
 }
@@ -81,6 +84,24 @@ export function turnedAlong([c, s], uv) {
   return turned;
 }
 
+// Where boundary edges of the layout meet: [{edges: [[a, b], [c, d]], uv, places}], by vertices of
+// the input; places: the halves of these edges that belong to faces, as {face, edge}.
+function contactsOf(map) {
+  const listed = map.facts.result?.boundary?.contacts;
+  if (!Array.isArray(listed) || listed.length === 0 || !map.inputVertex) return [];
+  const wanted = new Map(listed.flatMap(({edges}) => edges).map((edge) => [edge.join(), null]));
+  for (let face = 0; face < map.faceCount; ++face) {
+    const names = cornersOf(map, face).map((corner) => map.inputVertex[corner]);
+    for (let edge = 0; edge < 3; ++edge) {
+      const key = `${names[edge]},${names[(edge + 1) % 3]}`;
+      if (wanted.has(key)) wanted.set(key, {face, edge});
+    }
+  }
+  return listed.map((contact) => ({
+    ...contact, places: contact.edges.map((edge) => wanted.get(edge.join())).filter(Boolean),
+  }));
+}
+
 // The map of the page. uv, positions: as in the file, in doubles; bounds of both.
 export function readMap(data) {
   const map = {
@@ -107,6 +128,7 @@ export function readMap(data) {
   map.uvBounds = boundsOf(map.uv, 2);
   map.turnedBounds = boundsOf(turnedAlong(map.direction, map.uv), 2);
   map.bounds = boundsOf(map.positions, 3);
+  map.contacts = contactsOf(map);
   addGeometry(map);
   return map;
 }

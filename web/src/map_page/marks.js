@@ -3,7 +3,7 @@
 
 // Lines and dots that are drawn over cells: outlines, seams, cones, points, what is pointed at.
 
-import {cornerLocals} from './map_data.js';
+import {cornerLocals, middleOf} from './map_data.js';
 import {facesOfEdges, surfaceNames} from './neighbours.js';
 
 // Colours of seams and charts: Okabe and Ito's, and a few more of their kind.
@@ -11,6 +11,7 @@ export const tints = [
   '#0072b2', '#d55e00', '#009e73', '#cc79a7', '#e69f00', '#56b4e9', '#7a5195', '#6b8e23',
   '#b5651d', '#c43d5a',
 ];
+const kMeets = '#e6007a';  // where the layout meets itself
 export const rgbOf = (hex) =>
     [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16) / 255);
 
@@ -52,8 +53,9 @@ export class Marks {
     this.app = app;
     this.edges = outlineEdges(app.map);
     this.places = cornerPlaces(app.map);
-    app.state.watch(['seams', 'points', 'theme'], () => this.drawLines());
-    app.state.watch(['cones', 'points', 'hovered', 'pinned', 'theme'], () => this.drawDots());
+    app.state.watch(['seams', 'points', 'overlaps', 'theme'], () => this.drawLines());
+    app.state.watch(['cones', 'points', 'overlaps', 'hovered', 'pinned', 'theme'],
+                    () => this.drawDots());
   }
 
   // Which toggles have something to show.
@@ -64,6 +66,7 @@ export class Marks {
       cones: map.cones.length > 0,
       points: map.points.length > 0,
       scaffold: map.scaffold !== null,
+      overlaps: map.contacts.length > 0,
       faults: map.faults.length > 0,
     };
   }
@@ -84,9 +87,16 @@ export class Marks {
           ...this.places[corner], edge: 3, width: 1.6, tint: this.tintOf(hold),
           target: target.map((x, d) => (x - map.uvBounds.center[d]) / map.uvBounds.size),
         })));
-    surface.setLines(lines);
-    layout.setLines([...lines, ...targets]);
+    const meeting = this.meeting.map((place) => ({...place, width: 3.2, tint: rgbOf(kMeets)}));
+    surface.setLines([...lines, ...meeting]);
+    layout.setLines([...lines, ...targets, ...meeting]);
     stage.request();
+  }
+
+  // Edges that meet others in the layout.
+  get meeting() {
+    const {state, map} = this.app;
+    return state.overlaps ? map.contacts.flatMap(({places}) => places) : [];
   }
 
   tintOf(hold) { return hold === 'pin' ? [0.11, 0.12, 0.14] : rgbOf('#d55e00'); }
@@ -105,6 +115,8 @@ export class Marks {
     if (state.points)
       for (const {corners, hold} of map.points)
         for (const corner of corners) dots.push(this.dotAt(corner, 4, this.tintOf(hold)));
+    for (const {face, edge} of this.meeting)
+      dots.push({face, xi: middleOf(edge), radius: 5, tint: rgbOf(kMeets)});
     for (const place of [state.hovered, state.pinned])
       if (place) dots.push({...place, radius: 5, tint: themeColor('--accent')});
     for (const view of [surface, layout]) view.setDots(dots);

@@ -4,6 +4,7 @@
 // "Save picture": both views with title and legend, as a PNG.
 
 import {summaryOf} from './facts.js';
+import {degreeName} from './numbers.js';
 
 const kBarHeight = 14;  // CSS pixels
 
@@ -25,6 +26,34 @@ function drawLegend(pen, app, x, y, width, pixel) {
   }
 }
 
+// What is shown left and right of the slider's line.
+export const sidesOf = (map) => ['straight', degreeName(map.degree)];
+
+// The line between two maps in one view, and which is which. top: of the views, in device pixels.
+function drawWipe(pen, app, view, top) {
+  const {stage, state, map} = app;
+  const {x, y, width, height, pixel} = stage.rectangleOf(view);
+  const bottom = stage.canvas.height - y * pixel + top;
+  const at = (x + state.wipe * width) * pixel, above = bottom - height * pixel;
+  pen.strokeStyle = app.css('--ink');
+  pen.lineWidth = 1.5 * pixel;
+  pen.setLineDash([6 * pixel, 4 * pixel]);
+  pen.beginPath();
+  pen.moveTo(at, above);
+  pen.lineTo(at, bottom);
+  pen.stroke();
+  pen.setLineDash([]);
+  pen.font = `${13 * pixel}px system-ui, sans-serif`;
+  sidesOf(map).forEach((name, side) => {
+    const wide = pen.measureText(name).width, gap = 7 * pixel;
+    const from = side === 0 ? at - gap - wide : at + gap;
+    pen.fillStyle = app.css('--back');
+    pen.fillRect(from - 4 * pixel, above + 6 * pixel, wide + 8 * pixel, 20 * pixel);
+    pen.fillStyle = app.css('--ink');
+    pen.fillText(name, from, above + 21 * pixel);
+  });
+}
+
 // A canvas with what is seen.
 export function pictureOf(app) {
   const {stage, state} = app;
@@ -44,8 +73,10 @@ export function pictureOf(app) {
   pen.fillText(app.map.title, 14 * pixel, 28 * pixel);
   const after = pen.measureText(`${app.map.title}   `).width;
   pen.font = `${14 * pixel}px system-ui, sans-serif`;
-  pen.fillText(summaryOf(app.map), 14 * pixel + after, 28 * pixel);
+  pen.fillText(summaryOf(app.map, state.frame), 14 * pixel + after, 28 * pixel);
   pen.drawImage(source, 0, head);
+  if (state.wipe > 0)
+    for (const view of stage.views) drawWipe(pen, app, view, head);
   drawLegend(pen, app, 24 * pixel, source.height + head + 28 * pixel,
              Math.min(420 * pixel, canvas.width - 48 * pixel), pixel);
   return canvas;
