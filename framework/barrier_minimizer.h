@@ -18,14 +18,10 @@
 // with m the sum of the weights of all elements of the barriers, which for convex problems and -log
 // g bounds what E is above its constrained minimum. A constraint with multiplier l ends at the
 // distance mu / l from its boundary. Not for equality constraints: eliminate them (constraint.h);
-// nor for starts on the boundary: they must be inside, but for bounds that can be relaxed:
-//
-//   const TermId walled = builder.add(bound->barrier(), 1.0);    // a BarrierChecker
-//   builder.add(bound);
-//   const auto from_anywhere = BarrierMinimizer::of_bounds({{walled, bound}});
-//
-// A start that does not meet such a bound is first led inside: by barriers of the bound relaxed as
-// far as the point needs it, and tightened as it comes nearer.
+// nor for starts on the boundary: they must be inside, but for a BarrierChecker's bounds
+// (of_bounds(); barrier_checker.h has the code). A start that does not meet such a bound is first
+// led inside: by barriers of the bound relaxed as far as the point needs it, tightened as it comes
+// nearer.
 #pragma once
 
 #include <vector>
