@@ -73,9 +73,11 @@ struct Sizes {
 };
 
 Json parsed(const std::string& path, std::string_view header) {
-  require_shallow_json(path, header);
   try {
+    require_shallow_json("its header", header);
     return Json::parse(header);
+  } catch (const Error& e) {
+    refuse_checkpoint(path, e.what());
   } catch (const Json::exception&) {
     refuse_checkpoint(path, "its header cannot be read");
   }
