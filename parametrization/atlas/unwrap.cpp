@@ -241,8 +241,8 @@ void to_model_units(const SurfaceMesh& surface, double unit, Atlas& atlas) {
   const std::vector<SurfacePiece> pieces = surface.cut_along(atlas.cuts.is_cut, nullptr).split();
   for (std::size_t k = 0; k < pieces.size(); ++k) {
     Chart& chart = atlas.charts[k];
-    chart.map.emplace(pieces[k].mesh, chart.map->shared_space(),
-                      Vec(unit * chart.map->control_points()));
+    chart.map = BezierMap(pieces[k].mesh, chart.map->shared_space(),
+                          Vec(unit * chart.map->control_points()));
     if (atlas.packing) atlas.packing->charts[k] = *chart.map;
     scale_points(unit, chart.pins);
     Stretch& s = chart.stretch;

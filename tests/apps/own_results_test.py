@@ -4,7 +4,7 @@
 import random
 
 from command_helpers import *
-from unwrap_helpers import both
+from unwrap_helpers import both, cube
 
 
 def times(factor, points):
@@ -25,6 +25,13 @@ class Sizes(CommandTest):
                         for out in outputs:
                             self.run_ok('check', out)
                             self.run_ok('check', out, '--surface', mesh)
+
+    def test_charts_of_any_size_that_are_not_packed(self):
+        points, faces = cube(2)
+        for size in (1e-90, 1e40):
+            mesh = self.write('in.obj', obj_text(times(size, points), faces))
+            self.run_ok('unwrap', '--quiet', mesh, '-o', self.path('a.vtu'), '--no-pack')
+            self.run_ok('check', self.path('a.vtu'), '--surface', mesh)
 
     def test_charts_far_smaller_than_others(self):
         """What is claimed is what was measured where packing put them, rounded."""
