@@ -95,6 +95,7 @@ EXEMPT = {
     'io/map_proof.cpp kCellsPerPoll': 'how often limits are looked at',
     'pictures/write_svg.cpp': 'looks of a picture',
     'framework/energy_term.h kMaxSize': 'size of a chunk',
+    'io/internal/repaired_match.cpp kNew': 'a mark',
     'framework/energy_term.h kAlign': 'alignment',
     'framework/evaluator.cpp kParallelChunks': 'threads',
     'framework/internal/backtracking.h kGiveUp': 'an answer',
