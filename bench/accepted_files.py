@@ -178,8 +178,8 @@ def last_line(done):
 class Case:
     """A job in a folder of its own."""
 
-    def __init__(self, binary, job, folder, timeout=600, flags=()):
-        self.binary, self.job, self.folder, self.timeout, self.flags = binary, job, folder, timeout, flags
+    def __init__(self, binary, job, folder, timeout=600):
+        self.binary, self.job, self.folder, self.timeout = binary, job, folder, timeout
         self.problems, self.counts = [], collections.Counter()
 
     def run(self, *words):
@@ -214,7 +214,7 @@ class Case:
     def check(self, name, has_surface):
         path = self.folder / name
         surface = ['--surface', self.job.mesh] if has_surface else []
-        done = self.run('check', path, *surface, *self.flags)
+        done = self.run('check', path, *surface)
         self.counts['checks'] += 1
         if done.code != 0:
             self.problems.append('check %s%s: %s' % (name, ' --surface' if has_surface else '',
@@ -244,7 +244,7 @@ class Case:
 
 def examine(options, job):
     with tempfile.TemporaryDirectory(prefix='majorant_accepted_') as folder:
-        case = Case(options.binary.resolve(), job, Path(folder), options.timeout, options.check_flags)
+        case = Case(options.binary.resolve(), job, Path(folder), options.timeout)
         return case.examine(options.convert)
 
 
@@ -272,8 +272,6 @@ def parse_arguments():
     parser.add_argument('--random', type=int, default=0, metavar='N', help='more small meshes, by chance')
     parser.add_argument('--seed', type=int, default=1)
     parser.add_argument('--no-convert', dest='convert', action='store_false', help='written files alone')
-    parser.add_argument('--check-flags', type=str.split, default=[], metavar='"FLAG..."',
-                        help='further flags of check, to compare')
     parser.add_argument('--jobs', type=int, default=1, help='runs at the same time, one thread each')
     parser.add_argument('--results', type=Path, help='JSON lines, one a run, appended')
     return parser.parse_args()
