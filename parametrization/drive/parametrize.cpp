@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -265,7 +266,11 @@ ParametrizationResult parametrize_by(const SolverRules& rules, const BezierMap& 
   return result;
 }
 
-PinSolver pin_solver(RunRecord& record, const SolverRules& rules) {
+// Scaffolds do not yield on the way: the next step would begin with what is squeezed between parts
+// that have come close for nothing.
+PinSolver pin_solver(RunRecord& record, const SolverRules& asked_rules) {
+  SolverRules rules = asked_rules;
+  rules.scaffold.at_rest = -std::numeric_limits<double>::infinity();
   return [&record, rules](const BezierMap& start, const MapOptions& asked,
                           const SolveOptions& how) -> std::optional<BezierMap> {
     ParametrizationResult result = parametrize_by(rules, start, {asked, how, {}}, record);

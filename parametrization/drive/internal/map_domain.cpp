@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "majorant/framework/evaluator.h"
@@ -63,7 +64,7 @@ DomainProblem ScaffoldedDomain::build(const DomainInput& in, VecIn x) {
   builder.add(std::make_shared<const ScaffoldInjectivity>(
       in.injectivity, in.space->element_count(),
       std::make_shared<const LocalInjectivity>(scaffold_.space(), Vec::Ones(scaffold_.face_count()),
-                                               in.depth, in.stop)));
+                                               depth(in), in.stop)));
   std::vector<TermId> barriers = in.added.add_to(builder);
   builder.add(FixedPoints::at(scaffold_.frame_nodes(), x));
   lambda_.reset();
@@ -102,7 +103,7 @@ DomainChange ScaffoldedDomain::after_step(Vec& x, const StepResult& step, const 
   if (relaxed) {
     NewtonOptions options = relaxing_;
     options.stop = in.stop;
-    scaffold_.relax(rules_.relax_steps, in.depth, options);
+    scaffold_.relax(rules_.relax_steps, depth(in), options);
     const FlipCounts more = flip();
     counts.intended += more.intended;
     counts.performed += more.performed;
@@ -137,6 +138,10 @@ bool ScaffoldedDomain::refine(const std::vector<Index>& blocking, Index map_face
   return !faces.empty();
 }
 
+int ScaffoldedDomain::depth(const DomainInput& in) const {
+  return std::max(in.depth, rules_.depth);
+}
+
 FlipCounts ScaffoldedDomain::flip() {
   return mode_ == ScaffoldFlips::Performed ? scaffold_.flip() : FlipCounts{};
 }
@@ -157,6 +162,8 @@ bool ScaffoldedDomain::hold() {
 StoppingRules ScaffoldedDomain::final_rules(StoppingRules usual) const {
   usual.relative_decrease *= rules_.part_of_tolerance;
   usual.tail_steps = rules_.tail_steps;
+  // What the sum promises is not what is left of the map's energy: lambda follows that.
+  usual.last_factor = std::numeric_limits<double>::infinity();
   return usual;
 }
 

@@ -126,6 +126,7 @@ class ScaffoldedDomain final : public MapDomain {
 
   bool refine(const std::vector<Index>& blocking, Index map_faces);
   FlipCounts flip();
+  int depth(const DomainInput& in) const;  // of the certificates of the scaffold's faces
   bool needs_relaxing(const IterationRecord& step, const FlipCounts& flips) const;
   bool rests(const StepResult& step) const;
 
