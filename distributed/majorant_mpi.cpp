@@ -158,8 +158,9 @@ class Job {
                      {{request_.outputs, {".pvtu"}}, {{request_.checkpoint.file}, {".ckpt"}}},
                      request_.map.inputs());
     record_.begin(Activity::Reading);
-    request_.map.strictness = request_.common.strictness();
-    in_.map = read_input(request_.map, record_.start_stop());
+    MapRequest map = request_.map;
+    map.strictness = request_.common.strictness();
+    in_.map = read_input(map, record_.start_stop());
     in_.identity = identity(request_.map, in_.map);
     if (resumes()) in_.checkpoint = read_fitting(request_.checkpoint.resume, request_.map, in_.map);
     read_seconds_ = record_.seconds();
