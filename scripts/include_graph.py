@@ -4,8 +4,8 @@
 """Prints the rooms of the house, floor by floor, with their sizes and the rooms they include from.
 
 Fails (exit 1) on an include that does not go down, on rooms that include each other in a circle, on
-a room without a floor, on one that has grown too large, and on files that have, tests among them. CMake
-already keeps a room from seeing headers it does not name; this keeps the list of names itself in order.
+a room without a floor, and on one that has grown too large. CMake already keeps a room from seeing
+headers it does not name; this keeps the list of names itself in order.
 
 Sample runs:
   scripts/include_graph.py
@@ -36,7 +36,6 @@ LARGE = {'io', 'elements', 'framework'}  # one subject each, however large
 MAX_SHARE = 0.12                         # of the lines of the library, for all other rooms
 MAX_UNITS = 25                           # x.h, x.cpp and no_x.cpp are one unit
 LIST = 'densities'                       # one small file a named energy: counted for itself
-MAX_LINES = 400
 FLOOR = {room: floor for floor, rooms in enumerate(FLOORS) for room in rooms}
 INCLUDE = re.compile(r'^#include "(?:majorant/)?([^"]+)"', re.MULTILINE)
 
@@ -55,9 +54,6 @@ class House:
     def __init__(self, root):
         self.lines, self.units = defaultdict(int), defaultdict(set)
         self.arrows = defaultdict(list)  # (from, to) -> "file -> header"
-        self.long_files = []
-        for path in sorted(p for p in (root / 'tests').rglob('*') if p.suffix in ('.h', '.cpp', '.py', '.mjs')):
-            self._judge_length(path.relative_to(root), path.read_text().count('\n'))
         tops = sorted({room.split('/')[0] for room in FLOOR})
         for path in sorted(p for top in tops for p in (root / top).rglob('*') if p.suffix in ('.h', '.cpp')):
             self._read(path, path.relative_to(root))
@@ -68,15 +64,10 @@ class House:
         self.lines[room] += lines
         unit = name.with_name(name.stem.removeprefix('no_'))
         self.units[room + '/' + LIST if LIST in name.parts else room].add(unit)
-        self._judge_length(name, lines)
         for header in INCLUDE.findall(text):
             other = room_of(header)
             if '/' in header and not header.startswith('embedded/') and other != room:
                 self.arrows[room, other].append('%s -> %s' % (name, header))
-
-    def _judge_length(self, name, lines):
-        if lines > MAX_LINES:
-            self.long_files.append('%s: %d lines, more than %d' % (name, lines, MAX_LINES))
 
     def library_lines(self):
         return sum(n for room, n in self.lines.items() if room.split('/')[0] not in COMMANDS)
@@ -100,8 +91,7 @@ class House:
         return next(filter(None, (visit(room, []) for room in sorted(below))), [])
 
     def faults(self):
-        found = list(self.long_files)
-        found += ['%s: no floor (FLOORS in this script)' % room for room in sorted(self.lines) if room not in FLOOR]
+        found = ['%s: no floor (FLOORS in this script)' % room for room in sorted(self.lines) if room not in FLOOR]
         found += ['no room %s' % room for room in FLOOR if room not in self.lines]
         for (room, other), files in sorted(self.arrows.items()):
             if other not in FLOOR:
