@@ -53,7 +53,7 @@ const std::vector<Rule>& all_rules() {
       {"blend.short_bound", [](Settings& s) { return &s.rules.blend.short_bound; }},
       {"blend.short_step", [](Settings& s) { return &s.rules.blend.short_step; }},
       {"blend.whole_steps", [](Settings& s) { return &s.rules.blend.whole_steps; }},
-      {"bounds.entry_tolerance", [](Settings& s) { return &s.rules.bounds.entry.tolerance; }},
+      {"bounds.entry.tolerance", [](Settings& s) { return &s.rules.bounds.entry.tolerance; }},
       {"bounds.fall", [](Settings& s) { return &s.rules.bounds.fall; }},
       {"bounds.first_share", [](Settings& s) { return &s.rules.bounds.first_share; }},
       {"bounds.harder", [](Settings& s) { return &s.rules.bounds.entry.harder; }},

@@ -32,7 +32,7 @@ VALUES = {
     'blend.short_bound': '0,0.6',
     'blend.short_step': '0,0.5',
     'blend.whole_steps': '0,5',
-    'bounds.entry_tolerance': '1e-2,1e-4',
+    'bounds.entry.tolerance': '1e-2,1e-4',
     'bounds.fall': '0.03,0.3',
     'bounds.first_share': '0.01,1',
     'bounds.harder': '3,100',

@@ -34,9 +34,9 @@ enum class MshContent {
 // z = 0, is an image: a map of the flat triangles between its corners, points that share no node
 // being apart. Triangles of one degree are read, points and lines passed over. input_vertex and
 // input_face are those of the sections above, empty without them; of an image input_vertex numbers
-// its nodes, in the order of their tags. uv_rounding says how far the digits may be from uv. Throws Error(Unreadable) naming file and line for anything else: other
-// versions, binary files, other elements, views that lack nodes, numbers that are not finite;
-// Stopped.
+// its nodes, in the order of their tags. uv_rounding says how far the digits may be from uv. Throws
+// Error(Unreadable) naming file and line for anything else: other versions, binary files, other
+// elements, views that lack nodes, numbers that are not finite; Stopped.
 MapFile read_msh(const std::string& path, const StopCheck& stop = {});
 
 // Throws Error(Invalid) if the map is inconsistent or not finite, Error(Unsupported) for degrees

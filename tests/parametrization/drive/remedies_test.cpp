@@ -109,10 +109,15 @@ void expect_bijective(const ParametrizationResult& result) {
   EXPECT_EQ(check_boundary(*result.map).result, Injectivity::Proven);
 }
 
+// Whose scaffold is proven no deeper than the map, or it needs no remedy.
 TEST(Remedies, FreeBijectiveRuns) {
+  SolverRules rules;
+  rules.scaffold.depth = 0;
+  const auto mesh = surface(saddle_fan());
+  const ParametrizationOptions options = bijective_arap();
+  const BezierMap start = BezierMap::linear(mesh, initial_map(*mesh, options.map));
   RunRecord record;
-  const RunWithTrace run{parametrize(surface(saddle_fan()), bijective_arap(), record),
-                         record.trace()};
+  const RunWithTrace run{parametrize_by(rules, start, options, record), record.trace()};
   EXPECT_EQ(status_name(run.result.status), status_name(Status::Converged)) << run.result.message;
   EXPECT_EQ(run.use(Remedy::Deepen).runs, 1);
   EXPECT_GT(run.use(Remedy::Deepen).gained, 1e-4);
@@ -145,6 +150,7 @@ class StoppedOnTheWay : public testing::TestWithParam<int> {
 TEST_P(StoppedOnTheWay, IsWhereItBegan) {
   SolverRules rules;
   rules.remedies.deepest_bisection = ProofDepth::kStart;
+  rules.scaffold.depth = 0;
   const RunWithTrace stopped = run(rules, GetParam());
   EXPECT_EQ(status_name(stopped.result.status), status_name(Status::Interrupted));
   EXPECT_EQ(stopped.steps(Phase::Barrier), GetParam());
