@@ -1,6 +1,6 @@
 // --linear-solver: what solves Newton's systems of a run, and whether a factor fits into memory.
 //
-//   LinearSolvers solvers("cg-hypre", common.quiet);   // loads PETSc where it is asked for
+//   LinearSolvers solvers("cg-hypre", "", common.quiet);   // loads PETSc where it is asked for
 //   solvers.apply(options.solve);
 //   parametrize(mesh, options);
 //   const Json used = solvers.section(), memory = solvers.memory();   // for the report

@@ -1,8 +1,8 @@
 // Hard point constraints: control points held at given positions by elimination.
 //
-//   builder.add(FixedPoints({{12, {0.1, 0.2}}}));                     // a pin in the plane
-//   builder.add(FixedPoints::at({12, 13, 14}, x));                    // points held where x has them
-//   builder.add(FixedPoints::in_space({{7, {0.1, 0.2, 0.3}}}));       // 3 unknowns a node
+//   builder.add(FixedPoints({{12, {0.1, 0.2}}}));                 // a pin in the plane
+//   builder.add(FixedPoints::at({12, 13, 14}, x));                // held where x has them
+//   builder.add(FixedPoints::in_space({{7, {0.1, 0.2, 0.3}}}));   // 3 unknowns a node
 //
 // A problem whose terms have nodes of another dimension refuses them, with InvalidArgument.
 #pragma once

@@ -79,7 +79,9 @@ Advice StoppingTest::after(const StepResult& step, Since since) {
   Advice advice;
   const IterationRecord& r = step.record;
   const double scale = std::max(std::abs(step.energy_before), smallest_scale_);
-  const bool near_minimum = r.newton_decrement <= rules_.stall_decrement * scale;
+  const double near =
+      std::max(rules_.stall_decrement, rules_.tail_factor * rules_.relative_decrease);
+  const bool near_minimum = r.newton_decrement <= near * scale;
   if (step.outcome != StepResult::Outcome::Moved) {
     const bool held = step.outcome == StepResult::Outcome::Blocked ||
                       step.outcome == StepResult::Outcome::NoDecrease;

@@ -33,11 +33,11 @@ namespace majorant {
 //       if -g.p <= last_factor relative_decrease |E_{k-1}| and this is no plateau; steps with the
 //       exact Hessian do not count, they converge quadratically to the decrement rule
 //     idle: small step, or a certified step below stall_step, in stall_iterations successive
-//       iterations: Converged if -g.p <= stall_decrement |E_{k-1}| - unless the certificate lets
-//       all these steps pass and this is a plateau, or -g.p promises more than the last step of
-//       the tail may and the energy still falls visibly: then it goes on -, else Stalled, and the
-//       result is the last point reached where the certified step was at least anchor_step: what
-//       follows it led into a corner
+//       iterations: Converged if -g.p <= max(stall_decrement, tail_factor relative_decrease)
+//       |E_{k-1}| - unless the certificate lets all these steps pass and this is a plateau, or -g.p
+//       promises more than the last step of the tail may and the energy still falls visibly: then
+//       it goes on -, else Stalled, and the result is the last point reached where the certified
+//       step was at least anchor_step: what follows it led into a corner
 //     plateau: with d the sum of the last w relative decreases, d' that of the w before, decreases
 //       of at most `decrement` being none, q = d / d', for w = 1 or w = plateau_window (or half of
 //       the steps there are)

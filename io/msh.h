@@ -12,10 +12,10 @@
 // cells, from 1; every chart is a surface entity of its own, from 1. Nodes are shared where the map
 // is continuous. A surface has two sections of our own behind the views, which gmsh passes over:
 //
-//   $input_vertex      number of lines, then lines of a node tag and the vertex of the input, from
-//                      0; -1: none
-//   $input_face        the same of elements and faces (polygons) of the input
-//   $Endinput_face
+//     $input_vertex      number of lines, then lines of a node tag and the vertex of the input,
+//                        from 0; -1: none
+//     $input_face        the same of elements and faces (polygons) of the input
+//     $Endinput_face
 #pragma once
 
 #include <string>

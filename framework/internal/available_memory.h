@@ -1,5 +1,6 @@
 // What this process may still take of the machine's memory.
 //
+//   const std::size_t needed = 1 << 30;
 //   const bool fits = needed <= available_memory().value_or(needed);
 #pragma once
 

@@ -1,6 +1,6 @@
 // Edges of the input whose two sides may have other uv, told by their vertices.
 //
-//   AllowedEdges allowed(request.cut_edges);
+//   AllowedEdges allowed({{{3, 7}, {7, 8}}});
 //   if (!allowed.take({7, 3})) ...             // (3, 7) is not listed, or not once more
 #pragma once
 

@@ -3,7 +3,7 @@
 //
 //   DroppedParts dropped(Strictness::Shape);
 //   dropped.add(DroppedPart::Normal, [] { return "a.obj:7: normal 'nan' is not finite"; });
-//   dropped.conclude(mesh);   // mesh.warnings has "a.obj:7: normal 'nan' is not finite: left out"
+//   dropped.conclude(polygons);   // warnings: "a.obj:7: normal 'nan' is not finite: left out"
 #pragma once
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 // has no message.
 //
 //   const ReadingLimit limit("mesh.obj.gz");
-//   limit.require(content.size() + 65536);
-//   limit.require_unpacked(content.size() + 65536, 1024);   // bytes, of that many compressed ones
+//   limit.require(text.size() + 65536);
+//   limit.require_unpacked(text.size() + 65536, 1024);   // bytes, of that many compressed ones
 #pragma once
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 // Writing where somebody else may keep the program waiting: FIFOs, pipes, sockets, terminals.
 //
-//   set_output_stop(record.stop());                 // of the program
-//   const int code = write_all(1, "v 0 0 0\n");     // ETIMEDOUT: nobody takes it, and the run is to end
+//   set_output_stop(record.stop());               // of the program
+//   const int code = write_all(1, "v 0 0 0\n");   // ETIMEDOUT: the run is to end, nobody takes it
 #pragma once
 
 #include <string>

@@ -3,7 +3,7 @@
 //
 //   auto record = std::make_shared<LadderRecord>();
 //   const SolverPlugin& plugin = load_solver_plugin({"/usr/lib/majorant"});
-//   SolverFactory solver = plugin.ladder({.first = Rung::Mumps}, record);
+//   SolverFactory solver = plugin.ladder({.first = Rung::Mumps}, record, {});
 //   const Json section = linear_solver_section("mumps", OwnSolver::Unused, *record);
 //
 // What rungs are and when they fail: distributed/petsc_solver.h.

@@ -3,7 +3,7 @@
 //   MapFormats formats;
 //   formats.tessellation.refine = 2;
 //   write_map("bunny.obj", file, &polygons, formats,
-//             proof_of_file("bunny.obj", promise, file, formats));
+//             proof_of_file("bunny.obj", {}, file, formats));
 #pragma once
 
 #include <string>

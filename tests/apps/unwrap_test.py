@@ -94,7 +94,8 @@ class Surfaces(UnwrapTest):
                              says=('mesh.obj', 'range of doubles', 'scale the mesh'))
             self.assertFalse(os.path.exists(self.path('none.obj')))
         # Differences of coordinates overflow.
-        mesh = self.mesh([tuple(1.7e308 * (2 * x - 1) for x in p) for p in points], faces)
+        largest = max(abs(x) for p in points for x in p)
+        mesh = self.mesh([tuple(1.7e308 * (x / largest) for x in p) for p in points], faces)
         self.refused(UNSUPPORTED, 'unwrap', mesh, self.path('none.obj'),
                      says=('mesh.obj', 'range of doubles', 'scale the mesh'))
 

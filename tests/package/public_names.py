@@ -115,7 +115,7 @@ def symbols_in(libraries):
         plain = output('c++filt', input='\n'.join(mangled)).splitlines()
         for symbol, name in zip(mangled, plain):
             name = re.sub(r'\[abi:\w+\]', '', name)
-            shape = re.match(r'(?:vtable|typeinfo) for (.*)|([^(<]*(?:operator\(\)|operator<+)?)\(', name)
+            shape = re.match(r'(?:vtable|typeinfo) for (.*)|([^(<]*?operator\(\)|[^(<]*?operator<+|[^(<]*)\(', name)
             name = shape and (shape[1] or shape[2])
             if name and name.startswith(NAMESPACE + '::'):
                 found.setdefault(name[len(NAMESPACE) + 2:], set()).add(symbol)

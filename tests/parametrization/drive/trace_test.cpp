@@ -77,6 +77,7 @@ TEST(Trace, BarriersOfAScaffoldSayTheEnergyAskedFor) {
   options.map.injectivity = MapInjectivity::Global;
   SolverRules rules;
   rules.remedies.deepest_bisection = ProofDepth::kStart;
+  rules.scaffold.depth = 0;  // it needs a remedy then
   const auto trace = trace_of(surface(saddle_fan()), options, rules);
   EXPECT_GE(expect_one_energy(trace, Phase::Barrier), 1);
 }
