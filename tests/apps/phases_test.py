@@ -29,13 +29,13 @@ class Log(CommandTest):
                                      self.path('r.json')), runs)
         self.assertEqual(self.phases('check', out), ['reading', 'proving', 'measuring'])
         self.assertEqual(self.phases('parametrize', cap, out, '--degree', '1', '--bijective'),
-                         ['reading', 'start', 'scaffold', 'solving', 'measuring', 'proving',
+                         ['reading', 'start', 'scaffold', 'solving', 'measuring', 'proving', 'proving',
                           'writing'])
         self.assertEqual(self.phases('seamless', generated('buckle'), out, '--degree', '1',
                                      '--normalize'),
                          ['reading', 'start', 'solving', 'measuring', 'measuring', 'proving', 'writing'])
         self.assertEqual(self.phases('unwrap', generated('buckle'), self.path('a.obj')),
-                         ['reading', 'cutting', 'solving', 'packing', 'writing'])
+                         ['reading', 'cutting', 'solving', 'packing', 'proving', 'writing'])
 
     def test_steps_stand_between(self):
         lines = self.run_ok('parametrize', generated('cap'), self.path('a.vtu'), '--degree', '2',
@@ -87,7 +87,7 @@ class Terminal(CommandTest):
                              (['parametrize', '--bijective', '--degree', '1'],
                               ['reading', 'start', 'scaffold', 'solving', 'measuring', 'proving',
                                'writing']),
-                             (['unwrap'], ['reading', 'cutting', 'solving', 'packing', 'writing'])):
+                             (['unwrap'], ['reading', 'cutting', 'solving', 'packing', 'proving', 'writing'])):
             text = self.said(*verb, generated('cap'), self.path('a.vtu'))
             *live, last = text.split(CLEAR)
             names = [re.fullmatch(r'(\w+) \d+\.\d s  (degree .*)?', line)[1] for line in live]
