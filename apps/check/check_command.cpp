@@ -89,9 +89,7 @@ MapPage page_of(const Request& request, const MapFile& file, const MapCheck& che
   return page;
 }
 
-// warnings: of reading.
-int conclude(const Request& request, const MapFile& file, const MapCheck& check,
-             const std::vector<std::string>& warnings) {
+int conclude(const Request& request, const MapFile& file, const MapCheck& check) {
   const std::vector<std::string>& list = check.findings.list();
   if (!list.empty()) {
     const bool is_torn = check.proof.continuous.answer == Answer::Violated;
@@ -107,12 +105,7 @@ int conclude(const Request& request, const MapFile& file, const MapCheck& check,
     written.write(path, [&] { write_page(path, page_of(request, file, check)); });
   if (const std::string& path = request.distortion; !path.empty())
     written.write(path, [&] { write_distortion(path, file, measure_distortion(file).faces); });
-  if (!report.empty())
-    written.write(report, [&] {
-      Json all = check.report;
-      all["warnings"] = warnings;
-      write_json(report, all);
-    });
+  if (!report.empty()) written.write(report, [&] { write_json(report, check.report); });
   return written.conclude(list.empty() ? kSuccess : kInvalid);
 }
 
@@ -131,13 +124,12 @@ int check(const Request& request) {
   };
   record.begin(Activity::Reading);
   const MapFile file = read(request.result, read_map);
-  std::vector<std::string> warnings = file.warnings;
+  say_warnings(file.warnings);
   std::optional<PolygonMesh> surface;
   if (!request.surface.empty()) {
     surface = read(request.surface, read_mesh);
-    warnings.insert(warnings.end(), surface->warnings.begin(), surface->warnings.end());
+    say_warnings(surface->warnings);
   }
-  say_warnings(warnings);
   const MapCheck check(file,
                        {.name = request.result,
                         .surface = surface ? &*surface : nullptr,
@@ -147,7 +139,7 @@ int check(const Request& request) {
                         .reported = !request.common.report.empty() || !request.outputs.empty()},
                        record);
   if (check.findings.list().empty()) progress.finish();
-  return conclude(request, file, check, warnings);
+  return conclude(request, file, check);
 }
 
 }  // namespace

@@ -135,6 +135,11 @@ MapCheck::MapCheck(const MapFile& file, const CheckRequest& request, const RunRe
   report["status"] = status();
   report["message"] = list.empty() ? "" : list.front();
   report["findings"] = list;
+  std::vector<std::string> warnings = file.warnings;
+  if (request.surface)
+    warnings.insert(warnings.end(), request.surface->warnings.begin(),
+                    request.surface->warnings.end());
+  report["warnings"] = warnings;
 }
 
 std::string_view MapCheck::status() const {
