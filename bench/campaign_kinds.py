@@ -39,7 +39,7 @@ class Case:
     def cut_rule(self):
         """What --cuts auto, where it is not given, means for the checker, which reads no claims."""
         speaks = self.claims and ('version' in self.claims or self.claims.get('seams'))
-        return self.cuts or ('none' if speaks else 'free')
+        return self.cuts or ('none' if speaks or self.seamless else 'free')  # seams asked for must fit
 
 
 def write(made, rng, truth=VALID, extension=None, as_polygons=False, **flags):
