@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "majorant/io/map_file.h"
 #include "majorant/parametrization/cuts/choose_cuts.h"
 #include "majorant/parametrization/drive/parametrize.h"
 #include "majorant/parametrization/starts/start.h"

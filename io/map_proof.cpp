@@ -201,7 +201,7 @@ class MapProof::Judge {
 
   void judge_cuts() {
     const SurfaceMesh& surface = cut_->surface();
-    const double close = kSeamClose * cut_->extent();
+    const double close = kSeamClose * cut_->diagonal();
     is_free_.assign(at(surface.half_edge_count()), 0);
     AllowedEdges allowed(request_.cut_edges);
     std::vector<Index> tears;  // differ, and are no edges that may

@@ -44,8 +44,8 @@ enum class CutRule {
 // "1 edge", "3 edges".
 std::string count_text(Index count, std::string_view noun);
 
-// Mismatch of the sides of a seam, in sizes of the layout, beyond which a map is not seamless. The
-// optimizer holds seams to some 1e-15; a coordinate printed with fewer than 10 digits shows.
+// Mismatch of the sides of a seam, in diagonals of the layout, beyond which a map is not seamless.
+// The optimizer holds seams to some 1e-15; a coordinate printed with fewer than 10 digits shows.
 inline constexpr double kSeamClose = kTenDigits;
 
 struct ProofRequest {

@@ -110,19 +110,20 @@ CutMap::Fit CutMap::fit(Index h) const {
   Fit best{0, INFINITY};
   for (int turns = 0; turns < 4; ++turns) {
     double worst = 0;
-    for (std::size_t i = 0; i + 1 < edge_points_; ++i) {
-      const Vector2 mine = file_.uv.row(point(h, i + 1)) - file_.uv.row(point(h, i));
-      const Vector2 other =
-          file_.uv.row(opposite_point(h, i + 1)) - file_.uv.row(opposite_point(h, i));
-      worst = std::max(worst, (mine - rotated(other, turns)).norm());
+    for (std::size_t i = 1; i < edge_points_; ++i) {
+      const Vector2 mine = file_.uv.row(point(h, i)) - file_.uv.row(point(h, 0));
+      const Vector2 other = file_.uv.row(opposite_point(h, i)) - file_.uv.row(opposite_point(h, 0));
+      worst = std::max(worst, (mine - rotated(other, turns)).lpNorm<Eigen::Infinity>());
     }
     if (worst < best.mismatch) best = {turns, worst};
   }
   return best;
 }
 
-double CutMap::extent() const {
-  return majorant::extent(Points2(file_.uv(file_.cells.reshaped(), Eigen::all)));
+double CutMap::diagonal() const {
+  const Points2 points = file_.uv(file_.cells.reshaped(), Eigen::all);
+  if (points.rows() == 0) return 0;
+  return (points.colwise().maxCoeff() - points.colwise().minCoeff()).norm();
 }
 
 double CutMap::mean_length() const {

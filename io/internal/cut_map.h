@@ -41,14 +41,14 @@ class CutMap {
   const std::vector<char>& cuts() const { return differs_; }
 
   // How well a side is i^turns times the opposite one plus a translation: the largest difference of
-  // a control point step, in uv units.
+  // a coordinate of a control point, both sides moved such that they begin at 0, in uv units.
   struct Fit {
     int turns = 0;
     double mismatch = 0;
   };
   Fit fit(Index half_edge) const;
-  // Larger side of the bounding box of the cells' uv; mean length in uv of the edges of the cells.
-  double extent() const;
+  // Of the bounding box of the cells' uv; mean length in uv of the edges of the cells.
+  double diagonal() const;
   double mean_length() const;
 
   // From and to, vertices of the input; "edge (12, 13)".

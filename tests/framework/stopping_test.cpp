@@ -143,6 +143,25 @@ TEST(Stopping, IdleStepsNearAMinimumConvergeWhereTheyAre) {
   EXPECT_FALSE(last.stop->at_anchor);
 }
 
+// Near a minimum is what the tolerance or stall_decrement, the larger, calls near: a run at a loose
+// tolerance does not stall for a promise that its tolerance calls small.
+TEST(Stopping, NearAMinimumIsTheLargerOfToleranceAndStallDecrement) {
+  const auto status_of = [](double tolerance, double decrement) {
+    StoppingRules loose = usual_rules();
+    loose.relative_decrease = tolerance;
+    loose.tail_steps = 100;  // only the row of idle steps ends the run
+    StoppingTest test(loose, 100);
+    Advice advice;
+    for (const double decrease : {9e-7, 4e-7, 1e-7})
+      advice = test.after(moved(decrease, decrement));
+    return advice.stop ? advice.stop->status : Status::Failed;
+  };
+  EXPECT_EQ(status_of(1e-3, 0.9e-2), Status::Converged);
+  EXPECT_EQ(status_of(1e-3, 1.1e-2), Status::Stalled);
+  EXPECT_EQ(status_of(1e-6, 0.9e-4), Status::Converged);
+  EXPECT_EQ(status_of(1e-6, 1.1e-4), Status::Stalled);
+}
+
 TEST(Stopping, OnlyAGoodPartOfAStepMakesAnAnchor) {
   StoppingTest test(usual_rules(), 100);
   EXPECT_TRUE(test.after(moved(0.1, 0.2, 0.1)).anchor);

@@ -97,6 +97,22 @@ TEST(MapProof, ATearIsSeenInItsLastBitAndAllowedWhereAsked) {
   }
 }
 
+// The diagonal of the layout, not its larger side, is what 1e-9 refers to, as in tests/checker.
+TEST(MapProof, SidesOfASeamMayBeOffByRoundingToNineDigits) {
+  const PolygonMesh mesh = sheet(3);
+  const MapFile file = unshared(map_of(mesh, 1));
+  const double diagonal = (file.uv.colwise().maxCoeff() - file.uv.colwise().minCoeff()).norm();
+  ProofRequest request;
+  request.cuts = CutRule::Seams;
+  for (const auto& [off, answer] :
+       {std::pair{0.95e-9, Answer::Proven}, {1.05e-9, Answer::Violated}})
+    for (const Index axis : {0, 1}) {
+      MapFile torn = file;
+      torn.uv(torn.cells(8, 1), axis) += off * diagonal;
+      EXPECT_EQ(MapProof(torn, "file", request).continuous.answer, answer) << off << " " << axis;
+    }
+}
+
 TEST(MapProof, EdgesThatMayDifferAreThoseThatAreNamedAsOftenAsTheyAre) {
   const PolygonMesh mesh = sheet(3);
   for (int degree = 1; degree <= 2; ++degree) {
