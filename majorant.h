@@ -8,14 +8,14 @@
 // headers of framework/, elements/ and constraints/ that they use.
 #pragma once
 
+#include "majorant/certify/global_injectivity.h"
+#include "majorant/certify/map_proof.h"
 #include "majorant/energies/make_energy.h"
 #include "majorant/energies/named_energies.h"
 #include "majorant/energies/spectral.h"
 #include "majorant/framework/derivative_check.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/run_record.h"
-#include "majorant/io/map_file.h"
-#include "majorant/io/map_proof.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/vtu.h"
 #include "majorant/io/write_obj.h"
@@ -23,7 +23,7 @@
 #include "majorant/parametrization/atlas/unwrap.h"
 #include "majorant/parametrization/drive/deform.h"
 #include "majorant/parametrization/drive/parametrize.h"
-#include "majorant/parametrization/injectivity/global_injectivity.h"
+#include "majorant/parametrization/maps/map_file.h"
 #include "majorant/parametrization/starts/make_seamless.h"
 #include "majorant/parametrization/starts/texture_seams.h"
 #include "majorant/parametrization/starts/tutte.h"

@@ -7,7 +7,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/framework/minimizer.h"
-#include "majorant/io/map_file.h"
+#include "majorant/io/read_mesh.h"
 
 namespace majorant::app {
 

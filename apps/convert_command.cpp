@@ -10,12 +10,12 @@
 #include "apps/process.h"
 #include "apps/streams.h"
 #include "apps/within_memory.h"
+#include "majorant/certify/cut_map.h"
+#include "majorant/certify/moved_layout.h"
 #include "majorant/framework/thread_count.h"
-#include "majorant/io/internal/claims.h"
-#include "majorant/io/internal/cut_map.h"
+#include "majorant/io/claims.h"
 #include "majorant/io/layout_scale.h"
 #include "majorant/io/map_distortion.h"
-#include "majorant/io/map_file.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/parametrization/maps/internal/smallest_rectangle.h"
 #include "majorant/results/internal/report.h"
@@ -68,7 +68,7 @@ void align(MapFile& map, const std::string& name) {
                             name, reason));
   if (claims.aligned) return;
   const Vector2 direction = layout_direction(map.uv, map.cells);
-  map.uv = turned_along(map.uv, direction);
+  map.uv = LayoutMotion{direction}(map.uv);
   map.uv_rounding.resize(0, 2);  // what a file would have to be these
   if (map.claims.empty()) return;
   Json all = Json::parse(map.claims);

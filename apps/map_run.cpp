@@ -8,6 +8,7 @@
 #include "apps/energy_option.h"
 #include "apps/process.h"
 #include "apps/progress.h"
+#include "apps/streams.h"
 
 namespace majorant::app {
 
@@ -67,7 +68,7 @@ MapInput& MapRun::read(const StartMaker& make_start) {
 int MapRun::finish(ParametrizationResult result, const Json& extra) {
   result.initialize_seconds += start_seconds_;
   solvers_->say_unused_options();
-  std::optional<LayoutPlacement> placement;
+  std::optional<LayoutMotion> placement;
   if (has_result(result) && (request_.outputs.normalize || request_.outputs.turns_map()))
     placement = place(result);
   Json options = request_.map.to_json();
@@ -92,7 +93,7 @@ int MapRun::finish(ParametrizationResult result, const Json& extra) {
 }
 
 // What is moved must be proven anew; where that fails there is no result.
-std::optional<LayoutPlacement> MapRun::place(ParametrizationResult& result) {
+std::optional<LayoutMotion> MapRun::place(ParametrizationResult& result) {
   record_.begin(Activity::Measuring);
   const bool is_turned = request_.outputs.turns(*result.map, request_.map),
              is_scaled = request_.outputs.normalize;
@@ -100,8 +101,13 @@ std::optional<LayoutPlacement> MapRun::place(ParametrizationResult& result) {
   const EnergySum& energy = in_.options.map.energy;
   auto placed = is_scaled ? into_unit_square(*result.map, direction, energy, record_.stop())
                           : turned_along(*result.map, direction, energy, record_.stop());
-  if (!placed && is_scaled && !request_.outputs.turns_map())  // nobody asked for the turn
+  if (!placed && is_scaled && !request_.outputs.turns_map()) {  // nobody asked for the turn
     placed = into_unit_square(*result.map, {1, 0}, energy, record_.stop());
+    if (placed && !request_.common.quiet)
+      say("{}: --normalize leaves the layout unturned: turned along its longer side, its smallest "
+          "triangles are too small for doubles\n",
+          request_.map.input);
+  }
   if (!placed) {
     result.status = Status::Failed;
     result.message = fmt::format(
@@ -110,6 +116,7 @@ std::optional<LayoutPlacement> MapRun::place(ParametrizationResult& result) {
     return {};
   }
   result.map = std::move(placed->map);
+  result.boundary.reset();
   result.measures = std::move(placed->measures);
   return placed->placement;
 }

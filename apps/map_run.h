@@ -48,7 +48,7 @@ class MapRun {
 
  private:
   double seconds() const;
-  std::optional<LayoutPlacement> place(ParametrizationResult& result);
+  std::optional<LayoutMotion> place(ParametrizationResult& result);
 
   std::string verb_;
   MapVerb& request_;

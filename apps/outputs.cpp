@@ -14,7 +14,7 @@
 #include "apps/arguments/suggestion.h"
 #include "apps/streams.h"
 #include "majorant/framework/error.h"
-#include "majorant/pictures/internal/png_file.h"
+#include "majorant/pictures/png_file.h"
 
 namespace majorant::app {
 namespace {

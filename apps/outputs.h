@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "apps/command.h"
-#include "majorant/io/internal/atomic_file.h"
+#include "majorant/io/atomic_file.h"
 #include "majorant/results/internal/report.h"
 #include "majorant/results/internal/write_map.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "apps/result_files.h"
-#include "majorant/io/internal/claims.h"
+#include "majorant/io/claims.h"
 #include "majorant/pictures/film.h"
 #include "majorant/results/internal/report.h"
 

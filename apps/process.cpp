@@ -20,8 +20,8 @@
 
 #include "apps/streams.h"
 #include "majorant/framework/thread_count.h"
-#include "majorant/io/internal/reading_limit.h"
-#include "majorant/io/internal/temporary_file.h"
+#include "majorant/io/reading_limit.h"
+#include "majorant/io/temporary_file.h"
 
 namespace majorant::app {
 namespace {

@@ -8,8 +8,8 @@
 #include "apps/page_content.h"
 #include "apps/seam_request.h"
 #include "apps/streams.h"
+#include "majorant/certify/map_proof.h"
 #include "majorant/io/map_distortion.h"
-#include "majorant/io/map_proof.h"
 #include "majorant/results/internal/global_verdict.h"
 
 namespace majorant::app {

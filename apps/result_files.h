@@ -56,7 +56,7 @@ struct FinishedRun {
   Progress& progress;
 };
 
-// Writes the maps if there is a result, each certified as the run promised (io/map_proof.h),
+// Writes the maps if there is a result, each certified as the run promised (certify/map_proof.h),
 // then the reports, each file on its own, then the line on stderr; returns the exit code.
 int write_result(const FinishedRun& run);
 

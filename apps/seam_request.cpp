@@ -11,7 +11,7 @@
 #include "apps/arguments/suggestion.h"
 #include "apps/streams.h"
 #include "majorant/framework/error.h"
-#include "majorant/io/internal/read_vertex_lists.h"
+#include "majorant/io/read_vertex_lists.h"
 
 namespace majorant::app {
 namespace {

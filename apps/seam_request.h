@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "majorant/io/map_file.h"
+#include "majorant/io/read_mesh.h"
 #include "majorant/parametrization/cuts/choose_cuts.h"
 #include "majorant/results/internal/report.h"
 

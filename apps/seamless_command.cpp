@@ -6,7 +6,7 @@
 #include "apps/arguments/suggestion.h"
 #include "apps/energy_option.h"
 #include "apps/map_run.h"
-#include "majorant/io/internal/read_vertex_lists.h"
+#include "majorant/io/read_vertex_lists.h"
 #include "majorant/parametrization/drive/parametrize.h"
 #include "majorant/parametrization/starts/make_seamless.h"
 #include "majorant/results/internal/input_points.h"

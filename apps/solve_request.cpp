@@ -11,7 +11,7 @@
 #include "apps/process.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/curvature_name.h"
-#include "majorant/io/internal/waiting_output.h"
+#include "majorant/io/waiting_output.h"
 
 namespace majorant::app {
 

@@ -6,7 +6,7 @@
 #include <cerrno>
 #include <mutex>
 
-#include "majorant/io/internal/waiting_output.h"
+#include "majorant/io/waiting_output.h"
 
 namespace majorant::app {
 namespace {

@@ -88,7 +88,7 @@ int unwrap_file(UnwrapVerb request) {
   const double read_seconds = record.seconds();
   Atlas atlas = unless_stopped("unwrapping " + request.map.input,
                                [&] { return unwrap(surface.mesh, options, record); });
-  std::optional<AtlasSquare> square;
+  std::optional<LayoutMotion> square;
   if (request.outputs.normalize) square = into_unit_square(atlas);
   if (request.outputs.normalize && !square)
     throw Error(ErrorKind::Invalid,

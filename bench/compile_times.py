@@ -121,7 +121,7 @@ def sizes(source):
                        for part in ('', 'internal', 'detail', 'densities', 'kernels'))]
     files = {path for room in rooms for path in room.glob('*') if path.suffix in ('.h', '.cpp')}
     lines = sum(len(path.read_text().splitlines()) for path in files)
-    public = (source / 'tests/package/public_headers.txt').read_text().splitlines()
+    public = (source / 'cmake/public_headers.txt').read_text().splitlines()
     numbers = re.search(r'^(\d+) numbers\.', (source / 'docs/constants.md').read_text(), re.M)
     return [len(files), lines, sum(not line.startswith('#') for line in public), int(numbers[1])]
 

@@ -10,7 +10,7 @@ if(NOT MAJORANT_DOXYGEN OR NOT Python3_FOUND)
   return()
 endif()
 
-file(STRINGS tests/package/public_headers.txt headers REGEX "^majorant/")
+file(STRINGS cmake/public_headers.txt headers REGEX "^majorant/")
 list(FILTER headers EXCLUDE REGEX "/detail/")
 list(TRANSFORM headers REPLACE "^majorant/" "${PROJECT_SOURCE_DIR}/")
 list(JOIN headers " " MAJORANT_API_INPUT)

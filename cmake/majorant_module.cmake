@@ -6,14 +6,17 @@
 #
 # One room of the house = one archive `majorant_ROOM` (ROOM is the last part of FOLDER), made of every
 # .cpp of FOLDER and FOLDER/internal. Headers are included as "majorant/FOLDER/x.h", inside the tree as
-# after install; a link in the build tree makes that path, one include root per room. Those of
-# FOLDER/internal are not installed, those of FOLDER/detail are, because templates in public headers
-# need them. Without MAJORANT_GPL, internal/no_x.cpp, where there is one, stands in for internal/x.cpp.
+# after install; a link in the build tree makes that path, one include root per room. Installed are
+# those that cmake/public_headers.txt lists, of FOLDER/detail what templates in public headers need;
+# the others in FOLDER are for other rooms, those in FOLDER/internal for the room itself. Without MAJORANT_GPL, internal/no_x.cpp, where there is one, stands in for internal/x.cpp.
 #
 # Rooms belong to the last library that was named: the framework, or everything else. With
 # BUILD_SHARED_LIBS the same objects are one shared object a library, which programs and the installed
 # package link; the archives are then there for tests, which look inside. Programs name rooms as
 # majorant::ROOM, in either case.
+
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
+             ${CMAKE_CURRENT_LIST_DIR}/public_headers.txt)
 
 # Eigen's heap alignment is part of the binary interface: fixed, so that a consumer compiled with
 # wider vector instructions frees what we allocate. To what Eigen chooses by itself where nothing is
@@ -117,14 +120,16 @@ function(majorant_module folder)
   add_library(majorant::${name} ALIAS ${room})
   install(TARGETS ${room} EXPORT ${MAJORANT_LIBRARY}Targets
           ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
-  set(left_out)
+  file(STRINGS ${PROJECT_SOURCE_DIR}/cmake/public_headers.txt headers
+       REGEX "^majorant/${folder}/(detail/)?[^/]+$")
   if(NOT MAJORANT_GPL)
-    set(left_out PATTERN ceres_minimizer.h EXCLUDE)
+    list(FILTER headers EXCLUDE REGEX "/ceres_minimizer.h$")
   endif()
-  install(DIRECTORY ${source_dir}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/majorant/${folder}
-          COMPONENT development
-          FILES_MATCHING PATTERN "*.h" PATTERN internal EXCLUDE PATTERN densities EXCLUDE
-          PATTERN kernels EXCLUDE ${left_out})
+  foreach(header IN LISTS headers)
+    get_filename_component(below ${header} DIRECTORY)
+    string(REPLACE "majorant/" "${PROJECT_SOURCE_DIR}/" header ${header})
+    install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/${below} COMPONENT development)
+  endforeach()
   set(${MAJORANT_LIBRARY}_rooms ${name} ${${MAJORANT_LIBRARY}_rooms} PARENT_SCOPE)
 endfunction()
 

@@ -55,7 +55,7 @@ Vec LocalInjectivity::certify(VecIn x, std::vector<long>* proven) const {
   for (Index e = 0; e < count; ++e)
     errors.guard([&] {
       const PositivityProof proof = space_->certify(e, x, max_depth_);
-      const bool certified = proof.result == Positivity::Certified;
+      const bool certified = proof.result == ProofStatus::Proven;
       bounds[e] = (certified ? proof.lower_bound : std::min(proof.lower_bound, 0.0)) / rest_det_[e];
       if (certified && proven) depths[at(e)] = std::min(proof.depth, max_depth_);
     });

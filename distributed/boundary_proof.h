@@ -1,5 +1,5 @@
 // Whether a map in parts is injective as a whole: proven by rank 0 from the boundary curves of all
-// ranks (parametrization/injectivity/global_injectivity.h), which are O(sqrt #F) of them.
+// ranks (certify/global_injectivity.h), which are O(sqrt #F) of them.
 //
 //     const BoundaryOrder order(whole_mesh, rank_of_face);       // rank 0; default elsewhere
 //     const GlobalInjectivity proof = prove_boundary(part, map, order);
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "distributed/mesh_part.h"
-#include "majorant/parametrization/injectivity/global_injectivity.h"
+#include "majorant/certify/global_injectivity.h"
 
 namespace majorant {
 

@@ -10,9 +10,9 @@
 #include "distributed/internal/agree.h"
 #include "distributed/internal/collect.h"
 #include "majorant/framework/error.h"
-#include "majorant/io/internal/atomic_file.h"
-#include "majorant/io/internal/pvtu.h"
-#include "majorant/io/internal/vtu_text.h"
+#include "majorant/io/atomic_file.h"
+#include "majorant/io/pvtu.h"
+#include "majorant/io/vtu_text.h"
 
 namespace majorant {
 namespace {

@@ -140,20 +140,20 @@ PositivityProof BernsteinSpace::certify(Index e, VecIn x, int max_depth) const {
     double c[kTriangleSize], det, error;
     gather(*this, e, [&](int i, Index k) { c[i] = x[k]; });
     coefficients.minor_with_error(c, &det, &error);
-    if (det - error > 0) return {Positivity::Certified, det - error, 0};
+    if (det - error > 0) return {ProofStatus::Proven, det - error, 0};
   }
   const std::size_t size = local_size(*this), count = at(coefficients.count());
   Scratch c(size), det(count), error(count);
   gather(*this, e, [at = c.data(), &x](int i, Index k) { at[i] = x[k]; });
   if (!std::all_of(c.data(), c.data() + size, [](double v) { return std::isfinite(v); }))
-    return {Positivity::Violated, -std::numeric_limits<double>::infinity(), 0};
+    return {ProofStatus::Violated, -std::numeric_limits<double>::infinity(), 0};
   const auto prove = [&] {
     const double largest = *std::max_element(error.data(), error.data() + count);
     return certify_positive(tables_->subdivision, det.data(), largest, max_depth);
   };
   coefficients.at_with_error(c.data(), det.data(), error.data());
   const PositivityProof proof = prove();
-  if (proof.result == Positivity::Certified) return proof;
+  if (proof.result == ProofStatus::Proven) return proof;
   coefficients.at_with_error_quad(c.data(), det.data(), error.data());
   return prove();
 }

@@ -33,11 +33,12 @@ struct ContractionTable {
   std::vector<int> pair_starts;
 };
 
-// What a certificate says of one element.
-enum class Positivity { Certified, Violated, Undecided };
+// What is known of something that was to be proven. Proven and Violated are proofs.
+enum class ProofStatus { Proven, Violated, Undecided, NotAsked };
 
+// That det J > 0 on an element.
 struct PositivityProof {
-  Positivity result = Positivity::Undecided;
+  ProofStatus result = ProofStatus::Undecided;
   double lower_bound = 0;  // of the minimum on the element; certified whatever the result
   int depth = 0;           // of bisection that was needed
 };

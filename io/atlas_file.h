@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "majorant/io/map_file.h"
+#include "majorant/parametrization/maps/map_file.h"
 
 namespace majorant {
 

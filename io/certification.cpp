@@ -1,12 +1,13 @@
+#include "majorant/io/certification.h"
+
 #include <fmt/format.h>
 
 #include <optional>
 #include <utility>
 
 #include "majorant/framework/error.h"
-#include "majorant/io/internal/claims.h"
-#include "majorant/io/map_file.h"
-#include "majorant/io/map_proof.h"
+#include "majorant/io/claims.h"
+#include "majorant/io/read_mesh.h"
 
 namespace majorant {
 
@@ -31,7 +32,7 @@ std::string unsaid_cone(const MapFile& file, const std::string& path, ProofReque
   if (parse_claims(file.claims, path).seams.value_or(false)) return {};
   wanted = {.cuts = CutRule::Free, .stop = wanted.stop};
   const Finding angles = MapProof(file, path, wanted).angles;
-  if (angles.answer == Answer::Proven) return {};
+  if (angles.answer == ProofStatus::Proven) return {};
   return fmt::format("{}; the format does not tell a cone from that, write a .vtu", angles.detail);
 }
 
@@ -46,10 +47,13 @@ FileVerification certification(std::string path, ProofRequest wanted, const MapF
     };
     const auto prove = [&](const MapFile& map, const ProofRequest& request) {
       const MapProof proof(map, path, request);
-      if (proof.verdict() != Answer::Proven) refuse(proof.first_defect());
+      if (proof.verdict() != ProofStatus::Proven) refuse(proof.first_defect());
     };
     try {
       const MapFile file = read_map(temporary);
+      // What it says to be cut binds it: other edges whose sides differ are tears.
+      ProofRequest claimed = wanted;
+      if (!claimed.cut_edges) claimed.cut_edges = parse_claims(file.claims, path).cuts;
       if (image_of != nullptr) {
         const std::optional<MapFile> shown = shown_by(file, *image_of);
         if (!shown) refuse("its cells are not those of the map");
@@ -57,7 +61,7 @@ FileVerification certification(std::string path, ProofRequest wanted, const MapF
         prove(file, {.stop = wanted.stop});
         return;
       }
-      prove(file, wanted);
+      prove(file, claimed);
       if (const std::string cone = unsaid_cone(file, path, wanted); !cone.empty()) refuse(cone);
     } catch (const Error& e) {
       if (e.kind() != ErrorKind::Unreadable && e.kind() != ErrorKind::Unsupported) throw;

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "majorant/elements/rest_shapes.h"
-#include "majorant/io/internal/bezier_cell.h"
-#include "majorant/io/internal/claims.h"
+#include "majorant/io/claims.h"
+#include "majorant/parametrization/maps/bezier_cell.h"
 
 namespace majorant {
 namespace {

@@ -5,7 +5,7 @@
 #include <iterator>
 
 #include "majorant/elements/rest_shapes.h"
-#include "majorant/io/internal/atomic_file.h"
+#include "majorant/io/atomic_file.h"
 #include "majorant/io/layout_scale.h"
 
 namespace majorant {

@@ -9,7 +9,7 @@
 
 #include <string>
 
-#include "majorant/io/map_file.h"
+#include "majorant/parametrization/maps/map_file.h"
 
 namespace majorant {
 

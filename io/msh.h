@@ -21,7 +21,7 @@
 #include <string>
 
 #include "majorant/framework/stop_check.h"
-#include "majorant/io/map_file.h"
+#include "majorant/io/certification.h"
 
 namespace majorant {
 

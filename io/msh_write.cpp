@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "majorant/io/internal/atomic_file.h"
-#include "majorant/io/internal/lagrange_cell.h"
-#include "majorant/io/internal/map_check.h"
+#include "majorant/io/atomic_file.h"
 #include "majorant/io/internal/msh_content.h"
+#include "majorant/io/lagrange_cell.h"
+#include "majorant/io/map_check.h"
 #include "majorant/io/msh.h"
 
 namespace majorant {

@@ -1,9 +1,8 @@
 #include <algorithm>
 
-#include "majorant/io/internal/input_file.h"
-#include "majorant/io/internal/pvtu.h"
-#include "majorant/io/map_file.h"
+#include "majorant/io/input_file.h"
 #include "majorant/io/msh.h"
+#include "majorant/io/pvtu.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/vtu.h"
 

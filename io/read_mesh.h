@@ -32,8 +32,8 @@
 #include <string>
 
 #include "majorant/framework/stop_check.h"
-#include "majorant/io/map_file.h"
 #include "majorant/mesh/polygon_mesh.h"
+#include "majorant/parametrization/maps/map_file.h"
 
 namespace majorant {
 
@@ -44,20 +44,24 @@ bool is_mesh_name(const std::string& path);
 // for others.
 std::string foreign_format(const std::string& path);
 
+// What must not be broken in a mesh file.
+enum class Strictness {
+  Shape,       // coordinates and faces
+  Texcoords,   // and texture coordinates: for those who need them; faces may be without
+  Everything,  // what is there
+};
+
 // Throws Error(Unreadable, "file:line: what is wrong; remedy") for an unknown extension, a missing
 // file, or content that breaks the rules above; Error(Unsupported) for a foreign_format; Stopped.
 PolygonMesh read_mesh(const std::string& path, const StopCheck& stop = {},
                       Strictness strictness = Strictness::Shape);
 
-// The corner mesh of a map: one triangle per cell, texcoords = the uv of the corner points (one per
-// point, so that cuts stay cuts). Where map.input_vertex is known for every corner, vertices have
-// the ids of the input mesh, and ids that no cell uses sit at the first corner's position;
-// otherwise vertices are the corner points in order. Where map.input_face is known, triangles are
-// sorted by it; polygons of the input stay the triangles the map was computed on.
-// polygon_lines are cell numbers, 1-based. `map` must be consistent and finite, `file` is for
-// messages.
-// Throws Error(Unreadable) if an input vertex is at two places or its number is beyond reason.
-PolygonMesh mesh_from_map(const MapFile& map, const std::string& file);
+// A map from a file: .vtu, .pvtu, .msh, or a mesh with texture coordinates (degree 1), .obj or
+// .ply. Of a mesh everything but the texture coordinates may be broken, as read_mesh() has it,
+// unless strictness is Everything. Throws Error(Unreadable) when it cannot be read or holds no map,
+// Error(Unsupported) as read_mesh(); Stopped.
+MapFile read_map(const std::string& path, const StopCheck& stop = {},
+                 Strictness strictness = Strictness::Texcoords);
 
 }  // namespace majorant
 

@@ -5,13 +5,13 @@
 #include <limits>
 
 #include "majorant/framework/error.h"
-#include "majorant/io/internal/bezier_cell.h"
-#include "majorant/io/internal/input_file.h"
-#include "majorant/io/internal/lagrange_cell.h"
-#include "majorant/io/internal/map_check.h"
+#include "majorant/io/input_file.h"
 #include "majorant/io/internal/vtu_arrays.h"
 #include "majorant/io/internal/xml_tree.h"
+#include "majorant/io/lagrange_cell.h"
+#include "majorant/io/map_check.h"
 #include "majorant/io/vtu.h"
+#include "majorant/parametrization/maps/bezier_cell.h"
 
 namespace majorant {
 namespace {

@@ -10,13 +10,13 @@
 #include <utility>
 #include <vector>
 
-#include "majorant/io/internal/atomic_file.h"
-#include "majorant/io/internal/base64.h"
-#include "majorant/io/internal/bezier_cell.h"
-#include "majorant/io/internal/lagrange_cell.h"
-#include "majorant/io/internal/map_check.h"
-#include "majorant/io/internal/vtu_text.h"
+#include "majorant/io/atomic_file.h"
+#include "majorant/io/base64.h"
+#include "majorant/io/lagrange_cell.h"
+#include "majorant/io/map_check.h"
 #include "majorant/io/vtu.h"
+#include "majorant/io/vtu_text.h"
+#include "majorant/parametrization/maps/bezier_cell.h"
 
 namespace majorant {
 namespace {

@@ -7,20 +7,10 @@
 
 #include <string>
 
-#include "majorant/io/map_file.h"
-#include "majorant/mesh/polygon_mesh.h"
+#include "majorant/io/certification.h"
+#include "majorant/parametrization/tessellation/tessellate_map.h"
 
 namespace majorant {
-
-enum class Overlap {
-  Allowed,
-  Excluded  // the straight boundary must not meet itself; of a map that is injective
-};
-
-struct TessellationOptions {
-  int refine = 1;                      // every cell becomes at least refine x refine triangles
-  Overlap overlap = Overlap::Allowed;  // Excluded: for maps that are injective as a whole
-};
 
 // Cells whose corners span a positive triangle in the plane stay one triangle; others are cut, and
 // their neighbours along the edges concerned, until every triangle is positive and the triangles

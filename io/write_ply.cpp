@@ -11,10 +11,10 @@
 #include <map>
 
 #include "majorant/framework/error.h"
-#include "majorant/io/internal/atomic_file.h"
+#include "majorant/io/atomic_file.h"
 #include "majorant/io/internal/cones_of.h"
-#include "majorant/io/internal/map_check.h"
-#include "majorant/io/internal/tessellate_map.h"
+#include "majorant/io/map_check.h"
+#include "majorant/parametrization/tessellation/tessellate_map.h"
 
 namespace majorant {
 namespace {

@@ -15,6 +15,10 @@
 
 namespace majorant {
 
+// Mismatch along a seam edge beyond which coordinates are not taken for seamless, in mean lengths
+// of edges in uv. Files with 6 digits stay well below it.
+inline constexpr double kSeamTolerance = 1e-3;
+
 // Half-edge 3 f + k runs from corner k of face f to corner k + 1 (mod 3), as in SurfaceMesh.
 struct SeamEdge {
   Index side, opposite;  // half-edges of the cut surface, which run against each other

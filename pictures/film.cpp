@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "majorant/io/map_file.h"
+#include "majorant/parametrization/maps/map_file.h"
 
 namespace majorant {
 

@@ -3,10 +3,10 @@
 #include "embedded/map_page_css.h"
 #include "embedded/map_page_html.h"
 #include "embedded/map_page_js.h"
-#include "majorant/io/internal/atomic_file.h"
-#include "majorant/io/internal/map_check.h"
+#include "majorant/io/atomic_file.h"
+#include "majorant/io/map_check.h"
 #include "majorant/pictures/internal/page_data.h"
-#include "majorant/pictures/internal/page_text.h"
+#include "majorant/pictures/page_text.h"
 
 namespace majorant {
 

@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-#include "majorant/io/map_file.h"
+#include "majorant/parametrization/maps/map_file.h"
 #include "majorant/pictures/picture_options.h"
 
 namespace majorant {

@@ -6,8 +6,8 @@
 #include <memory>
 
 #include "majorant/framework/error.h"
-#include "majorant/io/internal/atomic_file.h"
-#include "majorant/io/internal/map_check.h"
+#include "majorant/io/atomic_file.h"
+#include "majorant/io/map_check.h"
 #include "majorant/pictures/internal/alignment.h"
 #include "majorant/pictures/internal/claimed_energy.h"
 #include "majorant/pictures/internal/png_legend.h"

@@ -1,5 +1,5 @@
 // majorant check RESULT: proves and measures a finished map again, from the file alone. Claims of
-// the file describe; what is proven is decided from points and uv (io/map_proof.h).
+// the file describe; what is proven is decided from points and uv (certify/map_proof.h).
 #include <fmt/format.h>
 
 #include <CLI/App.hpp>
@@ -18,12 +18,11 @@
 #include "apps/streams.h"
 #include "apps/unless_stopped.h"
 #include "apps/within_memory.h"
+#include "majorant/certify/map_proof.h"
 #include "majorant/framework/thread_count.h"
-#include "majorant/io/internal/waiting_output.h"
 #include "majorant/io/map_distortion.h"
-#include "majorant/io/map_file.h"
-#include "majorant/io/map_proof.h"
 #include "majorant/io/read_mesh.h"
+#include "majorant/io/waiting_output.h"
 #include "majorant/results/internal/check_map.h"
 
 namespace majorant::app {
@@ -48,9 +47,9 @@ std::string in_words(const MapCheck& check) {
   const MapProof& proof = check.proof;
   std::string proven, open;
   for (const auto& [question, finding] : proof.findings()) {
-    if (finding->answer == Answer::Proven)
+    if (finding->answer == ProofStatus::Proven)
       proven += fmt::format("{}{} ({})", proven.empty() ? "" : ", ", question, finding->detail);
-    if (finding->answer == Answer::NotAsked && question == "surface")
+    if (finding->answer == ProofStatus::NotAsked && question == "surface")
       open = "; not asked: surface (--surface)";
   }
   const CutCount& cuts = proof.cuts;
@@ -92,7 +91,7 @@ MapPage page_of(const Request& request, const MapFile& file, const MapCheck& che
 int conclude(const Request& request, const MapFile& file, const MapCheck& check) {
   const std::vector<std::string>& list = check.findings.list();
   if (!list.empty()) {
-    const bool is_torn = check.proof.continuous.answer == Answer::Violated;
+    const bool is_torn = check.proof.continuous.answer == ProofStatus::Violated;
     say("majorant: {}: {}: {}{}\n", request.result, check.status(), fmt::join(list, "; "),
         is_torn ? "; if the map is meant to be cut there, add --cuts free" : "");
   } else if (!request.common.quiet) {

@@ -30,7 +30,7 @@
 #include "apps/unless_stopped.h"
 #include "majorant/framework/evaluator.h"
 #include "majorant/framework/thread_count.h"
-#include "majorant/io/internal/waiting_output.h"
+#include "majorant/io/waiting_output.h"
 #include "majorant/parametrization/drive/internal/normalized_start.h"
 #include "majorant/parametrization/maps/internal/quadrature_ladder.h"
 #include "majorant/results/internal/report.h"

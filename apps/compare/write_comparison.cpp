@@ -14,8 +14,8 @@
 #include "embedded/comparison_page_css.h"
 #include "embedded/comparison_page_html.h"
 #include "embedded/comparison_page_js.h"
-#include "majorant/io/internal/atomic_file.h"
-#include "majorant/pictures/internal/page_text.h"
+#include "majorant/io/atomic_file.h"
+#include "majorant/pictures/page_text.h"
 
 namespace majorant {
 namespace {

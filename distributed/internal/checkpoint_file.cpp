@@ -13,10 +13,10 @@
 
 #include "majorant/elements/bezier_triangle_space.h"
 #include "majorant/framework/error.h"
-#include "majorant/io/internal/atomic_file.h"
-#include "majorant/io/internal/byte_cursor.h"
-#include "majorant/io/internal/input_file.h"
-#include "majorant/io/internal/json_depth.h"
+#include "majorant/io/atomic_file.h"
+#include "majorant/io/byte_cursor.h"
+#include "majorant/io/input_file.h"
+#include "majorant/io/json_depth.h"
 
 namespace majorant {
 namespace {

@@ -11,6 +11,7 @@
 // different numbers of coefficients.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "majorant/elements/bernstein_element.h"
@@ -59,6 +60,10 @@ class DetCoefficients {
   void at_with_error(const double* c, double* out, double* error) const;
   // The same in quadruple precision, rounded to double; error bounds accordingly smaller.
   void at_with_error_quad(const double* c, double* out, double* error) const;
+  // The same in the plane without rounding, for control points that are integers: coefficients
+  // times a positive integer, the same for all.
+  template <class Integer>
+  std::vector<Integer> scaled(const std::vector<Integer>& c) const;
   // Of affine maps of the plane there is one coefficient, a 2 by 2 determinant: the same numbers as
   // at_with_error() and along_line() have, without tables.
   bool is_one_minor() const { return dim_ == 2 && minors_.entries().size() == 1; }
@@ -102,6 +107,27 @@ class DetCoefficients {
   ProductTable minors_;                  // of the last two directions; in the plane det J itself
   ProductTable products_;                // in space: of the first direction and a cofactor
 };
+
+// Coefficient t has the denominator weight(t) = (sum of exponents)! / (product of their factorials)
+// in every factor of the cell, so that the product of the factorials is what is missing.
+template <class Integer>
+std::vector<Integer> DetCoefficients::scaled(const std::vector<Integer>& c) const {
+  std::vector<std::array<Integer, 2>> derivatives;
+  for (const Difference& w : differences_)
+    derivatives.push_back(
+        {c[at(2 * w.plus)] - c[at(2 * w.minus)], c[at(2 * w.plus + 1)] - c[at(2 * w.minus + 1)]});
+  std::vector<Integer> out(at(count()));
+  for (std::size_t e = 0; e < minors_.entries().size(); ++e) {
+    const auto& a = derivatives[e / at(minors_.columns())];
+    const auto& b = derivatives[at(starts_[1]) + e % at(minors_.columns())];
+    out[at(minors_.entries()[e].target)] +=
+        static_cast<std::int64_t>(minors_.fractions()[e].numerator) * (a[0] * b[1] - a[1] * b[0]);
+  }
+  for (int t = 0; t < count(); ++t)
+    for (const int exponent : basis_.exponents(t))
+      for (int k = 2; k <= exponent; ++k) out[at(t)] *= k;
+  return out;
+}
 
 }  // namespace majorant
 

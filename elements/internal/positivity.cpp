@@ -47,12 +47,12 @@ class Certifier : Bisection<double> {
       if (a[k] < lowest || std::isnan(a[k])) lowest = a[k];
     proof.lower_bound = lowest - error;
     if (proof.lower_bound > 0) {
-      proof.result = Positivity::Certified;
+      proof.result = ProofStatus::Proven;
       return proof;
     }
     for (const int k : cell_.corners())
-      if (!(a[k] - error > 0)) proof.result = Positivity::Violated;
-    if (proof.result == Positivity::Undecided && depth < max_depth_)
+      if (!(a[k] - error > 0)) proof.result = ProofStatus::Violated;
+    if (proof.result == ProofStatus::Undecided && depth < max_depth_)
       prove_children(a, error, depth, proof);
     return proof;
   }
@@ -70,11 +70,11 @@ class Certifier : Bisection<double> {
     const PositivityProof one = prove(first, child_error, depth + 1);
     proof.result = one.result;
     proof.depth = one.depth + 1;
-    if (one.result != Positivity::Certified) return;
+    if (one.result != ProofStatus::Proven) return;
     const PositivityProof two = prove(second, child_error, depth + 1);
     proof.result = two.result;
     proof.depth = std::max(one.depth, two.depth) + 1;
-    if (two.result == Positivity::Certified)
+    if (two.result == ProofStatus::Proven)
       proof.lower_bound = std::min(one.lower_bound, two.lower_bound);
   }
 };

@@ -11,7 +11,7 @@
 namespace majorant {
 
 // Whether the polynomial with these coefficients, each exact to +- error, is positive on the cell;
-// bisects down to max_depth, its own rounding included. Certified is a proof; Violated: not
+// bisects down to max_depth, its own rounding included. Proven is a proof; Violated: not
 // provably positive at a corner; Undecided: max_depth was reached.
 PositivityProof certify_positive(const Subdivision& cell, const double* coefficients, double error,
                                  int max_depth);

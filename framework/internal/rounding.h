@@ -5,6 +5,7 @@
 //   const double error = kUnitRoundoff<double> * magnitude(sum);
 #pragma once
 
+#include <cmath>
 #include <limits>
 
 namespace majorant {
@@ -24,6 +25,15 @@ inline constexpr double kExactIntegers = 1 / kUnitRoundoff<double>;
 template <class Real>
 Real magnitude(Real a) {
   return a < 0 ? -a : a;
+}
+
+// A power of two next to `size` > 0, finite: units of that size change no digit. Below: at most
+// `size`; Above: at least.
+enum class PowerOfTwo { Below, Nearest, Above };
+inline double power_of_two(double size, PowerOfTwo which = PowerOfTwo::Below) {
+  if (which == PowerOfTwo::Below) return std::ldexp(1.0, std::ilogb(size));
+  const double exponent = std::log2(size);
+  return std::exp2(which == PowerOfTwo::Above ? std::ceil(exponent) : std::round(exponent));
 }
 
 }  // namespace majorant

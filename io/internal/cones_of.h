@@ -3,7 +3,7 @@
 
 #include <map>
 
-#include "majorant/io/map_file.h"
+#include "majorant/parametrization/maps/map_file.h"
 
 namespace majorant {
 

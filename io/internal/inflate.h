@@ -14,7 +14,7 @@
 #include <string>
 #include <string_view>
 
-#include "majorant/io/internal/reading_limit.h"
+#include "majorant/io/reading_limit.h"
 
 namespace majorant {
 

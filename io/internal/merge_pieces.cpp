@@ -9,7 +9,7 @@
 #include <numeric>
 
 #include "majorant/framework/error.h"
-#include "majorant/io/internal/bezier_cell.h"
+#include "majorant/parametrization/maps/bezier_cell.h"
 
 namespace majorant {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "majorant/io/map_file.h"
+#include "majorant/parametrization/maps/map_file.h"
 
 namespace majorant {
 

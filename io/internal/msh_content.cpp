@@ -8,10 +8,10 @@
 #include <limits>
 
 #include "majorant/framework/error.h"
-#include "majorant/io/internal/bezier_cell.h"
-#include "majorant/io/internal/input_file.h"
+#include "majorant/io/input_file.h"
 #include "majorant/io/internal/line_cursor.h"
 #include "majorant/io/internal/mesh_readers.h"
+#include "majorant/parametrization/maps/bezier_cell.h"
 
 namespace majorant {
 namespace {

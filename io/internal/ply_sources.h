@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "majorant/framework/error.h"
-#include "majorant/io/internal/byte_cursor.h"
+#include "majorant/io/byte_cursor.h"
 #include "majorant/io/internal/dropped_parts.h"
 #include "majorant/io/internal/line_cursor.h"
 #include "majorant/io/internal/ply_header.h"

@@ -12,8 +12,8 @@
 #include <limits>
 
 #include "majorant/framework/error.h"
+#include "majorant/io/input_file.h"
 #include "majorant/io/internal/dropped_parts.h"
-#include "majorant/io/internal/input_file.h"
 #include "majorant/io/internal/line_cursor.h"
 #include "majorant/io/internal/mesh_readers.h"
 

@@ -11,8 +11,8 @@
 #include <tuple>
 
 #include "majorant/framework/error.h"
+#include "majorant/io/input_file.h"
 #include "majorant/io/internal/dropped_parts.h"
-#include "majorant/io/internal/input_file.h"
 #include "majorant/io/internal/join_copies.h"
 #include "majorant/io/internal/mesh_readers.h"
 #include "majorant/io/internal/ply_header.h"

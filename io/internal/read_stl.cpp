@@ -12,8 +12,8 @@
 #include <unordered_map>
 
 #include "majorant/framework/error.h"
-#include "majorant/io/internal/byte_cursor.h"
-#include "majorant/io/internal/input_file.h"
+#include "majorant/io/byte_cursor.h"
+#include "majorant/io/input_file.h"
 #include "majorant/io/internal/line_cursor.h"
 #include "majorant/io/internal/mesh_readers.h"
 

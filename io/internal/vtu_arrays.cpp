@@ -9,9 +9,9 @@
 #include <type_traits>
 
 #include "majorant/framework/error.h"
-#include "majorant/io/internal/base64.h"
+#include "majorant/io/base64.h"
+#include "majorant/io/input_file.h"
 #include "majorant/io/internal/inflate.h"
-#include "majorant/io/internal/input_file.h"
 #include "majorant/io/internal/line_cursor.h"
 
 namespace majorant {

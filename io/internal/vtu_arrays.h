@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "majorant/framework/stop_check.h"
-#include "majorant/io/internal/byte_cursor.h"
-#include "majorant/io/internal/reading_limit.h"
+#include "majorant/io/byte_cursor.h"
 #include "majorant/io/internal/xml_tree.h"
+#include "majorant/io/reading_limit.h"
 
 namespace majorant {
 

@@ -7,7 +7,7 @@
 #include <cctype>
 
 #include "majorant/framework/error.h"
-#include "majorant/io/internal/input_file.h"
+#include "majorant/io/input_file.h"
 
 namespace majorant {
 namespace {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "majorant/framework/internal/rounding.h"
+#include "majorant/mesh/internal/exact_integers.h"
 
 namespace majorant {
 namespace {
@@ -20,22 +21,10 @@ bool precedes(const Vector2& a, const Vector2& b) {
   return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y());
 }
 
-// Doubles are integers times a power of two, the same for all six of them.
 int exact_orientation(const Vector2& a, const Vector2& b, const Vector2& c) {
   using Integer = boost::multiprecision::cpp_int;
-  constexpr int kDigits = std::numeric_limits<double>::digits;
-  const std::array<double, 6> numbers{a.x(), a.y(), b.x(), b.y(), c.x(), c.y()};
-  int lowest = std::numeric_limits<int>::max();
-  for (const double x : numbers)
-    if (x != 0) lowest = std::min(lowest, std::ilogb(x));
-  const auto scaled = [lowest](double x) {
-    const int exponent = x == 0 ? lowest : std::ilogb(x);
-    const Integer digits = static_cast<long long>(std::scalbn(x, kDigits - 1 - exponent));
-    return Integer(digits << (exponent - lowest));
-  };
-  const Integer ax = scaled(a.x()), ay = scaled(a.y());
-  const Integer left = (scaled(b.x()) - ax) * (scaled(c.y()) - ay);
-  const Integer right = (scaled(b.y()) - ay) * (scaled(c.x()) - ax);
+  const auto x = to_integers<Integer>(std::array{a.x(), a.y(), b.x(), b.y(), c.x(), c.y()});
+  const Integer left = (x[2] - x[0]) * (x[5] - x[1]), right = (x[3] - x[1]) * (x[4] - x[0]);
   return (left > right) - (left < right);
 }
 

@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "majorant/framework/internal/rounding.h"
 #include "majorant/mesh/internal/geometry.h"
 
 namespace majorant {
@@ -20,7 +21,7 @@ double model_unit(const SurfaceMesh& mesh) {
   if (!std::isfinite(size)) return std::ldexp(1.0, std::numeric_limits<double>::max_exponent - 1);
   if (!(size > 0)) return 1;
   const int exponent = std::ilogb(size);
-  return std::abs(exponent) <= kOrdinary ? 1 : std::ldexp(1.0, exponent);
+  return std::abs(exponent) <= kOrdinary ? 1 : power_of_two(size);
 }
 
 std::shared_ptr<const SurfaceMesh> in_units(const SurfaceMesh& mesh, double unit) {

@@ -13,6 +13,7 @@
 #include <numeric>
 #include <utility>
 
+#include "majorant/certify/proven_distance.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/thread_count.h"
@@ -21,7 +22,6 @@
 #include "majorant/mesh/internal/texture_borders.h"
 #include "majorant/parametrization/atlas/internal/chart_solver.h"
 #include "majorant/parametrization/drive/internal/normalized_start.h"
-#include "majorant/parametrization/packing/proven_distance.h"
 
 namespace majorant {
 namespace {
@@ -203,8 +203,11 @@ class Unwrapping {
     for (std::size_t k = 0; k < maps.size(); ++k) {
       Chart& chart = atlas_.charts[k];
       chart.map = atlas_.packing->charts[k];
+      const bool was_injective = chart.measures.locally_injective;
       chart.measures =
           measures_once_moved(std::move(chart.measures), *chart.map, tasks_[k].options.map.energy);
+      chart.measures.locally_injective =
+          was_injective;  // pack() has proven it, by more than bounds
     }
   }
 
@@ -226,7 +229,7 @@ bool is_in_range(double size) {
 }
 
 void to_model_units(double unit, Packing& packing) {
-  for (Placement& placement : packing.placements) placement.translation *= unit;
+  for (LayoutMotion& placement : packing.placements) placement.origin *= unit;
   packing.origin *= unit;
   packing.side *= unit;
   packing.distance *= unit;
@@ -310,6 +313,29 @@ Atlas unwrap(const std::shared_ptr<const SurfaceMesh>& surface, const UnwrapOpti
   Atlas atlas = Unwrapping(in_units(*surface, unit), scaled, record).solve();
   to_model_units(*surface, unit, atlas);
   return atlas;
+}
+
+std::optional<LayoutMotion> into_unit_square(Atlas& atlas, const StopCheck& stop) {
+  const std::vector<BezierMap> maps = maps_of(atlas);
+  Vector2 low = Vector2::Constant(INFINITY), high = -low;
+  for (const BezierMap& map : maps) {
+    const auto points = map.control_points().reshaped(2, map.space().node_count());
+    low = low.cwiseMin(points.rowwise().minCoeff());
+    high = high.cwiseMax(points.rowwise().maxCoeff());
+  }
+  double side = (high - low).maxCoeff();
+  LayoutPromise promise{.simple_boundaries = true};
+  if (atlas.packing) {
+    low = atlas.packing->origin;
+    side = atlas.packing->side;
+    promise.distance = atlas.packing->distance;
+    for (const Chart& chart : atlas.charts) promise.fixed.push_back(!chart.pins.empty());
+  }
+  std::optional<MovedLayout> moved =
+      moved_layout(maps, unit_square_motions({1, 0}, low, side), promise, stop);
+  if (!moved) return std::nullopt;
+  for (std::size_t k = 0; k < maps.size(); ++k) atlas.charts[k].map = std::move(moved->maps[k]);
+  return moved->motion;
 }
 
 }  // namespace majorant

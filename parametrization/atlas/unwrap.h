@@ -23,6 +23,7 @@
 #include <string_view>
 #include <vector>
 
+#include "majorant/certify/moved_layout.h"
 #include "majorant/framework/run_record.h"
 #include "majorant/parametrization/atlas/stretch.h"
 #include "majorant/parametrization/cuts/choose_cuts.h"
@@ -85,6 +86,13 @@ Atlas unwrap(const std::shared_ptr<const SurfaceMesh>& surface, const UnwrapOpti
 
 // Of its charts, where they are now.
 std::vector<BezierMap> maps_of(const Atlas& atlas);
+
+// Moves the maps of all charts at one scale: the packing's square becomes the unit square, without
+// a packing the common box of the charts, its larger side 1. Where rounding turns a triangle over,
+// lets charts touch or come closer than the packing promises, the next power of two is the size
+// instead. None, and the atlas as it was, where that does not help. Measures stay those in model
+// units.
+std::optional<LayoutMotion> into_unit_square(Atlas& atlas, const StopCheck& stop = {});
 
 }  // namespace majorant
 

@@ -8,6 +8,7 @@
 #include <memory>
 #include <utility>
 
+#include "majorant/certify/global_injectivity.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/internal/element_values.h"
@@ -19,7 +20,6 @@
 #include "majorant/parametrization/drive/internal/parametrize_by.h"
 #include "majorant/parametrization/drive/internal/reach_pins.h"
 #include "majorant/parametrization/drive/internal/valid_options.h"
-#include "majorant/parametrization/injectivity/global_injectivity.h"
 #include "majorant/parametrization/scaffold/internal/improve_mesh.h"
 
 namespace majorant {
@@ -220,11 +220,12 @@ class Run {
   void prove_no_overlaps() {
     record_.begin(Activity::Proving);
     const double started = record_.seconds();
-    const GlobalInjectivity proof = check_boundary(*result_.map);
+    result_.boundary = check_boundary(*result_.map);
+    const GlobalInjectivity& proof = *result_.boundary;
     result_.measure_seconds += record_.seconds() - started;
-    if (proof.result == Injectivity::Violated)
+    if (proof.result == ProofStatus::Violated)
       judge("the image overlaps itself" + (proof.reason.empty() ? "" : ": " + proof.reason));
-    if (proof.result != Injectivity::Undecided || result_.status != Status::Converged) return;
+    if (proof.result != ProofStatus::Undecided || result_.status != Status::Converged) return;
     result_.status = Status::Stalled;
     result_.message = "boundary curves touch to within rounding: " + proof.reason;
   }

@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "majorant/certify/global_injectivity.h"
 #include "majorant/framework/run_record.h"
 #include "majorant/parametrization/drive/map_extension.h"
 #include "majorant/parametrization/drive/map_options.h"
@@ -66,6 +67,7 @@ struct ParametrizationResult {
   bool other_triangles = false;         // the map's faces are not those of the input
   RemedyUses remedies{};                // against stalls, at the last degree
   std::optional<BezierMesh> scaffold;   // around the map, model units; of MapInjectivity::Global
+  std::optional<GlobalInjectivity> boundary;  // likewise: the proof that `map` does not overlap
   double initialize_seconds = 0, optimize_seconds = 0, measure_seconds = 0;
   double scaffold_seconds = 0;  // of these: the scaffold, its problems, their analyses
   // Of one factorization and one solve at the degree asked for, median (SolveOptions::factor_cost).
@@ -84,7 +86,7 @@ Vec initial_map(const SurfaceMesh& mesh, const MapOptions& asked, RunRecord& rec
                 StartMethod* taken = nullptr);
 
 // Throws Error as initial_map; Error(Infeasible) when the start is not locally injective, does not
-// meet the pins or has an aligned edge off its axis by more than kSeamTolerance (texture_seams.h);
+// meet the pins or has an aligned edge off its axis by more than kSeamTolerance (seams.h);
 // Error(Unsupported) when a vertex is pinned twice or pinned and a handle; Error(Usage) when the
 // energy does not support the curvature or would shrink the map to a point (FreeScale::Collapses
 // with neither a fixed boundary nor points that hold the scale), or options are out of range;

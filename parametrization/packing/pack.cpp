@@ -5,17 +5,15 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <tuple>
 #include <utility>
 
+#include "majorant/certify/proven_distance.h"
 #include "majorant/framework/error.h"
 #include "majorant/parametrization/packing/internal/arrangement.h"
-#include "majorant/parametrization/packing/internal/chart_motion.h"
 #include "majorant/parametrization/packing/internal/nesting.h"
 #include "majorant/parametrization/packing/internal/packing_job.h"
 #include "majorant/parametrization/packing/internal/raster.h"
 #include "majorant/parametrization/packing/internal/skyline.h"
-#include "majorant/parametrization/packing/proven_distance.h"
 
 namespace majorant {
 namespace {
@@ -24,7 +22,7 @@ namespace {
 // of a pixel, and a billion roundings.
 constexpr double kLeastGap = 1e-6;
 // Gaps are made larger than asked for by this. Origin: far above what rounding and the turns of
-// moved_chart() take, far below a pixel.
+// attempts() take, far below a pixel.
 constexpr double kGapMargin = 1e-5;
 // Origin: the side to within 1e-4 or so, and a fraction of a second for 10,000 boxes.
 constexpr int kSkylineTries = 14;
@@ -47,6 +45,27 @@ constexpr int kTries = 4;
 // their solves take.
 constexpr int kFewTries = 1;
 constexpr std::size_t kMany = 500;
+
+// Turns that are tried in addition, in radians: each rounds all digits anew, and a chart as large
+// as the square stays within the gap's margin (kGapMargin).
+constexpr double kNudge = 1e-9;
+constexpr int kNudges = 8;
+
+// uv before it is moved by the origin.
+Vector2 turned(const LayoutMotion& m, const Vector2& uv) {
+  return {m.direction.x() * uv.x() + m.direction.y() * uv.y(),
+          m.direction.x() * uv.y() - m.direction.y() * uv.x()};
+}
+
+// `middle` stays where it is.
+LayoutMotion turned_further(const LayoutMotion& m, double angle, const Vector2& middle) {
+  LayoutMotion more;
+  const double cosine = m.direction.x(), sine = -m.direction.y();
+  more.direction = {cosine * std::cos(angle) - sine * std::sin(angle),
+                    -(sine * std::cos(angle) + cosine * std::sin(angle))};
+  more.origin = -(-m.origin + turned(m, middle) - turned(more, middle));
+  return more;
+}
 
 struct Candidate {
   PackMethod method;
@@ -127,17 +146,17 @@ class Packer {
     Packing packing;
     packing.method = candidate.method;
     for (std::size_t k = 0; k < charts_.size(); ++k) {
-      const std::optional<MovedChart> moved =
+      const std::optional<MovedLayout> moved =
           freedom_[k] == Freedom::None
-              ? MovedChart{charts_[k], {}}
-              : moved_chart(charts_[k], placement_of(job, k, candidate.arrangement.spots[k]),
-                            stop_);
+              ? MovedLayout{{charts_[k]}, {}}
+              : moved_layout({charts_[k]}, attempts(job, k, candidate.arrangement.spots[k]), {},
+                             stop_);
       if (!moved) {
         freedom_[k] = freedom_[k] == Freedom::Any ? Freedom::QuarterTurns : Freedom::None;
         continue;
       }
-      packing.charts.push_back(moved->map);
-      packing.placements.push_back(moved->placement);
+      packing.charts.push_back(moved->maps.front());
+      packing.placements.push_back(moved->motion);
     }
     if (packing.charts.size() < charts_.size()) return {};
     frame(packing);
@@ -149,16 +168,22 @@ class Packer {
     return packing;
   }
 
-  static Placement placement_of(const PackingJob& job, std::size_t chart, const Spot& spot) {
+  // The motion to its spot, and turned a little further about the middle of the chart.
+  std::vector<LayoutMotion> attempts(const PackingJob& job, std::size_t chart,
+                                     const Spot& spot) const {
     const Parcel& parcel = job.parcels[chart];
-    Placement p;
     const double c = parcel.cosine, s = parcel.sine;
-    const std::pair<double, double> turns[4] = {{c, s}, {-s, c}, {-c, -s}, {s, -c}};
-    std::tie(p.cosine, p.sine) = turns[spot.quarters & 3];
+    const Vector2 directions[4] = {{c, -s}, {-s, -c}, {-c, s}, {s, c}};
+    LayoutMotion there{directions[spot.quarters & 3]};
     // Where the origin of the turned chart comes to lie.
-    p.translation = job.unit * (quarter_turned(-parcel.low, spot.quarters, parcel.size) + spot.low +
+    there.origin = -job.unit * (quarter_turned(-parcel.low, spot.quarters, parcel.size) + spot.low +
                                 job.corner);
-    return p;
+    const auto nodes =
+        charts_[chart].control_points().reshaped(2, charts_[chart].space().node_count());
+    const Vector2 middle = (nodes.rowwise().minCoeff() + nodes.rowwise().maxCoeff()) / 2;
+    std::vector<LayoutMotion> out{there};
+    for (int k = 1; k <= kNudges; ++k) out.push_back(turned_further(there, k * kNudge, middle));
+    return out;
   }
 
   static void frame(Packing& packing) {

@@ -20,6 +20,7 @@
 #include <string_view>
 #include <vector>
 
+#include "majorant/certify/moved_layout.h"
 #include "majorant/framework/stop_check.h"
 #include "majorant/parametrization/maps/bezier_map.h"
 
@@ -36,25 +37,18 @@ struct PackOptions {
   std::vector<char> fixed = {};
 };
 
-// uv -> (cosine u - sine v, sine u + cosine v) + translation, computed in extended precision and
-// rounded once.
-struct Placement {
-  double cosine = 1, sine = 0;
-  Vector2 translation = Vector2::Zero();
-};
-
 enum class PackMethod { Skyline, Raster, Nesting };
 
 // "skyline", "raster", "nesting".
 std::string_view name_of(PackMethod method);
 
 struct Packing {
-  std::vector<BezierMap> charts;      // in the order given; their digits are final
-  std::vector<Placement> placements;  // of each
-  Vector2 origin = Vector2::Zero();   // lower left corner of the square, model units
-  double side = 0;                    // of the square that contains all control points
-  double fill = 0;                    // area of the charts / side^2
-  double distance = 0;                // proven: of any two charts, not both fixed, at least this
+  std::vector<BezierMap> charts;         // in the order given; their digits are final
+  std::vector<LayoutMotion> placements;  // of each
+  Vector2 origin = Vector2::Zero();      // lower left corner of the square, model units
+  double side = 0;                       // of the square that contains all control points
+  double fill = 0;                       // area of the charts / side^2
+  double distance = 0;                   // proven: of any two charts, not both fixed, at least this
   PackMethod method = PackMethod::Skyline;
 };
 

@@ -8,6 +8,7 @@
 #include <memory>
 #include <utility>
 
+#include "majorant/framework/internal/rounding.h"
 #include "majorant/framework/newton.h"
 #include "majorant/mesh/internal/geometry.h"
 #include "majorant/parametrization/maps/map_problem.h"
@@ -85,7 +86,7 @@ SurfaceMesh surface_of(const Level& level, const std::string& file) {
 
 // A power of two that brings positions to a size of about 1: exact, and exactly undone.
 double unit_scale(const Points3& positions) {
-  return std::exp2(-std::round(std::log2(extent(positions))));
+  return 1 / power_of_two(extent(positions), PowerOfTwo::Nearest);
 }
 
 class Multiresolution {

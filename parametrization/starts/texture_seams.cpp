@@ -7,12 +7,12 @@
 #include <numbers>
 #include <utility>
 
+#include "majorant/constraints/cut_surface.h"
 #include "majorant/constraints/internal/sector_angle.h"
 #include "majorant/framework/error.h"
 #include "majorant/mesh/half_edge.h"
 #include "majorant/mesh/internal/mesh_words.h"
 #include "majorant/mesh/internal/texture_borders.h"
-#include "majorant/parametrization/starts/internal/cut_surface.h"
 
 namespace majorant {
 namespace {

@@ -14,11 +14,6 @@
 
 namespace majorant {
 
-// Mismatch along a seam edge beyond which coordinates are not taken for seamless, in mean lengths
-// of edges in uv. Origin: files with 6 digits stay well below
-// it.
-inline constexpr double kSeamTolerance = 1e-3;
-
 // The file's texture coordinates as u, v per vertex, for `--init input`. Throws Error(Unsupported)
 // when a corner has none or a vertex has several.
 Vec texture_map(const SurfaceMesh& mesh);

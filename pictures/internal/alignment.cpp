@@ -1,6 +1,7 @@
 #include "majorant/pictures/internal/alignment.h"
 
-#include "majorant/io/internal/claims.h"
+#include "majorant/certify/moved_layout.h"
+#include "majorant/io/claims.h"
 #include "majorant/parametrization/maps/internal/smallest_rectangle.h"
 
 namespace majorant {
@@ -25,7 +26,7 @@ Vector2 picture_direction(const MapFile& map, Alignment alignment) {
 
 MapFile turned(const MapFile& map, const Vector2& direction) {
   MapFile result = map;
-  if (direction != Vector2(1, 0)) result.uv = turned_along(map.uv, direction);
+  if (direction != Vector2(1, 0)) result.uv = LayoutMotion{direction}(map.uv);
   return result;
 }
 

@@ -1,7 +1,7 @@
 // The layout as a picture shows it.
 #pragma once
 
-#include "majorant/io/map_file.h"
+#include "majorant/parametrization/maps/map_file.h"
 #include "majorant/pictures/picture_options.h"
 
 namespace majorant {

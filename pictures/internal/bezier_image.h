@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
-#include "majorant/io/map_file.h"
 #include "majorant/parametrization/maps/distortion.h"
+#include "majorant/parametrization/maps/map_file.h"
 
 namespace majorant {
 

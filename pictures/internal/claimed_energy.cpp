@@ -1,6 +1,6 @@
 #include "majorant/pictures/internal/claimed_energy.h"
 
-#include "majorant/io/internal/claims.h"
+#include "majorant/io/claims.h"
 #include "majorant/parametrization/maps/internal/energy_text.h"
 
 namespace majorant {

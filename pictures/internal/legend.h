@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "majorant/io/map_file.h"
+#include "majorant/parametrization/maps/map_file.h"
 #include "majorant/pictures/picture_options.h"
 
 namespace majorant {

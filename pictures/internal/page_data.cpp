@@ -12,14 +12,14 @@
 #include <vector>
 
 #include "majorant/framework/error.h"
-#include "majorant/io/internal/base64.h"
-#include "majorant/io/internal/bezier_cell.h"
-#include "majorant/io/internal/json_depth.h"
+#include "majorant/io/base64.h"
+#include "majorant/io/json_depth.h"
 #include "majorant/io/layout_scale.h"
+#include "majorant/parametrization/maps/bezier_cell.h"
 #include "majorant/parametrization/maps/internal/energy_text.h"
 #include "majorant/pictures/color_scale.h"
+#include "majorant/pictures/first_view.h"
 #include "majorant/pictures/internal/alignment.h"
-#include "majorant/pictures/internal/first_view.h"
 #include "majorant/pictures/internal/legend.h"
 
 namespace majorant {

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "majorant/pictures/internal/png_file.h"
+#include "majorant/pictures/png_file.h"
 
 namespace majorant {
 

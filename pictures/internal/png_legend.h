@@ -2,7 +2,7 @@
 #pragma once
 
 #include "majorant/pictures/internal/legend.h"
-#include "majorant/pictures/internal/png_file.h"
+#include "majorant/pictures/png_file.h"
 
 namespace majorant {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "majorant/io/internal/claims.h"
+#include "majorant/io/claims.h"
 #include "majorant/io/layout_scale.h"
 
 namespace majorant {

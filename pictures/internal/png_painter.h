@@ -9,8 +9,8 @@
 #include "majorant/pictures/internal/bezier_image.h"
 #include "majorant/pictures/internal/density_probe.h"
 #include "majorant/pictures/internal/legend.h"
-#include "majorant/pictures/internal/png_file.h"
 #include "majorant/pictures/internal/rasterizer.h"
+#include "majorant/pictures/png_file.h"
 
 namespace majorant {
 

@@ -5,8 +5,8 @@
 #include <limits>
 #include <map>
 
-#include "majorant/io/internal/bezier_cell.h"
 #include "majorant/mesh/half_edge.h"
+#include "majorant/parametrization/maps/bezier_cell.h"
 #include "majorant/pictures/internal/bezier_image.h"
 
 namespace majorant {

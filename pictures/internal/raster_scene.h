@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "majorant/io/map_file.h"
+#include "majorant/parametrization/maps/map_file.h"
 #include "majorant/pictures/internal/rasterizer.h"
 
 namespace majorant {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "majorant/io/internal/bezier_cell.h"
+#include "majorant/parametrization/maps/bezier_cell.h"
 
 namespace majorant {
 namespace {

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "majorant/io/map_file.h"
+#include "majorant/parametrization/maps/map_file.h"
 
 namespace majorant {
 

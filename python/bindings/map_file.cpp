@@ -5,8 +5,8 @@
 #include <string>
 
 #include "arrays.h"
-#include "majorant/io/internal/bezier_cell.h"
 #include "majorant/io/read_mesh.h"
+#include "majorant/parametrization/maps/bezier_cell.h"
 #include "majorant/pictures/write_svg.h"
 #include "majorant/results/internal/write_map.h"
 #include "mesh.h"

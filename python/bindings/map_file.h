@@ -6,8 +6,8 @@
 #include <memory>
 #include <tuple>
 
-#include "majorant/io/map_file.h"
-#include "majorant/io/map_proof.h"
+#include "majorant/certify/map_proof.h"
+#include "majorant/parametrization/maps/map_file.h"
 
 namespace majorant::python {
 

@@ -70,7 +70,7 @@ py::tuple unwrap_mesh(const SharedPolygons& given, const py::dict& wishes,
                                   .resolution = wish<double>(wishes, "resolution")};
   options.chart = read_options(wishes, *surface.mesh);
 
-  std::optional<AtlasSquare> square;
+  std::optional<LayoutMotion> square;
   const Atlas atlas = run([&] {
     Atlas out = unwrap(surface.mesh, options, record);
     if (normalizes) square = into_unit_square(out);

@@ -9,7 +9,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/rounding.h"
-#include "majorant/io/internal/lagrange_cell.h"
+#include "majorant/io/lagrange_cell.h"
 #include "majorant/mesh/internal/geometry.h"
 #include "majorant/parametrization/starts/texture_seams.h"
 #include "majorant/parametrization/starts/tutte.h"

@@ -2,8 +2,8 @@
 // changes what check_command proves.
 #pragma once
 
-#include "majorant/io/internal/claims.h"
-#include "majorant/io/map_proof.h"
+#include "majorant/certify/map_proof.h"
+#include "majorant/io/claims.h"
 #include "majorant/parametrization/maps/measure.h"
 #include "majorant/results/internal/findings.h"
 

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "majorant/framework/stop_check.h"
-#include "majorant/io/internal/claims.h"
-#include "majorant/io/map_file.h"
+#include "majorant/io/claims.h"
+#include "majorant/parametrization/maps/map_file.h"
 #include "majorant/parametrization/maps/measure.h"
 #include "majorant/results/internal/findings.h"
 #include "majorant/results/internal/report.h"

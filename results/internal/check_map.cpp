@@ -74,7 +74,7 @@ bool is_image(const MapFile& file) {
 }
 
 void require_surface(const MapCheck& check, const MapFile& file, const CheckRequest& request) {
-  if (check.proof.surface.answer == Answer::Violated && extension(request.name) == ".msh" &&
+  if (check.proof.surface.answer == ProofStatus::Violated && extension(request.name) == ".msh" &&
       is_image(file))
     throw Error(ErrorKind::Unsupported,
                 fmt::format("{}: this is the image of a map, in the plane: there is no surface in "
@@ -85,12 +85,12 @@ void require_surface(const MapCheck& check, const MapFile& file, const CheckRequ
 
 void add_proofs(MapCheck& check) {
   for (const auto& [question, finding] : check.proof.findings()) {
-    if (finding->answer == Answer::Violated)
+    if (finding->answer == ProofStatus::Violated)
       check.findings.add_violation(fmt::format("{}: {}", question, finding->detail));
-    if (finding->answer == Answer::Undecided)
+    if (finding->answer == ProofStatus::Undecided)
       check.findings.add_open(
           fmt::format("{}: could not be decided: {}", question, finding->detail));
-    check.report["proofs"][question] = {{"answer", answer_name(finding->answer)},
+    check.report["proofs"][question] = {{"answer", name_of(finding->answer)},
                                         {"detail", finding->detail}};
   }
   const CutCount& cuts = check.proof.cuts;
@@ -114,7 +114,7 @@ void add_measures(MapCheck& check, const MapFile& file, const CheckRequest& requ
   if (!check.measures->cut_short && request.reported)
     result["distortion"] = measured_distortion(file);
   check.report["result"] = result;
-  if (check.proof.surface.answer == Answer::Violated) return;  // claims are about another mesh
+  if (check.proof.surface.answer == ProofStatus::Violated) return;  // claims are about another mesh
   check_claims({file, map, *check.measures, check.claims, request.surface, check.proof.cuts},
                check.findings);
 }

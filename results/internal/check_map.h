@@ -1,5 +1,5 @@
 // `check`: a result judged again, from what a file holds alone. Claims of the file describe; what
-// is proven is decided from points and uv (io/map_proof.h).
+// is proven is decided from points and uv (certify/map_proof.h).
 //
 //   const MapFile file = read_map("bunny.vtu");
 //   const MapCheck check(file, {.name = "bunny.vtu"}, RunRecord());
@@ -10,9 +10,9 @@
 #include <string>
 #include <string_view>
 
+#include "majorant/certify/map_proof.h"
 #include "majorant/framework/run_record.h"
-#include "majorant/io/internal/claims.h"
-#include "majorant/io/map_proof.h"
+#include "majorant/io/claims.h"
 #include "majorant/results/internal/check_energy.h"
 #include "majorant/results/internal/findings.h"
 #include "majorant/results/internal/report.h"

@@ -1,5 +1,5 @@
 // What `check` demands of the claims of maps with seams: cones, marks and cuts are those that were
-// claimed or given. That the seams fit is proven elsewhere (io/map_proof.h).
+// claimed or given. That the seams fit is proven elsewhere (certify/map_proof.h).
 #pragma once
 
 #include "majorant/results/internal/check_claims.h"

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <utility>
 
+#include "majorant/certify/check_layout.h"
+#include "majorant/certify/cut_map.h"
 #include "majorant/framework/linear_solver.h"
 #include "majorant/framework/thread_count.h"
 #include "majorant/io/atlas_file.h"
-#include "majorant/io/internal/cut_map.h"
 #include "majorant/io/map_distortion.h"
-#include "majorant/parametrization/injectivity/internal/check_layout.h"
 #include "majorant/results/internal/global_verdict.h"
 #include "majorant/results/internal/write_map.h"
 
@@ -26,7 +26,7 @@ bool is_measured_anew(const FinishedAtlas& run) {
   return !is_cut_short(run.atlas) && run.surface.mesh->rest_triangles().empty();
 }
 
-Json normalized_section(const AtlasSquare* square) {
+Json normalized_section(const LayoutMotion* square) {
   if (!square) return nullptr;
   return {{"origin", {square->origin.x(), square->origin.y()}}, {"size", square->size}};
 }
@@ -139,7 +139,7 @@ Json result_section(const FinishedAtlas& run) {
 
 GlobalInjectivity prove_boundary(const Atlas& atlas) {
   GlobalInjectivity packed;
-  packed.result = Injectivity::Proven;  // at distances that are proven
+  packed.result = ProofStatus::Proven;  // at distances that are proven
   if (atlas.packing) return packed;
   BoundaryLoops layout;
   Index faces = 0;

@@ -10,9 +10,8 @@
 
 #include <string>
 
-#include "majorant/io/map_proof.h"
+#include "majorant/certify/map_proof.h"
 #include "majorant/mesh/repair.h"
-#include "majorant/parametrization/atlas/unit_square.h"
 #include "majorant/parametrization/atlas/unwrap.h"
 #include "majorant/results/internal/report.h"
 
@@ -24,7 +23,7 @@ struct FinishedAtlas {
   const RepairedSurface& surface;
   const Atlas& atlas;
   const RunRecord& record;
-  const AtlasSquare* square = nullptr;  // what the maps were moved into
+  const LayoutMotion* square = nullptr;  // what the maps were moved into
   int degree = 1;
   std::string energy = {};        // as said; empty: one without a name
   Json options = Json::object();  // likewise, all of it

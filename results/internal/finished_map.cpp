@@ -2,9 +2,9 @@
 
 #include <utility>
 
+#include "majorant/certify/cut_map.h"
 #include "majorant/framework/linear_solver.h"
 #include "majorant/framework/thread_count.h"
-#include "majorant/io/internal/cut_map.h"
 #include "majorant/io/map_distortion.h"
 #include "majorant/results/internal/global_verdict.h"
 #include "majorant/results/internal/write_map.h"
@@ -20,7 +20,7 @@ Json aligned_section(const FinishedMap& run) {
 
 Json normalized_section(const FinishedMap& run) {
   if (!run.placement || !run.is_normalized) return nullptr;
-  const LayoutPlacement& p = *run.placement;
+  const LayoutMotion& p = *run.placement;
   return {{"origin", {p.origin.x(), p.origin.y()}}, {"size", p.size}};
 }
 
@@ -96,6 +96,7 @@ bool has_result(const ParametrizationResult& result) {
 
 GlobalInjectivity prove_boundary(const ParametrizationResult& result, const RunRecord& record) {
   if (!result.map) return {};
+  if (result.boundary) return *result.boundary;
   record.begin(Activity::Proving);
   return check_boundary(*result.map);
 }

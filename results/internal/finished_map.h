@@ -12,11 +12,11 @@
 #include <optional>
 #include <string>
 
-#include "majorant/io/map_proof.h"
+#include "majorant/certify/global_injectivity.h"
+#include "majorant/certify/map_proof.h"
+#include "majorant/certify/moved_layout.h"
 #include "majorant/parametrization/cuts/choose_cuts.h"
-#include "majorant/parametrization/drive/internal/placement.h"
 #include "majorant/parametrization/drive/parametrize.h"
-#include "majorant/parametrization/injectivity/global_injectivity.h"
 #include "majorant/parametrization/starts/start.h"
 #include "majorant/pictures/film.h"
 #include "majorant/results/internal/report.h"
@@ -37,7 +37,7 @@ struct FinishedMap {
   double read_seconds = 0;
   const SurfaceCuts* cuts = nullptr;               // of surfaces cut open
   const Start* start = nullptr;                    // that was made of a seamless map
-  const LayoutPlacement* placement = nullptr;      // how result.map was moved
+  const LayoutMotion* placement = nullptr;         // how result.map was moved
   bool is_aligned = false, is_normalized = false;  // of that, what was asked for
   const Film* film = nullptr;                      // of the run, if asked for
   GlobalInjectivity boundary = {};                 // prove_boundary()
@@ -49,8 +49,9 @@ bool has_result(const ParametrizationResult& result);
 // Units of the surface per unit of uv in the file.
 double scale_of(const FinishedMap& run);
 
-// Whether the map is injective as a whole, as it is now: after all that moves it. Takes
-// milliseconds, a second or so where curves run along each other; limits do not end it.
+// Whether the map is injective as a whole, as it is now: after all that moves it, which has to
+// reset result.boundary. Takes milliseconds, a second or so where curves run along each other;
+// limits do not end it.
 GlobalInjectivity prove_boundary(const ParametrizationResult& result, const RunRecord& record);
 // Of a run that has a result: with what was measured, and with its claims.
 MapFile map_file(const FinishedMap& run);

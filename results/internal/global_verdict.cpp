@@ -32,8 +32,8 @@ ImageOf image_of(const BezierMap& map) {
 }
 
 std::string overlap_words(const GlobalInjectivity& proof, ImageOf image) {
-  if (proof.result == Injectivity::Proven) return "no overlaps";
-  const bool violated = proof.result == Injectivity::Violated;
+  if (proof.result == ProofStatus::Proven) return "no overlaps";
+  const bool violated = proof.result == ProofStatus::Violated;
   const std::string found = violated ? what_meets(proof) : what_is_open(proof);
   if (image == ImageOf::Charts) return "each chart without overlaps, the layout " + found;
   if (image == ImageOf::CutAtSeams)
@@ -43,13 +43,13 @@ std::string overlap_words(const GlobalInjectivity& proof, ImageOf image) {
 }
 
 Json overlap_section(const GlobalInjectivity& proof, ImageOf image, const MapMeasures& measures) {
-  if (proof.result == Injectivity::Violated)
+  if (proof.result == ProofStatus::Violated)
     return {{"globally_injective", false}, {"overlaps", overlap_words(proof, image)}};
   if (!measures.locally_injective)
     return {{"globally_injective", nullptr},
             {"overlaps", "not decided: the map is not proven to be locally injective"}};
   Json injective;  // null: not decided
-  if (proof.result == Injectivity::Proven) injective = true;
+  if (proof.result == ProofStatus::Proven) injective = true;
   return {{"globally_injective", injective}, {"overlaps", overlap_words(proof, image)}};
 }
 
@@ -63,7 +63,7 @@ void add_global_injectivity(Json& measures_section, const BezierMap& map,
   for (const BoundaryContact& c : proof.contacts)
     contacts.push_back({{"edges", {edge(c.half_edge_a), edge(c.half_edge_b)}},
                         {"uv", {c.where.x(), c.where.y()}},
-                        {"certain", c.kind == Contact::Certain}});
+                        {"certain", c.apart == ProofStatus::Violated}});
   Json covered_twice;
   if (proof.covered_twice) covered_twice = {proof.covered_twice->x(), proof.covered_twice->y()};
   measures_section.update(overlap_section(proof, image_of(map), measures));

@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "majorant/parametrization/injectivity/global_injectivity.h"
+#include "majorant/certify/global_injectivity.h"
 #include "majorant/results/internal/report.h"
 
 namespace majorant {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "majorant/io/internal/read_vertex_lists.h"
+#include "majorant/io/read_vertex_lists.h"
 #include "majorant/mesh/surface_mesh.h"
 #include "majorant/parametrization/drive/map_options.h"
 

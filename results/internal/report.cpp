@@ -10,7 +10,7 @@
 
 #include "majorant/framework/internal/curvature_name.h"
 #include "majorant/framework/internal/rounding.h"
-#include "majorant/io/internal/atomic_file.h"
+#include "majorant/io/atomic_file.h"
 #include "majorant/mesh/internal/geometry.h"
 
 namespace majorant {

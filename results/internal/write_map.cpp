@@ -4,9 +4,9 @@
 #include <cctype>
 #include <filesystem>
 
-#include "majorant/io/internal/claims.h"
+#include "majorant/io/claims.h"
 #include "majorant/io/write_ply.h"
-#include "majorant/pictures/internal/first_view.h"
+#include "majorant/pictures/first_view.h"
 
 namespace majorant {
 
@@ -31,16 +31,15 @@ ProofRequest::FaceLabels labels_in(const std::string& path) {
 }
 
 ProofRequest promise_of(const MapFile& map, const PolygonMesh& surface, const std::string& name) {
-  ProofRequest question;
-  question.cuts = CutRule::SeamsOrFree;
-  const CutCount cuts = MapProof(map, name, question).cuts;
+  const Claims claims = parse_claims(map.claims, name);
+  const MapProof proof(map, name, {.cuts = CutRule::SeamsOrFree, .cut_edges = claims.cuts});
+  const bool is_torn = proof.continuous.answer == ProofStatus::Violated;
   ProofRequest promise;
   promise.surface = &surface;
   promise.orientation = Orientation::AsGiven;
-  if (cuts.seams > 0) promise.cuts = CutRule::Seams;
-  if (cuts.others > 0) promise.cuts = CutRule::SeamsOrFree;
-  if (parse_claims(map.claims, name).bijective.value_or(false))
-    promise.overlap = ProofRequest::Overlap::Forbidden;
+  if (proof.cuts.seams > 0) promise.cuts = CutRule::Seams;
+  if (proof.cuts.others > 0 && !is_torn) promise.cuts = CutRule::SeamsOrFree;
+  if (claims.bijective.value_or(false)) promise.overlap = ProofRequest::Overlap::Forbidden;
   return promise;
 }
 

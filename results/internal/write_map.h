@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "majorant/io/map_file.h"
-#include "majorant/io/map_proof.h"
+#include "majorant/certify/map_proof.h"
 #include "majorant/io/msh.h"
 #include "majorant/io/vtu.h"
 #include "majorant/io/write_obj.h"
 #include "majorant/mesh/polygon_mesh.h"
+#include "majorant/parametrization/maps/map_file.h"
 #include "majorant/pictures/write_page.h"
 #include "majorant/pictures/write_png.h"
 #include "majorant/pictures/write_svg.h"
@@ -32,7 +32,8 @@ bool is_straight_map_data(const std::string& path);
 ProofRequest::FaceLabels labels_in(const std::string& path);
 
 // What data files made from a map are to be, when they are read back: maps of `surface`, as cut and
-// as free of overlaps as this one is or claims to be. Throws Error as parse_claims() and MapProof.
+// as free of overlaps as this one is or claims to be. One that is cut elsewhere than it claims is
+// torn: no file of it will do. Throws Error as parse_claims() and MapProof.
 ProofRequest promise_of(const MapFile& map, const PolygonMesh& surface, const std::string& name);
 // In formats without curves, a map that is injective as a whole stays so.
 Overlap allowed_overlap(const ProofRequest& promise);

@@ -111,6 +111,23 @@ class Align(CommandTest):
         self.run_ok('check', self.path('a.vtu'), '--surface', mesh)
         self.verified(self.path('a.vtu'), mesh)
 
+    def test_what_turning_would_round_away_stays_as_it_lies(self):
+        """A kite whose image grows out of its lowest corner, layer by layer: the first is small beside the last,
+        and has its digits only where this corner is (0, 0)."""
+        def kite(base):
+            layers = [(base ** k * x, base ** k * y) for k in range(-16, 1) for x, y in ((1, 0.2), (0.2, 1))]
+            return [(0.0, 0.0), *layers, (1.2, 0.5), (0.5, 1.2)]
+        faces = [(0, 1, 2)] + [f for k in range(1, 35, 2) for f in ((k, k + 2, k + 3), (k, k + 3, k + 1))]
+        lines = ['v %r %r 0' % p for p in kite(1.5)] + ['vt %r %r' % p for p in kite(16.0)]
+        lines += ['f ' + ' '.join('%d/%d' % (v + 1, v + 1) for v in face) for face in faces]
+        mesh = self.write('kite.obj', '\n'.join(lines) + '\n')
+        options = ['--init', 'input', '--degree', 1, '--max-iterations', 0, '-o', self.path('a.vtu'), '--normalize']
+        said = self.run_ok('parametrize', mesh, *options, code=LIMIT).err
+        self.assertIn('kite.obj: --normalize leaves the layout unturned', said)
+        self.assertIsNone(Vtu(self.path('a.vtu')).claims['aligned'])
+        self.run_ok('check', self.path('a.vtu'), '--surface', mesh)
+        self.assertEqual('', self.run_ok('parametrize', '--quiet', mesh, *options, code=LIMIT).err)
+
     def test_a_square_sheet_fills_the_square(self):
         mesh = self.write('sheet.obj', obj_text(*grid(20, lambda x, y: 0.05 * math.sin(3 * x) * y)))
         for options in (['--normalize'], ['--normalize', '--align'], ['--align']):

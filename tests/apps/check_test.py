@@ -82,7 +82,10 @@ class Check(CommandTest):
                 vtu.arrays['uv'][-1] += 1e-3
                 vtu.arrays['connectivity'][200 * size + local] = len(vtu.rows('uv')) - 1
             if name == 'free3':
-                self.tampered(name, lambda vtu: tear(vtu, 3), 'continuous')  # an edge's point
+                path = self.tampered(name, lambda vtu: tear(vtu, 3), 'continuous')  # an edge's point
+                for out in 'out.vtu', 'out.msh':  # nor is it passed on
+                    self.refused(INVALID, 'convert', path, '-o', self.path(out), says='is not written')
+                    self.assertFalse(os.path.exists(self.path(out)))
             self.tampered(name, lambda vtu: tear(vtu, 0))                    # a corner
 
     def test_a_moved_pin(self):

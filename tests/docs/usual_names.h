@@ -11,8 +11,8 @@
 
 #include "apps/command.h"
 #include "majorant/energies/make_energy.h"
-#include "majorant/io/map_file.h"
 #include "majorant/parametrization/drive/parametrize.h"
+#include "majorant/parametrization/maps/map_file.h"
 #include "majorant/parametrization/maps/map_problem.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 

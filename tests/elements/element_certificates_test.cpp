@@ -44,7 +44,7 @@ TEST_P(Certificate, StraightMeshesAreCertified) {
   const ContractionTable t = samples(4);
   for (Index e = 0; e < space().element_count(); ++e) {
     const PositivityProof proof = space().certify(e, x, 0);
-    EXPECT_EQ(proof.result, Positivity::Certified);
+    EXPECT_EQ(proof.result, ProofStatus::Proven);
     const double lowest = test::sampled_det(space(), t, x, e);
     EXPECT_LE(proof.lower_bound, lowest + 1e-12);
     EXPECT_GE(proof.lower_bound, straight_is_exact_ ? lowest - 1e-12 : 0.9 * lowest);
@@ -64,19 +64,19 @@ TEST_P(Certificate, IsNeverWrongAndBoundsAreClose) {
         const PositivityProof proof = space().certify(e, x, depth);
         ASSERT_LE(proof.lower_bound, lowest + 1e-12);
         ASSERT_LE(proof.depth, depth);
-        if (proof.result == Positivity::Certified) {
+        if (proof.result == ProofStatus::Proven) {
           ASSERT_GT(lowest, -1e-12);
         }
-        if (proof.result == Positivity::Violated) {
+        if (proof.result == ProofStatus::Violated) {
           ASSERT_LE(proof.lower_bound, 1e-12);
         }
       }
       const PositivityProof proof = space().certify(e, x, depth());
-      (proof.result == Positivity::Certified ? certified : refused) += 1;
-      bisected += proof.result == Positivity::Certified && proof.depth > 0;
+      (proof.result == ProofStatus::Proven ? certified : refused) += 1;
+      bisected += proof.result == ProofStatus::Proven && proof.depth > 0;
       // What is clearly positive is certified.
       if (lowest > 0.05) {
-        EXPECT_EQ(proof.result, Positivity::Certified) << "minimum " << lowest;
+        EXPECT_EQ(proof.result, ProofStatus::Proven) << "minimum " << lowest;
       }
     }
   }
@@ -114,10 +114,10 @@ TEST_P(ExactCertificate, NearlyDegenerateMapsAgreeWithIt) {
     Rational lowest = det(points.front());
     for (const auto& p : points) lowest = std::min(lowest, det(p));
     EXPECT_LE(Rational(proof.lower_bound), lowest);
-    if (proof.result == Positivity::Certified) {
+    if (proof.result == ProofStatus::Proven) {
       EXPECT_GT(lowest, 0);
     }
-    certified += proof.result == Positivity::Certified;
+    certified += proof.result == ProofStatus::Proven;
     negative += lowest <= 0;
   }
   EXPECT_GT(negative, 0);
@@ -130,7 +130,7 @@ TEST_P(Certificate, NonfiniteMapsAreNotCertified) {
     for (int k = 0; k < dim() * space().nodes_per_element(); ++k) {
       Vec x = perturbed(0, random);
       x[dim() * space().cells()(0, k / dim()) + k % dim()] = bad;
-      EXPECT_NE(space().certify(0, x, 3).result, Positivity::Certified);
+      EXPECT_NE(space().certify(0, x, 3).result, ProofStatus::Proven);
       EXPECT_EQ(space().largest_step(0, x, Vec::Ones(x.size()), 1, 3), 0);
     }
 }
@@ -143,18 +143,18 @@ TEST_P(Certificate, StepsStayInsideAndGoFar) {
     const Vec x = perturbed(0.1 * scale(), random);
     const Vec d = random.vector(static_cast<Index>(x.size()));
     for (Index e = 0; e < few_; ++e) {
-      ASSERT_EQ(space().certify(e, x, depth()).result, Positivity::Certified);
+      ASSERT_EQ(space().certify(e, x, depth()).result, ProofStatus::Proven);
       const double quick = space().largest_step(e, x, d, 2, 0),
                    step = space().largest_step(e, x, d, 2, depth());
       ASSERT_GE(step, quick);
       ASSERT_GT(quick, 0);
       improved += step > quick;
       for (const double s : {0.25, 0.5, 0.75, 0.9, 0.999})
-        ASSERT_EQ(space().certify(e, x + s * step * d, depth() + 2).result, Positivity::Certified)
+        ASSERT_EQ(space().certify(e, x + s * step * d, depth() + 2).result, ProofStatus::Proven)
             << "at " << s << " of the step " << step;
       if (step == 2) continue;
       ++limited;
-      EXPECT_NE(space().certify(e, x + 1.001 * step * d, depth()).result, Positivity::Certified);
+      EXPECT_NE(space().certify(e, x + 1.001 * step * d, depth()).result, ProofStatus::Proven);
       EXPECT_LT(test::sampled_det(space(), t, x + 1.05 * step * d, e), 0.06);
       EXPECT_EQ(space().largest_step(e, x, d, 0.5 * step, depth()), 0.5 * step);
     }
@@ -208,12 +208,12 @@ TEST_P(CertificateOfTables, TheHighestDegreeWorks) {
   const ContractionTable t =
       high->tabulate(test::rule_at(factors, test::lattice_coordinates(factors, 5)));
   for (Index e = 0; e < 3; ++e) {
-    EXPECT_EQ(high->certify(e, straight, 0).result, Positivity::Certified);
+    EXPECT_EQ(high->certify(e, straight, 0).result, ProofStatus::Proven);
     const double step = high->largest_step(e, straight, d, 1, 6);
     ASSERT_GT(step, 0);
     const Vec x = straight + 0.9 * step * d;
     const PositivityProof proof = high->certify(e, x, 8);
-    EXPECT_EQ(proof.result, Positivity::Certified);
+    EXPECT_EQ(proof.result, ProofStatus::Proven);
     EXPECT_LE(proof.lower_bound, test::sampled_det(*high, t, x, e));
   }
 }

@@ -52,7 +52,7 @@ TEST(CertifyPositive, IsNeverWrongOnRandomPolynomials) {
     const Rational lowest = sampled_minimum(n, c, 12);
     const PositivityProof proof = certify_positive(triangle(n), c.data(), 0, 6);
     EXPECT_LE(Rational(proof.lower_bound), lowest);
-    if (proof.result != Positivity::Certified) {
+    if (proof.result != ProofStatus::Proven) {
       ++refused;
       continue;
     }
@@ -73,30 +73,29 @@ TEST(CertifyPositive, FindsWhatNeedsBisection) {
     const int order[3][6] = {{0, 1, 2, 3, 4, 5}, {1, 2, 0, 4, 5, 3}, {2, 0, 1, 5, 3, 4}};
     const double values[6] = {1, 1, 0, -1, 0, 0};  // (x0 - x1)^2
     for (int k = 0; k < 6; ++k) c[static_cast<std::size_t>(order[rotation][k])] = values[k] + 0.05;
-    EXPECT_EQ(certify_positive(triangle(2), c.data(), 0, 0).result, Positivity::Undecided);
+    EXPECT_EQ(certify_positive(triangle(2), c.data(), 0, 0).result, ProofStatus::Undecided);
     const PositivityProof proof = certify_positive(triangle(2), c.data(), 0, 8);
-    EXPECT_EQ(proof.result, Positivity::Certified);
+    EXPECT_EQ(proof.result, ProofStatus::Proven);
     EXPECT_GT(proof.depth, 0);
     EXPECT_LE(proof.lower_bound, 0.05);
-    EXPECT_EQ(certify_positive(triangle(2), c.data(), 0, proof.depth).result,
-              Positivity::Certified);
+    EXPECT_EQ(certify_positive(triangle(2), c.data(), 0, proof.depth).result, ProofStatus::Proven);
     EXPECT_EQ(certify_positive(triangle(2), c.data(), 0, proof.depth - 1).result,
-              Positivity::Undecided);
-    EXPECT_NE(certify_positive(triangle(2), c.data(), 0.051, 8).result, Positivity::Certified);
+              ProofStatus::Undecided);
+    EXPECT_NE(certify_positive(triangle(2), c.data(), 0.051, 8).result, ProofStatus::Proven);
   }
 }
 
 TEST(CertifyPositive, TouchingZeroIsNotPositive) {
   const double touching[6] = {1, 1, 1, -1, 0, 0};  // zero at the midpoint of edge 01
   for (int depth = 0; depth < 12; ++depth)
-    EXPECT_NE(certify_positive(triangle(2), touching, 0, depth).result, Positivity::Certified);
+    EXPECT_NE(certify_positive(triangle(2), touching, 0, depth).result, ProofStatus::Proven);
   const double corner[3] = {1, 0, 1}, negative[3] = {1, 1, -1e-300}, zero[1] = {0};
-  EXPECT_EQ(certify_positive(triangle(1), corner, 0, 5).result, Positivity::Violated);
-  EXPECT_EQ(certify_positive(triangle(1), negative, 0, 5).result, Positivity::Violated);
-  EXPECT_EQ(certify_positive(triangle(0), zero, 0, 5).result, Positivity::Violated);
+  EXPECT_EQ(certify_positive(triangle(1), corner, 0, 5).result, ProofStatus::Violated);
+  EXPECT_EQ(certify_positive(triangle(1), negative, 0, 5).result, ProofStatus::Violated);
+  EXPECT_EQ(certify_positive(triangle(0), zero, 0, 5).result, ProofStatus::Violated);
   const double tiny[1] = {1e-300};
-  EXPECT_EQ(certify_positive(triangle(0), tiny, 0, 0).result, Positivity::Certified);
-  EXPECT_EQ(certify_positive(triangle(0), tiny, 1e-299, 5).result, Positivity::Violated);
+  EXPECT_EQ(certify_positive(triangle(0), tiny, 0, 0).result, ProofStatus::Proven);
+  EXPECT_EQ(certify_positive(triangle(0), tiny, 1e-299, 5).result, ProofStatus::Violated);
 }
 
 // Halves of the smallest doubles round, up as well as down.
@@ -113,7 +112,7 @@ TEST(CertifyPositive, BoundsHoldForTheSmallestDoubles) {
     for (double& x : c) x *= kSmallest;
     const PositivityProof proof = certify_positive(triangle(kDegree), c.data(), 0, 8);
     EXPECT_LE(Rational(proof.lower_bound / kSmallest), lowest) << "trial " << trial;
-    bisected += proof.result == Positivity::Certified && proof.depth > 0;
+    bisected += proof.result == ProofStatus::Proven && proof.depth > 0;
   }
   EXPECT_GT(bisected, 10);
 }
@@ -124,12 +123,12 @@ TEST(CertifyPositive, NaNIsNeverCertified) {
     for (std::size_t k = 0; k < 6; ++k) {
       std::vector<double> c(6, 1.0);
       c[k] = bad;
-      EXPECT_NE(certify_positive(triangle(2), c.data(), 0, 3).result, Positivity::Certified)
+      EXPECT_NE(certify_positive(triangle(2), c.data(), 0, 3).result, ProofStatus::Proven)
           << "at " << k;
     }
   const std::vector<double> fine(6, 1.0);
   EXPECT_NE(certify_positive(triangle(2), fine.data(), std::nan(""), 3).result,
-            Positivity::Certified);
+            ProofStatus::Proven);
 }
 
 TEST(Certify, MapsWithNonfiniteControlPointsAreNotCertified) {
@@ -139,12 +138,12 @@ TEST(Certify, MapsWithNonfiniteControlPointsAreNotCertified) {
     Points2 corners(3, 2);
     corners << 1, 0, 0, 1, 0, 0;
     const Vec x = test::linear_map(space, corners);
-    ASSERT_EQ(space.certify(0, x, 5).result, Positivity::Certified);
+    ASSERT_EQ(space.certify(0, x, 5).result, ProofStatus::Proven);
     for (const double bad : {std::nan(""), infinity, -infinity})
       for (Index k = 0; k < x.size(); ++k) {
         Vec broken = x;
         broken[k] = bad;
-        EXPECT_NE(space.certify(0, broken, 5).result, Positivity::Certified)
+        EXPECT_NE(space.certify(0, broken, 5).result, ProofStatus::Proven)
             << "degree " << n << ", unknown " << k << " = " << bad;
       }
   }
@@ -164,7 +163,7 @@ TEST(Certify, NearlyDegenerateTrianglesAgreeWithExactArithmetic) {
     const std::vector<Rational> q = test::exact(x.data(), 6);
     const Rational det = (q[0] - q[4]) * (q[3] - q[5]) - (q[1] - q[5]) * (q[2] - q[4]);
     const PositivityProof proof = space.certify(0, x, 5);
-    EXPECT_EQ(proof.result == Positivity::Certified, det > 0);
+    EXPECT_EQ(proof.result == ProofStatus::Proven, det > 0);
     positive += det > 0;
   }
   EXPECT_GT(positive, 50);
@@ -223,7 +222,7 @@ TEST_P(LargestStep, IsPositiveBeforeAndTightWithBisection) {
   int limited = 0, improved = 0;
   for (int trial = 0; trial < (m == 1 ? 60 : 12); ++trial) {
     const Line line = random_line(random, m, 1.0);
-    if (certify_positive(triangle(n), start_of(line).data(), 0, 8).result != Positivity::Certified)
+    if (certify_positive(triangle(n), start_of(line).data(), 0, 8).result != ProofStatus::Proven)
       continue;
     const double quick = step_of(n, line, 1, 0), step = step_of(n, line, 1, 8);
     EXPECT_GE(step, quick);

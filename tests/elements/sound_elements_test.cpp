@@ -178,7 +178,7 @@ TEST_P(Sound, WhatIsCertifiedIsPositiveExactly) {
         for (int d = 0; d < dim; ++d)
           x[dim * space->cells()(e, k) + d] = c[static_cast<std::size_t>(dim * k + d)];
       const PositivityProof proof = space->certify(e, x, kBisections);
-      const bool positive = exact.is_positive(c), certified = proof.result == Positivity::Certified;
+      const bool positive = exact.is_positive(c), certified = proof.result == ProofStatus::Proven;
       (positive ? valid : inverted) += 1;
       proven += positive && certified;
       EXPECT_TRUE(positive || !certified) << kind.name << ", trial " << trial;

@@ -40,7 +40,7 @@ class LinearTetrahedra final : public ElementSpace {
 
   PositivityProof certify(Index e, VecIn x, int) const override {
     const double det = tangents(e, x).determinant();
-    return {det > 0 ? Positivity::Certified : Positivity::Violated, det, 0};
+    return {det > 0 ? ProofStatus::Proven : ProofStatus::Violated, det, 0};
   }
   double largest_step(Index, VecIn, VecIn, double s, int) const override { return s; }
 

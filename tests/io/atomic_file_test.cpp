@@ -1,4 +1,4 @@
-#include "majorant/io/internal/atomic_file.h"
+#include "majorant/io/atomic_file.h"
 
 #include <sys/stat.h>
 

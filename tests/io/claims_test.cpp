@@ -1,5 +1,5 @@
 // Claims: what rules of several front ends depend on is read in one place.
-#include "majorant/io/internal/claims.h"
+#include "majorant/io/claims.h"
 
 #include <fmt/format.h>
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "majorant/io/internal/base64.h"
+#include "majorant/io/base64.h"
 
 namespace majorant {
 

@@ -14,8 +14,8 @@
 #include <string_view>
 
 #include "expected_error.h"
-#include "majorant/io/internal/bezier_cell.h"
-#include "majorant/io/map_file.h"
+#include "majorant/parametrization/maps/bezier_cell.h"
+#include "majorant/parametrization/maps/map_file.h"
 
 namespace majorant {
 

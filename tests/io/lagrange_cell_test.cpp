@@ -1,9 +1,9 @@
-#include "majorant/io/internal/lagrange_cell.h"
+#include "majorant/io/lagrange_cell.h"
 
 #include <cmath>
 
 #include "io_test_helpers.h"
-#include "majorant/io/map_proof.h"
+#include "majorant/certify/map_proof.h"
 #include "majorant/io/vtu.h"
 #include "rational.h"
 
@@ -158,11 +158,11 @@ TEST(LagrangeCell, NearlyInvertedCellsAreNotProven) {
     map.uv << 0.1, 0.1, 1.1, 0.1, 0.1, 1.1, 0.6, 0.1, 0.6, 0.6, 0.6, 0.1 + height;
     const TemporaryFolder folder;
     write_vtu(folder.file("a.vtu"), map, VtuCells::Lagrange);
-    EXPECT_EQ(MapProof(map, "a.vtu", {}).positive.answer, Answer::Proven);
+    EXPECT_EQ(MapProof(map, "a.vtu", {}).positive.answer, ProofStatus::Proven);
     return MapProof(read_vtu(folder.file("a.vtu")), "a.vtu", {}).positive.answer;
   };
-  EXPECT_EQ(verdict(1e-13), Answer::Proven);
-  EXPECT_EQ(verdict(1e-16), Answer::Undecided);
+  EXPECT_EQ(verdict(1e-13), ProofStatus::Proven);
+  EXPECT_EQ(verdict(1e-16), ProofStatus::Undecided);
 }
 
 }  // namespace

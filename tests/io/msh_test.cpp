@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "io_test_helpers.h"
-#include "majorant/io/map_proof.h"
+#include "majorant/certify/map_proof.h"
 #include "majorant/io/read_mesh.h"
 
 namespace majorant {
@@ -60,7 +60,7 @@ TEST(Msh, WhatIsWrittenIsProven) {
       const std::string path = folder.file("a.msh");
       write_msh(path, map, content,
                 certification(path, {}, content == MshContent::Image ? &map : nullptr));
-      EXPECT_EQ(MapProof(read_msh(path), path, {}).verdict(), Answer::Proven) << degree;
+      EXPECT_EQ(MapProof(read_msh(path), path, {}).verdict(), ProofStatus::Proven) << degree;
     }
   }
   // Another map than the one that is written: its cells are not those of the file.
@@ -162,7 +162,7 @@ TEST(Msh, FilesOfGmsh) {
   EXPECT_EQ(map.cells.row(0), Eigen::RowVector3i(0, 3, 2));
   EXPECT_EQ(map.cells.row(1), Eigen::RowVector3i(3, 1, 2));
   EXPECT_EQ(map.uv.row(3), Eigen::RowVector2d(1, 0));
-  EXPECT_EQ(MapProof(map, "a.msh", {}).verdict(), Answer::Proven);
+  EXPECT_EQ(MapProof(map, "a.msh", {}).verdict(), ProofStatus::Proven);
   const PolygonMesh mesh = read_mesh(folder.file("a.msh"));
   EXPECT_EQ(mesh.positions.size(), 4u);
   EXPECT_TRUE(mesh.texcoords.empty());

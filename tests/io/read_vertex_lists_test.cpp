@@ -1,4 +1,4 @@
-#include "majorant/io/internal/read_vertex_lists.h"
+#include "majorant/io/read_vertex_lists.h"
 
 #include "io_test_helpers.h"
 #include "public_data.h"

@@ -1,4 +1,4 @@
-#include "majorant/io/internal/temporary_file.h"
+#include "majorant/io/temporary_file.h"
 
 #include <sys/wait.h>
 #include <unistd.h>

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "io_test_helpers.h"
-#include "majorant/io/internal/base64.h"
+#include "majorant/io/base64.h"
 
 namespace majorant {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "cube_map.h"
 #include "io_test_helpers.h"
-#include "majorant/io/map_proof.h"
+#include "majorant/certify/map_proof.h"
 #include "majorant/io/read_mesh.h"
 
 namespace majorant {
@@ -112,7 +112,7 @@ TEST(WritePly, WedgesAreRead) {
   EXPECT_EQ(map.points.rows(), 5);
   ProofRequest wanted;
   wanted.cuts = CutRule::Free;
-  EXPECT_EQ(MapProof(map, path, wanted).verdict(), Answer::Proven);
+  EXPECT_EQ(MapProof(map, path, wanted).verdict(), ProofStatus::Proven);
 }
 
 TEST(WritePly, WedgesThatAreNone) {

@@ -76,7 +76,7 @@ class Package(unittest.TestCase):
 
     def test_the_installed_headers_are_the_public_ones(self):
         _, headers = self.headers()
-        with open(os.path.join(os.path.dirname(CONSUMER), 'public_headers.txt')) as f:
+        with open(os.path.join(SOURCE, 'cmake/public_headers.txt')) as f:
             listed = [line.strip() for line in f if line.strip() and not line.startswith('#')]
         self.assertEqual(headers, sorted(listed))
         self.assertEqual([n for n in headers if '/internal/' in n], [])

@@ -1,4 +1,4 @@
-#include "majorant/pictures/internal/first_view.h"
+#include "majorant/pictures/first_view.h"
 
 #include <Eigen/Geometry>
 

@@ -5,10 +5,10 @@
 
 #include "io/cube_map.h"
 #include "io/io_test_helpers.h"
-#include "majorant/io/internal/base64.h"
+#include "majorant/io/base64.h"
 #include "majorant/io/layout_scale.h"
 #include "majorant/pictures/internal/page_data.h"
-#include "majorant/pictures/internal/page_text.h"
+#include "majorant/pictures/page_text.h"
 
 namespace majorant {
 namespace {

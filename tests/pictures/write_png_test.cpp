@@ -5,10 +5,10 @@
 #include "io/io_test_helpers.h"
 #include "majorant/energies/named_energies.h"
 #include "majorant/framework/thread_count.h"
-#include "majorant/io/internal/atomic_file.h"
+#include "majorant/io/atomic_file.h"
 #include "majorant/pictures/internal/bezier_image.h"
 #include "majorant/pictures/internal/pixel_font.h"
-#include "majorant/pictures/internal/png_file.h"
+#include "majorant/pictures/png_file.h"
 #include "singular_values.h"
 
 namespace majorant {

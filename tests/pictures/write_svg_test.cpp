@@ -6,8 +6,8 @@
 #include "io/cube_map.h"
 #include "io/io_test_helpers.h"
 #include "majorant/energies/named_energies.h"
-#include "majorant/io/internal/bezier_cell.h"
 #include "majorant/io/internal/xml_tree.h"
+#include "majorant/parametrization/maps/bezier_cell.h"
 
 namespace majorant {
 namespace {

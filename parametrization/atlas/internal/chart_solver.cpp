@@ -3,10 +3,10 @@
 #include <cmath>
 #include <utility>
 
+#include "majorant/certify/global_injectivity.h"
 #include "majorant/framework/error.h"
 #include "majorant/mesh/internal/mesh_words.h"
 #include "majorant/parametrization/atlas/internal/texture_start.h"
-#include "majorant/parametrization/injectivity/global_injectivity.h"
 #include "majorant/parametrization/starts/internal/room.h"
 #include "majorant/parametrization/starts/internal/unfolding.h"
 
@@ -14,7 +14,7 @@ namespace majorant {
 namespace {
 
 bool has_proven_boundary(const BezierMap& map) {
-  return check_boundary(map).result == Injectivity::Proven;
+  return check_boundary(map).result == ProofStatus::Proven;
 }
 
 // Whether its faces are larger than what moving it and writing it down rounds.

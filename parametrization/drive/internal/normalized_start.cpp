@@ -9,6 +9,7 @@
 #include "majorant/constraints/seamless_constraint.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/elimination.h"
+#include "majorant/framework/internal/rounding.h"
 #include "majorant/mesh/internal/mesh_words.h"
 #include "majorant/parametrization/drive/internal/free_scale.h"
 #include "majorant/parametrization/drive/internal/pins.h"
@@ -122,7 +123,7 @@ Vec translated(Vec x, const Vector2& by) {
 
 double normalizing_scale(double extent, double area) {
   const double size = extent > 0 ? extent : std::sqrt(area);
-  return std::exp2(-std::round(std::log2(size)));
+  return 1 / power_of_two(size, PowerOfTwo::Nearest);
 }
 
 void NormalFrame::move_origin(const Vector2& to, BoundaryCondition boundary) {

@@ -7,12 +7,12 @@
 #include <random>
 #include <utility>
 
+#include "majorant/certify/global_injectivity.h"
 #include "majorant/constraints/seamless_constraint.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/elimination.h"
 #include "majorant/mesh/internal/exact_predicates.h"
 #include "majorant/mesh/internal/mesh_words.h"
-#include "majorant/parametrization/injectivity/global_injectivity.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 #include "majorant/parametrization/starts/internal/untangle.h"
 
@@ -234,7 +234,7 @@ bool PinPull::is_valid(const BezierMap& map) const {
            .feasible)
     return false;
   return asked_.injectivity == MapInjectivity::Local ||
-         check_boundary(map).result == Injectivity::Proven;
+         check_boundary(map).result == ProofStatus::Proven;
 }
 
 bool PinPull::set_pins() {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "majorant/framework/internal/rounding.h"
+
 namespace majorant {
 namespace {
 
@@ -98,28 +100,20 @@ Vector2 layout_direction(const Points2& uv, const Cells& cells) {
   // Halves: the difference of two finite numbers may overflow. A power of two rounds nothing.
   const double size = (0.5 * high - 0.5 * low).maxCoeff();
   if (!(size > 0) || !std::isfinite(size)) return {1, 0};
-  const int exponent = std::ilogb(size);
+  const double unit = power_of_two(size);
   std::vector<char> is_used(at(static_cast<Index>(uv.rows())), 0);
   for (const Index p : cells.reshaped()) is_used[at(p)] = 1;
   std::vector<Vector2> points;
   for (Index p = 0; p < uv.rows(); ++p)
     if (is_used[at(p)])
-      points.emplace_back(std::scalbn(uv(p, 0) - low.x() / 2 - high.x() / 2, -exponent),
-                          std::scalbn(uv(p, 1) - low.y() / 2 - high.y() / 2, -exponent));
+      points.emplace_back((uv(p, 0) - low.x() / 2 - high.x() / 2) / unit,
+                          (uv(p, 1) - low.y() / 2 - high.y() / 2) / unit);
   const SmallestRectangle box = smallest_rectangle(points);
   Vector2 direction = box.side;
   if (box.across > box.along * (1 + kWorthTurning))
     direction = Vector2(-box.side.y(), box.side.x());
   const bool is_backwards = direction.x() < 0 || (direction.x() == 0 && direction.y() < 0);
   return is_backwards ? Vector2(-direction) : direction;
-}
-
-Points2 turned_along(const Points2& uv, const Vector2& direction) {
-  const double c = direction.x(), s = direction.y();
-  Points2 turned(uv.rows(), 2);
-  for (Index p = 0; p < uv.rows(); ++p)
-    turned.row(p) << c * uv(p, 0) + s * uv(p, 1), c * uv(p, 1) - s * uv(p, 0);
-  return turned;
 }
 
 }  // namespace majorant

@@ -2,7 +2,6 @@
 // the axes, and what a chart is packed as.
 //
 //   const Vector2 direction = layout_direction(file.uv, file.cells);
-//   const Points2 lying = turned_along(file.uv, direction);
 #pragma once
 
 #include <vector>
@@ -27,10 +26,6 @@ SmallestRectangle smallest_rectangle(const std::vector<Vector2>& points);
 // cells, to the right (upwards where it is vertical); (1, 0) where no side is longer. uv: #N by 2,
 // finite, of any size; cells: #F by k, rows of uv.
 Vector2 layout_direction(const Points2& uv, const Cells& cells);
-
-// uv turned so that `direction`, of length 1, becomes (1, 0): (1, 0) itself changes no digit. Point
-// by point: equal points stay equal.
-Points2 turned_along(const Points2& uv, const Vector2& direction);
 
 }  // namespace majorant
 

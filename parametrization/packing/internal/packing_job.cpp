@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "majorant/parametrization/packing/internal/layout_unit.h"
+#include "majorant/certify/moved_layout.h"
 
 namespace majorant {
 namespace {

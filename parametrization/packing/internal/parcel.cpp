@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "majorant/parametrization/injectivity/internal/boundary_loops.h"
+#include "majorant/certify/boundary_loops.h"
 #include "majorant/parametrization/maps/internal/smallest_rectangle.h"
 
 namespace majorant {

@@ -41,7 +41,7 @@ class FlipTables {
     Vec x(points.size());
     for (int l = 0; l < triangle_.nodes_per_element(); ++l)
       x.segment<2>(2 * triangle_.cells()(0, l)) = points.block<1, 2>(0, 2 * l);
-    return triangle_.certify(0, x, ProofDepth::kStart).result == Positivity::Certified;
+    return triangle_.certify(0, x, ProofDepth::kStart).result == ProofStatus::Proven;
   }
 
  private:

@@ -57,7 +57,7 @@ class Improver {
     for (Index f = 0; f < mesh_.face_count(); ++f) {
       input_face_.push_back(map.mesh().input_face(f));
       if (map.space().certify(f, map.control_points(), ProofDepth::kFinal).result !=
-          Positivity::Certified)
+          ProofStatus::Proven)
         throw InvalidArgument(fmt::format("improve_mesh: face {} of the map is not injective", f));
     }
     for (Index h = 0; h < 3 * mesh_.face_count(); ++h)

@@ -189,7 +189,7 @@ void PairEnergy::minimize(Vec& x) const {
   }
   for (Index p = 0; p < pair_count(); ++p)
     for (const Index f : {2 * p, 2 * p + 1})
-      if (space_->certify(f, x, ProofDepth::kStart).result != Positivity::Certified)
+      if (space_->certify(f, x, ProofDepth::kStart).result != ProofStatus::Proven)
         for_variables(p, [&](Index i, Index) { x[i] = start[i]; });
 }
 

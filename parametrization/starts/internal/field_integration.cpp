@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "majorant/constraints/cut_surface.h"
 #include "majorant/constraints/seamless_constraint.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/newton.h"
@@ -14,7 +15,6 @@
 #include "majorant/mesh/internal/geometry.h"
 #include "majorant/mesh/internal/mesh_words.h"
 #include "majorant/parametrization/maps/map_problem.h"
-#include "majorant/parametrization/starts/internal/cut_surface.h"
 
 namespace majorant {
 namespace {

@@ -19,11 +19,9 @@ Index faces_without_room(const Cells& faces, const Vec& uv) {
   const double largest = uv.cwiseAbs().maxCoeff();
   if (!(largest > 0)) return static_cast<Index>(faces.rows());
   // Exact signs are exact as long as products neither over- nor underflow.
-  const int exponent = -std::ilogb(largest);
+  const double unit = power_of_two(largest);
   const double least = kLeastHeight * 4 * kUnitRoundoff<double>;
-  const auto point = [&](Index v) {
-    return Vector2(std::scalbn(uv[2 * v], exponent), std::scalbn(uv[2 * v + 1], exponent));
-  };
+  const auto point = [&](Index v) { return Vector2(uv[2 * v] / unit, uv[2 * v + 1] / unit); };
   Index count = 0;
   for (Index f = 0; f < static_cast<Index>(faces.rows()); ++f) {
     const Vector2 a = point(faces(f, 0)), b = point(faces(f, 1)), c = point(faces(f, 2));

@@ -5,14 +5,15 @@
 #include <numbers>
 #include <set>
 
+#include "certify/valley.h"
 #include "counted_stop.h"
 #include "expected_error.h"
+#include "majorant/certify/global_injectivity.h"
+#include "majorant/certify/proven_distance.h"
 #include "majorant/energies/make_energy.h"
+#include "majorant/energies/named_energies.h"
 #include "majorant/mesh/repair.h"
 #include "majorant/parametrization/atlas/internal/texture_start.h"
-#include "majorant/parametrization/atlas/unit_square.h"
-#include "majorant/parametrization/injectivity/global_injectivity.h"
-#include "majorant/parametrization/packing/proven_distance.h"
 #include "mesh/surfaces_of_any_genus.h"
 #include "mesh/test_meshes.h"
 #include "random.h"
@@ -37,7 +38,7 @@ void expect_layout(const Atlas& atlas, const SurfaceMesh& surface) {
   for (const Chart& chart : atlas.charts) {
     faces.insert(chart.faces.begin(), chart.faces.end());
     EXPECT_TRUE(chart.measures.locally_injective);
-    EXPECT_EQ(check_boundary(*chart.map).result, Injectivity::Proven);
+    EXPECT_EQ(check_boundary(*chart.map).result, ProofStatus::Proven);
   }
   EXPECT_EQ(faces.size(), at(surface.face_count()));
   EXPECT_EQ(std::set<Index>(faces.begin(), faces.end()).size(), faces.size());
@@ -119,7 +120,7 @@ TEST(Unwrap, OverlapsAreUndoneByAScaffold) {
   RunRecord record;
   const ParametrizationResult free =
       parametrize(repair(mesh).mesh, options.chart, record);  // without a scaffold
-  EXPECT_EQ(check_boundary(*free.map).result, Injectivity::Violated);
+  EXPECT_EQ(check_boundary(*free.map).result, ProofStatus::Violated);
 }
 
 TEST(Unwrap, ThreadsDoNotMatter) {
@@ -244,7 +245,7 @@ TEST(UnitSquare, HoldsEverything) {
   const PolygonMesh mesh = together(cube_sphere(2), moved(grid(3, bumpy), {0, 0, 9}));
   Atlas atlas = unwrapped(mesh, of_degree(1));
   const double side = atlas.packing->side;
-  const std::optional<AtlasSquare> square = into_unit_square(atlas);
+  const std::optional<LayoutMotion> square = into_unit_square(atlas);
   ASSERT_TRUE(square);
   EXPECT_EQ(square->size, side);
   for (const BezierMap& map : maps_of(atlas)) {
@@ -253,6 +254,19 @@ TEST(UnitSquare, HoldsEverything) {
   }
   const double gap = 4.0 / 1024 * (1 - 1e-9);
   EXPECT_GE(proven_distance(maps_of(atlas), gap), gap);
+}
+
+// One chart that exact arithmetic alone proves: the square takes what packing took.
+TEST(UnitSquare, TakesWhatPackingTook) {
+  const BezierMap map = test::valley_map(1.0 / 3, 0x1p-21);
+  ASSERT_LE(measure_map(map, {{symmetric_dirichlet(), 1.0}}).min_det.minCoeff(), 0);
+  Atlas atlas;
+  atlas.packing = pack({map});
+  Chart& chart = atlas.charts.emplace_back();
+  chart.map = atlas.packing->charts.front();
+  ASSERT_TRUE(into_unit_square(atlas));
+  EXPECT_GE(chart.map->control_points().minCoeff(), 0);
+  EXPECT_LE(chart.map->control_points().maxCoeff(), 1);
 }
 
 TEST(Stretch, OfKnownMaps) {

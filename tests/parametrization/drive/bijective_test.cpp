@@ -2,8 +2,8 @@
 #include <algorithm>
 
 #include "expected_error.h"
+#include "majorant/certify/global_injectivity.h"
 #include "majorant/parametrization/drive/internal/parametrize_by.h"
-#include "majorant/parametrization/injectivity/global_injectivity.h"
 #include "mesh/obj_file.h"
 #include "parametrization/drive/parametrize_expectations.h"
 
@@ -42,11 +42,11 @@ TEST(Bijective, ARampThatWouldOverlap) {
   const auto mesh = ramp(1.3, 36);
   for (int n = 1; n <= 3; ++n) {
     const ParametrizationResult local = parametrize(mesh, options(n, MapInjectivity::Local));
-    EXPECT_EQ(proof(local), static_cast<int>(Injectivity::Violated)) << n;
+    EXPECT_EQ(proof(local), static_cast<int>(ProofStatus::Violated)) << n;
     EXPECT_FALSE(local.scaffold.has_value());
     const ParametrizationResult global = parametrize(mesh, options(n, MapInjectivity::Global));
     expect_valid(global, n);
-    EXPECT_EQ(proof(global), static_cast<int>(Injectivity::Proven)) << n;
+    EXPECT_EQ(proof(global), static_cast<int>(ProofStatus::Proven)) << n;
     EXPECT_GE(global.measures.value, local.measures.value);
     EXPECT_LE(global.measures.value, 1.01 * local.measures.value);
     EXPECT_EQ(static_cast<int>(global.status), static_cast<int>(Status::Converged));
@@ -66,7 +66,7 @@ ParametrizationResult ramp_with(double share_at_rest, int n) {
   ParametrizationResult result =
       parametrize_by(rules, BezierMap::linear(mesh, initial_map(*mesh, asked.map)), asked, record);
   EXPECT_EQ(status_name(result.status), status_name(Status::Converged)) << n;
-  EXPECT_EQ(proof(result), static_cast<int>(Injectivity::Proven)) << n;
+  EXPECT_EQ(proof(result), static_cast<int>(ProofStatus::Proven)) << n;
   return result;
 }
 
@@ -90,10 +90,10 @@ TEST(Bijective, CostsNothingWhereNothingOverlaps) {
     for (int n = 1; n <= highest; ++n) {
       const auto mesh = generated(name);
       const ParametrizationResult local = parametrize(mesh, options(n, MapInjectivity::Local));
-      ASSERT_EQ(proof(local), static_cast<int>(Injectivity::Proven));
+      ASSERT_EQ(proof(local), static_cast<int>(ProofStatus::Proven));
       const ParametrizationResult global = parametrize(mesh, options(n, MapInjectivity::Global));
       expect_valid(global, n);
-      EXPECT_EQ(proof(global), static_cast<int>(Injectivity::Proven));
+      EXPECT_EQ(proof(global), static_cast<int>(ProofStatus::Proven));
       EXPECT_EQ(static_cast<int>(global.status), static_cast<int>(Status::Converged));
       EXPECT_LE(global.measures.value, 1.0005 * local.measures.value) << name << ' ' << n;
     }
@@ -115,12 +115,12 @@ TEST(Bijective, ADiskWithTwoHoles) {
         parametrize(start, options(n, MapInjectivity::Global), record);
     expect_valid(result, n);
     EXPECT_EQ(static_cast<int>(result.status), static_cast<int>(Status::Converged));
-    EXPECT_EQ(proof(result), static_cast<int>(Injectivity::Proven));
+    EXPECT_EQ(proof(result), static_cast<int>(ProofStatus::Proven));
     EXPECT_LT(result.measures.value, result.initial_value);
     // Tutte's map has holes there, too.
     const ParametrizationResult other = parametrize(mesh, options(n, MapInjectivity::Global));
     expect_valid(other, n);
-    EXPECT_EQ(proof(other), static_cast<int>(Injectivity::Proven));
+    EXPECT_EQ(proof(other), static_cast<int>(ProofStatus::Proven));
     EXPECT_NEAR(other.measures.value, result.measures.value, 1e-4 * result.measures.value);
   }
   expect_valid(parametrize(mesh, degree(2)), 2);  // holes need no scaffold
@@ -135,7 +135,7 @@ TEST(Bijective, DirectElevationAndLimits) {
     const ParametrizationResult result = parametrize(mesh, o, record);
     expect_valid(result, 2);
     EXPECT_EQ(static_cast<int>(result.status), static_cast<int>(Status::MaxIterations));
-    EXPECT_EQ(proof(result), static_cast<int>(Injectivity::Proven)) << iterations;
+    EXPECT_EQ(proof(result), static_cast<int>(ProofStatus::Proven)) << iterations;
   }
 }
 

@@ -2,7 +2,7 @@
 #include "majorant/parametrization/drive/deform.h"
 
 #include "expected_error.h"
-#include "majorant/parametrization/injectivity/global_injectivity.h"
+#include "majorant/certify/global_injectivity.h"
 #include "parametrization/drive/parametrize_expectations.h"
 
 namespace majorant {
@@ -69,7 +69,7 @@ TEST(Deform, SoftHandlesAreReachedNearlyAndPinsExactly) {
       if (injectivity != MapInjectivity::Global) continue;
       for (const auto* r : {&soft, &hard})
         EXPECT_EQ(static_cast<int>(check_boundary(*r->map).result),
-                  static_cast<int>(Injectivity::Proven));
+                  static_cast<int>(ProofStatus::Proven));
     }
 }
 
@@ -111,7 +111,7 @@ TEST(PlanarMap, OfReversedFacesIsSeenFromBelow) {
     EXPECT_EQ(rest.control_points()[2 * v], -rest.mesh().positions()(v, 0));
     EXPECT_EQ(rest.control_points()[2 * v + 1], rest.mesh().positions()(v, 1));
   }
-  EXPECT_EQ(static_cast<int>(check_boundary(rest).result), static_cast<int>(Injectivity::Proven));
+  EXPECT_EQ(static_cast<int>(check_boundary(rest).result), static_cast<int>(ProofStatus::Proven));
   ParametrizationOptions o = degree(1);
   o.map.handles = {{0, Vector2(0.1, -0.1)}};
   expect_valid(run(rest, o), 1);

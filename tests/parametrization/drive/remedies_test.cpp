@@ -3,9 +3,9 @@
 #include <atomic>
 #include <limits>
 
+#include "majorant/certify/global_injectivity.h"
 #include "majorant/energies/named_energies.h"
 #include "majorant/parametrization/drive/internal/parametrize_by.h"
-#include "majorant/parametrization/injectivity/global_injectivity.h"
 #include "parametrization/drive/parametrize_expectations.h"
 
 namespace majorant {
@@ -106,7 +106,7 @@ ParametrizationOptions bijective_arap() {
 void expect_bijective(const ParametrizationResult& result) {
   ASSERT_TRUE(result.map && result.scaffold);
   EXPECT_TRUE(result.measures.locally_injective);
-  EXPECT_EQ(check_boundary(*result.map).result, Injectivity::Proven);
+  EXPECT_EQ(check_boundary(*result.map).result, ProofStatus::Proven);
 }
 
 // Whose scaffold is proven no deeper than the map, or it needs no remedy.

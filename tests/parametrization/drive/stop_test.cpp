@@ -8,10 +8,10 @@
 #include <optional>
 
 #include "counted_stop.h"
+#include "majorant/certify/global_injectivity.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/parametrization/drive/deform.h"
 #include "majorant/parametrization/drive/parametrize.h"
-#include "majorant/parametrization/injectivity/global_injectivity.h"
 #include "majorant/parametrization/scaffold/internal/improve_mesh.h"
 #include "majorant/parametrization/starts/make_seamless.h"
 #include "mesh/test_meshes.h"
@@ -77,7 +77,7 @@ void expect_best_so_far(const ParametrizationOptions& options,
                   EXPECT_TRUE(std::isfinite(result->measures.value));
                   EXPECT_TRUE(std::isfinite(result->measures.sigma_min));
                   if (options.map.injectivity == MapInjectivity::Global) {
-                    EXPECT_EQ(check_boundary(*result->map).result, Injectivity::Proven);
+                    EXPECT_EQ(check_boundary(*result->map).result, ProofStatus::Proven);
                     ASSERT_TRUE(result->scaffold);
                   }
                   const double energy = mean_of(*result->map, options.map.energy);

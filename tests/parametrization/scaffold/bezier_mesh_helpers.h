@@ -90,7 +90,7 @@ inline PlaneTriangulation jittered_grid(int n, double part, unsigned seed) {
 
 inline bool is_certified(const BezierTriangleSpace& space, VecIn x) {
   for (Index f = 0; f < space.element_count(); ++f)
-    if (space.certify(f, x, 5).result != Positivity::Certified) return false;
+    if (space.certify(f, x, 5).result != ProofStatus::Proven) return false;
   return true;
 }
 
@@ -119,7 +119,7 @@ inline BezierMesh curved(const PlaneTriangulation& t, int degree, double part, u
     folded = false;
     const Vec moved = x + shift;
     for (Index f = 0; f < space.element_count(); ++f) {
-      if (space.certify(f, moved, 5).result == Positivity::Certified) continue;
+      if (space.certify(f, moved, 5).result == ProofStatus::Proven) continue;
       folded = true;
       for (Index l = 0; l < space.cells().cols(); ++l)
         shift.segment<2>(2 * space.cells()(f, l)) *= 0.5;

@@ -5,8 +5,8 @@
 
 #include <numeric>
 
+#include "majorant/constraints/cut_surface.h"
 #include "majorant/framework/internal/elimination.h"
-#include "majorant/parametrization/starts/internal/cut_surface.h"
 #include "parametrization/starts/seamless_cases.h"
 #include "support.h"
 

@@ -1,0 +1,46 @@
+// The boundary of a map in the plane: loops of Bezier curves, each with the chart it belongs to.
+// What check_layout.h needs to know of a map, wherever that comes from.
+//
+//   const BoundaryLoops boundary = boundary_loops(map);    // of a map in memory
+//
+//   BoundaryLoops atlas{.charts = 2};                      // of anything else, say a file
+//   std::vector<PlanarCurve> curves;                       // of chart 0, and
+//   std::vector<Index> half_edges;                         // whose they are
+//   atlas.add_loop(0, curves, half_edges);
+#pragma once
+
+#include <vector>
+
+#include "majorant/certify/internal/planar_curve.h"
+#include "majorant/parametrization/maps/bezier_map.h"
+
+namespace majorant {
+
+struct BoundaryLoop {
+  Index first, last;  // curves [first, last), in order, the surface on their left
+  Index chart;
+};
+
+struct BoundaryLoops {
+  std::vector<PlanarCurve> curves = {};  // of any degrees
+  std::vector<Index> half_edge = {};  // of each curve: 3 * face + corner, in the caller's numbering
+  std::vector<BoundaryLoop> loops = {};  // all curves, each once, in order
+  Index charts = 0;  // connected components of the surface, closed ones included
+
+  // Appends curves, each of which ends exactly where the next begins.
+  void add_loop(Index chart, const std::vector<PlanarCurve>& loop,
+                const std::vector<Index>& half_edges);
+  // Why this is not the boundary of anything: a loop with a gap, or of fewer than three curves,
+  // numbers out of range, labels out of range. Empty: nothing wrong.
+  std::string defect() const;
+  // The curve that starts where curve k ends.
+  std::vector<Index> next() const;
+};
+
+// Of the map's mesh, both sides of its seams included; the components of the mesh are the charts.
+BoundaryLoops boundary_loops(const BezierMap& map);
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

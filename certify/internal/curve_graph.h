@@ -1,0 +1,260 @@
+// A polynomial graph between two pieces of curves, for curve_contact.cpp: curves that run along
+// each other at a small distance, which no straight line separates unless they are cut to bits.
+//
+//   const auto below = [](const auto& b, const auto& a) {      // that piece b is below a
+//     using namespace curve_piece;
+//     const auto graph = graph_between(a, b);
+//     return before(heights(b, graph).all, heights(a, graph).all);   // proof
+//   };
+//
+// (x, height) with x along the pieces and height = y - g(x) are coordinates of the whole plane, so
+// any g whatever gives proofs; a good g has height +c on one curve and -c on the other. Pieces of
+// length h that are graphs differ from a polynomial of degree 7 by O(h^8): where straight lines
+// need sqrt(size / distance) pieces, this needs about the fourth root of that. The height is
+// composed with the curve, a polynomial of degree 7 n, whose Bernstein coefficients enclose it.
+#pragma once
+
+#include <Eigen/QR>
+
+#include "majorant/certify/internal/curve_piece.h"
+
+namespace majorant::curve_piece {
+
+// Origin: Wiggling cubics 1e-9 of their length apart take 431, 153, 71, 42, 25 pairs of pieces with
+// degrees 3 to 7, the time of which falls likewise. 7 is the last for which the binomials below are
+// exact.
+constexpr int kGraphDegree = 7;
+// Graphs are of no use further away than this from where they were fitted, in half widths of that.
+// Origin: a polynomial fitted on [-1, 1] grows by 2^7 to there.
+constexpr double kGraphReach = 2;
+
+template <class Real>
+struct Graph {
+  Direction<Real> origin, axis;  // x = axis . (p - origin), y = axis x (p - origin)
+  std::array<Real, kGraphDegree + 1> coefficients{};  // of g, by power of x
+};
+
+template <class Real>
+struct Heights {
+  Interval<Real> x, front_x, back_x;  // of the piece and of its ends
+  Interval<Real> all, front, back;    // heights, of the piece and of its ends
+};
+
+namespace detail {
+
+constexpr std::size_t kCompositionSize = PlanarCurve::kMaxDegree * kGraphDegree + 1;
+
+// C(n, k), exact: C(56, 28) < 2^53.
+constexpr auto binomial_table() {
+  std::array<std::array<double, kCompositionSize>, kCompositionSize> table{};
+  for (std::size_t n = 0; n < kCompositionSize; ++n) {
+    table[n][0] = 1;
+    for (std::size_t k = 1; k <= n; ++k)
+      table[n][k] = table[n - 1][k - 1] + (k < n ? table[n - 1][k] : 0);
+  }
+  return table;
+}
+inline constexpr auto kBinomials = binomial_table();
+
+inline double binomial(int n, int k) { return kBinomials[at(n)][at(k)]; }
+
+// Bernstein coefficients times their binomials: products are convolutions.
+template <class Real>
+using Scaled = std::array<Real, kCompositionSize>;
+
+template <class Real, class Factor>
+void multiply(Scaled<Real>& product, int& degree, const Factor& factor, int factor_degree) {
+  Scaled<Real> result{};
+  for (int i = 0; i <= degree; ++i)
+    for (int j = 0; j <= factor_degree; ++j) result[at(i + j)] += product[at(i)] * factor(j);
+  degree += factor_degree;
+  product = result;
+}
+
+// A piece in the graph's coordinates; every coordinate is off by `error` at most.
+template <class Real>
+struct LocalPiece {
+  int degree;
+  std::array<Real, PlanarCurve::kMaxDegree + 1> x{}, y{};
+  Real error = 0;
+
+  LocalPiece(const Piece<Real>& p, const Graph<Real>& graph) : degree(p.degree) {
+    const Real length = magnitude(graph.axis.x) + magnitude(graph.axis.y);
+    for (int k = 0; k <= degree; ++k) {
+      const std::size_t i = at(k);
+      const Real dx = p.x[i] - graph.origin.x, dy = p.y[i] - graph.origin.y;
+      x[i] = graph.axis.x * dx + graph.axis.y * dy;
+      y[i] = graph.axis.x * dy - graph.axis.y * dx;
+      // Three roundings, of the difference, the product and the sum, of at most length * size.
+      const Real size = std::max(magnitude(dx), magnitude(dy));
+      const Real bound = length * (p.error[i] + 5 * Piece<Real>::kUnit * size);
+      error = std::max(error, Real(1.01) * bound + kUnderflow);
+    }
+  }
+};
+
+template <class Real>
+Interval<Real> widened(Real low, Real high, Real by) {
+  return {low - by, high + by};
+}
+
+constexpr int kSamples = kGraphDegree + 2;  // of each curve
+using SampleMatrix = Eigen::Matrix<double, 2 * kSamples, kGraphDegree + 2>;
+using SampleVector = Eigen::Matrix<double, 2 * kSamples, 1>;
+
+// Points of a piece, in the graph's coordinates, at equally spaced parameters, ends included.
+template <class Real>
+std::array<Direction<Real>, kSamples> sample(const LocalPiece<Real>& p) {
+  std::array<Direction<Real>, kSamples> points;
+  for (int k = 0; k < kSamples; ++k) {
+    const double t = static_cast<double>(k) / (kSamples - 1);
+    auto x = p.x, y = p.y;
+    for (int level = p.degree; level > 0; --level)
+      for (std::size_t i = 0; i < at(level); ++i) {
+        x[i] += Real(t) * (x[i + 1] - x[i]);
+        y[i] += Real(t) * (y[i + 1] - y[i]);
+      }
+    points[at(k)] = {x[0], y[0]};
+  }
+  return points;
+}
+
+template <class Real>
+Real value(const std::array<Real, kGraphDegree + 1>& g, const Real& x) {
+  Real sum = g[kGraphDegree];
+  for (std::size_t k = kGraphDegree; k-- > 0;) sum = sum * x + g[k];
+  return sum;
+}
+
+}  // namespace detail
+
+// Coordinates along the sum of the chords (or their difference, so that they point the same way),
+// with x in [-1, 1] on both pieces, and g = 0.
+template <class Real>
+Graph<Real> frame_along(const Piece<Real>& a, const Piece<Real>& b) {
+  Graph<Real> graph;
+  const Direction<Real> u = a.chord(), v = b.chord();
+  const Real sense = u.x * v.x + u.y * v.y < 0 ? -1 : 1;
+  const double dx = static_cast<double>(u.x + sense * v.x);
+  const double dy = static_cast<double>(u.y + sense * v.y), length = std::hypot(dx, dy);
+  graph.axis = {Real(dx / length), Real(dy / length)};
+  graph.origin = {a.x[0], a.y[0]};
+  const auto extent = [&](const Piece<Real>& p) {
+    const detail::LocalPiece<Real> local(p, graph);
+    const auto [low, high] = std::minmax_element(local.x.begin(), local.x.begin() + p.degree + 1);
+    return Interval<Real>{*low, *high};
+  };
+  const Interval<Real> of_a = extent(a), of_b = extent(b);
+  const double low = static_cast<double>(std::min(of_a.low, of_b.low));
+  const double high = static_cast<double>(std::max(of_a.high, of_b.high));
+  const double middle = (low + high) / 2, half = (high - low) / 2;
+  graph.origin.x += graph.axis.x * Real(middle);
+  graph.origin.y += graph.axis.y * Real(middle);
+  graph.axis = {graph.axis.x / Real(half), graph.axis.y / Real(half)};
+  return graph;
+}
+
+// y = g(x) + c on a, g(x) - c on b in least squares, which follows the shape that both have in
+// common also where only one of them is.
+template <class Real>
+Graph<Real> graph_between(const Piece<Real>& a, const Piece<Real>& b) {
+  using namespace detail;
+  Graph<Real> graph = frame_along(a, b);
+  const std::array points{sample(LocalPiece<Real>(a, graph)), sample(LocalPiece<Real>(b, graph))};
+  const auto point = [&](int row) { return points[at(row / kSamples)][at(row % kSamples)]; };
+  SampleMatrix matrix;
+  for (int row = 0; row < 2 * kSamples; ++row) {
+    const double x = static_cast<double>(point(row).x);
+    for (int k = 0; k <= kGraphDegree; ++k) matrix(row, k) = k == 0 ? 1 : x * matrix(row, k - 1);
+    matrix(row, kGraphDegree + 1) = row < kSamples ? 1 : -1;
+  }
+  const Eigen::HouseholderQR<SampleMatrix> qr(matrix);
+  // Rounds of refinement: the first gives the digits of a double, each further one as many more.
+  // Origin: three times 53 bits cover the 113 of a quadruple.
+  constexpr int kRounds = Piece<Real>::kUnit < Real(kUnitRoundoff<double>) ? 3 : 1;
+  for (int round = 0; round < kRounds; ++round) {
+    SampleVector rest;
+    for (int row = 0; row < 2 * kSamples; ++row)
+      rest(row) = static_cast<double>(point(row).y - value(graph.coefficients, point(row).x));
+    const auto fitted = qr.solve(rest).eval();
+    for (int k = 0; k <= kGraphDegree; ++k) graph.coefficients[at(k)] += Real(fitted(k));
+  }
+  return graph;
+}
+
+// y - g(x) of a piece: Bernstein coefficients of the degree kGraphDegree * n, as rounded.
+template <class Real>
+detail::Scaled<Real> height_coefficients(const detail::LocalPiece<Real>& p,
+                                         const Graph<Real>& graph) {
+  using namespace detail;
+  const int n = p.degree, all = n * kGraphDegree;
+  Scaled<Real> composed{graph.coefficients[kGraphDegree]};
+  int degree = 0;
+  for (int j = kGraphDegree - 1; j >= 0; --j) {
+    multiply(
+        composed, degree, [&](int k) { return Real(binomial(n, k)) * p.x[at(k)]; }, n);
+    for (int k = 0; k <= degree; ++k)
+      composed[at(k)] += graph.coefficients[at(j)] * Real(binomial(degree, k));
+  }
+  Scaled<Real> heights{};
+  for (int k = 0; k <= n; ++k) heights[at(k)] = Real(binomial(n, k)) * p.y[at(k)];
+  degree = n;
+  multiply(
+      heights, degree, [&](int k) { return Real(binomial(all - n, k)); }, all - n);
+  for (int k = 0; k <= all; ++k)
+    heights[at(k)] = (heights[at(k)] - composed[at(k)]) / Real(binomial(all, k));
+  return heights;
+}
+
+// Error of a coefficient: that of the inputs times the largest slope of g, and all roundings on the
+// way of a term into the sum, times the sum of absolute values. Infinite heights where the piece
+// reaches too far or numbers are out of range.
+template <class Real>
+Heights<Real> heights(const Piece<Real>& p, const Graph<Real>& graph) {
+  using namespace detail;
+  constexpr Real kInfinity = std::numeric_limits<double>::infinity();
+  constexpr Interval<Real> kAnywhere{-kInfinity, kInfinity};
+  const LocalPiece<Real> local(p, graph);
+  const int n = p.degree;
+  Real reach = 0, above = 0;
+  for (int k = 0; k <= n; ++k) {
+    reach = std::max(reach, magnitude(local.x[at(k)]));
+    above = std::max(above, magnitude(local.y[at(k)]));
+  }
+  reach += local.error;
+  Real sum = 0, slope = 0;  // of |g| at `reach`
+  for (std::size_t k = kGraphDegree + 1; k-- > 0;) {
+    slope = slope * reach + sum;
+    sum = sum * reach + magnitude(graph.coefficients[k]);
+  }
+  const int roundings = kGraphDegree * (n + 4) + n + 6;
+  const Real error =
+      Real(1.01) * (local.error * (1 + slope) + roundings * Piece<Real>::kUnit * (sum + above)) +
+      Real(std::numeric_limits<double>::min());
+  // NaN compares false; where the axis is finite, so are the coordinates.
+  // Times a coordinate, below PlanarCurve's limit. Origin: the square root of the range of doubles,
+  // less what sums take.
+  constexpr double kLargestAxis = 1e150;
+  const Real axis = magnitude(graph.axis.x) + magnitude(graph.axis.y);
+  if (!(axis <= kLargestAxis && reach <= kGraphReach && above <= kGraphReach &&
+        error <= kGraphReach))
+    return {kAnywhere, kAnywhere, kAnywhere, kAnywhere, kAnywhere, kAnywhere};
+
+  Heights<Real> result;
+  const auto [low_x, high_x] = std::minmax_element(local.x.begin(), local.x.begin() + n + 1);
+  result.x = widened(*low_x, *high_x, local.error);
+  result.front_x = widened(local.x[0], local.x[0], local.error);
+  result.back_x = widened(local.x[at(n)], local.x[at(n)], local.error);
+  const Scaled<Real> y = height_coefficients(local, graph);
+  const std::size_t last = at(n * kGraphDegree);
+  const auto [low, high] = std::minmax_element(y.begin(), y.begin() + last + 1);
+  result.all = widened(*low, *high, error);
+  result.front = widened(y[0], y[0], error);
+  result.back = widened(y[last], y[last], error);
+  return result;
+}
+
+}  // namespace majorant::curve_piece
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

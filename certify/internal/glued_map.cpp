@@ -1,0 +1,66 @@
+#include "majorant/certify/internal/glued_map.h"
+
+#include <array>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "majorant/mesh/repair.h"
+
+namespace majorant {
+namespace {
+
+// For every vertex the first one on the boundary at the same place with the same uv, itself inside.
+std::vector<Index> first_of_equals(const BezierMap& map) {
+  const std::vector<char> is_boundary = map.mesh().boundary_flags();
+  std::map<std::array<double, 5>, Index> known;
+  std::vector<Index> first(is_boundary.size());
+  for (Index v = 0; v < map.mesh().vertex_count(); ++v) {
+    first[at(v)] = v;
+    if (!is_boundary[at(v)]) continue;
+    const Vector3 p = map.mesh().positions().row(v);
+    const Vector2 uv = map.control_points().segment<2>(2 * v);
+    first[at(v)] = known.try_emplace({p.x(), p.y(), p.z(), uv.x(), uv.y()}, v).first->second;
+  }
+  return first;
+}
+
+}  // namespace
+
+std::optional<BezierMap> glued(const BezierMap& map) {
+  const std::vector<Index> first = first_of_equals(map);
+  PolygonMesh welded;
+  welded.file = map.mesh().file();
+  for (Index v = 0; v < map.mesh().vertex_count(); ++v)
+    welded.positions.push_back(map.mesh().positions().row(v));
+  bool is_other = false;
+  for (Index f = 0; f < map.mesh().face_count(); ++f) {
+    welded.polygons.emplace_back();
+    for (Index k = 0; k < 3; ++k) {
+      const Index v = map.mesh().faces()(f, k);
+      is_other = is_other || first[at(v)] != v;
+      welded.polygons.back().push_back(first[at(v)]);
+    }
+  }
+  if (!is_other) return std::nullopt;
+  const auto mesh =
+      repair(welded, {.orientation = Orientation::AsGiven, .numerics = Numerics::AsGiven}).mesh;
+  auto space = std::make_shared<const BezierTriangleSpace>(mesh->faces(), mesh->vertex_count(),
+                                                           map.degree());
+  Vec x(2 * space->node_count());
+  std::vector<char> is_set(at(space->node_count()), 0);
+  for (Index f = 0; f < mesh->face_count(); ++f)
+    for (Index k = 0; k < space->nodes_per_element(); ++k) {
+      const Index node = space->cells()(f, k);
+      const Vector2 uv = map.control_points().segment<2>(2 * map.space().cells()(f, k));
+      if (is_set[at(node)] && Vector2(x.segment<2>(2 * node)) != uv) return std::nullopt;
+      x.segment<2>(2 * node) = uv;
+      is_set[at(node)] = 1;
+    }
+  return BezierMap(mesh, std::move(space), std::move(x));
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

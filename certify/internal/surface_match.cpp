@@ -1,0 +1,354 @@
+#include "majorant/certify/internal/surface_match.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "majorant/certify/internal/close_of.h"
+#include "majorant/mesh/internal/triangle_list.h"
+#include "majorant/mesh/internal/triangulate_polygon.h"
+#include "majorant/mesh/internal/union_find.h"
+
+namespace majorant {
+namespace {
+
+using DirectedEdge = std::pair<Index, Index>;
+
+struct Mismatch {
+  std::string line;
+};
+
+template <class... Args>
+[[noreturn]] void refuse_match(fmt::format_string<Args...> format, Args&&... args) {
+  throw Mismatch{fmt::format(format, std::forward<Args>(args)...)};
+}
+
+struct Patch {
+  std::vector<Index> faces;  // polygons of the surface
+  std::vector<Index> cells;
+};
+
+class Matcher {
+ public:
+  Matcher(const SurfaceMesh& cells, const PolygonMesh& surface,
+          const std::vector<Index>& face_of_cell)
+      : cells_(cells),
+        surface_(surface),
+        face_of_cell_(face_of_cell),
+        face_left_(at(cells.half_edge_count()), kUnknown) {}
+
+  SurfaceMatch run() {
+    find_size();
+    check_vertices();
+    collect_edges();
+    UnionFind faces(static_cast<Index>(surface_.polygons.size()));
+    for (const auto& [edge, face] : face_of_edge_) follow(edge, face, faces);
+    compare_patches(faces);
+    return match_;
+  }
+
+ private:
+  static constexpr Index kUnknown = -2, kOutside = -1;  // of face_left_
+
+  const Vector3& place(Index v) const { return surface_.positions[at(v)]; }
+  Vector3 cell_place(Index vertex) const { return cells_.positions().row(vertex); }
+  // The surface's number of a vertex of the cells, -1 for a new one.
+  Index surface_vertex(Index vertex) const {
+    const Index v = cells_.input_vertex(vertex);
+    return at(v) < used_.size() && used_[at(v)] ? v : -1;
+  }
+
+  void find_size() {
+    used_.assign(surface_.positions.size(), 0);
+    for (const auto& polygon : surface_.polygons)
+      for (const Index v : polygon) used_[at(v)] = 1;
+    const Eigen::AlignedBox3d box = box_of(surface_);
+    size_ = box.sizes().maxCoeff();
+    close_ = close_of(box);
+  }
+
+  void check_vertices() const {
+    for (Index v = 0; v < cells_.vertex_count(); ++v) {
+      const Index known = surface_vertex(v);
+      if (known >= 0 && !((cell_place(v) - place(known)).norm() <= close_))
+        refuse_match("vertex {} is not where the surface has it", known);
+      if (known < 0 && !face_of_cell_.empty())
+        refuse_match("the surface has no vertex {}", cells_.input_vertex(v));
+    }
+  }
+
+  void collect_edges() {
+    for (std::size_t p = 0; p < surface_.polygons.size(); ++p) {
+      const auto& polygon = surface_.polygons[p];
+      for (std::size_t k = 0; k < polygon.size(); ++k) {
+        const DirectedEdge edge{polygon[k], polygon[(k + 1) % polygon.size()]};
+        if (!face_of_edge_.emplace(edge, static_cast<Index>(p)).second)
+          refuse_match("two faces of the surface have edge ({}, {}) in the same direction",
+                       edge.first, edge.second);
+      }
+    }
+    for (Index h = 0; h < cells_.half_edge_count(); ++h)
+      half_edge_[{cells_.from_vertex(h), cells_.to_vertex(h)}] = h;
+    neighbours_.resize(at(cells_.vertex_count()));
+    for (const auto& [edge, h] : half_edge_) {
+      neighbours_[at(edge.first)].push_back(edge.second);
+      if (!half_edge_.contains({edge.second, edge.first}))
+        neighbours_[at(edge.second)].push_back(edge.first);
+    }
+  }
+
+  bool has_edge(Index a, Index b) const {
+    return half_edge_.contains({a, b}) || half_edge_.contains({b, a});
+  }
+
+  // The vertices of the cells along the straight edge of the surface; empty if the cells lack it.
+  // Depth first, every new vertex once: several may be on the edge, since the other side of a slit
+  // lies in the same place and ends elsewhere.
+  std::vector<Index> chain(const DirectedEdge& edge) const {
+    const Index a = cells_.find_input_vertex(edge.first), b = cells_.find_input_vertex(edge.second);
+    if (a < 0 || b < 0) return {};
+    if (has_edge(a, b)) return {a, b};
+    std::map<Index, Index> before{{a, -1}};  // the vertex that each one was reached from
+    std::vector<std::pair<Index, double>> open{{a, 0.0}};
+    while (!open.empty()) {
+      const auto [from, travelled] = open.back();
+      open.pop_back();
+      if (from != a && has_edge(from, b)) {
+        std::vector<Index> out{b};
+        for (Index v = from; v >= 0; v = before.at(v)) out.push_back(v);
+        std::reverse(out.begin(), out.end());
+        return out;
+      }
+      for (const Index v : neighbours_[at(from)]) {
+        const std::optional<double> t = place_along(edge, v);
+        if (t && *t > travelled && before.emplace(v, from).second) open.emplace_back(v, *t);
+      }
+    }
+    return {};
+  }
+
+  // Where a new vertex lies on an edge of the surface, between 0 and 1.
+  std::optional<double> place_along(const DirectedEdge& edge, Index vertex) const {
+    if (surface_vertex(vertex) >= 0) return {};
+    const Vector3 start = place(edge.first), step = place(edge.second) - start;
+    const Vector3 offset = cell_place(vertex) - start;
+    const double t = offset.dot(step) / step.squaredNorm();
+    const bool is_on = t > 0 && t < 1 && (offset - t * step).norm() <= close_;
+    return is_on ? std::optional(t) : std::nullopt;
+  }
+
+  // Notes on which side of the cells' edges the face lies, or joins it with its neighbour where the
+  // cells do not have the edge.
+  void follow(const DirectedEdge& edge, Index face, UnionFind& faces) {
+    const auto across = face_of_edge_.find({edge.second, edge.first});
+    const Index other = across == face_of_edge_.end() ? kOutside : across->second;
+    if (other != kOutside && edge.second < edge.first) return;  // once for both sides
+    const std::vector<Index> vertices = chain(edge);
+    if (vertices.empty()) {
+      if (other == kOutside)
+        refuse_match("the cells lack the boundary edge ({}, {}) of the surface", edge.first,
+                     edge.second);
+      faces.join(face, other);
+      return;
+    }
+    for (std::size_t k = 0; k + 1 < vertices.size(); ++k) {
+      put({vertices[k], vertices[k + 1]}, face, edge);
+      put({vertices[k + 1], vertices[k]}, other, edge);
+    }
+  }
+
+  void put(const DirectedEdge& cell_edge, Index face, const DirectedEdge& edge) {
+    const auto h = half_edge_.find(cell_edge);
+    if (face == kOutside && h != half_edge_.end())
+      refuse_match("cells lie beyond the boundary edge ({}, {}) of the surface, or are turned over",
+                   edge.first, edge.second);
+    if (face != kOutside && h == half_edge_.end())
+      refuse_match("face {}: no cell lies at its edge ({}, {}), or it is turned over", face,
+                   edge.first, edge.second);
+    if (h != half_edge_.end()) face_left_[at(h->second)] = face;
+  }
+
+  void compare_patches(UnionFind& faces) {
+    UnionFind cells(cells_.face_count());
+    for (Index h = 0; h < cells_.half_edge_count(); ++h) {
+      if (face_left_[at(h)] != kUnknown) continue;
+      if (cells_.opposite(h) < 0)
+        refuse_match("the cells end at edge ({}, {}), inside the surface",
+                     cells_.input_vertex(cells_.from_vertex(h)),
+                     cells_.input_vertex(cells_.to_vertex(h)));
+      cells.join(face_of(h), face_of(cells_.opposite(h)));
+    }
+    constexpr Index kNone = -1;
+    std::vector<Index> cells_of(surface_.polygons.size(), kNone);
+    std::vector<Index> faces_of(at(cells_.face_count()), kNone);
+    for (Index h = 0; h < cells_.half_edge_count(); ++h) {
+      if (face_left_[at(h)] < 0) continue;
+      const Index mine = cells.find(face_of(h)), theirs = faces.find(face_left_[at(h)]);
+      if (faces_of[at(mine)] == kNone && cells_of[at(theirs)] == kNone) {
+        faces_of[at(mine)] = theirs;
+        cells_of[at(theirs)] = mine;
+      }
+      if (faces_of[at(mine)] != theirs || cells_of[at(theirs)] != mine)
+        refuse_match("face {} is mapped by cells that are not its own", face_left_[at(h)]);
+    }
+    std::map<Index, Patch> patches;  // by the smallest of the faces
+    for (Index p = 0; p < static_cast<Index>(surface_.polygons.size()); ++p) {
+      const Index of = faces.find(p);
+      if (cells_of[at(of)] == kNone) refuse_match("face {} is mapped by no cell", p);
+      patches[of].faces.push_back(p);
+    }
+    for (Index c = 0; c < cells_.face_count(); ++c) {
+      const Index of = faces_of[at(cells.find(c))];
+      if (of == kNone) refuse_match("cell {} belongs to no face", cells_.input_face(c));
+      patches[of].cells.push_back(c);
+    }
+    for (const auto& [ignored, patch] : patches) compare(patch);
+  }
+
+  void compare(const Patch& patch) {
+    for (const Index c : patch.cells) {
+      if (face_of_cell_.empty()) break;
+      if (std::find(patch.faces.begin(), patch.faces.end(), face_of_cell_[at(c)]) ==
+          patch.faces.end())
+        refuse_match("cell {} is said to belong to face {} of the surface and lies in face {}",
+                     cells_.input_face(c), face_of_cell_[at(c)], patch.faces.front());
+    }
+    if (is_triangulated_polygon(patch)) {
+      if (!is_unfolded(patch))
+        refuse_match("a cell is turned over in face {} of the surface", patch.faces.front());
+      ++match_.same;
+      return;
+    }
+    match_.changed += static_cast<Index>(patch.faces.size());
+    require_same_plane(patch);
+  }
+
+  static double size_of(const std::vector<std::vector<Vector3>>& faces) {
+    Eigen::AlignedBox3d box;
+    for (const auto& corners : faces)
+      for (const Vector3& p : corners) box.extend(p);
+    return box.sizes().maxCoeff();
+  }
+
+  // Whether no cell is turned over in the polygon: cells are those that SurfaceMesh makes of it, of
+  // its shape or of its texture coordinates, or all of them face its side.
+  bool is_unfolded(const Patch& patch) const {
+    const auto& polygon = surface_.polygons[at(patch.faces.front())];
+    std::vector<Vector3> corners;
+    for (const Index v : polygon) corners.push_back(place(v));
+    if (corners.size() == 3) return true;
+    const Vector3 side = area_vector(corners).stableNormalized();
+    std::set<std::set<Index>> usual;
+    for (const auto& triangles :
+         {triangulate_polygon(corners),
+          triangles_of(surface_, patch.faces.front(), Crossing::Fanned, {})})
+      for (const auto& t : triangles)
+        usual.insert({polygon[at(t[0])], polygon[at(t[1])], polygon[at(t[2])]});
+    return std::all_of(patch.cells.begin(), patch.cells.end(), [&](Index c) {
+      const auto vertex = [&](Index k) { return cells_.faces()(c, k); };
+      const auto name = [&](Index k) { return surface_vertex(vertex(k)); };
+      return usual.contains({name(0), name(1), name(2)}) ||
+             area_vector({cell_place(vertex(0)), cell_place(vertex(1)), cell_place(vertex(2))})
+                     .dot(side) > 0;
+    });
+  }
+
+  bool is_triangulated_polygon(const Patch& patch) const {
+    if (patch.faces.size() != 1) return false;
+    const auto& polygon = surface_.polygons[at(patch.faces.front())];
+    if (patch.cells.size() + 2 != polygon.size()) return false;
+    for (const Index c : patch.cells)
+      for (Index k = 0; k < 3; ++k) {
+        const Index v = surface_vertex(cells_.faces()(c, k));
+        if (std::find(polygon.begin(), polygon.end(), v) == polygon.end()) return false;
+      }
+    return true;
+  }
+
+  static Vector3 area_vector(const std::vector<Vector3>& corners) {
+    Vector3 sum = Vector3::Zero();
+    for (std::size_t k = 1; k + 1 < corners.size(); ++k)
+      sum += (corners[k] - corners[0]).cross(corners[k + 1] - corners[0]) / 2;
+    return sum;
+  }
+
+  void require_same_plane(const Patch& patch) const {
+    const Index face = patch.faces.front();
+    std::vector<std::vector<Vector3>> of_faces, of_cells;
+    for (const Index p : patch.faces) {
+      auto& corners = of_faces.emplace_back();
+      for (const Index v : surface_.polygons[at(p)]) corners.push_back(place(v));
+    }
+    for (const Index c : patch.cells) {
+      auto& corners = of_cells.emplace_back();
+      for (Index k = 0; k < 3; ++k) corners.push_back(cell_place(cells_.faces()(c, k)));
+    }
+    Vector3 total = Vector3::Zero();
+    for (const auto& corners : of_faces) total += area_vector(corners);
+    if (!(total.stableNorm() > close_ * close_))
+      refuse_match("cells have other edges than the surface around face {}, where it is not flat",
+                   face);
+    const Vector3 normal = total.stableNormalized(), origin = of_faces.front().front();
+    double areas[2] = {0, 0};
+    for (const auto* list : {&of_faces, &of_cells})
+      for (const auto& corners : *list) {
+        for (const Vector3& p : corners)
+          if (!(std::abs(normal.dot(p - origin)) <= close_))
+            refuse_match("cells leave the plane of face {} of the surface", face);
+        const double area = area_vector(corners).dot(normal);
+        if (!(area >= -close_ * close_))
+          refuse_match("a cell is turned over around face {} of the surface, or that is not flat",
+                       face);
+        areas[list == &of_cells] += area;
+      }
+    if (!(std::abs(areas[0] - areas[1]) <= kTenDigits * areas[0] + close_ * size_of(of_faces)))
+      refuse_match("cells cover {:.9g} of the area {:.9g} around face {} of the surface", areas[1],
+                   areas[0], face);
+  }
+
+  const SurfaceMesh& cells_;
+  const PolygonMesh& surface_;
+  const std::vector<Index>& face_of_cell_;
+  double size_ = 0, close_ = 0;                 // of the surface; what counts as the same place
+  std::vector<char> used_;                      // vertices of the surface with a face
+  std::map<DirectedEdge, Index> face_of_edge_;  // of the surface, the face on its left
+  std::map<DirectedEdge, Index> half_edge_;     // of the cells
+  std::vector<std::vector<Index>> neighbours_;  // of the cells' vertices
+  std::vector<Index> face_left_;  // by half-edge of the cells: the face whose edge it lies on
+  SurfaceMatch match_;
+};
+
+// As SurfaceMesh takes it.
+PolygonMesh triangulated(const PolygonMesh& surface) {
+  PolygonMesh out;
+  out.positions = surface.positions;
+  for (const auto& triangle : triangulate(surface, Crossing::Fanned, {}).triangles)
+    out.polygons.emplace_back(triangle.begin(), triangle.end());
+  return out;
+}
+
+}  // namespace
+
+SurfaceMatch match_surface(const SurfaceMesh& cells, const PolygonMesh& surface,
+                           const std::vector<Index>& face_of_cell) {
+  try {
+    return Matcher(cells, surface, face_of_cell).run();
+  } catch (const Mismatch& mismatch) {
+    const bool has_polygons = std::any_of(surface.polygons.begin(), surface.polygons.end(),
+                                          [](const auto& p) { return p.size() > 3; });
+    if (!has_polygons || !face_of_cell.empty()) return {mismatch.line};
+    // Pieces of the triangles of a polygon that is not flat.
+    const SurfaceMatch triangles = match_surface(cells, triangulated(surface));
+    return triangles.defect.empty() ? triangles : SurfaceMatch{mismatch.line};
+  }
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

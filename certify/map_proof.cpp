@@ -1,0 +1,396 @@
+#include "majorant/certify/map_proof.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "majorant/certify/cut_map.h"
+#include "majorant/certify/exact_positivity.h"
+#include "majorant/certify/internal/allowed_edges.h"
+#include "majorant/certify/internal/close_of.h"
+#include "majorant/certify/internal/glued_map.h"
+#include "majorant/certify/internal/repaired_match.h"
+#include "majorant/certify/internal/rounded_determinant.h"
+#include "majorant/certify/internal/surface_match.h"
+#include "majorant/constraints/internal/sector_angle.h"
+#include "majorant/elements/element_space.h"
+#include "majorant/framework/error.h"
+
+namespace majorant {
+namespace {
+
+// Angle sums are whole multiples of a quarter turn by continuity; their rounding is some 1e-14.
+// Quarter turns. Origin: between their rounding and a quarter turn.
+constexpr double kWholeTurnTolerance = 1e-6;
+constexpr Index kCellsPerPoll = 256;
+
+bool allows_seams(CutRule rule) { return rule == CutRule::Seams || rule == CutRule::SeamsOrFree; }
+bool allows_any(CutRule rule) { return rule == CutRule::Free || rule == CutRule::SeamsOrFree; }
+
+Finding stopped_finding() { return {ProofStatus::Undecided, "stopped before it was decided"}; }
+
+}  // namespace
+
+std::string_view name_of(ProofStatus answer) {
+  constexpr std::array<std::string_view, 4> kNames = {"proven", "violated", "undecided",
+                                                      "not asked"};
+  return kNames[static_cast<std::size_t>(answer)];
+}
+
+std::string count_text(Index count, std::string_view noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+std::string describe(const GlobalInjectivity& proof, const CornerNames& input_vertex) {
+  if (proof.contacts.empty()) return proof.reason;
+  const BoundaryContact& contact = proof.contacts.front();
+  const auto edge = [&](Index h) {
+    return fmt::format("({}, {})", input_vertex(face_of(h), corner_of(h)),
+                       input_vertex(face_of(h), corner_of(next(h))));
+  };
+  const bool certain = contact.apart == ProofStatus::Violated;
+  const std::string where =
+      fmt::format("near ({:.9g}, {:.9g})", contact.where.x(), contact.where.y());
+  const std::string before = proof.reason.empty() ? "" : proof.reason + "; ";
+  if (contact.half_edge_a == contact.half_edge_b)
+    return fmt::format("{}boundary edge {} {} itself {}", before, edge(contact.half_edge_a),
+                       certain ? "meets" : "may meet", where);
+  return fmt::format("{}boundary edges {} and {} {} {}", before, edge(contact.half_edge_a),
+                     edge(contact.half_edge_b), certain ? "meet" : "may meet", where);
+}
+
+// Asks one question after the other; later ones build on earlier answers.
+class MapProof::Judge {
+ public:
+  Judge(MapProof& proof, const MapFile& file, const std::string& name, const ProofRequest& request)
+      : proof_(proof), file_(file), name_(name), request_(request) {}
+
+  void run() {
+    try {
+      judge_positivity();
+    } catch (const Stopped&) {  // inside of a cell
+      if (proof_.positive.answer == ProofStatus::NotAsked) proof_.positive = stopped_finding();
+    }
+    judge_flatness();
+    try {
+      cut_.emplace(file_, name_);
+    } catch (const Error& e) {
+      return give_up(e.what());
+    }
+    judge_surface();
+    judge_cuts();
+    judge_angles();
+    try {
+      proof_.map_ = cut_->map_cut_along(cut_->cuts());
+    } catch (const Error& e) {  // an edge is open whose ends are not
+      if (proof_.continuous.answer == ProofStatus::Proven)
+        proof_.continuous = {ProofStatus::Undecided, e.what()};
+      if (request_.overlap == ProofRequest::Overlap::Forbidden)
+        proof_.injective = {ProofStatus::Undecided, e.what()};
+      return;
+    }
+    proof_.cuts.charts = proof_.map_->mesh().topology().components;
+    judge_overlaps(*proof_.map_);
+    find_seams();
+  }
+
+ private:
+  bool is_stopped() const { return request_.stop() != Directive::Continue; }
+
+  // The cells are no surface: of one that was given, they are not its faces.
+  void give_up(const std::string& reason) {
+    const bool is_given = request_.surface != nullptr;
+    if (is_given) proof_.surface = {ProofStatus::Violated, reason};
+    proof_.continuous = {ProofStatus::Undecided,
+                         is_given ? "the cells are not the surface's" : reason};
+    proof_.angles = proof_.continuous;
+    if (request_.overlap == ProofRequest::Overlap::Forbidden) proof_.injective = proof_.continuous;
+  }
+
+  Vector2 corner(Index cell, int k) const { return file_.uv.row(file_.cells(cell, k)); }
+
+  void judge_positivity() {
+    NodeNumbering numbering;
+    numbering.cells = file_.cells;
+    numbering.node_count = static_cast<Index>(file_.points.rows());
+    const BezierTriangleSpace space(std::move(numbering), file_.degree);
+    const Vec x = file_.uv.reshaped<Eigen::RowMajor>();
+    std::string worst;
+    bool is_violated = false;
+    for (Index c = 0; c < file_.cells.rows(); ++c) {
+      if (c % kCellsPerPoll == 0 && is_stopped()) {
+        if (!is_violated) proof_.positive = stopped_finding();
+        if (!is_violated) return;
+        break;
+      }
+      const PositivityProof proof = space.certify(c, x, ProofDepth::kFinal);
+      if (proof.result == ProofStatus::Proven &&
+          proof.lower_bound > rounding_of_determinant(file_, c))
+        continue;
+      const CellPositivity exact = beyond_rounding(
+          file_, c, exact_positivity(file_.uv(file_.cells.row(c), Eigen::all), request_.stop));
+      if (exact.result == ProofStatus::Proven) continue;
+      proof_.not_positive.push_back(c);
+      if (is_violated) continue;
+      if (exact.result == ProofStatus::Violated) {
+        is_violated = true;
+        worst = fmt::format("cell {}: det J <= 0 at barycentric ({:.6g}, {:.6g}, {:.6g})", c,
+                            exact.at[0], exact.at[1], exact.at[2]);
+      } else if (worst.empty()) {
+        worst = fmt::format("cell {}: det J is not proven positive, nor is it refuted", c);
+      }
+    }
+    const std::size_t bad = proof_.not_positive.size();
+    if (bad > 1) worst += fmt::format(" ({} cells in all)", bad);
+    proof_.positive = bad == 0      ? Finding{ProofStatus::Proven,
+                                         count_text(static_cast<Index>(file_.cells.rows()), "cell")}
+                      : is_violated ? Finding{ProofStatus::Violated, worst}
+                                    : Finding{ProofStatus::Undecided, worst};
+  }
+
+  // Else the file shows another surface than the one between its corners.
+  void judge_flatness() {
+    const TriangleIndices& ix = TriangleIndices::of_degree(file_.degree);
+    const Points3 used = file_.points(file_.cells.reshaped(), Eigen::all);
+    const Eigen::AlignedBox3d box(used.colwise().minCoeff().transpose(),
+                                  used.colwise().maxCoeff().transpose());
+    double worst = 0;
+    for (Index c = 0; c < file_.cells.rows(); ++c)
+      for (int l = 0; l < ix.count(); ++l) {
+        Eigen::RowVector3d flat = Eigen::RowVector3d::Zero();
+        for (int k = 0; k < 3; ++k)
+          flat += ix.multi(l)[at(k)] / double(file_.degree) * file_.points.row(file_.cells(c, k));
+        worst = std::max(worst, (flat - file_.points.row(file_.cells(c, l))).norm());
+      }
+    if (std::isfinite(worst) && worst <= close_of(box))
+      proof_.flat = {ProofStatus::Proven,
+                     count_text(static_cast<Index>(file_.cells.rows()), "cell")};
+    else
+      proof_.flat = {
+          ProofStatus::Violated,
+          fmt::format("surface control points are off their flat triangles by {:g}", worst)};
+  }
+
+  void judge_surface() {
+    if (!request_.surface) return;
+    std::vector<Index> labels;
+    const bool has_numbers = request_.labels == ProofRequest::FaceLabels::Compared;
+    const SurfaceMesh& cells = cut_->surface();
+    for (Index v = 0; v < cells.vertex_count() && has_numbers; ++v)
+      if (at(cells.input_vertex(v)) >= request_.surface->positions.size()) {
+        proof_.surface = {ProofStatus::Violated,
+                          fmt::format("the surface has no vertex {}", cells.input_vertex(v))};
+        return;
+      }
+    if (has_numbers && file_.input_face.size() > 0)
+      labels.assign(file_.input_face.begin(), file_.input_face.end());
+    SurfaceMatch match = match_surface(cells, *request_.surface, labels);
+    if (!match.defect.empty())
+      match =
+          match_repaired(cells, *request_.surface, labels, request_.orientation).value_or(match);
+    if (!match.defect.empty()) {
+      proof_.surface = {ProofStatus::Violated, match.defect};
+      return;
+    }
+    proof_.surface = {ProofStatus::Proven, count_text(match.same + match.changed, "face")};
+    if (match.changed > 0)
+      proof_.surface.detail += fmt::format(", {} of them in other triangles", match.changed);
+  }
+
+  void judge_cuts() {
+    const SurfaceMesh& surface = cut_->surface();
+    const double close = kSeamClose * cut_->diagonal();
+    is_free_.assign(at(surface.half_edge_count()), 0);
+    AllowedEdges allowed(request_.cut_edges);
+    std::vector<Index> tears;  // differ, and are no edges that may
+    Index first = -1;
+    for (Index h = 0; h < surface.half_edge_count(); ++h) {
+      if (surface.opposite(h) < h || !cut_->differs(h)) continue;
+      proof_.cuts.length += surface.edge_length(h);
+      const bool is_allowed = allowed.take(cut_->input_edge(h));
+      if (is_allowed && allows_seams(request_.cuts) && cut_->fit(h).mismatch <= close) {
+        ++proof_.cuts.seams;
+        continue;
+      }
+      ++proof_.cuts.others;
+      is_free_[at(h)] = is_free_[at(surface.opposite(h))] = 1;
+      if (first < 0) first = h;
+      if (!is_allowed) tears.push_back(h);
+    }
+    if (!tears.empty()) {
+      proof_.continuous = {
+          ProofStatus::Violated,
+          fmt::format("the map is not continuous: the sides of {} differ where it is not said to "
+                      "be cut, first of {}",
+                      count_text(static_cast<Index>(tears.size()), "inner edge"),
+                      cut_->place(tears.front()))};
+      return;
+    }
+    if (first < 0 || allows_any(request_.cuts)) {
+      proof_.continuous = {ProofStatus::Proven, count_of_cuts()};
+      return;
+    }
+    proof_.continuous = {
+        ProofStatus::Violated,
+        allows_seams(request_.cuts)
+            ? fmt::format(
+                  "the map is not seamless: the sides of {} differ by more than a quarter turn "
+                  "and a translation, those of {} by {:.3g}",
+                  count_text(proof_.cuts.others, "inner edge"), cut_->place(first),
+                  cut_->fit(first).mismatch)
+            : fmt::format("the map is not continuous: the sides of {} differ, first of {}",
+                          count_text(proof_.cuts.others, "inner edge"), cut_->place(first))};
+  }
+
+  std::string count_of_cuts() const {
+    const CutCount& cuts = proof_.cuts;
+    if (!allows_seams(request_.cuts) && cuts.others == 0) return "no cuts";
+    std::string text;
+    if (allows_seams(request_.cuts)) text = count_text(cuts.seams, "seam edge");
+    if (allows_any(request_.cuts) && cuts.others > 0)
+      text += (text.empty() ? "" : ", ") + count_text(cuts.others, "cut edge");
+    return text;
+  }
+
+  // Sum of the angles between the tangents of the map at the corners, by vertex of the surface.
+  Vec angle_sums() const {
+    const SurfaceMesh& surface = cut_->surface();
+    const TriangleIndices& ix = TriangleIndices::of_degree(file_.degree);
+    Vec sum = Vec::Zero(surface.vertex_count());
+    for (Index c = 0; c < file_.cells.rows(); ++c)
+      for (int k = 0; k < 3; ++k) {
+        const auto point = [&](int local) { return Vector2(file_.uv.row(file_.cells(c, local))); };
+        const auto [right, left] = ix.beside_corner(k);
+        sum[surface.faces()(c, k)] += sector_angle(point(right) - point(k), point(left) - point(k));
+      }
+    return sum;
+  }
+
+  void judge_angles() {
+    if (proof_.positive.answer != ProofStatus::Proven) {
+      proof_.angles = {ProofStatus::Undecided, "not all cells are positive"};
+      return;
+    }
+    const SurfaceMesh& surface = cut_->surface();
+    const Vec sum = angle_sums();
+    std::vector<char> is_inner(at(surface.vertex_count()), 1), is_on_seam(is_inner.size(), 0);
+    for (Index h = 0; h < surface.half_edge_count(); ++h)
+      for (const Index v : {surface.from_vertex(h), surface.to_vertex(h)}) {
+        if (surface.opposite(h) < 0 || is_free_[at(h)]) is_inner[at(v)] = 0;
+        if (cut_->differs(h)) is_on_seam[at(v)] = 1;
+      }
+    Index inner = 0;
+    for (Index v = 0; v < surface.vertex_count(); ++v) {
+      if (!is_inner[at(v)]) continue;
+      ++inner;
+      const double quarters = 2 * sum[v] / std::numbers::pi;
+      const auto nearest = static_cast<int>(std::lround(quarters));
+      const bool may_be_cone = allows_seams(request_.cuts);
+      if (!(std::abs(quarters - nearest) <= kWholeTurnTolerance) || nearest < 1 ||
+          (nearest != 4 && !may_be_cone)) {
+        proof_.angles = {ProofStatus::Violated,
+                         fmt::format("the angles around vertex {} sum up to {:.9g} degrees: the "
+                                     "map covers its neighbourhood more than once",
+                                     surface.input_vertex(v), 90 * quarters)};
+        if (may_be_cone)
+          proof_.angles.detail =
+              fmt::format("the angles around vertex {} sum up to {:.9g} degrees, no multiple of 90",
+                          surface.input_vertex(v), 90 * quarters);
+        return;
+      }
+      if (nearest != 4) proof_.cones.push_back({surface.input_vertex(v), nearest});
+    }
+    proof_.angles = {ProofStatus::Proven, fmt::format("{} inner vertices", inner)};
+    if (allows_seams(request_.cuts))
+      proof_.angles.detail += ", " + count_text(static_cast<Index>(proof_.cones.size()), "cone");
+  }
+
+  void judge_overlaps(const BezierMap& plain) {
+    if (request_.overlap == ProofRequest::Overlap::NotAsked) return;
+    if (is_stopped()) {
+      if (request_.overlap == ProofRequest::Overlap::Forbidden)
+        proof_.injective = stopped_finding();
+      return;
+    }
+    const auto check = [&](const BezierMap& map) {
+      proof_.global = check_boundary(map, {.stopped = [this] { return is_stopped(); }});
+    };
+    check(plain);
+    if (proof_.global->result != ProofStatus::Proven)
+      if (const std::optional<BezierMap> one = glued(plain)) check(*one);
+    if (request_.overlap == ProofRequest::Overlap::Reported) return;
+    const SurfaceMesh& mesh = plain.mesh();  // faces are those of the glued one
+    const std::string reason = describe(*proof_.global, [&](Index face, Index corner) {
+      return mesh.input_vertex(mesh.faces()(face, corner));
+    });
+    if (proof_.global->result == ProofStatus::Violated)
+      proof_.injective = {ProofStatus::Violated, "the map is not globally injective: " + reason};
+    else if (proof_.positive.answer != ProofStatus::Proven)
+      proof_.injective = {ProofStatus::Undecided, "not all cells are positive"};
+    else if (proof_.global->result == ProofStatus::Undecided)
+      proof_.injective = {ProofStatus::Undecided, reason};
+    else
+      proof_.injective = {ProofStatus::Proven, count_text(proof_.cuts.charts, "chart")};
+  }
+
+  void find_seams() {
+    if (!allows_seams(request_.cuts) || proof_.cuts.others > 0) return;
+    try {
+      BezierMap seamless = cut_->map_with_seams();
+      if (!seamless.seams().trivial()) proof_.map_ = std::move(seamless);
+    } catch (const Error& e) {
+      proof_.continuous = {ProofStatus::Undecided, e.what()};
+    }
+  }
+
+  MapProof& proof_;
+  const MapFile& file_;
+  const std::string& name_;
+  const ProofRequest& request_;
+  std::optional<CutMap> cut_;
+  std::vector<char> is_free_;  // half-edges of the surface that are cut and no seam
+};
+
+MapProof::MapProof(const MapFile& file, const std::string& name, const ProofRequest& request) {
+  if (file.degree > BezierTriangleSpace::kMaxDegree)
+    throw Error(ErrorKind::Unsupported,
+                fmt::format("{}: cells of degree {}; only 1 to {} can be judged", name, file.degree,
+                            BezierTriangleSpace::kMaxDegree));
+  if (!request.surface || knows_vertices(file)) {
+    Judge(*this, file, name, request).run();
+    return;
+  }
+  MapFile numbered = file;
+  numbered.input_vertex = number_by_place(file.points, *request.surface);
+  Judge(*this, numbered, name, request).run();
+}
+
+ProofStatus MapProof::verdict() const {
+  ProofStatus verdict = ProofStatus::Proven;
+  for (const auto& [ignored, finding] : findings()) {
+    if (finding->answer == ProofStatus::Violated) return ProofStatus::Violated;
+    if (finding->answer == ProofStatus::Undecided) verdict = ProofStatus::Undecided;
+  }
+  return verdict;
+}
+
+std::vector<std::pair<std::string_view, const Finding*>> MapProof::findings() const {
+  return {{"surface", &surface},       {"flat", &flat},     {"positive", &positive},
+          {"continuous", &continuous}, {"angles", &angles}, {"injective", &injective}};
+}
+
+std::string MapProof::first_defect() const {
+  for (const ProofStatus wanted : {ProofStatus::Violated, ProofStatus::Undecided})
+    for (const auto& [question, finding] : findings())
+      if (finding->answer == wanted) return fmt::format("{}: {}", question, finding->detail);
+  return {};
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,219 @@
+#include "majorant/certify/proven_distance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "majorant/certify/internal/curve_piece.h"
+#include "majorant/certify/loop_winding.h"
+#include "majorant/certify/moved_layout.h"
+#include "majorant/mesh/internal/exact_predicates.h"
+
+namespace majorant {
+namespace {
+
+using curve_piece::Piece;
+
+// Bounds stop getting better here. Origin: the parts in a thousand that the header promises.
+constexpr double kTight = 0.999;
+// Pieces of a pair of curves. Origin: curves that keep a distance take some dozens; pairs that take
+// more than this run along each other within the rounding of their coordinates.
+constexpr int kMostPieces = 1 << 14;
+// Halvings of a pair of curves. Origin: both 53 times, of which nothing but rounding is left;
+// curves that cross are halved at the crossing for ever.
+constexpr int kMostHalvings = 106;
+// Roundings in a distance of a point and a segment, as a multiple of their size. Origin: four
+// differences and a cross product of them (6 units), a division and a root (3), the foot of the
+// perpendicular taken at the wrong end (its error, squared), thrice over.
+constexpr double kRoundings = 32 * kUnitRoundoff<double>;
+
+struct Segment {
+  Vector2 from, to;
+};
+
+// Approximate; `scale` collects what rounding is measured against.
+double distance_to(const Segment& s, const Vector2& p, double& scale) {
+  const Vector2 along = s.to - s.from, to_p = p - s.from;
+  const double length = along.norm(), t = along.dot(to_p);
+  scale = std::max(scale, length + to_p.norm());
+  if (t <= 0) return to_p.norm();
+  if (t >= length * length) return (p - s.to).norm();
+  return std::abs(cross(along, to_p)) / length;
+}
+
+// At most the distance of the segments.
+double distance_below(const Segment& a, const Segment& b) {
+  if (segments_meet(a.from, a.to, b.from, b.to)) return 0;
+  double scale = 0;
+  const double least = std::min({distance_to(a, b.from, scale), distance_to(a, b.to, scale),
+                                 distance_to(b, a.from, scale), distance_to(b, a.to, scale)});
+  return std::max(0.0, least - kRoundings * scale);
+}
+
+Vector2 point(const Piece<double>& p, int k) { return {p.x[at(k)], p.y[at(k)]}; }
+
+Segment chord(const Piece<double>& p) { return {point(p, 0), point(p, p.degree)}; }
+
+// The piece is within this of its chord: its hull is where its control points are.
+double reach_of(const Piece<double>& p) {
+  double reach = 0, scale = 0;
+  for (int k = 1; k < p.degree; ++k)
+    reach = std::max(reach, distance_to(chord(p), point(p, k), scale));
+  return reach + kRoundings * scale + 2 * p.largest_error();
+}
+
+// The least distance of all pairs of curves that were compared, from below.
+class LeastDistance {
+ public:
+  explicit LeastDistance(double at_least) : least_(at_least) {}
+
+  double value() const { return least_; }
+  void none() { least_ = 0; }
+
+  void compare(const PlanarCurve& a, const PlanarCurve& b) {
+    pieces_ = 0;
+    compare({a, a.front()}, {b, a.front()}, 0);
+  }
+
+ private:
+  void compare(const Piece<double>& p, const Piece<double>& q, int halvings) {
+    const double reach_p = reach_of(p), reach_q = reach_of(q);
+    const Segment a = chord(p), b = chord(q);
+    const double lower = (distance_below(a, b) - (reach_p + reach_q)) * (1 - kRoundings);
+    if (lower >= least_) return;
+    const double upper = std::min({(a.from - b.from).norm(), (a.from - b.to).norm(),
+                                   (a.to - b.from).norm(), (a.to - b.to).norm()});
+    const bool straight = p.degree == 1 && q.degree == 1;
+    if (straight || lower >= kTight * upper || ++pieces_ > kMostPieces ||
+        halvings == kMostHalvings) {
+      least_ = std::max(0.0, lower);
+      return;
+    }
+    const bool first = q.degree == 1 || (p.degree > 1 && reach_p >= reach_q);
+    const auto [left, right] = curve_piece::split(first ? p : q);
+    for (const Piece<double>* half : {&left, &right})
+      if (least_ > 0) first ? compare(*half, q, halvings + 1) : compare(p, *half, halvings + 1);
+  }
+
+  double least_;
+  int pieces_ = 0;
+};
+
+Box2 grown(Box2 box, double by) {
+  const double margin =
+      by + kRoundings * (by + box.low.cwiseAbs().maxCoeff() + box.high.cwiseAbs().maxCoeff());
+  return {box.low.array() - margin, box.high.array() + margin};
+}
+
+// All loops of all charts, in units in which nothing overflows, and who is where.
+class Layout {
+ public:
+  Layout(const std::vector<BezierMap>& charts, double unit, const std::vector<char>& fixed)
+      : fixed_(fixed), trees_(charts.size()) {
+    loops_.charts = static_cast<Index>(charts.size());
+    for (std::size_t k = 0; k < charts.size(); ++k) {
+      first_.push_back(static_cast<Index>(loops_.curves.size()));
+      append(boundary_loops(charts[k]), static_cast<Index>(k), unit);
+    }
+    first_.push_back(static_cast<Index>(loops_.curves.size()));
+  }
+
+  double least_distance(double at_least, const StopCheck& stop) {
+    LeastDistance least(at_least);
+    std::vector<Box2> boxes;
+    for (const Box2& box : boxes_) boxes.push_back(grown(box, at_least / 2));
+    std::size_t pairs = 0;
+    BoxTree(std::move(boxes)).visit_pairs([&](Index a, Index b) {
+      stop.poll_at(pairs++ * 64);
+      if (!both_fixed(a, b)) compare(a, b, at_least, least, stop);
+      return least.value() > 0;
+    });
+    if (least.value() > 0 && any_inside(stop)) least.none();
+    return least.value();
+  }
+
+ private:
+  void append(const BoundaryLoops& boundary, Index chart, double unit) {
+    Box2 box = box_of(boundary.curves.front());
+    for (PlanarCurve curve : boundary.curves) {
+      const Box2 of_curve = box_of(curve);
+      box.low = box.low.cwiseMin(of_curve.low);
+      box.high = box.high.cwiseMax(of_curve.high);
+    }
+    boxes_.push_back({box.low / unit, box.high / unit});
+    for (const BoundaryLoop& loop : boundary.loops) {
+      std::vector<PlanarCurve> curves(boundary.curves.begin() + loop.first,
+                                      boundary.curves.begin() + loop.last);
+      for (PlanarCurve& curve : curves)
+        for (int k = 0; k <= curve.degree; ++k) curve.control_points[at(k)] /= unit;
+      loops_.add_loop(chart, curves, std::vector<Index>(curves.size(), 0));
+    }
+  }
+
+  bool both_fixed(Index a, Index b) const {
+    return !fixed_.empty() && fixed_[at(a)] && fixed_[at(b)];
+  }
+  Index curve_count(Index chart) const { return first_[at(chart + 1)] - first_[at(chart)]; }
+
+  const BoxTree& tree(Index chart) {
+    std::optional<BoxTree>& known = trees_[at(chart)];
+    if (!known) {
+      std::vector<Box2> boxes;
+      for (Index k = first_[at(chart)]; k < first_[at(chart + 1)]; ++k)
+        boxes.push_back(box_of(loops_.curves[at(k)]));
+      known.emplace(std::move(boxes));
+    }
+    return *known;
+  }
+
+  void compare(Index a, Index b, double at_least, LeastDistance& least, const StopCheck& stop) {
+    if (curve_count(a) > curve_count(b)) std::swap(a, b);
+    for (Index k = first_[at(a)]; k < first_[at(a + 1)] && least.value() > 0; ++k) {
+      stop.poll_at(at(k));
+      const PlanarCurve& curve = loops_.curves[at(k)];
+      const Box2 box = grown(box_of(curve), at_least);
+      if (!box.meets(boxes_[at(b)])) continue;
+      tree(b).visit_meeting(box, [&](Index l) {
+        if (least.value() > 0) least.compare(curve, loops_.curves[at(first_[at(b)] + l)]);
+      });
+    }
+  }
+
+  // Charts whose boundaries are disjoint overlap where a loop of one is inside of another: winding
+  // numbers of charts with det J > 0 are not negative, so none cancels another.
+  bool any_inside(const StopCheck& stop) const {
+    const LoopWinding winding(loops_);
+    for (std::size_t k = 0; k < loops_.loops.size(); ++k) {
+      stop.poll_at(k * 64);
+      const BoundaryLoop& loop = loops_.loops[k];
+      const std::optional<long> turns =
+          winding.around(loops_.curves[at(loop.first)].front(), [&](const BoundaryLoop& other) {
+            return other.chart != loop.chart && !both_fixed(loop.chart, other.chart);
+          });
+      if (turns != 0) return true;
+    }
+    return false;
+  }
+
+  const std::vector<char>& fixed_;
+  BoundaryLoops loops_;
+  std::vector<Index> first_;  // #charts + 1: curves of each
+  std::vector<Box2> boxes_;   // of each chart
+  std::vector<std::optional<BoxTree>> trees_;
+};
+
+}  // namespace
+
+double proven_distance(const std::vector<BezierMap>& charts, double at_least,
+                       const std::vector<char>& fixed, const StopCheck& stop) {
+  if (charts.size() < 2) return at_least;
+  const double unit = layout_unit(charts);
+  return unit * Layout(charts, unit, fixed).least_distance(at_least / unit, stop);
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,70 @@
+// Output files appear whole or not at all. Every writer of io/ ends here.
+//
+//   write_file_atomically("out.vtu", text, [&](const std::string& temporary) {
+//     if (read_vtu(temporary).uv.rows() == 0) throw Error(ErrorKind::Invalid, "out.vtu: ...");
+//   });
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "majorant/io/certification.h"
+
+namespace majorant {
+
+class TemporaryFile;
+
+// Writes `content` to a temporary file beside `path`, lets `verify` judge it and renames it, so
+// that nobody sees half a file and a failure leaves an older file as it was. A symbolic link stays:
+// its target is written, and made if it does not exist. An older file's permissions are kept. What
+// is no regular file (/dev/stdout, a FIFO, /dev/null) is written directly; as it cannot be read
+// back, `verify` judges a file in $TMPDIR (or /tmp) first, that is removed before anything is
+// written.
+// Throws Error(Usage, "cannot write PATH: reason") and what `verify` throws; no temporary file is
+// left behind.
+void write_file_atomically(const std::string& path, std::string_view content,
+                           const FileVerification& verify = {});
+
+// One of several files that appear together: complete beside its place until the others are, too.
+//
+//   PendingFile a("a.csv", "1,2"), b("b.csv", "3,4");   // throws: neither appears
+//   a.take_place();
+//   b.take_place();
+//
+// Throws as write_file_atomically(), and Error(Usage) for what is no regular file.
+class PendingFile {
+ public:
+  PendingFile(const std::string& path, std::string_view content,
+              const FileVerification& verify = {});
+  ~PendingFile();  // what has not taken its place is removed
+  PendingFile(const PendingFile&) = delete;
+  PendingFile& operator=(const PendingFile&) = delete;
+
+  void take_place();
+
+ private:
+  std::string path_, target_;  // as it was named, and where links lead
+  std::unique_ptr<TemporaryFile> file_;
+};
+
+// Asks before any work whether write_file_atomically(path, ...) can succeed: makes a temporary file
+// and removes it. Only the disk may still be full. Throws Error(Usage) as above.
+void require_writable_file(const std::string& path);
+
+// What all names of one file have in common: links, hard links, `./`.
+struct FileIdentity {
+  std::uint64_t device = 0, inode = 0;  // of the file; of its folder if it does not exist yet
+  std::string name;                     // in that folder; empty if the file exists
+
+  bool operator==(const FileIdentity&) const = default;
+};
+// Empty for a file in a folder that does not exist.
+std::optional<FileIdentity> identify_file(const std::string& path);
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,153 @@
+#include "majorant/io/input_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+#include "majorant/framework/error.h"
+#include "majorant/io/internal/inflate.h"
+#include "majorant/io/reading_limit.h"
+#include "majorant/io/waiting_output.h"
+
+namespace majorant {
+namespace {
+
+bool is_text_byte(char byte) {
+  const unsigned char c = static_cast<unsigned char>(byte);
+  return c >= 32 ? c != 127 : (c >= '\t' && c <= '\r');
+}
+
+std::string lower_extension(const std::filesystem::path& path) {
+  std::string e = path.extension().string();
+  std::transform(e.begin(), e.end(), e.begin(), [](unsigned char c) { return std::tolower(c); });
+  return e;
+}
+
+// A file that is open for reading.
+class InputFile {
+ public:
+  explicit InputFile(const std::string& path) : path_(path) {
+    if (path.find('\0') != std::string::npos)
+      throw Error(ErrorKind::Unreadable,
+                  fmt::format("{}: no file name has a null character", in_quotes(path)));
+    // Not waiting: of a FIFO nobody may come to write.
+    descriptor_ = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
+    struct stat status {};
+    if (descriptor_ < 0 || ::fstat(descriptor_, &status) != 0) fail("check the name");
+    if (S_ISDIR(status.st_mode))
+      throw Error(ErrorKind::Unreadable, path + ": is a directory; name a file");
+    may_wait_ = !S_ISREG(status.st_mode);
+    if (!may_wait_) size_ = static_cast<std::size_t>(status.st_size);
+  }
+  ~InputFile() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  InputFile(const InputFile&) = delete;
+  InputFile& operator=(const InputFile&) = delete;
+
+  std::size_t size() const { return size_; }  // 0: nobody knows
+
+  // Calls take(bytes) with the blocks of the file, in order.
+  template <class Take>
+  void for_each_block(const StopCheck& stop, const Take& take) const {
+    constexpr std::size_t kRead = std::size_t{1} << 16;
+    std::string block(kRead, '\0');
+    for (;;) {
+      stop.poll();
+      pollfd ready{descriptor_, POLLIN, 0};
+      if (may_wait_ && ::poll(&ready, 1, kWaitMilliseconds) <= 0) continue;
+      const ssize_t count = ::read(descriptor_, block.data(), block.size());
+      if (count == 0) return;
+      if (count > 0) take(std::string_view(block).substr(0, static_cast<std::size_t>(count)));
+      if (count < 0 && errno != EINTR && errno != EAGAIN) fail("check the disk");
+    }
+  }
+
+ private:
+  [[noreturn]] void fail(const char* remedy) const {
+    throw Error(ErrorKind::Unreadable,
+                fmt::format("{}: {}; {}", path_, std::strerror(errno), remedy));
+  }
+
+  const std::string& path_;
+  int descriptor_ = -1;
+  bool may_wait_ = false;
+  std::size_t size_ = 0;
+};
+
+}  // namespace
+
+bool is_compressed(const std::string& path) { return lower_extension(path) == ".gz"; }
+
+std::string format_of(const std::string& path) {
+  const std::filesystem::path name(path);
+  return lower_extension(is_compressed(path) ? name.stem() : name);
+}
+
+std::string read_whole_file(const std::string& path, const StopCheck& stop) {
+  std::string content;
+  const InputFile file(path);
+  const ReadingLimit limit(path);
+  if (!is_compressed(path)) {
+    limit.require(file.size());
+    content.reserve(file.size() + 1);
+    file.for_each_block(stop, [&](std::string_view block) {
+      const std::size_t size = content.size() + block.size();
+      // Where it grows it is there twice, for a moment.
+      if (size > content.capacity()) limit.require(size + content.size());
+      content += block;
+    });
+    return content;
+  }
+  GunzipStream stream(limit);
+  file.for_each_block(stop, [&](std::string_view block) {
+    if (!stream.append(block, content))
+      throw Error(
+          ErrorKind::Unreadable,
+          path + ": damaged, or no gzip file; if it is not compressed, name it without .gz");
+  });
+  if (!stream.complete())
+    throw Error(ErrorKind::Unreadable,
+                path + ": the compressed data end too early; the file is truncated");
+  return content;
+}
+
+void require_text(const std::string& path, std::string& content) {
+  if (content.starts_with("\xEF\xBB\xBF")) content.erase(0, 3);
+  const auto bad = std::find_if_not(content.begin(), content.end(), is_text_byte);
+  if (bad != content.end()) {
+    throw Error(ErrorKind::Unreadable,
+                fmt::format("{}:{}: binary content (byte {}); this format is text, check that the "
+                            "extension fits the file",
+                            path, 1 + std::count(content.begin(), bad, '\n'),
+                            static_cast<int>(static_cast<unsigned char>(*bad))));
+  }
+  char* data = content.data();
+  const char* end = data + content.size();
+  while ((data = static_cast<char*>(
+              std::memchr(data, '\r', static_cast<std::size_t>(end - data)))) != nullptr) {
+    if (data + 1 == end || data[1] != '\n') *data = '\n';
+    ++data;
+  }
+}
+
+std::string in_quotes(std::string_view piece) {
+  constexpr std::size_t kLongest = 40;
+  std::string result = "'";
+  for (const char c : piece.substr(0, kLongest)) result += c >= 32 && c < 127 ? c : '?';
+  result += piece.size() > kLongest ? "...'" : "'";
+  return result;
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

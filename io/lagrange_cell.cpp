@@ -1,0 +1,238 @@
+#include "majorant/io/lagrange_cell.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "majorant/framework/error.h"
+#include "majorant/framework/internal/rounding.h"
+#include "majorant/parametrization/maps/bezier_cell.h"
+
+namespace majorant {
+namespace {
+
+// One linear map of the numbers of a cell: rows give a result, columns an input, in VTK's order.
+// Every weight is correctly rounded.
+class CellMatrix {
+ public:
+  explicit CellMatrix(int degree)
+      : indices_(bezier_multi_indices(degree)), weights_(indices_.size() * indices_.size()) {}
+
+  std::size_t size() const { return indices_.size(); }
+  const std::array<int, 3>& index(std::size_t k) const { return indices_[k]; }
+  Quad& weight(std::size_t row, std::size_t column) { return weights_[row * size() + column]; }
+  Quad weight(std::size_t row, std::size_t column) const { return weights_[row * size() + column]; }
+
+ private:
+  std::vector<std::array<int, 3>> indices_;
+  std::vector<Quad> weights_;
+};
+
+Quad factorials(const std::array<int, 3>& index) {
+  Quad product = 1;
+  for (const int i : index)
+    for (int k = 2; k <= i; ++k) product *= k;
+  return product;
+}
+
+// Control points to values: n! / (i! j! k!) a^i b^j c^k / n^n. Numerators are whole and exact.
+CellMatrix evaluation(int degree) {
+  CellMatrix matrix(degree);
+  Quad scale = 1;
+  for (int k = 0; k < degree; ++k) scale *= degree;
+  for (std::size_t row = 0; row < matrix.size(); ++row)
+    for (std::size_t column = 0; column < matrix.size(); ++column) {
+      Quad value = factorials({degree, 0, 0}) / factorials(matrix.index(column));
+      for (std::size_t c = 0; c < 3; ++c)
+        for (int k = 0; k < matrix.index(column)[c]; ++k) value *= matrix.index(row)[c];
+      matrix.weight(row, column) = value / scale;
+    }
+  return matrix;
+}
+
+// Coefficients of the monomials of degree n in three variables, by exponents of the first two.
+using Form = std::vector<Quad>;
+
+std::size_t place(int degree, int i, int j) { return at(i * (degree + 1) + j); }
+
+// form * (n x_axis - s (x_0 + x_1 + x_2)), which is of degree `power` + 1. All numbers are whole.
+Form times_factor(const Form& form, int degree, int power, int axis, int s) {
+  Form product(form.size(), 0);
+  for (int i = 0; i <= power; ++i)
+    for (int j = 0; i + j <= power; ++j) {
+      const Quad c = form[place(degree, i, j)];
+      product[place(degree, i + 1, j)] += c * ((axis == 0 ? degree : 0) - s);
+      product[place(degree, i, j + 1)] += c * ((axis == 1 ? degree : 0) - s);
+      product[place(degree, i, j)] += c * ((axis == 2 ? degree : 0) - s);
+    }
+  return product;
+}
+
+// Values to control points. The polynomial that is 1 at (i, j, k) / n and 0 at the other points is
+//     prod_{s < i} (n x_0 - s) prod_{s < j} (n x_1 - s) prod_{s < k} (n x_2 - s) / (i! j! k!);
+// with 1 = x_0 + x_1 + x_2 in place of every lone s it is homogeneous, and the coefficient of
+// x_0^a x_1^b x_2^c, times a! b! c! / n!, is its control point (a, b, c).
+CellMatrix interpolation(int degree) {
+  CellMatrix matrix(degree);
+  for (std::size_t column = 0; column < matrix.size(); ++column) {
+    Form form(at((degree + 1) * (degree + 1)), 0);
+    form[0] = 1;
+    int power = 0;
+    for (int axis = 0; axis < 3; ++axis)
+      for (int s = 0; s < matrix.index(column)[at(axis)]; ++s)
+        form = times_factor(form, degree, power++, axis, s);
+    for (std::size_t row = 0; row < matrix.size(); ++row) {
+      const auto& index = matrix.index(row);
+      matrix.weight(row, column) = form[place(degree, index[0], index[1])] * factorials(index) /
+                                   (factorials({degree, 0, 0}) * factorials(matrix.index(column)));
+    }
+  }
+  return matrix;
+}
+
+// Which inputs each result is made of: for corners itself, for points of an edge those along it.
+std::vector<std::vector<int>> inputs_of(int degree) {
+  const Index size = bezier_cell_size(degree);
+  std::vector<int> all(at(size));
+  for (Index k = 0; k < size; ++k) all[at(k)] = k;
+  std::vector<std::vector<int>> inputs(at(size), all);
+  for (int edge = 0; edge < 3; ++edge) {
+    const std::vector<int> along = bezier_edge_points(degree, edge);
+    for (const int k : along) inputs[at(k)] = along;
+  }
+  for (int k = 0; k < 3; ++k) inputs[at(k)] = {k};
+  return inputs;
+}
+
+struct Rounded {
+  Vector2 value, error;
+};
+
+class CellTransform {
+ public:
+  CellTransform(CellMatrix matrix, int degree)
+      : matrix_(std::move(matrix)), inputs_(inputs_of(degree)) {}
+
+  // Result `row` of a cell of a map.
+  Rounded apply(const MapFile& map, Index cell, int row) const {
+    const auto input = [&](int k) { return map.cells(cell, k); };
+    std::vector<int> order = inputs_[at(row)];
+    if (order.size() == 1) return {map.uv.row(input(row)), rounding(map, input(row))};
+    if (order.size() < matrix_.size() && runs_backwards(map, cell, order))
+      std::reverse(order.begin(), order.end());
+    Rounded result;
+    for (int axis = 0; axis < 2; ++axis) {
+      Quad sum = 0;
+      double size = 0, error = 0;
+      for (const int k : order) {
+        const Quad weight = matrix_.weight(at(row), at(k));
+        const Quad term = weight * map.uv(input(k), axis);
+        sum += term;
+        size += std::abs(static_cast<double>(term));
+        if (map.uv_rounding.rows() > 0)
+          error += std::abs(static_cast<double>(weight)) * rounding(map, input(k))[axis];
+      }
+      // Of `order` weights, terms and sums, each rounded once.
+      const double own = 3 * static_cast<double>(order.size()) * kUnitRoundoff<Quad> * size;
+      result.value[axis] = static_cast<double>(sum);
+      const double cut_off = std::abs(static_cast<double>(sum - Quad(result.value[axis])));
+      result.error[axis] =
+          kRoundUp * (cut_off + own + error) + std::numeric_limits<double>::denorm_min();
+    }
+    return result;
+  }
+
+ private:
+  // More than what rounding a bound to double takes away. Origin: 2^-53 of it.
+  static constexpr double kRoundUp = 1.0000001;
+
+  static Vector2 rounding(const MapFile& map, Index point) {
+    if (map.uv_rounding.rows() == 0) return Vector2::Zero();
+    return map.uv_rounding.row(point);
+  }
+
+  // Told from the values, so that cells which do not share points agree, too.
+  static bool runs_backwards(const MapFile& map, Index cell, const std::vector<int>& along) {
+    for (std::size_t k = 0; k < along.size(); ++k)
+      for (int axis = 0; axis < 2; ++axis) {
+        const double here = map.uv(map.cells(cell, along[k]), axis);
+        const double there = map.uv(map.cells(cell, along[along.size() - 1 - k]), axis);
+        if (here != there) return here > there;
+      }
+    return false;
+  }
+
+  CellMatrix matrix_;
+  std::vector<std::vector<int>> inputs_;
+};
+
+}  // namespace
+
+void require_lagrange_degree(const std::string& path, const MapFile& map) {
+  if (map.degree > kHighestLagrangeDegree)
+    throw Error(ErrorKind::Unsupported,
+                fmt::format("cannot write {}: Lagrange cells have degrees up to {}, the map {}",
+                            path, kHighestLagrangeDegree, map.degree));
+}
+
+Points2 lagrange_nodes(const MapFile& map, const StopCheck& stop) {
+  Points2 nodes = map.uv;
+  if (map.degree == 1) return nodes;
+  const CellTransform transform(evaluation(map.degree), map.degree);
+  for (Index cell = 0; cell < map.cells.rows(); ++cell) {
+    stop.poll_at(at(cell));
+    for (int k = 3; k < map.cells.cols(); ++k)
+      nodes.row(map.cells(cell, k)) = transform.apply(map, cell, k).value;
+  }
+  return nodes;
+}
+
+double lagrange_amplification(int degree) {
+  const CellMatrix matrix = interpolation(degree);
+  double largest = 0;
+  for (std::size_t row = 0; row < matrix.size(); ++row) {
+    double sum = 0;
+    for (std::size_t column = 0; column < matrix.size(); ++column)
+      sum += static_cast<double>(magnitude(matrix.weight(row, column)));
+    largest = std::max(largest, sum);
+  }
+  return largest;
+}
+
+void take_as_lagrange_nodes(MapFile& map, const std::string& file, const StopCheck& stop) {
+  if (map.degree == 1) return;
+  if (map.degree > kHighestLagrangeDegree)
+    throw Error(ErrorKind::Unreadable, fmt::format("{}: Lagrange cells of degree {}; up to {} are "
+                                                   "supported",
+                                                   file, map.degree, kHighestLagrangeDegree));
+  const CellTransform transform(interpolation(map.degree), map.degree);
+  Points2 uv = map.uv;
+  Points2 rounding = Points2::Zero(uv.rows(), 2);
+  std::vector<char> is_known(at(static_cast<Index>(uv.rows())), 0);
+  for (Index cell = 0; cell < map.cells.rows(); ++cell) {
+    stop.poll_at(at(cell));
+    for (int k = 0; k < map.cells.cols(); ++k) {
+      const Index point = map.cells(cell, k);
+      const Rounded control_point = transform.apply(map, cell, k);
+      if (is_known[at(point)] && Vector2(uv.row(point)) != control_point.value)
+        throw Error(ErrorKind::Unreadable,
+                    fmt::format("{}: cell {}: its point {} is another cell's, on another curve; "
+                                "damaged file",
+                                file, cell, k));
+      is_known[at(point)] = 1;
+      uv.row(point) = control_point.value;
+      rounding.row(point) = control_point.error;
+    }
+  }
+  map.uv = std::move(uv);
+  map.uv_rounding = std::move(rounding);
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

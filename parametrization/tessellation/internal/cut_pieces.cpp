@@ -1,0 +1,287 @@
+#include "majorant/parametrization/tessellation/internal/cut_pieces.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <limits>
+#include <set>
+#include <tuple>
+
+#include "majorant/framework/error.h"
+#include "majorant/mesh/half_edge.h"
+#include "majorant/mesh/internal/exact_predicates.h"
+#include "majorant/parametrization/tessellation/internal/piece_boundary.h"
+
+namespace majorant {
+namespace {
+
+using Edge = MapPieces::Edge;
+using Piece = MapPieces::Piece;
+
+// Two halvings halve the edges. After 26 of these the area of a piece is 2^-52 of its cell's, which
+// is what doubles of the cell's size resolve. Origin: the 53 bits of a double.
+constexpr int kDeepestCut = 52;
+// Of a cell, more than there are in the beginning: as many as a lattice of 64 pieces an edge has. A
+// map that is not locally injective would take any number. Origin: chosen, not tuned.
+constexpr std::size_t kMostPieces = 64 * 64;
+constexpr std::size_t kMostNamedCells = 8;  // cells in a message; then the search ends
+// A diagonal leaves no piece with less than this part of the two. Origin: chosen, not tuned.
+constexpr double kThinnest = 1.0 / 64;
+// Of pieces that were halved more often, diagonals and edges are not chosen by what they repair:
+// the shapes that halving longest edges makes are bounded. Origin: chosen, not tuned.
+constexpr int kTriedDepth = 12;
+// Edges whose lengths differ by less are equally long: an edge seen from another cell is evaluated
+// in another order. Origin: far above the rounding of a length.
+constexpr double kLonger = 1 + 1e-9;
+
+double area(const Vector3& a, const Vector3& b, const Vector3& c) {  // of a cell of area 1
+  return (b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1]);
+}
+
+// Height over the longest edge, relative to it.
+double shape(const Vector3& a, const Vector3& b, const Vector3& c) {
+  const double longest =
+      std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+  return longest > 0 ? (b - a).cross(c - a).norm() / longest : 0;
+}
+
+class Cutter {
+ public:
+  explicit Cutter(MapPieces& pieces)
+      : pieces_(pieces), most_pieces_(pieces.pieces(0).size() + kMostPieces) {
+    for (Index c = pieces.cell_count() - 1; c >= 0; --c) open_.push_back(c);
+  }
+
+  void make_positive() {
+    while (!open_.empty()) {
+      const Index cell = open_.back();
+      open_.pop_back();
+      settle(cell);
+    }
+    if (!hopeless_.empty()) refuse();
+  }
+
+  // False if there are vertices where pieces do not turn once; these are cut.
+  bool turns_once() {
+    const std::vector<Edge> spokes = spokes_of_wound_vertices(pieces_);
+    cut_all(spokes);
+    return spokes.empty();
+  }
+
+  // False if boundary edges had to be cut.
+  bool is_without_overlap() {
+    const std::vector<BoundaryEdge> edges = boundary_edges(pieces_);
+    std::vector<Edge> to_cut;
+    for (const Index k : edges_to_cut(pieces_, edges)) to_cut.push_back(edges[at(k)].edge);
+    cut_all(to_cut);
+    return to_cut.empty();
+  }
+
+ private:
+  struct Choice {
+    int not_positive;  // pieces, more than before
+    int pieces;        // more than before
+    double shape;      // of the worst one
+    Edge edge;
+
+    auto key() const { return std::tuple(not_positive, pieces, -shape); }
+  };
+
+  bool is_positive(Index c, const std::array<int, 3>& p) const {
+    return orientation(pieces_.uv(c, p[0]), pieces_.uv(c, p[1]), pieces_.uv(c, p[2])) > 0;
+  }
+
+  void settle(Index cell) {
+    while (!hopeless_.contains(cell)) {
+      const std::vector<Piece>& all = pieces_.pieces(cell);
+      const auto bad = std::find_if(all.begin(), all.end(), [&](const Piece& piece) {
+        return !is_positive(cell, piece.corners);
+      });
+      if (bad == all.end()) return;
+      const auto piece = static_cast<int>(bad - all.begin());
+      if (flip_edge_of(cell, piece)) continue;
+      if (!cut(edge_to_cut(cell, *bad))) give_up(cell);
+    }
+  }
+
+  Edge edge_to_cut(Index cell, const Piece& piece) const {
+    if (piece.depth <= kTriedDepth)
+      if (const Choice choice = best_choice(cell, piece); choice.not_positive < 0)
+        return choice.edge;
+    return longest_edge_near(cell, piece);
+  }
+
+  void cut_all(const std::vector<Edge>& edges) {
+    for (const Edge& edge : edges) cut(edge);
+    if (!hopeless_.empty()) refuse();
+  }
+
+  static bool has_edge(const Piece& piece, int i, int j) {
+    return std::ranges::count(piece.corners, i) > 0 && std::ranges::count(piece.corners, j) > 0;
+  }
+
+  // False if a limit was reached; the cells are noted.
+  bool cut(const Edge& edge) {
+    const std::vector<Edge> sides = pieces_.sides(edge);
+    bool is_within_limits = true;
+    int depth = -1;
+    for (const auto& [c, i, j] : sides) {
+      for (const Piece& piece : pieces_.pieces(c))
+        if (has_edge(piece, i, j)) depth = std::max(depth, piece.depth);
+      if (depth < kDeepestCut && pieces_.pieces(c).size() < most_pieces_) continue;
+      give_up(c);
+      is_within_limits = false;
+    }
+    if (depth < 0) return is_within_limits;  // it was cut as another cell's edge
+    pieces_.split(edge);
+    for (const Edge& side : sides) open_.push_back(side.cell);
+    return is_within_limits;
+  }
+
+  void give_up(Index cell) {
+    hopeless_.insert(cell);
+    if (hopeless_.size() >= kMostNamedCells) refuse();
+  }
+
+  [[noreturn]] void refuse() const {
+    std::set<Index> cells;
+    for (const Index c : hopeless_) cells.insert(pieces_.map_cell(c));
+    throw Error(ErrorKind::Invalid,
+                fmt::format("cell{} {}{}: no straight pieces are proven valid; the map is not "
+                            "injective there, or too thin for double precision",
+                            cells.size() > 1 ? "s" : "", fmt::join(cells, ", "),
+                            cells.size() >= kMostNamedCells ? " and others" : ""));
+  }
+
+  // Whether the other diagonal of two pieces of the cell made both positive.
+  bool flip_edge_of(Index c, int first) {
+    const std::vector<Piece>& all = pieces_.pieces(c);
+    if (all[at(first)].depth > kTriedDepth) return false;
+    const std::array<int, 3> corners = all[at(first)].corners;
+    for (Index e = 0; e < 3; ++e) {
+      const int i = corners[at(e)], j = corners[at(next(e))], k = corners[at(previous(e))];
+      for (std::size_t second = 0; second < all.size(); ++second) {
+        const std::array<int, 3>& q = all[second].corners;
+        const auto place = static_cast<Index>(std::ranges::find(q, j) - q.begin());
+        if (place == 3 || q[at(next(place))] != i) continue;
+        const int l = q[at(previous(place))];
+        const std::array<std::array<int, 3>, 2> flipped = {{{i, l, k}, {l, j, k}}};
+        if (all[second].depth > kTriedDepth || !may_be_pieces(c, flipped)) continue;
+        pieces_.flip(c, {first, static_cast<int>(second)}, flipped);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  bool may_be_pieces(Index c, const std::array<std::array<int, 3>, 2>& two) const {
+    const auto area_of = [&](const std::array<int, 3>& p) {
+      const auto& points = pieces_.points(c);
+      return area(points[at(p[0])].xi, points[at(p[1])].xi, points[at(p[2])].xi);
+    };
+    const double a = area_of(two[0]), b = area_of(two[1]);
+    return std::min(a, b) > kThinnest * (a + b) && is_positive(c, two[0]) && is_positive(c, two[1]);
+  }
+
+  Choice best_choice(Index c, const Piece& piece) const {
+    const std::array<int, 3>& p = piece.corners;
+    const std::array<Choice, 3> choices = {consider({c, p[0], p[1]}), consider({c, p[1], p[2]}),
+                                           consider({c, p[2], p[0]})};
+    return *std::ranges::min_element(choices, {}, &Choice::key);
+  }
+
+  Choice consider(const Edge& edge) const {
+    Choice choice{0, 0, std::numeric_limits<double>::infinity(), edge};
+    const std::vector<Edge> sides = pieces_.sides(edge);
+    const std::vector<Vector2> middles = pieces_.middles(sides);
+    const Vector3 middle =
+        (pieces_.position(edge.cell, edge.i) + pieces_.position(edge.cell, edge.j)) / 2;
+    for (std::size_t s = 0; s < sides.size(); ++s) {
+      const auto [c, i, j] = sides[s];
+      for (const Piece& piece : pieces_.pieces(c)) {
+        const std::array<int, 3>& p = piece.corners;
+        const auto from = std::ranges::find(p, i), to = std::ranges::find(p, j);
+        if (from == p.end() || to == p.end()) continue;
+        ++choice.pieces;
+        choice.not_positive -= !is_positive(c, p);
+        for (const auto moved : {from - p.begin(), to - p.begin()}) {
+          std::array<Vector2, 3> uv;
+          std::array<Vector3, 3> xyz;
+          for (std::size_t k = 0; k < 3; ++k) {
+            const bool is_moved = k == static_cast<std::size_t>(moved);
+            uv[k] = is_moved ? middles[s] : pieces_.uv(c, p[k]);
+            xyz[k] = is_moved ? middle : pieces_.position(c, p[k]);
+          }
+          choice.not_positive += orientation(uv[0], uv[1], uv[2]) <= 0;
+          choice.shape = std::min(choice.shape, shape(xyz[0], xyz[1], xyz[2]));
+        }
+      }
+    }
+    return choice;
+  }
+
+  // Of the curve, by its middle; the longest of its images along a cut.
+  double length(const Edge& edge) const {
+    const std::vector<Edge> sides = pieces_.sides(edge);
+    const std::vector<Vector2> middles = pieces_.middles(sides);
+    double result = 0;
+    for (std::size_t s = 0; s < sides.size(); ++s) {
+      const auto [c, i, j] = sides[s];
+      result = std::max(
+          result, (middles[s] - pieces_.uv(c, i)).norm() + (middles[s] - pieces_.uv(c, j)).norm());
+    }
+    return result;
+  }
+
+  struct LongEdge {
+    double length;
+    Edge edge;
+  };
+
+  LongEdge longest_edge(Index c, const std::array<int, 3>& p) const {
+    LongEdge result{-1, {c, p[0], p[1]}};
+    for (Index k = 0; k < 3; ++k) {
+      const Edge edge{c, p[at(k)], p[at(next(k))]};
+      if (const double l = length(edge); l > result.length) result = {l, edge};
+    }
+    return result;
+  }
+
+  // The longest edge of a piece, or of the neighbours along it whose longest edge is longer still.
+  Edge longest_edge_near(Index cell, const Piece& piece) const {
+    LongEdge longest = longest_edge(cell, piece.corners);
+    for (bool is_final = false; !is_final;) {
+      is_final = true;
+      for (const auto& [c, i, j] : pieces_.sides(longest.edge))
+        for (const Piece& other : pieces_.pieces(c)) {
+          if (!is_final || !has_edge(other, i, j)) continue;
+          const LongEdge candidate = longest_edge(c, other.corners);
+          if (candidate.length <= kLonger * longest.length) continue;
+          longest = candidate;
+          is_final = false;
+        }
+    }
+    return longest.edge;
+  }
+
+  MapPieces& pieces_;
+  std::size_t most_pieces_;
+  std::vector<Index> open_;   // cells that may have pieces that are not positive
+  std::set<Index> hopeless_;  // cells
+};
+
+}  // namespace
+
+void cut_until_positive(MapPieces& pieces, Overlap overlap) {
+  Cutter cutter(pieces);
+  do {
+    cutter.make_positive();
+  } while (!cutter.turns_once() || (overlap == Overlap::Excluded && !cutter.is_without_overlap()));
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,35 @@
+// Cuts the pieces of a map until they are a valid piecewise linear map, proven on their doubles.
+//
+//   MapPieces pieces(file, mesh_from_map(file, ""), 1);
+//   cut_until_positive(pieces, Overlap::Allowed);
+//
+// Afterwards every piece is positive in the plane (exact_predicates.h), and around every vertex
+// inside the plane the pieces turn once. Pieces that are positive stay as they are, but for edges
+// that they share with others that are not.
+//
+// A piece that is not positive is repaired by the other diagonal of it and its neighbour, if they
+// are of one cell and both become positive; else one of its edges is halved where that leaves fewer
+// pieces that are not positive (the fewest; then the best shaped ones on the surface). Where no
+// single cut helps, and deep down always, its longest edge is halved, after that of its
+// neighbour while that one is longer [Riv97]. Lengths are measured in the plane, on the curves:
+// where a map stretches a hundredfold in one direction, pieces that are round there are few, pieces
+// that are round on the surface are thousands. As they become fine the map is affine on each, and
+// halving longest edges keeps the angles of their images from below; so pieces are positive in the
+// end wherever the map is locally injective.
+#pragma once
+
+#include "majorant/parametrization/tessellation/internal/map_pieces.h"
+#include "majorant/parametrization/tessellation/tessellate_map.h"
+
+namespace majorant {
+
+// Excluded: boundary edges that meet others, or images of components that lie in another one, are
+// cut too. By the theorem of global_injectivity.h the result is injective.
+// Throws Error(Invalid) that names cells where doubles do not suffice, or where the map is not
+// (locally) injective.
+void cut_until_positive(MapPieces& pieces, Overlap overlap);
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,329 @@
+#include "majorant/parametrization/tessellation/internal/map_pieces.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "majorant/framework/error.h"
+#include "majorant/mesh/internal/union_find.h"
+#include "majorant/parametrization/maps/bezier_cell.h"
+
+namespace majorant {
+namespace {
+
+// The points of a triangle's regular subdivision, corners first: then rows of constant b, where
+// (a, b) stands for the barycentric coordinates (1 - (a + b) / K, a / K, b / K).
+class Lattice {
+ public:
+  explicit Lattice(int refine) : K_(refine), number_(at((K_ + 1) * (K_ + 1)), -1) {
+    for (const auto& [a, b] : {std::pair(0, 0), {K_, 0}, {0, K_}}) add(a, b);
+    for (int b = 0; b <= K_; ++b)
+      for (int a = 0; a + b <= K_; ++a)
+        if (number(a, b) < 0) add(a, b);
+  }
+
+  int refine() const { return K_; }
+  const std::vector<Vector3>& points() const { return points_; }
+  // Sample s = 1 .. K - 1 along edge 0 (corner 0 to 1), 1 (1 to 2) or 2 (2 to 0).
+  int on_edge(int edge, int s) const {
+    return edge == 0 ? number(s, 0) : edge == 1 ? number(K_ - s, s) : number(0, K_ - s);
+  }
+  std::vector<MapPieces::Piece> pieces() const {
+    std::vector<MapPieces::Piece> result;
+    for (int b = 0; b < K_; ++b)
+      for (int a = 0; a + b < K_; ++a) {
+        result.push_back({{number(a, b), number(a + 1, b), number(a, b + 1)}});
+        if (a + b + 1 == K_) continue;
+        result.push_back({{number(a + 1, b), number(a + 1, b + 1), number(a, b + 1)}});
+      }
+    return result;
+  }
+
+ private:
+  int number(int a, int b) const { return number_[at(b * (K_ + 1) + a)]; }
+  void add(int a, int b) {
+    number_[at(b * (K_ + 1) + a)] = static_cast<int>(points_.size());
+    const double K = K_;
+    points_.emplace_back((K_ - a - b) / K, a / K, b / K);
+  }
+
+  int K_;
+  std::vector<int> number_;
+  std::vector<Vector3> points_;
+};
+
+Eigen::MatrixXd bernstein_values(int degree, const std::vector<Vector3>& xi) {
+  Points3 points(static_cast<Eigen::Index>(xi.size()), 3);
+  for (std::size_t p = 0; p < xi.size(); ++p)
+    points.row(static_cast<Eigen::Index>(p)) = xi[p].transpose();
+  return majorant::bernstein_values(degree, points);
+}
+
+void require_moderate(const MapFile& map, int refine) {
+  constexpr int kMostRefine = 10000;  // keeps the products below within 64 bits
+  const long long most = std::numeric_limits<Index>::max();
+  const long long samples = (refine + 1LL) * (refine + 2LL) / 2;
+  if (refine < 1) throw Error(ErrorKind::Usage, fmt::format("refine {} is less than 1", refine));
+  if (refine > kMostRefine || samples > most / (2 * map.cells.rows() + map.points.rows()))
+    throw Error(ErrorKind::Usage, fmt::format("refine {} gives too many triangles", refine));
+}
+
+}  // namespace
+
+MapPieces::MapPieces(const MapFile& map, PolygonMesh coarse, int refine)
+    : map_(map),
+      coarse_(std::move(coarse)),
+      positions_(coarse_.positions),
+      texcoords_(coarse_.texcoords) {
+  require_moderate(map, refine);
+  cells_.resize(coarse_.polygons.size());
+  number_edges();
+  fill_lattice(refine);
+}
+
+Index MapPieces::map_cell(Index cell) const {
+  return static_cast<Index>(coarse_.polygon_lines[at(cell)] - 1);
+}
+
+const Vector2& MapPieces::uv(Index cell, int point) const {
+  return texcoords_[at(of(cell).points[at(point)].vt)];
+}
+
+const Vector3& MapPieces::position(Index cell, int point) const {
+  return positions_[at(of(cell).points[at(point)].v)];
+}
+
+// ---- Edges of cells ----
+
+std::vector<int> MapPieces::control_points_along(Index cell, int edge, bool is_reversed) const {
+  std::vector<int> points;
+  for (const int k : bezier_edge_points(map_.degree, edge))
+    points.push_back(map_.cells(map_cell(cell), k));
+  if (is_reversed) std::reverse(points.begin(), points.end());
+  return points;
+}
+
+// By vertex of the coarse mesh: the same for vertices that are one in the map.
+std::vector<Index> MapPieces::nodes_of_corners() const {
+  const auto vertices = static_cast<Index>(positions_.size());
+  const bool is_named = map_.input_vertex.size() > 0;
+  const Index named =
+      is_named ? map_.input_vertex(map_.cells.leftCols<3>().reshaped()).maxCoeff() + 1 : 0;
+  const auto points = static_cast<Index>(map_.points.rows());
+  UnionFind nodes(vertices + points + named);
+  for (Index c = 0; c < cell_count(); ++c)
+    for (Index k = 0; k < 3; ++k) {
+      const Index point = map_.cells(map_cell(c), k);
+      nodes.join(coarse_.polygons[at(c)][at(k)], vertices + point);
+      if (is_named && map_.input_vertex[point] >= 0)
+        nodes.join(vertices + point, vertices + points + map_.input_vertex[point]);
+    }
+  std::vector<Index> result;
+  for (Index v = 0; v < vertices; ++v) result.push_back(nodes.find(v));
+  return result;
+}
+
+// Edges are one when their ends are the same two nodes, one in space when these are the same two
+// vertices, in the plane when they have the same control points.
+void MapPieces::number_edges() {
+  std::map<std::pair<Index, Index>, Index> edges, space_edges;
+  const std::vector<Index> node = nodes_of_corners();
+  next_node_ = static_cast<Index>(node.size());
+  for (Index c = 0; c < cell_count(); ++c)
+    for (int k = 0; k < 3; ++k) {
+      const Index v = coarse_.polygons[at(c)][at(k)], w = coarse_.polygons[at(c)][at(next(k))];
+      const Index from = node[at(v)], to = node[at(w)];
+      const auto entry =
+          edges.try_emplace(std::minmax(from, to), static_cast<Index>(edge_cells_.size()));
+      if (entry.second) edge_cells_.emplace_back();
+      const Index edge = entry.first->second;
+      cells_[at(c)].edge[at(k)] = edge;
+      const auto in_space = space_edges.try_emplace(std::minmax(v, w), space_edges_);
+      space_edges_ += in_space.second;
+      cells_[at(c)].space_edge[at(k)] = in_space.first->second;
+      Index& plane = cells_[at(c)].plane_edge[at(k)];
+      plane = -1;
+      for (const CellEdge& other : edge_cells_[at(edge)]) {
+        const bool is_reversed = node[at(coarse_.polygons[at(other.cell)][at(other.edge)])] != from;
+        if (control_points_along(c, k, is_reversed) !=
+            control_points_along(other.cell, other.edge, false))
+          continue;
+        plane = of(other.cell).plane_edge[at(other.edge)];
+        break;
+      }
+      if (plane < 0) {
+        plane = static_cast<Index>(plane_sides_.size());
+        plane_sides_.push_back(0);
+      }
+      ++plane_sides_[at(plane)];
+      edge_cells_[at(edge)].push_back({c, k});
+    }
+  for (Index c = 0; c < cell_count(); ++c)
+    for (int k = 0; k < 3; ++k) {
+      const Index v = coarse_.polygons[at(c)][at(k)];
+      cells_[at(c)].points.push_back(
+          {v, coarse_.polygon_texcoords[at(c)][at(k)], node[at(v)], Vector3::Unit(k)});
+    }
+}
+
+int MapPieces::plane_sides(Index cell, int cell_edge) const {
+  return plane_sides_[at(plane_edge(cell, cell_edge))];
+}
+
+Index MapPieces::plane_edge(Index cell, int cell_edge) const {
+  return of(cell).plane_edge[at(cell_edge)];
+}
+
+// ---- The start ----
+
+void MapPieces::fill_lattice(int refine) {
+  const Lattice lattice(refine);
+  const std::vector<MapPieces::Piece> pieces = lattice.pieces();
+  const Eigen::MatrixXd bernstein = bernstein_values(map_.degree, lattice.points());
+  std::vector<Index> first_v(at(space_edges_), -1), first_vt(plane_sides_.size(), -1);
+  std::vector<Index> first_node(edge_cells_.size(), -1);
+  for (Index c = 0; c < cell_count(); ++c) {
+    Cell& cell = cells_[at(c)];
+    cell.pieces = pieces;
+    cell.points.resize(lattice.points().size(), {-1, -1, -1, Vector3::Zero()});
+    for (std::size_t p = 0; p < cell.points.size(); ++p) cell.points[p].xi = lattice.points()[p];
+    const Eigen::MatrixXd control = map_.uv(map_.cells.row(map_cell(c)), Eigen::all);
+    const auto place = [&](int p) { return flat_point(c, cell.points[at(p)].xi); };
+    const auto value = [&](int p) -> Vector2 { return (bernstein.row(p) * control).transpose(); };
+    for (int edge = 0; edge < 3; ++edge) {
+      const bool is_forward = cell.points[at(edge)].node < cell.points[at(next(edge))].node;
+      Index& v = first_v[at(cell.space_edge[at(edge)])];
+      Index& vt = first_vt[at(cell.plane_edge[at(edge)])];
+      Index& node = first_node[at(cell.edge[at(edge)])];
+      const bool is_new = v < 0, is_new_in_plane = vt < 0;
+      if (is_new) v = static_cast<Index>(positions_.size());
+      if (is_new_in_plane) vt = static_cast<Index>(texcoords_.size());
+      if (node < 0) node = std::exchange(next_node_, next_node_ + refine - 1);
+      for (int s = 1; s < refine; ++s) {  // from the smaller corner to the larger
+        const int p = lattice.on_edge(edge, is_forward ? s : refine - s);
+        cell.points[at(p)].v = v + s - 1;
+        cell.points[at(p)].vt = vt + s - 1;
+        cell.points[at(p)].node = node + s - 1;
+        if (is_new) positions_.push_back(place(p));
+        if (is_new_in_plane) texcoords_.push_back(value(p));
+      }
+    }
+    for (std::size_t p = 0; p < cell.points.size(); ++p) {
+      if (cell.points[p].v >= 0) continue;
+      cell.points[p].v = static_cast<Index>(positions_.size());
+      cell.points[p].vt = static_cast<Index>(texcoords_.size());
+      cell.points[p].node = next_node_++;
+      positions_.push_back(place(static_cast<int>(p)));
+      texcoords_.push_back(value(static_cast<int>(p)));
+    }
+  }
+}
+
+// ---- Cutting ----
+
+int MapPieces::cell_edge(const Edge& edge) const {
+  const Vector3 &a = of(edge.cell).points[at(edge.i)].xi, &b = of(edge.cell).points[at(edge.j)].xi;
+  for (int k = 0; k < 3; ++k)
+    if (a[previous(k)] == 0 && b[previous(k)] == 0) return k;
+  return -1;
+}
+
+MapPieces::Edge MapPieces::seen_from(const CellEdge& other, const Edge& edge) const {
+  Edge result{other.cell, -1, -1};
+  const std::vector<Point>& points = of(other.cell).points;
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    if (points[p].xi[previous(other.edge)] != 0) continue;
+    if (points[p].node == of(edge.cell).points[at(edge.i)].node) result.i = static_cast<int>(p);
+    if (points[p].node == of(edge.cell).points[at(edge.j)].node) result.j = static_cast<int>(p);
+  }
+  return result;
+}
+
+std::vector<MapPieces::Edge> MapPieces::sides(const Edge& edge) const {
+  std::vector<Edge> result{edge};
+  const int k = cell_edge(edge);
+  if (k < 0) return result;
+  for (const CellEdge& other : edge_cells_[at(of(edge.cell).edge[at(k)])]) {
+    if (other.cell == edge.cell && other.edge == k) continue;
+    const Edge side = seen_from(other, edge);
+    // A cell that has a vertex twice, in files only, may not have the edge.
+    if (side.i >= 0 && side.j >= 0 && side.i != side.j) result.push_back(side);
+  }
+  return result;
+}
+
+Vector2 MapPieces::evaluate(Index cell, const Vector3& xi) const {
+  const Eigen::MatrixXd control = map_.uv(map_.cells.row(map_cell(cell)), Eigen::all);
+  return (bernstein_values(map_.degree, std::vector<Vector3>{xi}) * control).transpose();
+}
+
+Vector3 MapPieces::flat_point(Index cell, const Vector3& xi) const {
+  Vector3 result = Vector3::Zero();
+  for (int k = 0; k < 3; ++k) result += xi[k] * position(cell, k);
+  return result;
+}
+
+std::vector<Vector2> MapPieces::middles(const std::vector<Edge>& sides) const {
+  std::vector<Vector2> result;
+  std::vector<Index> plane;
+  for (const Edge& side : sides) {
+    const int k = cell_edge(side);
+    plane.push_back(k < 0 ? -1 : plane_edge(side.cell, k));
+    const auto known = std::find(plane.begin(), plane.end() - 1, plane.back());
+    if (known != plane.end() - 1) {
+      result.push_back(result[static_cast<std::size_t>(known - plane.begin())]);
+      continue;
+    }
+    const std::vector<Point>& points = of(side.cell).points;
+    result.push_back(evaluate(side.cell, (points[at(side.i)].xi + points[at(side.j)].xi) / 2));
+  }
+  return result;
+}
+
+void MapPieces::split(const Edge& edge) {
+  const std::vector<Edge> all = sides(edge);
+  const std::vector<Vector2> uv = middles(all);
+  const Index node = next_node_++;
+  std::map<Index, Index> v_of_space_edge, vt_of_plane_edge;
+  for (std::size_t s = 0; s < all.size(); ++s) {
+    const auto [c, i, j] = all[s];
+    Cell& cell = cells_[at(c)];
+    const Vector3 xi = (cell.points[at(i)].xi + cell.points[at(j)].xi) / 2;
+    const int k = cell_edge(all[s]);
+    const auto [place, is_new_place] = v_of_space_edge.try_emplace(
+        k < 0 ? -1 : cell.space_edge[at(k)], static_cast<Index>(positions_.size()));
+    if (is_new_place) positions_.push_back(flat_point(c, xi));
+    const auto [entry, is_new] = vt_of_plane_edge.try_emplace(
+        k < 0 ? -1 : plane_edge(c, k), static_cast<Index>(texcoords_.size()));
+    if (is_new) texcoords_.push_back(uv[s]);
+    const auto middle = static_cast<int>(cell.points.size());
+    cell.points.push_back({place->second, entry->second, node, xi});
+    const std::size_t before = cell.pieces.size();
+    for (std::size_t p = 0; p < before; ++p) {
+      const auto corners = cell.pieces[p].corners;
+      const auto from = std::find(corners.begin(), corners.end(), i);
+      const auto to = std::find(corners.begin(), corners.end(), j);
+      if (from == corners.end() || to == corners.end()) continue;
+      ++cell.pieces[p].depth;
+      Piece half = cell.pieces[p];
+      cell.pieces[p].corners[static_cast<std::size_t>(to - corners.begin())] = middle;
+      half.corners[static_cast<std::size_t>(from - corners.begin())] = middle;
+      cell.pieces.push_back(half);
+    }
+  }
+}
+
+void MapPieces::flip(Index cell, std::array<int, 2> pieces,
+                     const std::array<std::array<int, 3>, 2>& corners) {
+  std::vector<Piece>& all = cells_[at(cell)].pieces;
+  const int depth = std::max(all[at(pieces[0])].depth, all[at(pieces[1])].depth);
+  for (std::size_t k = 0; k < 2; ++k) all[at(pieces[k])] = {corners[k], depth};
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,107 @@
+// The cells of a map cut into straight-sided pieces, for formats without curves.
+//
+//   MapPieces pieces(file, mesh_from_map(file, ""), 1);   // every cell is one piece
+//   pieces.split({12, 0, 1});   // edge 01 of cell 12 at the middle, on both sides
+//
+// Points of pieces lie on the flat triangle in space and on the map in the plane. They are numbered
+// twice, like the corners of an OBJ: `v` in space, `vt` in the plane. An edge is split on all its
+// sides at once; sides with the same two v share the new v, sides that share their control points
+// the new vt. So pieces fit together without T-junctions: in space everywhere, cuts and slits
+// included, and in the plane where the map is continuous.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "majorant/mesh/polygon_mesh.h"
+#include "majorant/parametrization/maps/map_file.h"
+
+namespace majorant {
+
+class MapPieces {
+ public:
+  struct Point {
+    Index v, vt;
+    Index node;  // on the surface: the same on all sides of an edge, where v may differ, too
+    Vector3 xi;  // barycentric coordinates in the cell; exact zeros on the cell's edges
+  };
+  struct Piece {
+    std::array<int, 3> corners;  // points of its cell, counterclockwise in the cell
+    int depth = 0;               // how often it was halved
+  };
+  // Of a piece of `cell`, between points i and j of that cell.
+  struct Edge {
+    Index cell;
+    int i, j;
+  };
+
+  // coarse: mesh_from_map of `map`; its polygons are called cells here, in its order. Its vertices
+  // may be others, those of an input that has a vertex of the map several times. Starts with
+  // refine x refine pieces a cell, from a regular lattice whose points are evaluated at multiples
+  // of 1 / refine. The map is only referred to.
+  // Throws Error(Usage) if refine < 1 or the result needs more than 2^31 points.
+  MapPieces(const MapFile& map, PolygonMesh coarse, int refine);
+
+  Index cell_count() const { return static_cast<Index>(cells_.size()); }
+  Index map_cell(Index cell) const;  // its number in the map
+  const std::vector<Point>& points(Index cell) const { return of(cell).points; }
+  const std::vector<Piece>& pieces(Index cell) const { return of(cell).pieces; }
+  // Positions by v, texture coordinates by vt. The first ones are those of the coarse mesh.
+  const std::vector<Vector3>& positions() const { return positions_; }
+  const std::vector<Vector2>& texcoords() const { return texcoords_; }
+  const Vector2& uv(Index cell, int point) const;
+  const Vector3& position(Index cell, int point) const;
+
+  // The cell's edge (0: corners 0 to 1, 1, 2) that a piece's edge lies on, -1: inside.
+  int cell_edge(const Edge& edge) const;
+  // The edge as every cell sees that has it, `edge` itself first. Ends correspond.
+  std::vector<Edge> sides(const Edge& edge) const;
+  // Cells that are one in the plane along that edge, the cell itself included.
+  int plane_sides(Index cell, int cell_edge) const;
+  // A number for that edge in the plane, the same for all cells that are one there.
+  Index plane_edge(Index cell, int cell_edge) const;
+  // The uv of each side's middle: what split() will put there.
+  std::vector<Vector2> middles(const std::vector<Edge>& sides) const;
+
+  // Halves the pieces on all sides of the edge.
+  void split(const Edge& edge);
+  // The common edge of two pieces of a cell, replaced by the other diagonal. first, second: piece
+  // numbers, corners: those of the pieces afterwards.
+  void flip(Index cell, std::array<int, 2> pieces,
+            const std::array<std::array<int, 3>, 2>& corners);
+
+ private:
+  struct Cell {
+    std::vector<Point> points;  // corners first
+    std::vector<Piece> pieces;
+    // Of its three edges: by nodes, by v, by control points.
+    std::array<Index, 3> edge, space_edge, plane_edge;
+  };
+  struct CellEdge {
+    Index cell;
+    int edge;
+  };
+
+  const Cell& of(Index cell) const { return cells_[at(cell)]; }
+  std::vector<Index> nodes_of_corners() const;
+  void number_edges();
+  void fill_lattice(int refine);
+  std::vector<int> control_points_along(Index cell, int edge, bool is_reversed) const;
+  Edge seen_from(const CellEdge& other, const Edge& edge) const;
+  Vector2 evaluate(Index cell, const Vector3& xi) const;
+  Vector3 flat_point(Index cell, const Vector3& xi) const;
+
+  const MapFile& map_;
+  PolygonMesh coarse_;
+  std::vector<Cell> cells_;
+  std::vector<std::vector<CellEdge>> edge_cells_;  // by edge
+  std::vector<int> plane_sides_;                   // by plane edge
+  Index space_edges_ = 0, next_node_ = 0;
+  std::vector<Vector3> positions_;
+  std::vector<Vector2> texcoords_;
+};
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

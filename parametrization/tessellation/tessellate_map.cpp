@@ -1,0 +1,263 @@
+#include "majorant/parametrization/tessellation/tessellate_map.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <set>
+#include <span>
+#include <utility>
+
+#include "majorant/certify/box_pairs.h"
+#include "majorant/framework/error.h"
+#include "majorant/mesh/internal/exact_predicates.h"
+#include "majorant/parametrization/tessellation/internal/cut_pieces.h"
+#include "majorant/parametrization/tessellation/internal/map_pieces.h"
+
+namespace majorant {
+namespace {
+
+// Whether the edges of a closed polygon meet in its corners only.
+bool is_simple(const std::vector<Vector2>& corners) {
+  const std::size_t n = corners.size();
+  std::vector<Box2> boxes;
+  const auto corner = [&](std::size_t k) -> const Vector2& { return corners[k % n]; };
+  for (std::size_t k = 0; k < n; ++k)
+    boxes.push_back({corner(k).cwiseMin(corner(k + 1)), corner(k).cwiseMax(corner(k + 1))});
+  bool result = true;
+  BoxTree(boxes).visit_pairs([&](Index i, Index j) {
+    const std::size_t e = at(i), f = at(j);
+    if (f == e + 1)
+      result = !segments_fold(corner(e), corner(f), corner(f + 1));
+    else if (f + 1 == e + n)
+      result = !segments_fold(corner(f), corner(e), corner(e + 1));
+    else
+      result = !segments_meet(corner(e), corner(e + 1), corner(f), corner(f + 1));
+    return result;
+  });
+  return result;
+}
+
+[[noreturn]] void refuse_surface(const std::string& problem) {
+  throw Error(ErrorKind::Invalid, problem + "; give the mesh the map was made from");
+}
+
+// What the cells of a map are of the mesh that it was made from.
+struct InputFaces {
+  std::vector<std::vector<Index>> cells;            // of every polygon
+  std::vector<std::array<std::size_t, 3>> corners;  // of its polygon, by cell
+};
+
+// By vertex number, else by position; none of `taken`, which are those of the cell's other corners:
+// a polygon may have a vertex twice.
+std::size_t corner_at(const MapFile& map, Index point, const PolygonMesh& input, std::size_t face,
+                      std::span<const std::size_t> taken) {
+  const auto& polygon = input.polygons[face];
+  const auto find = [&](const auto& is_it) {
+    for (std::size_t k = 0; k < polygon.size(); ++k)
+      if (is_it(polygon[k]) && std::find(taken.begin(), taken.end(), k) == taken.end()) return k;
+    return polygon.size();
+  };
+  std::size_t found = polygon.size();
+  if (map.input_vertex.size() > 0)
+    found = find([&](Index v) { return v == map.input_vertex[point]; });
+  if (found == polygon.size()) {
+    const Vector3 position = map.points.row(point).transpose();
+    found = find([&](Index v) { return input.positions[at(v)] == position; });
+  }
+  if (found == polygon.size())
+    refuse_surface(fmt::format("map point {} is no corner of face {} of the input", point, face));
+  return found;
+}
+
+// Gives the mesh of the cells the vertices of the input.
+InputFaces find_input(const MapFile& map, const PolygonMesh& input, PolygonMesh& coarse) {
+  InputFaces faces{std::vector<std::vector<Index>>(input.polygons.size()), {}};
+  for (std::size_t c = 0; c < coarse.polygons.size(); ++c) {
+    const auto cell = static_cast<Index>(coarse.polygon_lines[c] - 1);
+    const Index face = map.input_face.size() == 0 ? cell : map.input_face[cell];
+    if (face < 0 || at(face) >= input.polygons.size())
+      refuse_surface(
+          fmt::format("cell {} belongs to face {}, which the input does not have", cell, face));
+    faces.cells[at(face)].push_back(static_cast<Index>(c));
+    faces.corners.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Index point = map.cells(cell, static_cast<Index>(k));
+      const std::span<const std::size_t> taken(faces.corners[c].data(), k);
+      faces.corners[c][k] = corner_at(map, point, input, at(face), taken);
+      coarse.polygons[c][k] = input.polygons[at(face)][faces.corners[c][k]];
+    }
+  }
+  coarse.positions = input.positions;
+  return faces;
+}
+
+void add_triangle(const MapPieces& pieces, Index c, const MapPieces::Piece& piece,
+                  PolygonMesh& mesh) {
+  mesh.polygons.emplace_back();
+  mesh.polygon_texcoords.emplace_back();
+  for (const int p : piece.corners) {
+    mesh.polygons.back().push_back(pieces.points(c)[at(p)].v);
+    mesh.polygon_texcoords.back().push_back(pieces.points(c)[at(p)].vt);
+  }
+}
+
+// Puts the pieces of a map in place of the polygons of its input.
+class PolygonTransfer {
+ public:
+  PolygonTransfer(const MapPieces& pieces, const PolygonMesh& input, const InputFaces& faces)
+      : pieces_(pieces), input_(input), faces_(faces) {}
+
+  PolygonMesh run() {
+    result_.positions = pieces_.positions();
+    result_.texcoords = pieces_.texcoords();
+    result_.normals = input_.normals;
+    if (!input_.colors.empty()) add_colors();
+    auto directive = input_.directives.begin();
+    for (std::size_t face = 0; face < input_.polygons.size(); ++face) {
+      while (directive != input_.directives.end() && at(directive->first) <= face)
+        keep_directive((directive++)->second);
+      add_face(face);
+    }
+    while (directive != input_.directives.end()) keep_directive((directive++)->second);
+    return std::move(result_);
+  }
+
+ private:
+  // Cells that share a new vertex on their edge interpolate the same colours there.
+  void add_colors() {
+    result_.colors = input_.colors;
+    result_.colors.resize(result_.positions.size());
+    for (Index c = 0; c < pieces_.cell_count(); ++c) {
+      const auto& points = pieces_.points(c);
+      for (std::size_t p = 3; p < points.size(); ++p) {
+        Vector3 color = Vector3::Zero();
+        for (std::size_t k = 0; k < 3; ++k) {
+          const double weight = points[p].xi[static_cast<Index>(k)];
+          // Not of corners that the edge does not have: they may be without colour.
+          if (weight != 0) color += weight * input_.colors[at(points[k].v)];
+        }
+        result_.colors[at(points[p].v)] = color;
+      }
+    }
+  }
+
+  void keep_directive(const std::string& text) {
+    result_.directives.emplace_back(static_cast<Index>(result_.polygons.size()), text);
+  }
+
+  void add_face(std::size_t face) {
+    const std::vector<Index> texcoords = texcoords_of_corners(face);
+    if (texcoords.empty()) {
+      for (const Index c : faces_.cells[face]) add_pieces(face, c);
+      return;
+    }
+    const auto keep = [is_turned = is_turned(face)](std::vector<Index> list) {
+      if (is_turned) std::reverse(list.begin(), list.end());
+      return list;
+    };
+    result_.polygons.push_back(keep(input_.polygons[face]));
+    result_.polygon_texcoords.push_back(keep(texcoords));
+    if (has_normals()) result_.polygon_normals.push_back(keep(input_.polygon_normals[face]));
+  }
+
+  // Whether the map has the face with the other side up: its cells run backwards around it.
+  bool is_turned(std::size_t face) const {
+    const auto& [a, b, c] = faces_.corners[at(faces_.cells[face].front())];
+    return (a < b) + (b < c) + (c < a) == 1;
+  }
+
+  bool has_each_vertex_once(std::size_t face) const {
+    const auto& polygon = input_.polygons[face];
+    return std::set(polygon.begin(), polygon.end()).size() == polygon.size();
+  }
+
+  // Empty if the polygon cannot stay as it is.
+  std::vector<Index> texcoords_of_corners(std::size_t face) const {
+    std::vector<Index> texcoords(input_.polygons[face].size(), -1);
+    bool is_whole = true;
+    for (const Index c : faces_.cells[face]) {
+      is_whole &= pieces_.pieces(c).size() == 1;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Index vt = pieces_.points(c)[k].vt;
+        Index& texcoord = texcoords[faces_.corners[at(c)][k]];
+        is_whole &= texcoord < 0 || texcoord == vt;  // else a cut runs through the polygon
+        texcoord = vt;
+      }
+    }
+    const bool is_covered = std::ranges::count(texcoords, -1) == 0;
+    // Cells over corners that are one vertex do not say which of them they are over.
+    if (!is_covered && has_each_vertex_once(face))
+      refuse_surface(fmt::format("face {} of the input is not covered by cells", face));
+    if (!is_whole || !is_covered) return {};
+    // Two positive triangles on both sides of a diagonal are a simple polygon.
+    constexpr std::size_t kAlwaysSimple = 4;
+    if (texcoords.size() <= kAlwaysSimple) return texcoords;
+    std::vector<Vector2> uv;
+    for (const Index vt : texcoords) uv.push_back(pieces_.texcoords()[at(vt)]);
+    return is_simple(uv) ? texcoords : std::vector<Index>();
+  }
+
+  void add_pieces(std::size_t face, Index c) {
+    const std::vector<Index> normals = normals_of_points(face, c);
+    for (const auto& piece : pieces_.pieces(c)) {
+      add_triangle(pieces_, c, piece, result_);
+      if (!has_normals()) continue;
+      result_.polygon_normals.emplace_back();
+      if (normals.empty()) continue;
+      for (const int p : piece.corners) result_.polygon_normals.back().push_back(normals[at(p)]);
+    }
+  }
+
+  bool has_normals() const { return !input_.polygon_normals.empty(); }
+
+  // Numbers of the normals at a cell's points, new ones interpolated; empty if the face has none.
+  std::vector<Index> normals_of_points(std::size_t face, Index c) {
+    if (!has_normals() || input_.polygon_normals[face].empty()) return {};
+    std::vector<Index> numbers;
+    for (std::size_t k = 0; k < 3; ++k)
+      numbers.push_back(input_.polygon_normals[face][faces_.corners[at(c)][k]]);
+    const auto& points = pieces_.points(c);
+    for (std::size_t p = 3; p < points.size(); ++p) {
+      Vector3 normal = Vector3::Zero();
+      for (std::size_t k = 0; k < 3; ++k)
+        normal += points[p].xi[static_cast<Index>(k)] * input_.normals[at(numbers[k])];
+      numbers.push_back(static_cast<Index>(result_.normals.size()));
+      result_.normals.push_back(normal.stableNormalized());
+    }
+    return numbers;
+  }
+
+  const MapPieces& pieces_;
+  const PolygonMesh& input_;
+  const InputFaces& faces_;
+  PolygonMesh result_;
+};
+
+// The triangles alone.
+PolygonMesh mesh_of(const MapPieces& pieces) {
+  PolygonMesh mesh;
+  mesh.positions = pieces.positions();
+  mesh.texcoords = pieces.texcoords();
+  for (Index c = 0; c < pieces.cell_count(); ++c)
+    for (const auto& piece : pieces.pieces(c)) add_triangle(pieces, c, piece, mesh);
+  return mesh;
+}
+
+}  // namespace
+
+PolygonMesh tessellate_map(const MapFile& map, const PolygonMesh* input,
+                           const TessellationOptions& options) {
+  PolygonMesh coarse = mesh_from_map(map, "");
+  std::optional<InputFaces> faces;
+  if (input != nullptr) faces = find_input(map, *input, coarse);
+  MapPieces pieces(map, std::move(coarse), options.refine);
+  if (map.degree > 1 || options.refine > 1) cut_until_positive(pieces, options.overlap);
+  return faces ? PolygonTransfer(pieces, *input, *faces).run() : mesh_of(pieces);
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,66 @@
+#include "majorant/certify/proven_distance.h"
+
+#include <gtest/gtest.h>
+
+#include "parametrization/packing/chart_cases.h"
+
+namespace majorant {
+namespace {
+
+BezierMap square_at(double x, double y, double size = 1) {
+  return test::polygon_chart(test::turned(test::rectangle(size, size), 0, {x, y}));
+}
+
+TEST(ProvenDistance, of_squares_is_known) {
+  EXPECT_NEAR(proven_distance({square_at(0, 0), square_at(1.25, 0)}, 1), 0.25, 1e-13);
+  EXPECT_NEAR(proven_distance({square_at(0, 0), square_at(4, 5)}, 10), 5, 1e-13);
+  EXPECT_EQ(proven_distance({square_at(0, 0), square_at(1.25, 0)}, 0.125), 0.125);
+  EXPECT_EQ(proven_distance({square_at(0, 0)}, 3), 3);
+  EXPECT_LE(proven_distance({square_at(0, 0), square_at(1.25, 0)}, 1), 0.25);
+}
+
+TEST(ProvenDistance, overlaps_touching_and_nesting_are_none) {
+  EXPECT_EQ(proven_distance({square_at(0, 0), square_at(0.5, 0.5)}, 1), 0);
+  EXPECT_EQ(proven_distance({square_at(0, 0), square_at(1, 0)}, 1), 0);
+  EXPECT_EQ(proven_distance({square_at(0, 0), square_at(0.4, 0.4, 0.2)}, 0.1), 0);
+  EXPECT_EQ(proven_distance({square_at(0, 0), square_at(0, 0)}, 0.1), 0);
+  const BezierMap ring = test::ring_chart(40, 0.8, 1), inner = square_at(-0.1, -0.1, 0.2);
+  EXPECT_EQ(proven_distance({ring, inner}, 0.25), 0.25);  // in its hole
+  EXPECT_EQ(proven_distance({ring, square_at(0.85, 0, 0.01)}, 1e-3), 0);
+  for (const double phase : {0.5, 1.0, 2.0})  // curves that cross
+    EXPECT_EQ(
+        proven_distance({test::wavy_chart(5, 1, 0.2, 0), test::wavy_chart(6, 1, 0.2, phase)}, 0.1),
+        0);
+}
+
+TEST(ProvenDistance, two_fixed_charts_are_left_out) {
+  const std::vector<BezierMap> charts{square_at(0, 0), square_at(0.5, 0), square_at(3, 0)};
+  EXPECT_EQ(proven_distance(charts, 0.25, {1, 1, 0}), 0.25);
+  EXPECT_EQ(proven_distance(charts, 0.25, {1, 0, 0}), 0);
+}
+
+// Against dense samples, which are never closer than the curves.
+TEST(ProvenDistance, of_curves_is_tight_and_below_that_of_samples) {
+  test::Random random(8);
+  for (int k = 0; k < 20; ++k) {
+    const BezierMap a = test::wavy_chart(5, 1, 0.2, random.uniform(0, 6));
+    const BezierMap b = test::wavy_chart(6, 0.5, 0.2, random.uniform(0, 6));
+    Vec x = b.control_points();
+    for (Index i = 0; i < x.size(); i += 2) x[i] += random.uniform(1.6, 2);
+    const BezierMap moved = b.with(b.shared_space(), x);
+    const test::Corners of_a = test::sampled_boundary(a, 200)[0],
+                        of_b = test::sampled_boundary(moved, 200)[0];
+    double sampled = 1e300;
+    for (const Vector2& p : of_a)
+      for (const Vector2& q : of_b) sampled = std::min(sampled, (p - q).norm());
+    const double proven = proven_distance({a, moved}, 10);
+    EXPECT_LE(proven, sampled);
+    EXPECT_GE(proven, 0.99 * sampled - 5e-4);
+  }
+}
+
+}  // namespace
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
