@@ -39,7 +39,7 @@ VALUES = {
     'bounds.least_barrier': '1e-9,1e-3',
     'bounds.least_energy': '1e-6,1',
     'bounds.entry.least_progress': '0,0.1',
-    'bounds.most_rounds': '20,80',
+    'bounds.most_phases': '20,80',
     'deepest_bisection': '5,9,20',
     'depth': '3,9',
     'elevation_tolerance': '1e-2,1e-6',

@@ -40,9 +40,10 @@ class Run {
         keeping_(keeping),
         start_(part_, uv, options.map),
         setup_{start_.specification(), options.solve, {}, {}, {}, {}, {}} {
+    record_.agree(part_->ranks());
     if (keeping_.every > 0)
-      setup_.watch = [this](const TraceEntry& row, const auto& space, VecIn x) {
-        watch(row, space, x);
+      setup_.watch = [this](const TraceEntry& row, const MapView& at) {
+        watch(row, at.space, at.x);
         return Directive::Continue;
       };
   }

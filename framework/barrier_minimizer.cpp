@@ -9,7 +9,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/argument_check.h"
-#include "majorant/framework/internal/bound_entry.h"
+#include "majorant/framework/internal/barrier_path.h"
 
 namespace majorant {
 namespace {
@@ -49,13 +49,15 @@ class Phases {
   BarrierResult run() {
     if (!enter() || !check_start(stepper_.evaluator(), result_)) return std::move(result_);
     result_.energy = measure().energy;
-    double mu = m_ > 0 ? options_.first_gap * scale() / m_ : 0;
-    for (;; mu *= options_.fall) {
+    const double first = m_ > 0 ? options_.first_gap * scale() / m_ : 0;
+    follow_barrier({first, options_.fall}, [this](double mu) {
       const bool last = m_ * mu <= options_.tolerance * scale();
       minimize(mu, last);
-      const bool held = result_.status == Status::Stalled;
-      if (last || (result_.status != Status::Converged && !held)) return std::move(result_);
-    }
+      if (last) return PathEnd::Arrived;
+      const bool goes_on = result_.status == Status::Converged || result_.status == Status::Stalled;
+      return goes_on ? PathEnd::None : PathEnd::Ended;
+    });
+    return std::move(result_);
   }
 
  private:

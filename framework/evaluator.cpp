@@ -96,21 +96,21 @@ Vec element_values(const Problem& problem, TermId id, VecIn x, const StopCheck& 
 
 double term_energy(const Problem& problem, TermId id, VecIn x, const StopCheck& stop) {
   require_size("term_energy: x", x.size(), problem.full_size());
-  require_no_stop("term_energy: the stop check", stop, problem.partition().ranks());
+  require_no_stop("term_energy: the stop check", stop, problem.partition());
   double total = 0;
   add_energy(problem, id, x, stop, total);
-  return problem.partition().ranks().sum(total);
+  return problem.partition().sum(total);
 }
 
 double Evaluator::value(VecIn y, const StopCheck& stop) {
   require_size("Evaluator::value: y", y.size(), problem_.size());
-  require_no_stop("Evaluator: the stop check", stop, problem_.partition().ranks());
+  require_no_stop("Evaluator: the stop check", stop, problem_.partition());
   const AddedSeconds time(counters_.value_seconds);
   ++counters_.values;
   ProblemParts::elimination(problem_).expand(y, x_);
   double total = 0;
   for (const TermId id : problem_.terms()) add_energy(problem_, id, x_, stop, total);
-  return problem_.partition().ranks().sum(total);
+  return problem_.partition().sum(total);
 }
 
 double Evaluator::linearize(VecIn y, BlendedCurvature curvature, Vec& gradient, Vec& hessian_values,
@@ -137,7 +137,7 @@ std::optional<Evaluator::Violation> Evaluator::violation(VecIn x) {
   for (const auto& checker : problem_.checkers()) {
     Verdict verdict = checker->check(x);
     add_counts(counters_.proven, verdict.proven);
-    verdict.feasible = problem_.partition().ranks().all(verdict.feasible);
+    verdict.feasible = problem_.partition().all(verdict.feasible);
     if (!verdict.feasible) return Violation{checker.get(), std::move(verdict)};
   }
   return std::nullopt;
@@ -145,7 +145,7 @@ std::optional<Evaluator::Violation> Evaluator::violation(VecIn x) {
 
 double Evaluator::assemble(VecIn y, BlendedCurvature curvature, Vec& gradient, Vec* hessian_values,
                            const StopCheck& stop) {
-  require_no_stop("Evaluator: the stop check", stop, problem_.partition().ranks());
+  require_no_stop("Evaluator: the stop check", stop, problem_.partition());
   ProblemParts::elimination(problem_).expand(y, x_);
   gradient.setZero(problem_.size());
   while (scratch_.size() < at(ThreadCount::current()))
@@ -157,7 +157,7 @@ double Evaluator::assemble(VecIn y, BlendedCurvature curvature, Vec& gradient, V
     for (const double e : energies) total += e;
   }
   problem_.partition().add_to_owners(gradient);
-  return problem_.partition().ranks().sum(total);
+  return problem_.partition().sum(total);
 }
 
 void Evaluator::assemble_term(TermId k, BlendedCurvature curvature, Vec& gradient,

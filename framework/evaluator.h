@@ -11,11 +11,6 @@
 // touch disjoint unknowns, colours run in order, energies add in chunk order. All throw
 // InvalidArgument for another number of unknowns, linearize() for a curvature that a term has not;
 // what a term throws leaves them as it is.
-//
-// Of a problem that several processes have (Problem::partition): collective; energies and verdicts
-// are those of the whole, gradients are summed at the owners of unknowns, Hessian values are this
-// rank's part of the sum. A stop check would end one rank and leave the others waiting:
-// InvalidArgument.
 #pragma once
 
 #include <memory>

@@ -39,7 +39,7 @@ LineSearch::LineSearch(Evaluator& evaluator, const LineSearchOptions& options, c
                     ? kRoundingPart * kResolution * std::abs(energy)
                     : 0.0),
       x_(evaluator.problem().expand(y)) {
-  require_no_stop("LineSearch: the stop check", stop_, evaluator.problem().partition().ranks());
+  require_no_stop("LineSearch: the stop check", stop_, evaluator.problem().partition());
   ProblemParts::elimination(evaluator.problem()).expand_direction(p, d_);
 }
 
@@ -68,7 +68,7 @@ StepBound LineSearch::certified(double s) const {
     if (b.step < bound.step) bound = std::move(b);
   }
   const double here = bound.step;
-  bound.step = evaluator_.problem().partition().ranks().min(here);
+  bound.step = evaluator_.problem().partition().min(here);
   if (here > 2 * bound.step) bound.blocking.clear();  // StepBound::blocking, of all ranks
   return bound;
 }

@@ -35,7 +35,7 @@ double mean_diagonal(const SparsePattern& pattern, const Vec& values, const Part
   Vec diagonal(pattern.size);
   for (Index c = 0; c < pattern.size; ++c) diagonal[c] = values[pattern.diagonal_slot(c)];
   partition.add_to_owners(diagonal);
-  return partition.ranks().sum(diagonal.lpNorm<1>()) / static_cast<double>(partition.global_size());
+  return partition.sum(diagonal.lpNorm<1>()) / static_cast<double>(partition.global_size());
 }
 
 ShiftedFactorization factorize_shifted(LinearSolver& solver, const SparsePattern& pattern,

@@ -12,8 +12,14 @@
 //   partition.copy_from_owners(y);         // every copy is its owner's
 //
 // Of vectors over a problem's unknowns: points and directions hold the owners' values in copies,
-// gradients hold 0 there. All members that take vectors are collective where there are several
-// ranks.
+// gradients hold 0 there. All members that take vectors, and those below "Agreed on", are
+// collective where there are several ranks.
+//
+// All that solvers know of several processes is here. Where a problem has a partition
+// (Problem::partition) every rank runs the same loop on its part: energies, verdicts and norms are
+// those of the whole, gradients are summed at owners, Hessian values are this rank's part of the
+// sum, an observer's directive is that of rank 0. A stop check would end one rank and leave the
+// others waiting: what takes one throws InvalidArgument, as solvers do that know one process only.
 #pragma once
 
 #include <cstdint>
@@ -65,6 +71,17 @@ class Partition {
   double squared_norm(VecIn a) const;
   double norm(VecIn a) const;
   bool all_finite(VecIn a) const;
+
+  // ---- Agreed on: one answer from what each rank has (Ranks) ----
+  double sum(double value) const { return ranks_->sum(value); }
+  double min(double value) const { return ranks_->min(value); }
+  double max(double value) const { return ranks_->max(value); }
+  bool all(bool value) const { return ranks_->all(value); }
+  bool any(bool value) const { return ranks_->any(value); }
+  template <class T>
+  T of_first(T value) const {
+    return ranks_->of_first(value);
+  }
 
   // That of some of the unknowns, `kept` in increasing order: their numbers there are their places
   // in the list. Collective. Throws InvalidArgument where an owner is kept and a copy is not, or

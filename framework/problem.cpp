@@ -109,7 +109,7 @@ Partition reduced_partition(const Partition* full, const Elimination& eliminatio
   for (Index j = 0; single && j < elimination.reduced_size(); ++j)
     kept.push_back(elimination.full_index(j));
   single = single && std::is_sorted(kept.begin(), kept.end());
-  if (!full->ranks().all(single))
+  if (!full->all(single))
     throw InvalidArgument(
         "ProblemBuilder: constraints of a problem that several processes have may hold single "
         "unknowns, not tie them to each other");

@@ -15,6 +15,7 @@
 #include "majorant/framework/activity.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/minimizer.h"
+#include "majorant/framework/ranks.h"
 #include "majorant/framework/trace.h"
 
 namespace majorant {
@@ -48,6 +49,9 @@ class RunRecord {
   }
   // Ended by `stop` alone, without grace.
   explicit RunRecord(const StopCheck& stop) : stop_(stop), start_stop_(stop) {}
+  // Processes that solve one problem together stop together: from here on directive(), note() and
+  // iterations_left() answer what they do on rank 0, and all ranks ask them. ranks: outlives that.
+  void agree(const Ranks& ranks) { ranks_ = &ranks; }
   // Of one part of the run that is solved by itself, perhaps on another thread: the same limits
   // (iterations count from 0), a trace of its own; what it begins is not announced.
   RunRecord part(Progress progress = {}) const {
@@ -92,12 +96,12 @@ class RunRecord {
   // For everything once there is a map, and before. Both may outlive the record.
   const StopCheck& stop() const { return stop_; }
   const StopCheck& start_stop() const { return start_stop_; }
-  Directive directive() const { return stop_(); }
+  Directive directive() const { return ranks_->of_first(stop_()); }
   // On coarser meshes iterations do not count, in vain they do.
   int iterations_left() const {
-    return max_iterations_ -
-           static_cast<int>(std::count_if(trace_.begin(), trace_.end(),
-                                          [](const TraceEntry& row) { return row.level == 0; }));
+    const auto used = std::count_if(trace_.begin(), trace_.end(),
+                                    [](const TraceEntry& row) { return row.level == 0; });
+    return ranks_->of_first(max_iterations_ - static_cast<int>(used));
   }
   double seconds() const { return seconds_since(start_); }
   const std::vector<TraceEntry>& trace() const { return trace_; }
@@ -126,6 +130,7 @@ class RunRecord {
   Announce announce_;
   std::vector<TraceEntry> trace_;
   std::optional<Remedy> remedy_;
+  const Ranks* ranks_ = one_process().get();
 };
 
 }  // namespace majorant

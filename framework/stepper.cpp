@@ -9,6 +9,37 @@
 #include "majorant/framework/internal/stopwatch.h"
 
 namespace majorant {
+namespace {
+
+class Observed final : public Descent {
+ public:
+  explicit Observed(const Observer& observer) : observer_(observer) {}
+  Answer after_step(const StepResult& step) override {
+    Descent::after_step(step);
+    if (!observer_ || step.outcome != StepResult::Outcome::Moved) return {};
+    return {observer_(step.record, result.y)};
+  }
+
+ private:
+  const Observer& observer_;
+};
+
+}  // namespace
+
+Descent::Answer Descent::after_step(const StepResult&) {
+  result.energy = energy;
+  return {};
+}
+
+void Descent::set_anchor() {
+  anchor_ = result.y;
+  anchor_energy_ = result.energy;
+}
+
+void Descent::return_to_anchor() {
+  result.y = anchor_;
+  result.energy = anchor_energy_;
+}
 
 Stepper::Stepper(const Problem& problem, const LineSearchOptions& line_search,
                  double decrement_rule, StopCheck stop)
@@ -17,8 +48,7 @@ Stepper::Stepper(const Problem& problem, const LineSearchOptions& line_search,
       line_search_(line_search),
       decrement_rule_(decrement_rule) {
   require_valid(line_search_);
-  const Ranks& ranks = partition().ranks();
-  if (ranks.count() > 1 && ranks.any(stop_.may_stop()))
+  if (partition().ranks().count() > 1 && partition().any(stop_.may_stop()))
     throw InvalidArgument(
         "the stop check of a solver may stop one of several processes and leave the others "
         "waiting; let the observer of rank 0 say when to stop");
@@ -100,47 +130,45 @@ SolveResult Stepper::minimize(Vec y0, const StoppingRules& rules, const Observer
 SolveResult Stepper::descend_from(Vec y, double energy, const StoppingRules& rules,
                                   const Observer& observer) {
   require_size("the start y", y.size(), evaluator_.problem().size());
-  SolveResult result;
-  result.y = std::move(y);
-  result.energy = energy;
-  StoppingTest test(rules, energy);
-  Vec anchor = result.y;
-  double anchor_energy = energy;
+  Observed descent(observer);
+  descent.result.y = std::move(y);
+  descent.result.energy = descent.energy = energy;
+  descend(descent, rules);
+  return std::move(descent.result);
+}
+
+void Stepper::descend(Descent& descent, const StoppingRules& rules) {
+  SolveResult& result = descent.result;
+  StoppingTest test(rules, descent.energy);
+  descent.set_anchor();
   std::optional<Stop> stop;
   while (!(stop = test.before_step())) {
-    Step step = this->step(result.y, result.energy);
-    Directive directive = Directive::Continue;
-    if (step.outcome == Outcome::Moved) {
-      step.record.iteration = static_cast<int>(result.iterations.size()) + 1;
-      result.iterations.push_back(step.record);
-      if (observer) directive = observer(step.record, result.y);
-      directive = partition().ranks().of_first(directive);
-    }
-    if (step.outcome == Outcome::Breakdown && step.why_none.empty())
-      step.why_none = why_no_direction(evaluator_, result.y, result.energy, step.record.curvature);
-    const Advice advice = test.after(step);
+    Step step = this->step(result.y, descent.energy);
+    Descent::Answer answer;
     if (step.outcome != Outcome::Stopped) {
       result.newton_decrement = step.record.newton_decrement;
-      result.blocking = std::move(step.blocking);
+      result.blocking = step.blocking;
+      if (step.outcome == Outcome::Moved) {
+        step.record.iteration = static_cast<int>(result.iterations.size()) + 1;
+        result.iterations.push_back(step.record);
+      }
+      answer = descent.after_step(step);
+      answer.directive = partition().of_first(answer.directive);
     }
+    if (step.outcome == Outcome::Breakdown && step.why_none.empty())
+      step.why_none = why_no_direction(evaluator_, result.y, descent.energy, step.record.curvature);
+    const Advice advice = test.after(step, answer.since);
     if ((stop = advice.stop)) break;
     if (advice.polish) polish();
-    if (advice.anchor) {
-      anchor = result.y;
-      anchor_energy = result.energy;
-    }
-    if (directive != Directive::Continue) {
-      stop = Stop{stopped_status(directive), Stopped(directive).what()};
+    if (advice.anchor) descent.set_anchor();
+    if (answer.directive != Directive::Continue) {
+      stop = Stop{stopped_status(answer.directive), Stopped(answer.directive).what()};
       break;
     }
   }
-  if (stop->at_anchor) {
-    result.y = std::move(anchor);
-    result.energy = anchor_energy;
-  }
+  if (stop->at_anchor) descent.return_to_anchor();
   result.status = stop->status;
   result.message = std::move(stop->message);
-  return result;
 }
 
 }  // namespace majorant

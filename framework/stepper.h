@@ -4,14 +4,8 @@
 //     SolveResult result = stepper.minimize(y0, StoppingRules{});
 //
 // A method derives from Stepper, computes gradient and direction in advance() and leaves the rest
-// to move_along(). Outer loops that change the problem between steps call step() and ask a
-// StoppingTest themselves. Not for methods that bring a line search of their own
-// (ceres_minimizer.h).
-//
-// Of a problem that several processes have (Problem::partition) every rank runs the same loop on
-// its part. What decides is agreed on: sums, the smallest bound, the directive of rank 0's
-// observer. A stop check would end one rank and leave the others waiting: InvalidArgument, on all
-// of them.
+// to move_along(). Outer loops that change the problem between steps derive from Descent. Not for
+// methods that bring a line search of their own (ceres_minimizer.h).
 #pragma once
 
 #include <utility>
@@ -22,6 +16,32 @@
 #include "majorant/framework/minimizer.h"
 
 namespace majorant {
+
+// Where a descent is, and what becomes of its steps. The base class reports the energy that is
+// minimized; a derived one may change the problem between steps and report another energy.
+class Descent {
+ public:
+  virtual ~Descent() = default;
+
+  SolveResult result;  // so far; result.y is where the next step begins
+  double energy = 0;   // of the stepper's problem at result.y
+
+  // Anything but Continue ends the descent with that status.
+  struct Answer {
+    Directive directive = Directive::Continue;
+    StoppingTest::Since since = StoppingTest::Since::Same;
+  };
+  // Called after every step that was not abandoned; if it moved, result.iterations ends with its
+  // record. May give the stepper another problem: result.y and energy are of that one afterwards.
+  virtual Answer after_step(const StepResult& step);
+  // The point reached is one to return to (Advice::anchor), or is returned to (Stop::at_anchor).
+  virtual void set_anchor();
+  virtual void return_to_anchor();
+
+ private:
+  Vec anchor_;
+  double anchor_energy_ = 0;
+};
 
 class Stepper {
  public:
@@ -40,6 +60,9 @@ class Stepper {
   // The same from a point that is known to be feasible, `energy` its value.
   SolveResult descend_from(Vec y, double energy, const StoppingRules& rules,
                            const Observer& observer = {});
+  // The loop of all of them: steps from descent.result.y until a rule or an answer ends it. What
+  // after_step() throws leaves it, with descent.result as it is then.
+  void descend(Descent& descent, const StoppingRules& rules);
 
   // The loop is about to stop because the energy hardly decreases: a method that left out a more
   // accurate model of late tries it in its next step.

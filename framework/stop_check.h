@@ -11,8 +11,6 @@
 // Who catches Stopped keeps the state it had before: solvers return the last accepted point with
 // the status that belongs to it, readers and starts let it pass. Exceptions must not leave loops
 // that OpenMP shares out: what polls in one has to catch Stopped there and throw it again behind.
-// Nor may one of several processes that share a problem (ranks.h) leave the others waiting: what
-// solves it refuses a check that may stop. Their observers' directive is rank 0's.
 #pragma once
 
 #include <cstddef>

@@ -9,8 +9,7 @@
 //       if (advice.anchor) best = y;
 //     }
 //
-// That loop exists: Stepper::minimize(). The test is for loops that change the problem between
-// steps. It sees reports of steps only, no solver and no unknowns, and decides nothing at random:
+// That loop is Stepper::descend(). The test sees reports of steps only, no solver and no unknowns:
 // the same reports give the same advice.
 #pragma once
 

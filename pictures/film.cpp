@@ -6,15 +6,18 @@
 
 namespace majorant {
 
-std::function<void(const TraceEntry&, const std::function<BezierMap()>&)> Film::watcher() {
-  return [this](const TraceEntry& row, const std::function<BezierMap()>& map) { take(row, map); };
+MapObserver Film::watcher() {
+  return [this](const TraceEntry& row, const MapView& at) {
+    take(row, at);
+    return Directive::Continue;
+  };
 }
 
-void Film::take(const TraceEntry& row, const std::function<BezierMap()>& map) {
+void Film::take(const TraceEntry& row, const MapView& at) {
   const int iteration = row.record.iteration;
   const bool is_known = !frames_.empty() && frames_.back().iteration >= iteration;
   if (is_known || iteration % every_ != 0) return;
-  frames_.push_back({map(), iteration, row.energy});
+  frames_.push_back({at.in_model_units(), iteration, row.energy});
   if (frame_bytes_ == 0) {
     const BezierTriangleSpace& space = frames_.back().map.space();
     const BezierTriangleSpace last(space.faces(), space.vertex_count(), degree_);

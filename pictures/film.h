@@ -15,11 +15,9 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <vector>
 
-#include "majorant/framework/trace.h"
-#include "majorant/parametrization/maps/bezier_map.h"
+#include "majorant/parametrization/maps/map_observer.h"
 #include "majorant/pictures/write_page.h"
 
 namespace majorant {
@@ -40,7 +38,7 @@ class Film {
       : every_(every), degree_(degree), most_bytes_(most_bytes) {}
 
   // For SolveOptions::watch; the film outlives it.
-  std::function<void(const TraceEntry&, const std::function<BezierMap()>&)> watcher();
+  MapObserver watcher();
   int every() const { return every_; }  // now
   // How many frames() gives for a result of that iteration.
   std::size_t count(int last_iteration) const;
@@ -49,7 +47,7 @@ class Film {
 
  private:
   static bool is_before(const Frame& frame, int last_iteration);
-  void take(const TraceEntry& row, const std::function<BezierMap()>& map);
+  void take(const TraceEntry& row, const MapView& at);
 
   int every_, degree_;
   std::size_t most_bytes_, frame_bytes_ = 0;

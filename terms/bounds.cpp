@@ -64,7 +64,11 @@ class BoundBarrier final : public EnergyTerm {
   Stencils stencils_;
 };
 
-class BoundChecker final : public FeasibilityChecker {
+// Of the gap between two bounds, or of 1, and of what a point exceeds a bound by: how far the
+// relaxed bound keeps from it. Origin: BarrierChecker::relaxed() asks for about a tenth.
+constexpr double kClear = 0.1;
+
+class BoundChecker final : public BarrierChecker {
  public:
   BoundChecker(Vec lower, Vec upper) : lower_(std::move(lower)), upper_(std::move(upper)) {}
   std::string_view name() const override { return "bounds"; }
@@ -90,6 +94,20 @@ class BoundChecker final : public FeasibilityChecker {
     for (Index k = 0; k < lower_.size(); ++k)
       if (step(x, d, k) <= 2 * bound.step) bound.blocking.push_back(k);
     return bound;
+  }
+
+  std::shared_ptr<const EnergyTerm> barrier() const override {
+    return std::make_shared<const BoundBarrier>(lower_, upper_);
+  }
+  std::shared_ptr<const BarrierChecker> relaxed(VecIn x) const override {
+    require_fitting(x);
+    Vec lower = lower_, upper = upper_;
+    for (Index k = 0; k < lower.size(); ++k) {
+      const double gap = upper_[k] - lower_[k], unit = std::isfinite(gap) ? gap : 1.0;
+      if (x[k] <= lower_[k]) lower[k] = x[k] - kClear * (unit + lower_[k] - x[k]);
+      if (x[k] >= upper_[k]) upper[k] = x[k] + kClear * (unit + x[k] - upper_[k]);
+    }
+    return std::make_shared<const BoundChecker>(std::move(lower), std::move(upper));
   }
 
  private:
@@ -123,7 +141,7 @@ std::shared_ptr<const EnergyTerm> Bounds::barrier() const {
   return std::make_shared<const BoundBarrier>(lower_, upper_);
 }
 
-std::shared_ptr<const FeasibilityChecker> Bounds::checker() const {
+std::shared_ptr<const BarrierChecker> Bounds::checker() const {
   return std::make_shared<const BoundChecker>(lower_, upper_);
 }
 

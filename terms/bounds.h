@@ -10,14 +10,14 @@
 //   SolveResult result = BarrierMinimizer({barrier}).minimize(problem, y0, {});
 //
 // Every accepted point is inside; BarrierMinimizer (framework/barrier_minimizer.h) ends at the
-// bounds where they hold the minimum, to its tolerance. Not for unknowns that are fixed: those are
-// eliminated (constraints/fixed_unknowns.h).
+// bounds where they hold the minimum, to its tolerance. parametrize() takes checker() as well
+// (MapExtension::add()), and leads a start inside that does not meet it. Not for unknowns that are
+// fixed: those are eliminated (constraints/fixed_unknowns.h).
 #pragma once
 
 #include <memory>
 
-#include "majorant/framework/energy_term.h"
-#include "majorant/framework/feasibility.h"
+#include "majorant/framework/barrier_checker.h"
 
 namespace majorant {
 
@@ -35,7 +35,7 @@ class Bounds {
   std::shared_ptr<const EnergyTerm> barrier() const;
   // Feasible: strictly inside. Blocking "elements" are unknowns. Steps are limited exactly, but for
   // rounding. Its members throw InvalidArgument for another number of unknowns.
-  std::shared_ptr<const FeasibilityChecker> checker() const;
+  std::shared_ptr<const BarrierChecker> checker() const;
   // x moved inside where it is not: at least `margin` away from a single bound, that part of the
   // gap between two. 0 < margin <= 1/2.
   Vec interior(Vec x, double margin = 0.1) const;

@@ -7,6 +7,8 @@
 //     return (z.col(1) - z.col(0)).squaredNorm() - 0.25;
 //   });
 //   const TermId wall = builder.add(apart.barrier(), 1.0);      // for BarrierMinimizer({wall})
+//   builder.add(apart.checker());     // starts may be outside: BarrierMinimizer::of_bounds(), and
+//                                     // parametrize() (MapExtension::add())
 //   builder.add(apart.penalty(), 1e3);                          // any minimizer
 //
 // The barrier -log g keeps every accepted point inside, from a start that is inside; which way
@@ -20,13 +22,67 @@
 // The lambda: as in local_term.h.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 
+#include "majorant/framework/barrier_checker.h"
 #include "majorant/terms/local_term.h"
 
 namespace majorant {
+
+namespace detail {
+
+// g(z) > -slack at all elements; paths are not certified.
+template <int N, int Block, class F>
+class InequalityChecker final : public BarrierChecker {
+ public:
+  InequalityChecker(std::string name, Cells nodes, F g, double slack = 0)
+      : name_(std::move(name)), nodes_(std::move(nodes)), g_(std::move(g)), slack_(slack) {}
+  std::string_view name() const override { return name_; }
+  Verdict check(VecIn x) const override {
+    Verdict verdict;
+    verdict.margin = std::numeric_limits<double>::infinity();
+    for (Index e = 0; e < nodes_.rows(); ++e) {
+      const double room = value(e, x) + slack_;
+      if (!(room > 0)) verdict.blocking.push_back(e);
+      verdict.margin = std::min(verdict.margin, room);
+    }
+    verdict.feasible = verdict.blocking.empty();
+    return verdict;
+  }
+  StepBound max_step(VecIn, VecIn, double s) const override { return {s, {}}; }
+  std::shared_ptr<const EnergyTerm> barrier() const override {
+    return make_term<N, Block>(name_, nodes_, [g = g_, slack = slack_](Index e, const auto& z) {
+      using std::log;
+      return -log(g(e, z) + slack);
+    });
+  }
+  // By a tenth of the size of g, which is about 1, and of what x violates.
+  std::shared_ptr<const BarrierChecker> relaxed(VecIn x) const override {
+    const double violated = std::max(0.0, slack_ - check(x).margin);
+    const double slack = std::max(slack_, violated + 0.1 * (1 + violated));
+    return std::make_shared<const InequalityChecker>(name_, nodes_, g_, slack);
+  }
+
+ private:
+  double value(Index e, VecIn x) const {
+    NodeValues<double, Block, N> z;
+    for (int k = 0; k < N; ++k) z.col(k) = x.template segment<Block>(Block * nodes_(e, k));
+    return g_(e, z);
+  }
+
+  std::string name_;
+  Cells nodes_;
+  F g_;
+  double slack_;
+};
+
+}  // namespace detail
 
 template <int N, int Block, class F>
 class Inequality {
@@ -35,11 +91,10 @@ class Inequality {
       : name_(std::move(name)), nodes_(std::move(nodes)), g_(std::move(g)) {}
 
   // -log g, an element each; +inf where g <= 0.
-  std::shared_ptr<const EnergyTerm> barrier() const {
-    return make_term<N, Block>(name_, nodes_, [g = g_](Index e, const auto& z) {
-      using std::log;
-      return -log(g(e, z));
-    });
+  std::shared_ptr<const EnergyTerm> barrier() const { return checker()->barrier(); }
+  // g > 0, with that barrier.
+  std::shared_ptr<const BarrierChecker> checker() const {
+    return std::make_shared<const detail::InequalityChecker<N, Block, F>>(name_, nodes_, g_);
   }
   // min(g, 0)^2.
   std::shared_ptr<const EnergyTerm> penalty() const {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "majorant/framework/ranks.h"
+#include "majorant/framework/partition.h"
 #include "majorant/framework/stop_check.h"
 
 namespace majorant {
@@ -43,8 +43,8 @@ void require_at_least(std::string_view what, double value, double least) {
     throw InvalidArgument(fmt::format("{} is {:g}, at least {:g} is needed", what, value, least));
 }
 
-void require_no_stop(std::string_view what, const StopCheck& stop, const Ranks& ranks) {
-  if (ranks.count() > 1 && stop.may_stop())
+void require_no_stop(std::string_view what, const StopCheck& stop, const Partition& partition) {
+  if (partition.ranks().count() > 1 && stop.may_stop())
     throw InvalidArgument(
         fmt::format("{} may stop this rank and leave the others waiting; let the observer of rank "
                     "0 say when to stop",

@@ -16,7 +16,7 @@
 
 namespace majorant {
 
-class Ranks;
+class Partition;
 class StopCheck;
 
 void require_size(std::string_view what, Eigen::Index has, Eigen::Index needs);
@@ -28,9 +28,9 @@ void require_finite_rows(std::string_view what, const Eigen::Ref<const RowMatrix
 // 0 <= index < count.
 void require_index(std::string_view what, Eigen::Index index, Eigen::Index count);
 void require_at_least(std::string_view what, double value, double least);
-// Of what several processes do together: a check that one rank alone obeys would leave the others
+// Where several processes share a problem, a check that one of them obeys would leave the others
 // waiting.
-void require_no_stop(std::string_view what, const StopCheck& stop, const Ranks& ranks);
+void require_no_stop(std::string_view what, const StopCheck& stop, const Partition& partition);
 // A count of many things, of some numbers each. Throws Error(Unsupported) where there are more of
 // them, or of their numbers, than an Index counts.
 Index counted(std::string_view what, std::size_t count, std::size_t numbers_each = 1);

@@ -62,7 +62,7 @@ std::string not_finite_derivative(const Problem& problem, TermId id, VecIn x) {
 // Of vectors of 1e154 and more.
 double stable_norm(const Partition& partition, VecIn v) {
   if (partition.is_whole()) return v.stableNorm();
-  const double largest = partition.ranks().max(v.size() > 0 ? v.cwiseAbs().maxCoeff() : 0);
+  const double largest = partition.max(v.size() > 0 ? v.cwiseAbs().maxCoeff() : 0);
   return largest > 0 ? largest * partition.norm(v / largest) : 0;
 }
 
@@ -89,7 +89,7 @@ std::optional<double> falls_forever(Evaluator& evaluator, VecIn y, double energy
 bool is_flat(Evaluator& evaluator, VecIn y, Curvature curvature) {
   Vec gradient, hessian;
   evaluator.linearize(y, curvature, gradient, hessian);
-  return evaluator.problem().partition().ranks().all(hessian.isZero(0));
+  return evaluator.problem().partition().all(hessian.isZero(0));
 }
 
 }  // namespace
@@ -118,10 +118,9 @@ std::string why_not_finite(const Problem& problem, VecIn x) {
 std::string why_no_direction(Evaluator& evaluator, VecIn y, double energy, Curvature curvature) {
   const Problem& problem = evaluator.problem();
   const Vec x = problem.expand(y);
-  const Ranks& ranks = problem.partition().ranks();
   for (const TermId id : problem.terms()) {
     const std::string where = not_finite_derivative(problem, id, x);
-    if (ranks.any(!where.empty()))
+    if (problem.partition().any(!where.empty()))
       return "no finite direction: " + (where.empty() ? "another rank says why" : where);
   }
   if (std::string text = unbounded_along_gradient(evaluator, y, energy); !text.empty()) return text;
@@ -137,7 +136,7 @@ std::string unbounded_along_gradient(Evaluator& evaluator, VecIn y, double energ
   Vec gradient;
   evaluator.gradient(y, gradient);
   const Partition& partition = evaluator.problem().partition();
-  if (partition.ranks().all(gradient.isZero(0)) || !partition.all_finite(gradient)) return {};
+  if (partition.all(gradient.isZero(0)) || !partition.all_finite(gradient)) return {};
   const auto value = falls_forever(evaluator, y, energy, -gradient);
   return value ? unbounded_below(*value) + " along its negative gradient" : "";
 }

@@ -69,7 +69,7 @@ bool Metric::factorize_once(VecIn y, IterationRecord& record, const StopCheck& s
 }
 
 std::string Metric::why_none() const {
-  if (evaluator_.problem().partition().ranks().all(hessian_.isZero(0)))
+  if (evaluator_.problem().partition().all(hessian_.isZero(0)))
     return "no direction: the metric has no curvature here, its Hessian is 0";
   return "no direction: no shift makes the metric's Hessian positive definite";
 }

@@ -28,14 +28,9 @@
 #include "majorant/elements/rest_shapes.h"
 #include "majorant/framework/barrier_checker.h"
 #include "majorant/framework/constraint.h"
-#include "majorant/framework/trace.h"
-#include "majorant/parametrization/maps/bezier_map.h"
+#include "majorant/parametrization/maps/map_observer.h"
 
 namespace majorant {
-
-// Called after every row of the trace with the control points reached; anything but Continue ends
-// the run with that status and the best map so far.
-using MapObserver = std::function<Directive(const TraceEntry& row, VecIn x)>;
 
 class MapExtension {
  public:

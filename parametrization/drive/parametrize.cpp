@@ -39,12 +39,8 @@ class Run {
         start_(start, options.map, options.extend ? Origin::Kept : Origin::Free),
         map_(start_.map()),
         setup_{start_.specification(), options.solve, record.stop(), rules, {}, {}} {
-    if (!options.solve.watch && !options.extend) return;
-    setup_.watch = [this](const TraceEntry& row, const auto& space, VecIn x) {
-      if (options_.solve.watch)
-        options_.solve.watch(row, [&] { return start_.in_model_units(map_.with(space, x)); });
-      return observe(row, x);
-    };
+    if (options.solve.watch || options.extend)
+      setup_.watch = [this](const TraceEntry& row, const MapView& at) { return observe(row, at); };
   }
 
   ParametrizationResult solve() {
@@ -90,20 +86,25 @@ class Run {
   }
 
   // What an observer has said once, holds.
-  Directive observe(const TraceEntry& row, VecIn x) {
-    if (!extension_) return Directive::Continue;
-    for (const MapObserver& observer : extension_->observers())
-      if (const Directive said = observer(row, x); observed_ == Directive::Continue)
-        observed_ = said;
+  Directive observe(const TraceEntry& row, const MapView& at) {
+    const MapView view{at.space, at.x,
+                       [&] { return start_.in_model_units(map_.with(at.space, at.x)); }};
+    const auto ask = [&](const MapObserver& observer) {
+      const Directive said = observer(row, view);
+      if (observed_ == Directive::Continue) observed_ = said;
+    };
+    if (options_.solve.watch) ask(options_.solve.watch);
+    if (extension_)
+      for (const MapObserver& observer : extension_->observers()) ask(observer);
     return observed_;
   }
 
-  void show_start() const {
+  void show_start() {
     if (!setup_.watch) return;
     TraceEntry row;
     row.record.iteration = static_cast<int>(record_.trace().size());
     row.record.energy = row.energy = result_.initial_value;
-    setup_.watch(row, map_.shared_space(), map_.control_points());
+    setup_.watch(row, {map_.shared_space(), map_.control_points(), {}});
   }
 
   std::unique_ptr<MapDomain> make_domain() const {
@@ -274,7 +275,13 @@ PinSolver pin_solver(RunRecord& record, const SolverRules& asked_rules) {
   rules.scaffold.at_rest = -std::numeric_limits<double>::infinity();
   return [&record, rules](const BezierMap& start, const MapOptions& asked,
                           const SolveOptions& how) -> std::optional<BezierMap> {
-    ParametrizationResult result = parametrize_by(rules, start, {asked, how, {}}, record);
+    SolveOptions seen = how;
+    if (how.watch)
+      seen.watch = [&how](const TraceEntry& row, const MapView& at) {
+        how.watch(row, at);
+        return Directive::Continue;
+      };
+    ParametrizationResult result = parametrize_by(rules, start, {asked, seen, {}}, record);
     if (result.status == Status::Failed) return std::nullopt;
     return std::move(result.map);
   };

@@ -8,8 +8,7 @@
 #include "majorant/elements/element_space.h"
 #include "majorant/framework/curvature.h"
 #include "majorant/framework/linear_solver.h"
-#include "majorant/framework/trace.h"
-#include "majorant/parametrization/maps/bezier_map.h"
+#include "majorant/parametrization/maps/map_observer.h"
 
 namespace majorant {
 
@@ -25,13 +24,6 @@ enum class Triangles { Kept, Flipped };
 // Whether a run that ends without a factorization at its degree makes one, to know what it costs
 // (ParametrizationResult::factor_solve_seconds). Its time counts nowhere.
 enum class FactorCost { IfKnown, Measured };
-
-// Sees a run on its way, and changes nothing of it: called with the start, in a row of its own
-// whose iteration is that of the row before it (0 at first), and after every row of the trace.
-// map(): as it is then, at the row's degree, in model units; valid during the call, and costs what
-// it takes to copy it only where it is called. Starts that are pulled to their pins are seen, too.
-using MapWatcher =
-    std::function<void(const TraceEntry& row, const std::function<BezierMap()>& map)>;
 
 // What the direct solver will need where a run ends, for the map alone, all of it free.
 struct LastDegree {
@@ -52,7 +44,7 @@ struct SolveOptions {
   ScaffoldFlips scaffold_flips = ScaffoldFlips::Performed;  // of MapInjectivity::Global
   Triangles triangles = Triangles::Kept;
   FactorCost factor_cost = FactorCost::IfKnown;
-  MapWatcher watch = {};  // may be empty
+  MapObserver watch = {};  // may be empty
   // Of Newton's systems; empty: the library's own direct one, which is the fastest up to some
   // millions of faces. The scaffold's relaxation keeps that.
   SolverFactory linear_solver = {};

@@ -224,6 +224,57 @@ TEST(Newton, ObserversStopIt) {
   }
 }
 
+// The weight of a term doubles after each of the first steps; what is reported has weight 1.
+class Growing final : public Descent {
+ public:
+  Growing(Problem problem, NewtonStepper& stepper)
+      : problem_(std::move(problem)), stepper_(stepper) {
+    result.y = Vec::Constant(1, 30);
+    result.energy = energy = stepper.evaluator().value(result.y);
+  }
+  Answer after_step(const StepResult& step) override {
+    result.energy = energy / weight_;
+    if (++steps == last) return {Directive::TimeLimit};
+    if (step.outcome != StepResult::Outcome::Moved || steps > 3) return {};
+    TermState state;
+    state.weight = weight_ *= 2;
+    problem_ = problem_.with({{TermId(0), state}});
+    stepper_.reset(problem_);
+    energy = stepper_.evaluator().value(result.y);
+    return {Directive::Continue, StoppingTest::Since::ProblemChanged};
+  }
+  int steps = 0, last = -1;
+
+ private:
+  Problem problem_;
+  NewtonStepper& stepper_;
+  double weight_ = 1;
+};
+
+TEST(Descent, TheProblemMayChangeBetweenSteps) {
+  const Problem problem =
+      ProblemBuilder(1).add(std::make_shared<const Chain>(1, double_well()), 1).build();
+  const SolveResult fixed = NewtonMinimizer(options()).minimize(problem, Vec::Constant(1, 30), {});
+  for (const int last : {-1, 2}) {
+    NewtonStepper stepper(problem, options());
+    Growing descent(problem, stepper);
+    descent.last = last;
+    stepper.descend(descent, options().stopping);
+    const SolveResult& r = descent.result;
+    EXPECT_NEAR(r.energy, Evaluator(problem).value(r.y), 1e-12 * r.energy);
+    EXPECT_EQ(descent.energy, stepper.evaluator().value(r.y));
+    if (last < 0) {
+      EXPECT_EQ(r.status, Status::Converged);
+      EXPECT_EQ(r.iterations.size(), fixed.iterations.size());  // weights do not matter
+      EXPECT_NEAR(r.y[0], fixed.y[0], 1e-9);
+      EXPECT_NEAR(descent.energy, 8 * r.energy, 1e-12 * descent.energy);
+    } else {
+      EXPECT_EQ(r.status, Status::TimeLimit);
+      EXPECT_EQ(r.iterations.size(), 2u);
+    }
+  }
+}
+
 TEST(Newton, WithoutUnknownsThereIsNothingToDo) {
   Rows rows;
   rows.row({{0, 1}}, 0.5);

@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "framework/thread_ranks.h"
+
 namespace majorant {
 namespace {
 
@@ -64,6 +68,20 @@ TEST(RunRecord, CoarserMeshesDoNotUseUpIterations) {
   EXPECT_EQ(record.iterations_left(), 2);
   record.note(row_of(0));
   EXPECT_EQ(steps_taken(record.trace()), 1);
+}
+
+TEST(RunRecord, RanksStopTogether) {
+  test::run_ranks(3, [](const auto& ranks) {
+    const bool stops = ranks->rank() == 0;
+    RunRecord record(INFINITY, stops ? 2 : 9);
+    record.agree(*ranks);
+    EXPECT_EQ(record.iterations_left(), 2);
+    EXPECT_EQ(record.directive(), Directive::Continue);
+    std::atomic<bool> interrupt = stops;
+    RunRecord late(INFINITY, 9, &interrupt);
+    late.agree(*ranks);
+    EXPECT_EQ(late.note(row_of(0)), Directive::Interrupt);
+  });
 }
 
 TEST(Trace, WhatAFactorizationCostsIsTheMedianAtOneDegree) {

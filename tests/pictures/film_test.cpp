@@ -22,16 +22,19 @@ constexpr std::size_t kFrameBytes = 6 * 8;  // of the triangle at degree 2
 
 // Shows the film rows first to last, each map as high as its iteration; how many it asked for.
 int show(Film& film, int first, int last) {
-  const auto watcher = film.watcher();
+  const MapObserver watcher = film.watcher();
+  const BezierMap map = triangle_map(1);
   int made = 0;
   for (int iteration = first; iteration <= last; ++iteration) {
     TraceEntry row;
     row.record.iteration = iteration;
     row.energy = 100 - iteration;
-    watcher(row, [&] {
+    const auto made_map = [&] {
       ++made;
       return triangle_map(1 + iteration);
-    });
+    };
+    EXPECT_EQ(watcher(row, {map.shared_space(), map.control_points(), made_map}),
+              Directive::Continue);
   }
   return made;
 }

@@ -1,5 +1,5 @@
 // What a MapExtension added, as a part of the problems of its degree: bounds with a barrier are
-// left out, relaxed or held, as the solver goes along (bounds.cpp).
+// left out, relaxed or held, as the solver goes along (degree_solver.cpp).
 //
 //     Additions added(extension);
 //     const std::vector<TermId> barriers = added.add_to(builder);
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "majorant/constraints/fixed_unknowns.h"
-#include "majorant/framework/internal/bound_entry.h"
+#include "majorant/framework/internal/barrier_path.h"
 #include "majorant/framework/problem.h"
 #include "majorant/parametrization/drive/map_extension.h"
 #include "majorant/parametrization/maps/map_problem.h"

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "majorant/parametrization/drive/internal/enter_domain.h"
-
 namespace majorant {
 namespace {
 
@@ -24,10 +22,6 @@ DegreeSchedule::DegreeSchedule(const DegreeSolver::Setup& setup, MapDomain& doma
       record_(record),
       prepare_(std::move(prepare)) {}
 
-Directive DegreeSchedule::told() const {
-  return ranks_of(setup_.map).of_first(record_.directive());
-}
-
 std::optional<DegreeSchedule::State> DegreeSchedule::state() const {
   return solver_ ? solver_->state() : state_.value_or(State());
 }
@@ -35,10 +29,30 @@ std::optional<DegreeSchedule::State> DegreeSchedule::state() const {
 void DegreeSchedule::enter() {
   entering_ = true;
   try {
-    map_ = enter_domain(setup_, domain_, map_, record_, counts_.injectivity_tests);
+    minimize_gentle_energy();
   } catch (const Stopped&) {  // so will be what follows
   }
-  entering_ = told() != Directive::Continue;
+  entering_ = record_.directive() != Directive::Continue;
+}
+
+// The symmetric Dirichlet energy is finite on every injective map; a stop ends it with the best map
+// so far.
+void DegreeSchedule::minimize_gentle_energy() {
+  DegreeSolver::Setup gentle = setup_;
+  gentle.map.energy = {{symmetric_dirichlet(), 1.0}};
+  gentle.solve.curvature = Curvature::Projected;
+  const QuadratureLevels levels(
+      optimizer_ladder(1, setup_.solve.quadrature_points, setup_.rules.quadrature),
+      map_.space().element_count());
+  const DensityTerms terms = energy_terms(setup_.map, map_.shared_space(), levels.rules());
+  gentle.asked_energy = [&](VecIn x) {
+    return energy_of_map(setup_.map, terms, levels.of_faces(), x) + setup_.added.energy(x);
+  };
+  DegreeSolver solver(gentle, domain_, map_.shared_space(), map_.control_points());
+  solver.soften_start(record_);
+  solver.approach(setup_.solve.elevation_tolerance, record_, Phase::Entry);
+  add_counts(counts_.injectivity_tests, solver.proven());
+  map_ = map_.with(map_.shared_space(), solver.x());
 }
 
 SolveResult DegreeSchedule::raise_degree(double energy) {
@@ -46,7 +60,7 @@ SolveResult DegreeSchedule::raise_degree(double energy) {
   solved.energy = energy;
   try {
     for (;;) {
-      if (const Directive why = told(); why != Directive::Continue)
+      if (const Directive why = record_.directive(); why != Directive::Continue)
         return stopped(std::move(solved), why);
       const bool last = map_.degree() == degree_;
       if (last || setup_.solve.elevation == Elevation::Incremental) {

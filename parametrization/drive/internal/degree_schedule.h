@@ -5,9 +5,6 @@
 //     SolveResult solved = schedule.raise_degree(energy);
 //     schedule.elevate_to_last();
 //     BezierMap map = schedule.map();
-//
-// Of a map in parts (MapSpecification::part) every rank runs the same; the record of rank 0 decides
-// when to stop.
 #pragma once
 
 #include <functional>
@@ -41,7 +38,8 @@ class DegreeSchedule {
 
   // Where map() came from, for the next solver of its degree.
   void resume(State state) { state_ = std::move(state); }
-  // A way into the domain of the energy, for maps outside of it (enter_domain.h).
+  // For a start of degree 1 at which the energy asked for is not finite (an exponential of Tutte's
+  // map): to the minimum of one that is finite on every injective map.
   void enter();
   // energy: of map(). What is returned is of the last degree that was optimized; a limit may end
   // the run below the last one. Throws what DegreeSolver does, but Stopped.
@@ -57,7 +55,7 @@ class DegreeSchedule {
   std::optional<State> state() const;
 
  private:
-  Directive told() const;
+  void minimize_gentle_energy();
   SolveResult optimize(bool last);
   void elevate();
 

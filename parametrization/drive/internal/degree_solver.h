@@ -7,9 +7,8 @@
 //     map = map.with(map.shared_space(), solver.x());
 //
 // Internal to parametrize(). Coordinates are normalised (see NormalizedStart). Whatever is stopped,
-// x() is the best point reached, and the domain's surroundings belong to it. Of a map that several
-// processes have (MapSpecification::part) every rank runs the same; setup.stop never stops then,
-// the record and watch of rank 0 do.
+// x() is the best point reached, and the domain's surroundings belong to it. Where the map is in
+// parts (MapSpecification::part) setup.stop never stops, and the record agrees with the others'.
 #pragma once
 
 #include <functional>
@@ -39,10 +38,7 @@ class DegreeSolver {
     // Of a map, 2 numbers per node, for the trace: where another energy is minimized than the one
     // asked for. Empty: that of `map`.
     std::function<double(VecIn)> asked_energy;
-    // Called after every row of the trace, with the nodes of the map. May be empty.
-    std::function<Directive(const TraceEntry&, const std::shared_ptr<const BezierTriangleSpace>&,
-                            VecIn)>
-        watch = {};
+    MapObserver watch = {};  // in_model_units is empty there; may be empty
   };
 
   // With x() what another solver of the same degree needs to go on from there; what Newton's method
@@ -81,7 +77,7 @@ class DegreeSolver {
   IterationRecord try_step();
 
   Vec x() const { return x_.head(2 * space_->node_count()); }
-  GlobalIndex variables() const { return built_.problem.partition().global_size(); }
+  GlobalIndex variables() const { return partition().global_size(); }
   double constraint_residual() const;
   const RemedyUses& remedies() const { return uses_; }
   // Faces proven injective, by depth of bisection, in all checks so far.
@@ -93,21 +89,12 @@ class DegreeSolver {
     Vec x;
     std::optional<Scaffold> surroundings;
   };
-  // What happened between two looks at the stopping rules.
-  struct Iteration {
-    StepResult step;
-    StoppingTest::Since since = StoppingTest::Since::Same;
-    Directive directive = Directive::Continue;
-  };
-  // Where the rows of a descent go.
-  struct Rows {
-    RunRecord& record;
-    Phase phase;
-  };
+  class MapDescent;
+  class SoftDescent;
   // What came of a remedy: nothing that could help, something to go on from, or the end of the run.
   enum class Effect { None, GoOn, Ended };
 
-  const Ranks& ranks() const { return ranks_of(setup_.map); }
+  const Partition& partition() const { return built_.problem.partition(); }
   DomainInput input() const;
   void meet_added_constraints();
   void rebuild();
@@ -118,23 +105,23 @@ class DegreeSolver {
   void return_to(const Place& place);
   double own_energy(VecIn x) const;
   double foreign_energy() const;
-  Directive note(const IterationRecord& own, StepResult::Outcome outcome, const Rows& rows) const;
+  Directive note(const IterationRecord& own, StepResult::Outcome outcome, Phase phase,
+                 RunRecord& record) const;
 
   SolveResult descend(StoppingRules rules, Phase phase, RunRecord& record);
-  void iterate_until(StoppingTest& test, const Rows& rows, double energy, SolveResult& result);
-  Iteration iterate(SolveResult& result, double& energy, const Rows& rows);
   void soften(RunRecord& record);
+  std::optional<Vec> soft_weights() const;
   bool refine_inaccurate();
   StoppingRules unlimited(double relative_decrease) const;
   StoppingRules final_rules() const;
 
-  // bounds.cpp
+  // Bounds with a barrier.
   SolveResult solve_within_bounds(RunRecord& record);
   bool enter_bounds(SolveResult& result, RunRecord& record);
   bool follow_barriers(SolveResult& result, RunRecord& record);
   SolveResult descend_with(double barrier_weight, RunRecord& record);
 
-  // remedies.cpp
+  // Remedies.
   const RemedyRules& rules() const { return setup_.rules.remedies; }
   // How often something was tried at this degree.
   struct Tries {

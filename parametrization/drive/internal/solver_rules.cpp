@@ -78,13 +78,6 @@ SolveResult stopped(SolveResult result, Directive why) {
   return result;
 }
 
-std::optional<Vec> soft_weights(const Vec& energy, const Vec& measure, double enormous,
-                                const Ranks& ranks) {
-  const double all = ranks.sum(energy.sum());
-  if (!(all >= enormous * ranks.sum(measure.sum())) || !ranks.all(energy.allFinite())) return {};
-  return energy.cwiseQuotient(measure).cwiseSqrt().cwiseInverse();
-}
-
 }  // namespace majorant
 
 // SPDX-FileCopyrightText: 2026 the majorant developers

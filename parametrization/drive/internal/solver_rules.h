@@ -8,14 +8,12 @@
 // Nobody but measurements sets them (bench/tune.cpp). What each is worth: docs/constants.md.
 #pragma once
 
-#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "majorant/elements/element_space.h"
-#include "majorant/framework/barrier_minimizer.h"
-#include "majorant/framework/internal/bound_entry.h"
+#include "majorant/framework/internal/barrier_path.h"
 #include "majorant/framework/internal/direct_solver.h"
 #include "majorant/framework/newton.h"
 #include "majorant/parametrization/drive/solve_options.h"
@@ -24,7 +22,7 @@
 
 namespace majorant {
 
-// Against stalls, in the order in which they are tried (remedies.cpp).
+// Against stalls, in the order in which they are tried (degree_solver.cpp).
 struct RemedyRules {
   // Bisection where the depth asked for holds a run back.
   int deepest_bisection = ProofDepth::kDeepest;
@@ -41,7 +39,7 @@ struct RemedyRules {
   int stall_rounds = 60;
   // Of the barrier to follow, relative to the energy. Origin: bench/tune.py
   // remedies.barrier_rounds, which leaves them out.
-  std::array<double, 6> barrier_weights{1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6};
+  BarrierWeights barrier_weights{.first = 0.1, .most_phases = 6};
   // Relative decrease that ends a weight. Origin: bench/tune.py remedies.barrier_tolerance.
   double barrier_tolerance = 1e-4;
   // Ways along the barrier. Origin: a second one helps where the first did (creature, ARAP, degree
@@ -90,7 +88,7 @@ struct ScaffoldRules {
   int tail_steps = 1;
 };
 
-// Bounds with a barrier (bounds.cpp).
+// Bounds with a barrier (degree_solver.cpp).
 struct BoundRules {
   // Of the energy: the first weight times the absolute values of the barrier's elements. Origin:
   // strong enough to lead away from the bound, weak enough to leave the energy its say.
@@ -100,10 +98,8 @@ struct BoundRules {
   // The same of a barrier's values, which are 0 where rooms are 1. Origin: no weight is infinite.
   double least_barrier = 1e-6;
   BoundEntryRules entry;
-  // The weight from round to round.
-  double fall = BarrierOptions{}.fall;
-  // Origin: bounds the cost of what leads nowhere; chosen, not tuned.
-  int most_rounds = 40;
+  // The first is first_share's. Origin: bounds the cost of what leads nowhere; chosen, not tuned.
+  BarrierWeights weights{.most_phases = 40};
 };
 
 struct SolverRules {
@@ -138,13 +134,6 @@ LastDegree last_degree(int degree, const std::shared_ptr<const BezierTriangleSpa
 bool was_stopped(Status status);
 // `result` with what ended a run in the middle of something else.
 SolveResult stopped(SolveResult result, Directive why);
-
-// Weights of the faces for a step from a start of enormous energy (mean density `enormous` and
-// more: a Tutte map with nearly collapsed triangles); none for others. energy, measure: #F. sqrt
-// is concave, so weights 1 / sqrt(density) give a linear majorizer of sqrt: each step on the
-// reweighted energy decreases sum A sqrt(density). The mean is that of all ranks' faces.
-std::optional<Vec> soft_weights(const Vec& energy, const Vec& measure, double enormous,
-                                const Ranks& ranks);
 
 }  // namespace majorant
 

@@ -1,10 +1,14 @@
 // Bounds with a barrier, in parametrize(): the constrained minimum, bracketed from both sides.
+#include "majorant/terms/bounds.h"
+
 #include <algorithm>
+#include <vector>
 
 #include "../examples/stretch_bound.h"
 #include "expected_error.h"
 #include "majorant/energies/make_energy.h"
 #include "majorant/parametrization/drive/internal/parametrize_by.h"
+#include "majorant/terms/inequality.h"
 #include "mesh/obj_file.h"
 #include "parametrization/drive/parametrize_expectations.h"
 
@@ -67,6 +71,47 @@ TEST(Bounds, TheConstrainedMinimumIsBracketed) {
   }
 }
 
+// Those of terms/, on single unknowns and on functions of a few: a square that is too small.
+TEST(Bounds, OfTermsHold) {
+  const auto mesh = generated("cap");
+  const ParametrizationResult free = parametrize(mesh, degree(2));
+  const auto reach = [](const BezierMap& map) {
+    return map.control_points().cwiseAbs().maxCoeff();
+  };
+  const Vec& x = free.map->control_points();
+  const double size =
+      x(Eigen::seq(0, Eigen::last, 2)).maxCoeff() - x(Eigen::seq(0, Eigen::last, 2)).minCoeff();
+  const double limit = 0.45 * size;
+  const MapExtender extenders[] = {
+      [&](MapExtension& map) {
+        const Vec most = Vec::Constant(map.start().size(), limit * map.scale());
+        map.add(Bounds(-most, most).checker());
+      },
+      [&](MapExtension& map) {
+        Cells each(map.start().size(), 1);
+        for (Index k = 0; k < each.rows(); ++k) each(k, 0) = k;
+        for (const double side : {1.0, -1.0}) {
+          const auto room = [side, most = limit * map.scale()](Index, const auto& z) {
+            return most - side * z[0];
+          };
+          map.add(inequality<1>("inside", each, room).checker());
+        }
+      }};
+  std::vector<double> energies;
+  for (const MapExtender& extend : extenders) {
+    ParametrizationOptions options = degree(2);
+    options.extend = extend;
+    const ParametrizationResult held = parametrize(mesh, options);
+    EXPECT_EQ(held.status, Status::Converged) << held.message;
+    expect_valid(held, 2);
+    EXPECT_LT(reach(*held.map), limit);
+    EXPECT_GT(reach(*held.map), 0.999 * limit);
+    EXPECT_GT(held.value_quadrature, free.value_quadrature * (1 + 1e-4));
+    energies.push_back(held.value_quadrature);
+  }
+  EXPECT_NEAR(energies[0], energies[1], 1e-5 * energies[0]);
+}
+
 // What the free minimum meets costs nothing, not even a barrier.
 TEST(Bounds, WideBoundsChangeNothing) {
   const auto mesh = generated("cap");
@@ -101,7 +146,7 @@ TEST(Bounds, BarriersThatDoNotVanishAreTold) {
   ParametrizationOptions options = degree(1);
   options.extend = bounded(stretch_of(parametrize(mesh, options)) / 1.2);
   SolverRules rules;
-  rules.bounds.fall = 0.97;
+  rules.bounds.weights.fall = 0.97;
   RunRecord record;
   const BezierMap start = BezierMap::linear(mesh, initial_map(*mesh, options.map));
   const ParametrizationResult result = parametrize_by(rules, start, options, record);

@@ -169,7 +169,8 @@ TEST(MapExtension, ACheckerHoldsAtEveryStepAndHasItsVerdict) {
     const auto add = [&](double radius) {
       return [&farthest, radius](MapExtension& map) {
         map.add(std::make_shared<const InsideDisk>(radius * map.scale()));
-        map.observe([&farthest, scale = map.scale()](const TraceEntry&, VecIn x) {
+        map.observe([&farthest, scale = map.scale()](const TraceEntry&, const MapView& at) {
+          const VecIn& x = at.x;
           for (Index k = 0; k < x.size() / 2; ++k)
             farthest = std::max(farthest, x.segment<2>(2 * k).norm() / scale);
           return Directive::Continue;
@@ -208,9 +209,9 @@ TEST(MapExtension, AnObserverEndsTheRun) {
     ParametrizationOptions options = degree(3);
     int rows = 0;
     options.extend = [&](MapExtension& map) {
-      map.observe([&, n = map.degree()](const TraceEntry& row, VecIn x) {
+      map.observe([&, n = map.degree()](const TraceEntry& row, const MapView& at) {
         EXPECT_EQ(row.degree, n);
-        EXPECT_EQ(x.size() % 2, 0);
+        EXPECT_EQ(at.x.size(), 2 * at.space->node_count());
         return ++rows > last ? Directive::Interrupt : Directive::Continue;
       });
     };
@@ -234,7 +235,8 @@ TEST(MapExtension, ConstraintsHoldInEveryPhase) {
   options.extend = [&](MapExtension& map) {
     const double u = map.start()[2 * 12], v = map.start()[2 * 700 + 1];
     map.add(FixedUnknowns({{2 * 12, u}, {2 * 700 + 1, v}}));
-    map.observe([&, u, v](const TraceEntry& row, VecIn x) {
+    map.observe([&, u, v](const TraceEntry& row, const MapView& at) {
+      const VecIn& x = at.x;
       seen[static_cast<int>(row.phase)] = true;
       off = std::max({off, std::abs(x[2 * 12] - u), std::abs(x[2 * 700 + 1] - v)});
       return Directive::Continue;

@@ -25,11 +25,11 @@ class Resume {
     while (map_.degree() < degree) map_ = map_.elevated();
     setup_ = {start.specification(), {}, {}, {}, {}, {}, {}};
     setup_.solve.tolerance = 1e-9;  // ends do not depend on paths any more
-    setup_.watch = [this](const TraceEntry& row, const auto&, VecIn x) {
+    setup_.watch = [this](const TraceEntry& row, const MapView& at) {
       const auto state = running_->state();
       EXPECT_TRUE(state || row.phase != Phase::SoftStart);
       if (state)
-        kept_.push_back({*state, x});
+        kept_.push_back({*state, at.x});
       else
         ++without_;
       return Directive::Continue;

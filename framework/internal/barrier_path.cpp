@@ -1,4 +1,4 @@
-#include "majorant/framework/internal/bound_entry.h"
+#include "majorant/framework/internal/barrier_path.h"
 
 #include <string>
 

@@ -1,5 +1,10 @@
-// The way inside of bounds from a start that does not meet them: they are relaxed as far as the
-// start needs it, and tightened as their barriers lead away from them.
+// Interior points ([NW06] Sec. 19.6): minima of E + mu B along falling weights mu of a barrier B,
+// and the way inside of bounds from a start that does not meet them.
+//
+//     const auto minimize = [&](double mu) { ...; return near ? PathEnd::Arrived : PathEnd::None; };
+//     const PathEnd end = follow_barrier({.first = 0.1}, minimize);
+//
+// Who follows a path brings the descent of a phase and the rule that ends it.
 #pragma once
 
 #include <cmath>
@@ -36,6 +41,29 @@ class HeldBounds {
   std::vector<std::shared_ptr<const EnergyTerm>> barriers_;
 };
 
+// Of phase k: first fall^k.
+struct BarrierWeights {
+  double first = 0;
+  // Origin: [NW06] Sec. 19.3 has 0.2; Newton's method follows further.
+  double fall = 0.1;
+  int most_phases = std::numeric_limits<int>::max();
+};
+
+// Arrived: what the barrier still costs is small enough. Ended: by a limit, or without a minimum.
+// None: all phases are through.
+enum class PathEnd { None, Arrived, Ended };
+
+// phase(mu): minimizes with that weight; None to go on.
+template <class Phase>
+PathEnd follow_barrier(const BarrierWeights& weights, const Phase& phase) {
+  PathEnd end = PathEnd::None;
+  for (int k = 0; k < weights.most_phases && end == PathEnd::None; ++k)
+    end = phase(weights.first / std::pow(1 / weights.fall, k));  // exact where 1 / fall is whole
+  return end;
+}
+
+// Bounds are relaxed as far as the start needs it, and tightened as their barriers lead away from
+// them.
 struct BoundEntryRules {
   // Relative decrease that ends a round on the way inside. Origin: they only lead there.
   double tolerance = 1e-3;
