@@ -2,13 +2,12 @@
 #pragma once
 
 #include <chrono>
-#include <vector>
 
 #include "apps/command.h"
 #include "apps/map_request.h"
 #include "apps/progress.h"
 #include "apps/result_files.h"
-#include "majorant/results/internal/finished_atlas.h"
+#include "majorant/results/internal/atlas_job.h"
 
 namespace majorant::app {
 
@@ -17,8 +16,7 @@ struct FinishedUnwrap {
   const CommonOptions& common;
   const OutputRequest& outputs;
   const MapRequest& map;
-  const FinishedAtlas& finished;
-  const std::vector<Pin>& handles;              // of vertices of the surface
+  const AtlasJob& job;
   std::chrono::steady_clock::time_point start;  // of the run
   Progress& progress;
 };

@@ -4,7 +4,7 @@
 
 #include "apps/energy_option.h"
 #include "apps/map_run.h"
-#include "majorant/parametrization/drive/deform.h"
+#include "majorant/framework/error.h"
 
 namespace majorant::app {
 namespace {
@@ -14,11 +14,9 @@ int run_job(MapVerb request) {
     throw Error(ErrorKind::Usage,
                 "nothing to do: give --handles FILE (soft) or --pins FILE (hard)");
   request.map.init = "planar";
-  MapRun run("deform", request);
-  const MapInput& in = run.read([](const PolygonMesh&, const SurfaceMesh& mesh) {
-    return Start{planar_map(std::make_shared<const SurfaceMesh>(mesh))};
-  });
-  return run.finish(deform(in.start->map, in.options, run.record()));
+  MapRun run(MapTask::Deform, request);
+  run.read([](MapJob& job) { job.start_in_plane(); });
+  return run.finish();
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "apps/arguments/number_check.h"
 #include "apps/arguments/suggestion.h"
@@ -42,9 +43,9 @@ Vec read_weights(const std::string& path, const PolygonMesh& polygons, const Sur
 }
 
 // What parametrize() would refuse, said before a start is made and in terms of options.
-void require_scale(const MapRequest& request, const MapInput& in) {
-  if (in.start ? !collapses(in.options.map, in.start->map.space(), in.start->map.seams())
-               : !collapses(in.options.map, {in.mesh->faces(), in.mesh->vertex_count(), 1}, {}))
+void require_scale(const MapRequest& request, const MapJob& job) {
+  if (job.start ? !collapses(job.options.map, job.start->map.space(), job.start->map.seams())
+                : !collapses(job.options.map, {job.mesh->faces(), job.mesh->vertex_count(), 1}, {}))
     return;
   throw Error(ErrorKind::Usage,
               fmt::format("--energy '{}' is smallest for a map shrunk to a point; hold its scale "
@@ -115,32 +116,30 @@ ParametrizationOptions read_options(const MapRequest& request, const PolygonMesh
   return options;
 }
 
-MapInput read_input(const MapRequest& request, const StopCheck& stop,
-                    const StartMaker& make_start) {
-  MapInput in;
+void read_input(const MapRequest& request, MapJob& job, const StartMaker& make_start) {
+  job.energy = request.energy;
+  job.init = request.init;
   parse_energy(request.energy);  // before any work
   const bool starts_from_texture = request.init == "input" || (request.seamless && !make_start);
   const Strictness strictness =
       std::max(request.strictness, starts_from_texture ? Strictness::Texcoords : Strictness::Shape);
   unless_stopped("reading " + request.input, [&] {
-    in.polygons =
-        within_memory(request.input, [&] { return read_mesh(request.input, stop, strictness); });
-    say_warnings(in.polygons.warnings);
-    in.mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(in.polygons, stop));
+    PolygonMesh polygons = within_memory(request.input, [&] {
+      return read_mesh(request.input, job.record.start_stop(), strictness);
+    });
+    say_warnings(polygons.warnings);
+    job.open(std::make_shared<const PolygonMesh>(std::move(polygons)));
   });
   if (make_start)
-    in.start = unless_stopped("making the start of " + request.input,
-                              [&] { return make_start(in.polygons, *in.mesh); });
+    unless_stopped("making the start of " + request.input, [&] { make_start(job); });
   else if (request.seamless)
-    in.start = seamless_from_texture(*in.mesh);
-  else
-    in.mesh->require_planar();
-  in.options = read_options(request, in.polygons, in.start ? in.start->map.mesh() : *in.mesh);
+    job.start_from_texture();
+  job.options = read_options(request, *job.polygons, job.mapped_mesh());
   for (const StartMethod method : {StartMethod::Tutte, StartMethod::Multiresolution})
-    if (request.init == start_name(method)) in.options.map.start = method;
-  if (request.init == "input" && !request.seamless) in.options.map.initial = texture_map(*in.mesh);
-  require_scale(request, in);
-  return in;
+    if (request.init == start_name(method)) job.options.map.start = method;
+  if (request.init == "input" && !request.seamless)
+    job.options.map.initial = texture_map(*job.mesh);
+  require_scale(request, job);
 }
 
 }  // namespace majorant::app

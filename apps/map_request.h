@@ -4,15 +4,9 @@
 
 #include <CLI/App.hpp>
 #include <functional>
-#include <memory>
-#include <optional>
 #include <string>
 
-#include "majorant/io/map_file.h"
-#include "majorant/parametrization/cuts/choose_cuts.h"
-#include "majorant/parametrization/drive/parametrize.h"
-#include "majorant/parametrization/starts/start.h"
-#include "majorant/results/internal/report.h"
+#include "majorant/results/internal/map_job.h"
 
 namespace majorant::app {
 
@@ -41,26 +35,17 @@ struct MapRequest {
   std::vector<std::string> inputs() const;  // files to read; empty where none is given
 };
 
-struct MapInput {
-  PolygonMesh polygons;
-  std::shared_ptr<const SurfaceMesh> mesh;  // of the file, not cut
-  ParametrizationOptions options;           // vertices are those of start's mesh, if there is one
-  std::optional<Start> start;               // of seamless maps, and of surfaces cut open
-  std::optional<SurfaceCuts> cuts;          // of the latter
-};
-
 // The options alone, of any surface of the file, cut or not: energy, degree, curvature, points and
 // weights. Throws Error as the readers do.
 ParametrizationOptions read_options(const MapRequest& request, const PolygonMesh& polygons,
                                     const SurfaceMesh& mesh);
 
-// Reads the files and translates the options. make_start: gives the seamless map to start from;
-// empty: that of the texture coordinates if `request` is seamless, else a map of a disk with or
-// without holes. Throws Error as the readers and starts do; Error(Unsupported) when a mesh should
-// be such a disk and is not, Error(Usage) for energies that collapse, Error(Invalid) when stopped.
-using StartMaker = std::function<Start(const PolygonMesh&, const SurfaceMesh&)>;
-MapInput read_input(const MapRequest& request, const StopCheck& stop,
-                    const StartMaker& make_start = {});
+// Opens the job with the file, gives it a start and translates the options. make_start: calls one
+// of the job's own; empty: that of the texture coordinates if `request` is seamless, else none.
+// Throws Error as the readers and starts do; Error(Usage) for energies that collapse,
+// Error(Invalid) when stopped.
+using StartMaker = std::function<void(MapJob&)>;
+void read_input(const MapRequest& request, MapJob& job, const StartMaker& make_start = {});
 
 }  // namespace majorant::app
 

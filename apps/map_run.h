@@ -1,11 +1,11 @@
-// A run of a verb that makes a map (parametrize, seamless, deform): what all of them can be told,
-// what happens before the solve and after it.
+// A MapJob as the verbs parametrize, seamless and deform run it: what all of them can be told, the
+// checks before any work, limits, progress and linear solver, and the files in the end.
 //
 //   MapVerb request;
 //   request.add_to(verb);
-//   MapRun run("parametrize", request);    // checks what can be checked, starts clocks
-//   MapInput& in = run.read();
-//   return run.finish(parametrize(in.mesh, in.options, run.record()));  // the exit code
+//   MapRun run(MapTask::Parametrize, request);    // checks what can be checked, starts clocks
+//   run.read();
+//   return run.finish();  // the exit code
 #pragma once
 
 #include <CLI/App.hpp>
@@ -38,28 +38,25 @@ class MapRun {
  public:
   // request: outlives the run. other_inputs: files that the verb alone reads. Throws Error(Usage)
   // before any work.
-  MapRun(std::string verb, MapVerb& request, const std::vector<std::string>& other_inputs = {});
+  MapRun(MapTask task, MapVerb& request, const std::vector<std::string>& other_inputs = {});
 
-  // As read_input; the time that make_start takes counts as initialization.
-  MapInput& read(const StartMaker& make_start = {});
-  RunRecord& record() { return record_; }
-  // extra: options of the verb alone, for reports and claims.
-  int finish(ParametrizationResult result, const Json& extra = Json::object());
+  MapJob& job() { return job_; }
+  // As read_input().
+  void read(const StartMaker& make_start = {});
+  // Solves, and writes what came out; the exit code. extra: options of the verb alone, for reports
+  // and claims.
+  int finish(const Json& extra = Json::object());
 
  private:
-  double seconds() const;
-  std::optional<LayoutMotion> place(ParametrizationResult& result);
+  void place();
 
-  std::string verb_;
   MapVerb& request_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   Progress progress_;
   RunRecord record_;
+  MapJob job_;
   std::optional<ThreadCount> threads_;
   std::optional<LinearSolvers> solvers_;
-  MapInput in_;
-  std::optional<Film> film_;
-  double read_seconds_ = 0, start_seconds_ = 0;
 };
 
 }  // namespace majorant::app

@@ -19,12 +19,12 @@ std::vector<PagePoint> held_points(const BezierMap& map, const std::vector<Pin>&
 
 // In the units of the result's file.
 std::vector<PageSnapshot> frames_of(const FinishedRun& run) {
-  const int last = last_iteration(run.finished.record.trace());
-  std::vector<PageSnapshot> frames = run.finished.film->frames(
-      {*run.finished.result.map, last, run.finished.result.value_quadrature});
-  if (!run.finished.placement) return frames;
+  const int last = last_iteration(run.job.record.trace());
+  std::vector<PageSnapshot> frames =
+      run.job.film->frames({*run.job.result.map, last, run.job.result.value_quadrature});
+  if (!run.job.placement) return frames;
   for (std::size_t k = 0; k + 1 < frames.size(); ++k)  // the result has been moved
-    frames[k].uv = (*run.finished.placement)(frames[k].uv);
+    frames[k].uv = (*run.job.placement)(frames[k].uv);
   return frames;
 }
 
@@ -49,11 +49,11 @@ MapPage page_of(const FinishedRun& run, Json report) {
   MapPage page;
   page.title = page_title(run.map.input);
   page.facts = page_facts(std::move(report), run.map.inputs());
-  const BezierMap& map = *run.finished.result.map;
-  page.points = held_points(map, run.in.options.map.pins);
-  for (const PagePoint& point : pulled_points(run.finished.result.handles, map.mesh()))
+  const BezierMap& map = *run.job.result.map;
+  page.points = held_points(map, run.job.options.map.pins);
+  for (const PagePoint& point : pulled_points(run.job.result.handles, map.mesh()))
     page.points.push_back(point);
-  if (run.finished.film) page.snapshots = frames_of(run);
+  if (run.job.film) page.snapshots = frames_of(run);
   return page;
 }
 

@@ -7,9 +7,7 @@
 #include "apps/energy_option.h"
 #include "apps/map_run.h"
 #include "apps/seam_request.h"
-#include "apps/unless_stopped.h"
 #include "majorant/framework/error.h"
-#include "majorant/parametrization/drive/parametrize.h"
 
 namespace majorant::app {
 namespace {
@@ -18,24 +16,18 @@ struct ParametrizeRequest : MapVerb {
   SeamRequest seams;
 };
 
-// Tutte's map of the surface cut open to one piece.
-Start cut_start(const ParametrizeRequest& request, const PolygonMesh& polygons,
-                const SurfaceMesh& mesh, const StopCheck& stop, std::optional<SurfaceCuts>& cuts) {
-  CutOptions asked = request.seams.options(polygons);
-  const MapOptions map = read_options(request.map, polygons, mesh).map;
+// Cuts keep off vertices with pins and handles.
+void cut_open(const ParametrizeRequest& request, MapJob& job) {
+  CutOptions asked = request.seams.options(*job.polygons);
+  const MapOptions map = read_options(request.map, *job.polygons, *job.mesh).map;
   for (const auto* points : {&map.pins, &map.handles})
     for (const Pin& p : *points) asked.whole.push_back(p.vertex);
-  cuts = choose_cuts(mesh, asked, stop);
-  const auto open = std::make_shared<const SurfaceMesh>(mesh.cut_along(cuts->is_cut, nullptr));
-  if (const Index pieces = open->topology().components; pieces > 1)
-    throw Error(
-        ErrorKind::Unsupported,
-        fmt::format("{}: --seams {} leaves {} pieces, parametrize maps one; `majorant "
-                    "unwrap {} --seams {} -o OUT` maps them all",
-                    mesh.file(), request.seams.seams, pieces, mesh.file(), request.seams.seams));
-  MapOptions plain;
-  plain.start = StartMethod::Tutte;
-  return Start{BezierMap::linear(open, initial_map(*open, plain, stop))};
+  job.start_cut(asked, [&](Index pieces) {
+    return fmt::format(
+        "{}: --seams {} leaves {} pieces, parametrize maps one; `majorant "
+        "unwrap {} --seams {} -o OUT` maps them all",
+        job.mesh->file(), request.seams.seams, pieces, job.mesh->file(), request.seams.seams);
+  });
 }
 
 int run_job(ParametrizeRequest request) {
@@ -44,21 +36,13 @@ int run_job(ParametrizeRequest request) {
                 fmt::format("--seamless starts from the texture coordinates; leave out --init {}",
                             request.map.init));
   request.map.strictness = request.seams.needed_of_file();
-  MapRun run("parametrize", request, {request.seams.file()});
-  std::optional<SurfaceCuts> cuts;
-  const auto cut_open = [&](const PolygonMesh& polygons, const SurfaceMesh& mesh) {
-    return cut_start(request, polygons, mesh, run.record().start_stop(), cuts);
-  };
-  MapInput& in = request.seams.seams.empty() ? run.read() : run.read(cut_open);
-  in.cuts = std::move(cuts);
-  const auto solve = [&] {
-    if (!in.start) return parametrize(in.mesh, in.options, run.record());
-    ParametrizationResult result = parametrize(in.start->map, in.options, run.record());
-    if (in.cuts) result.start = StartMethod::Tutte;
-    return result;
-  };
-  return run.finish(unless_stopped("making the start of " + request.map.input, solve),
-                    in.cuts ? request.seams.to_json() : Json::object());
+  MapRun run(MapTask::Parametrize, request, {request.seams.file()});
+  if (request.seams.seams.empty()) {
+    run.read();
+    return run.finish();
+  }
+  run.read([&](MapJob& job) { cut_open(request, job); });
+  return run.finish(request.seams.to_json());
 }
 
 }  // namespace

@@ -19,33 +19,31 @@ void write_table(const FinishedRun& run, const MapFile& file, WrittenFiles& writ
   const std::string& path = run.outputs.distortion;
   if (path.empty()) return;
   written.write(path, [&] {
-    write_distortion(
-        path, file,
-        run.finished.result.measures.cut_short
-            ? measure_distortion(*run.finished.result.map, scale_of(run.finished)).faces
-            : run.finished.result.measures.distortion.faces);
+    write_distortion(path, file,
+                     run.job.result.measures.cut_short
+                         ? measure_distortion(*run.job.result.map, scale_of(run.job)).faces
+                         : run.job.result.measures.distortion.faces);
   });
 }
 
 void write_maps(const FinishedRun& run, const Json& report, WrittenFiles& written) {
-  const MapFile file = map_file(run.finished);
+  const MapFile file = map_file(run.job);
   FormatOptions formats = run.outputs.formats;
-  if (run.in.options.map.injectivity == MapInjectivity::Global)
+  if (run.job.options.map.injectivity == MapInjectivity::Global)
     formats.tessellation.overlap = Overlap::Excluded;
   std::optional<MapFile> scaffold;
-  if (run.finished.result.scaffold)
-    scaffold = to_map_file(run.finished.placement
-                               ? (*run.finished.placement)(*run.finished.result.scaffold)
-                               : *run.finished.result.scaffold);
+  if (run.job.result.scaffold)
+    scaffold = to_map_file(run.job.placement ? (*run.job.placement)(*run.job.result.scaffold)
+                                             : *run.job.result.scaffold);
   formats.svg.scaffold = scaffold;
   if (has_page(run.outputs.files)) formats.page = page_of(run, report);
   formats.page.scaffold = scaffold;
   for (const std::string& path : run.outputs.files) {
     if (extension(path) == ".json") continue;
     written.write(path, [&] {
-      if (extension(path) == ".csv") return write_trace(path, run.finished.record.trace());
-      write_map(path, file, run.finished.result.other_triangles ? nullptr : &run.in.polygons,
-                formats, proof_of_file(path, promise(run.finished, path), file, formats));
+      if (extension(path) == ".csv") return write_trace(path, run.job.record.trace());
+      write_map(path, file, run.job.result.other_triangles ? nullptr : run.job.polygons.get(),
+                formats, proof_of_file(path, promise(run.job, path), file, formats));
       if (!run.common.quiet) say_left_out(path, left_out(path, file, formats));
     });
   }
@@ -70,18 +68,18 @@ void write_reports(const FinishedRun& run, Json report, double write_seconds,
 }
 
 void summarize(const FinishedRun& run) {
-  const ParametrizationResult& r = run.finished.result;
-  if (!has_result(r))
+  const ParametrizationResult& r = run.job.result;
+  if (!run.job.has_result())
     return say("majorant: {}: no valid result: {}{}; no map is written\n", run.map.input,
                status_name(r.status), r.message.empty() ? "" : fmt::format(" ({})", r.message));
   if (run.common.quiet) return;
-  if (run.in.cuts) say_untextured(run.map.input, *run.in.cuts);
+  if (run.job.cuts) say_untextured(run.map.input, *run.job.cuts);
   const std::string seams = seam_summary(measures_section(*r.map, r.measures, run.map.energy));
   say("{}: {} after {} iterations, {} {:.6f} (start {:.6g}){}, degree {}{}, {}, {:.2f} s\n",
-      run.map.input, status_name(r.status), steps_taken(run.finished.record.trace()),
-      run.map.energy, r.measures.value, r.initial_value,
+      run.map.input, status_name(r.status), steps_taken(run.job.record.trace()), run.map.energy,
+      r.measures.value, r.initial_value,
       run.map.weights.empty() ? "" : ", both without the face weights", run.map.degree, seams,
-      overlap_words(run.finished.boundary, image_of(*r.map)), seconds_since(run.start));
+      overlap_words(run.job.boundary, image_of(*r.map)), seconds_since(run.start));
 }
 
 }  // namespace
@@ -129,15 +127,15 @@ bool OutputRequest::has_report(const CommonOptions& common) const {
 int write_result(const FinishedRun& run) {
   Json report;
   if (run.outputs.has_report(run.common) || has_page(run.outputs.files))
-    report = map_report(run.finished);
+    report = map_report(run.job);
   const double before = seconds_since(run.start);
   WrittenFiles written;
-  run.finished.record.begin(Activity::Writing);
-  if (has_result(run.finished.result)) write_maps(run, report, written);
+  run.job.record.begin(Activity::Writing);
+  if (run.job.has_result()) write_maps(run, report, written);
   write_reports(run, std::move(report), seconds_since(run.start) - before, written);
   run.progress.finish();
   summarize(run);
-  return written.conclude(exit_code(run.finished.result.status));
+  return written.conclude(exit_code(run.job.result.status));
 }
 
 }  // namespace majorant::app

@@ -18,7 +18,7 @@
 #include "apps/map_request.h"
 #include "apps/outputs.h"
 #include "apps/progress.h"
-#include "majorant/results/internal/finished_map.h"
+#include "majorant/results/internal/map_job.h"
 
 namespace majorant::app {
 
@@ -49,8 +49,7 @@ struct FinishedRun {
   const CommonOptions& common;
   const OutputRequest& outputs;
   const MapRequest& map;
-  const MapInput& in;
-  const FinishedMap& finished;
+  const MapJob& job;
   std::chrono::steady_clock::time_point start;  // of the run
   std::string scaffold_file;                    // or empty
   Progress& progress;

@@ -1,15 +1,13 @@
 // majorant seamless IN -o OUT...: from a plain mesh to a seamless map with cones.
 #include <CLI/App.hpp>
 #include <memory>
+#include <utility>
 
 #include "apps/arguments/number_check.h"
 #include "apps/arguments/suggestion.h"
 #include "apps/energy_option.h"
 #include "apps/map_run.h"
 #include "majorant/io/read_vertex_lists.h"
-#include "majorant/parametrization/drive/parametrize.h"
-#include "majorant/parametrization/starts/make_seamless.h"
-#include "majorant/results/internal/input_points.h"
 
 namespace majorant::app {
 namespace {
@@ -19,35 +17,18 @@ struct SeamlessRequest : MapVerb {
   double curvature_alignment = 0;
 };
 
-SeamlessMethod find_method(const std::string& wanted) {
-  for (const SeamlessMethod m :
-       {SeamlessMethod::Field, SeamlessMethod::ScaledField, SeamlessMethod::Conformal})
-    if (method_name(m) == wanted) return m;
-  return SeamlessMethod::Automatic;
-}
-
-// Cones of the file, by vertex of the mesh.
-std::vector<Cone> read_cones_of(const std::string& path, const PolygonMesh& polygons,
-                                const SurfaceMesh& mesh) {
-  std::vector<Cone> cones = read_cones(path, static_cast<Index>(polygons.positions.size()));
-  for (Cone& cone : cones) cone.vertex = used_vertex(path, mesh, cone.vertex);
-  return cones;
-}
-
 int run_job(SeamlessRequest request) {
-  MapRun run("seamless", request, {request.cones});
-  const auto make_start = [&](const PolygonMesh& polygons, const SurfaceMesh& mesh) {
+  MapRun run(MapTask::Seamless, request, {request.cones});
+  run.read([&](MapJob& job) {
     SeamlessOptions options;
-    options.method = find_method(request.start);
+    options.method = method_called(request.start);
     options.field.curvature_weight = request.curvature_alignment;
-    if (!request.cones.empty()) options.cones = read_cones_of(request.cones, polygons, mesh);
-    const Start start = make_seamless(mesh, options, run.record());
-    request.map.init = method_name(start.method);
-    return start;
-  };
-  const MapInput& in = run.read(make_start);
-  return run.finish(parametrize(in.start->map, in.options, run.record()),
-                    {{"cones", request.cones},
+    if (!request.cones.empty())
+      options.cones = read_cones(request.cones, static_cast<Index>(job.polygons->positions.size()));
+    job.start_seamless(std::move(options), request.cones);
+    request.map.init = job.init;
+  });
+  return run.finish({{"cones", request.cones},
                      {"start", request.start},
                      {"curvature_alignment", request.curvature_alignment}});
 }

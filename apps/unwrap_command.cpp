@@ -1,6 +1,7 @@
 // majorant unwrap IN -o OUT...: any mesh to a layout of charts without overlaps.
 #include <CLI/App.hpp>
 #include <memory>
+#include <utility>
 
 #include "apps/atlas_result.h"
 #include "apps/energy_option.h"
@@ -66,47 +67,34 @@ int unwrap_file(UnwrapVerb request) {
   RunRecord record = request.solve.make_record(progress);
   require_usable(request);
   const ThreadCount threads(start_threads(request.common.threads));
-  PolygonMesh polygons;
-  RepairedSurface surface;
-  UnwrapOptions options;
+  AtlasJob job(record);
+  job.energy = request.map.energy;
   record.begin(Activity::Reading);
   unless_stopped("reading " + request.map.input, [&] {
     const Strictness strictness = request.common.strictness(request.unwrap.seams.needed_of_file());
-    polygons = within_memory(request.map.input, [&] {
+    PolygonMesh polygons = within_memory(request.map.input, [&] {
       return read_mesh(request.map.input, record.start_stop(), strictness);
     });
     say_warnings(polygons.warnings);
-    surface = request.unwrap.repaired(polygons, strictness, record.start_stop());
-    polygons = with_welded_vertices(std::move(polygons), surface);
-    options = request.unwrap.options(polygons, surface);
-    options.chart = read_options(request.map, polygons, *surface.mesh);
+    request.unwrap.open(job, std::move(polygons), strictness);
+    job.options.chart = read_options(request.map, *job.polygons, *job.surface.mesh);
   });
-  request.solve.apply(options.chart);
+  request.solve.apply(job.options.chart);
   LinearSolvers solvers(request.solve.linear_solver, "", request.common.quiet,
                         LinearSolvers::Runs::Several);
-  solvers.apply(options.chart.solve);
-  const double read_seconds = record.seconds();
-  Atlas atlas = unless_stopped("unwrapping " + request.map.input,
-                               [&] { return unwrap(surface.mesh, options, record); });
-  std::optional<LayoutMotion> square;
-  if (request.outputs.normalize) square = into_unit_square(atlas);
-  if (request.outputs.normalize && !square)
+  solvers.apply(job.options.chart.solve);
+  job.read_seconds = record.seconds();
+  unless_stopped("unwrapping " + request.map.input, [&] { job.solve(); });
+  if (request.outputs.normalize && !job.place())
     throw Error(ErrorKind::Invalid,
                 request.map.input +
                     ": in the unit square its smallest triangles are too small for doubles; leave "
                     "out --normalize");
-  FinishedAtlas finished{polygons, surface, atlas, record};
-  if (square) finished.square = &*square;
-  finished.degree = request.map.degree;
-  finished.energy = request.map.energy;
-  finished.options = options_of(request);
-  finished.read_seconds = read_seconds;
-  finished.linear_solver = solvers.section();
-  finished.memory = solvers.memory();
-  record.begin(Activity::Proving);
-  finished.boundary = prove_boundary(atlas);
-  return write_atlas({request.common, request.outputs, request.map, finished,
-                      options.chart.map.handles, start, progress});
+  job.wishes = options_of(request);
+  job.linear_solver = solvers.section();
+  job.memory = solvers.memory();
+  job.prove();
+  return write_atlas({request.common, request.outputs, request.map, job, start, progress});
 }
 
 }  // namespace

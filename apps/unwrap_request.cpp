@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "apps/arguments/number_check.h"
 #include "majorant/framework/error.h"
 
@@ -24,30 +26,19 @@ void UnwrapRequest::add_to(CLI::App& verb) {
       ->check(non_negative_number());
 }
 
-RepairedSurface UnwrapRequest::repaired(const PolygonMesh& polygons, Strictness strictness,
-                                        const StopCheck& stop) const {
-  RepairOptions options;
-  options.weld = weld;
-  RepairedSurface surface = repair(polygons, options, stop);
-  if (strictness != Strictness::Everything) return surface;
-  for (const Repair& r : surface.repairs)
-    if (r.kind != RepairKind::MovedToOrigin)
-      throw Error(ErrorKind::Unsupported,
-                  fmt::format("{}: {}; leave out --strict to have it repaired so", polygons.file,
-                              describe(r)));
-  return surface;
-}
-
-UnwrapOptions UnwrapRequest::options(const PolygonMesh& polygons,
-                                     const RepairedSurface& surface) const {
-  UnwrapOptions options;
-  options.cuts = seams.options(polygons);
-  options.cuts.given = surface.given_cuts;
-  if (no_pack)
-    options.packing.reset();
-  else
-    options.packing = PackOptions{.padding_pixels = padding, .resolution = resolution};
-  return options;
+void UnwrapRequest::open(AtlasJob& job, PolygonMesh polygons, Strictness strictness) const {
+  RepairOptions how;
+  how.weld = weld;
+  job.open(std::move(polygons), how);
+  const Repair* const first = job.first_repair();
+  if (first && strictness == Strictness::Everything)
+    throw Error(ErrorKind::Unsupported,
+                fmt::format("{}: {}; leave out --strict to have it repaired so", job.polygons->file,
+                            describe(*first)));
+  job.options.cuts = seams.options(*job.polygons);
+  job.options.packing.reset();
+  if (!no_pack)
+    job.options.packing = PackOptions{.padding_pixels = padding, .resolution = resolution};
 }
 
 Json UnwrapRequest::to_json() const {

@@ -2,8 +2,8 @@
 //
 //   UnwrapRequest request;
 //   request.add_to(verb);
-//   const RepairedSurface surface = request.repaired(polygons, common.strictness(), stop);
-//   UnwrapOptions options = request.options(polygons, surface);
+//   AtlasJob job(record);
+//   request.open(job, read_mesh(path), common.strictness());
 #pragma once
 
 #include <CLI/App.hpp>
@@ -11,8 +11,7 @@
 #include <string>
 
 #include "apps/seam_request.h"
-#include "majorant/mesh/repair.h"
-#include "majorant/parametrization/atlas/unwrap.h"
+#include "majorant/results/internal/atlas_job.h"
 
 namespace majorant::app {
 
@@ -23,12 +22,9 @@ struct UnwrapRequest {
   bool no_pack = false;
 
   void add_to(CLI::App& verb);
-  // The surface of the file. Throws Error(Unsupported) for what would be repaired, where everything
-  // must be whole.
-  RepairedSurface repaired(const PolygonMesh& polygons, Strictness strictness,
-                           const StopCheck& stop) const;
-  // Of cuts and packing; `chart` is left as it is. Throws as SeamRequest::options.
-  UnwrapOptions options(const PolygonMesh& polygons, const RepairedSurface& surface) const;
+  // Opens the job with the file, and says where to cut and how to pack. Throws Error(Unsupported)
+  // for what would be repaired, where everything must be whole, and as SeamRequest::options.
+  void open(AtlasJob& job, PolygonMesh polygons, Strictness strictness) const;
   Json to_json() const;  // for reports and claims
 };
 

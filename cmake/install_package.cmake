@@ -5,6 +5,7 @@
 include(CMakePackageConfigHelpers)
 install(TARGETS majorant EXPORT libmajorantTargets COMPONENT development)
 install(FILES majorant.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/majorant COMPONENT development)
+install(DIRECTORY adapters DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/majorant COMPONENT development)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/majorant)
 foreach(library libmajorant_framework libmajorant)

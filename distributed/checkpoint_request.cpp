@@ -67,9 +67,9 @@ Json CheckpointRequest::to_json() const {
   return {{"checkpoint", file}, {"every", every}, {"resume", resume}};
 }
 
-Json identity(const MapRequest& request, const MapInput& in) {
-  const MapOptions& map = in.options.map;
-  return {{kSurface, fingerprint(*in.mesh)},
+Json identity(const MapRequest& request, const MapJob& job) {
+  const MapOptions& map = job.options.map;
+  return {{kSurface, fingerprint(*job.mesh)},
           {"degree", request.degree},
           {"energy", request.energy},
           {"boundary", request.boundary},
@@ -93,11 +93,10 @@ std::vector<Pin> points_from(const Json& json) {
   return points;
 }
 
-CheckpointFile read_fitting(const std::string& path, const MapRequest& request,
-                            const MapInput& in) {
+CheckpointFile read_fitting(const std::string& path, const MapRequest& request, const MapJob& job) {
   CheckpointFile file = read_checkpoint_file(path);
   const HeaderReader header(path, file.header), told = header["identity"];
-  const Json all = identity(request, in);
+  const Json all = identity(request, job);
   for (const auto& [key, asked] : all.items())
     if (told.at(key.c_str()) != asked)
       throw Error(ErrorKind::Unreadable,
@@ -105,16 +104,16 @@ CheckpointFile read_fitting(const std::string& path, const MapRequest& request,
                               difference(key, told.at(key.c_str()), asked)));
   // What a file of this surface and these wishes must say, too.
   constexpr auto kMany = std::numeric_limits<std::int64_t>::max();
-  header.integer("vertices", in.mesh->vertex_count(), in.mesh->vertex_count());
-  header.integer("faces", in.mesh->face_count(), in.mesh->face_count());
+  header.integer("vertices", job.mesh->vertex_count(), job.mesh->vertex_count());
+  header.integer("faces", job.mesh->face_count(), job.mesh->face_count());
   header.integer("degree", 1, request.degree);
   header.integer("iterations", 0, kMany);
   header.integer("ranks", 1, kMany);
   header.finite("seconds");
   header.text("start");
-  require_points(header["pins"], in.options.map.pins);
-  require_points(header["handles"], in.options.map.handles);
-  require_state(path, file, in.options.solve.quadrature_points);
+  require_points(header["pins"], job.options.map.pins);
+  require_points(header["handles"], job.options.map.handles);
+  require_state(path, file, job.options.solve.quadrature_points);
   return file;
 }
 

@@ -98,9 +98,8 @@ SolverFactory solver_of(const std::string& said, const Ranks& ranks,
   return petsc_solver({static_cast<Rung>(name - kRungNames.begin()), 0}, record);
 }
 
-// The whole surface and what is asked of it: rank 0's.
+// What rank 0 knows beside the job.
 struct Input {
-  MapInput map;
   std::vector<int> rank_of_face;
   BoundaryOrder boundary;
   Json identity;              // of a checkpoint
@@ -110,14 +109,16 @@ struct Input {
 // SIGUSR1, which mpirun hands on, stops a run like the signals that end it.
 extern "C" void stop_on_user_signal(int) { raise(SIGTERM); }
 
-class Job {
+// A MapJob whose surface rank 0 opens and all ranks solve for.
+class SharedJob {
  public:
-  Job(const Request& request, const Processes& processes)
+  SharedJob(const Request& request, const Processes& processes)
       : request_(request),
         ranks_(processes.ranks()),
         is_first_(ranks_->rank() == 0),
         progress_(quiet_elsewhere(request.common, is_first_)),
         record_(request.solve.make_record(progress_)),
+        job_(MapTask::Parametrize, record_),
         ladder_(std::make_shared<LadderRecord>()) {
     interruption_flag();
     signal(SIGUSR1, stop_on_user_signal);
@@ -135,8 +136,8 @@ class Job {
     std::optional<PartState> from;
     if (resumes()) from = state_of(*part_, in_.checkpoint);
     make_writer(uv);
-    in_.map.mesh.reset();  // rank 0 has held the whole surface until here
-    in_.map.polygons = {};
+    job_.mesh.reset();  // rank 0 has held the whole surface until here
+    job_.polygons.reset();
     if (resumes() && is_first_) resumed_ = resumed_section(request_.checkpoint, in_.checkpoint);
     in_.checkpoint = {};
     initialize_seconds_ = record_.seconds() - started;
@@ -160,20 +161,20 @@ class Job {
     record_.begin(Activity::Reading);
     MapRequest map = request_.map;
     map.strictness = request_.common.strictness();
-    in_.map = read_input(map, record_.start_stop());
-    in_.identity = identity(request_.map, in_.map);
-    if (resumes()) in_.checkpoint = read_fitting(request_.checkpoint.resume, request_.map, in_.map);
-    read_seconds_ = record_.seconds();
+    read_input(map, job_);
+    in_.identity = identity(request_.map, job_);
+    if (resumes()) in_.checkpoint = read_fitting(request_.checkpoint.resume, request_.map, job_);
+    job_.read_seconds = record_.seconds();
   }
 
   void divide() {
     const double started = record_.seconds();
     if (is_first_) {
-      in_.rank_of_face = face_ranks(*in_.map.mesh, ranks_->count());
-      in_.boundary = BoundaryOrder(*in_.map.mesh, in_.rank_of_face);
+      in_.rank_of_face = face_ranks(*job_.mesh, ranks_->count());
+      in_.boundary = BoundaryOrder(*job_.mesh, in_.rank_of_face);
     }
     part_ =
-        std::make_shared<const MeshPart>(distributed(in_.map.mesh.get(), in_.rank_of_face, ranks_));
+        std::make_shared<const MeshPart>(distributed(job_.mesh.get(), in_.rank_of_face, ranks_));
     in_.rank_of_face = {};
     divide_seconds_ = record_.seconds() - started;
   }
@@ -184,7 +185,7 @@ class Job {
     plain.pins = plain.handles = plain.weights = "";
     ParametrizationOptions options = read_options(plain, {}, *part_->mesh);
     request_.solve.apply(options);
-    const MapOptions& whole = in_.map.options.map;
+    const MapOptions& whole = job_.options.map;
     options.map.pins = points_of(*part_, whole.pins, Copies::All);
     options.map.handles = points_of(*part_, whole.handles, Copies::Owner);
     options.map.face_weight = of_faces(*part_, whole.face_weight, 1);
@@ -198,8 +199,8 @@ class Job {
     Json about{{"program", version_line()},
                {"start", start_},
                {"identity", in_.identity},
-               {"pins", points_json(in_.map.options.map.pins)},
-               {"handles", points_json(in_.map.options.map.handles)}};
+               {"pins", points_json(job_.options.map.pins)},
+               {"handles", points_json(job_.options.map.handles)}};
     if (resumes() && is_first_)
       for (const char* key : {"iterations", "seconds"}) about[key] = in_.checkpoint.header.at(key);
     writer_.emplace(request_.checkpoint.file, part_, uv, std::move(about));
@@ -221,14 +222,14 @@ class Job {
     if (resumes()) {
       if (is_first_) {
         start_ = in_.checkpoint.header.at("start");
-        in_.map.options.map.pins = points_from(in_.checkpoint.header.at("pins"));
-        in_.map.options.map.handles = points_from(in_.checkpoint.header.at("handles"));
+        job_.options.map.pins = points_from(in_.checkpoint.header.at("pins"));
+        job_.options.map.handles = points_from(in_.checkpoint.header.at("handles"));
       }
       return of_vertices(*part_, in_.checkpoint.start, 2);
     }
     Vec uv = unled_start(solver);
-    request_.solve.apply(in_.map.options);
-    if (led_to_pins(*part_, in_.map.mesh, uv, in_.map.options, record_) && is_first_ &&
+    request_.solve.apply(job_.options);
+    if (led_to_pins(*part_, job_.mesh, uv, job_.options, record_) && is_first_ &&
         !request_.common.quiet)
       say("majorant-mpi: pins are away from the start, rank 0 leads it there alone\n");
     return uv;
@@ -237,20 +238,13 @@ class Job {
   Vec unled_start(const SolverFactory& solver) {
     if (request_.map.init == "input") {
       start_ = "input";
-      return of_vertices(*part_, in_.map.options.map.initial.value_or(Vec()), 2);
+      return of_vertices(*part_, job_.options.map.initial.value_or(Vec()), 2);
     }
-    TutteOfParts tutte = tutte_of_parts(*part_, is_first_ ? in_.map.mesh.get() : nullptr, solver);
+    TutteOfParts tutte = tutte_of_parts(*part_, is_first_ ? job_.mesh.get() : nullptr, solver);
     start_ = "tutte";
     if (tutte.on_one_rank && is_first_ && !request_.common.quiet)
       say("majorant-mpi: Tutte's map leaves faces no room, rank 0 makes the start alone\n");
     return std::move(tutte.uv);
-  }
-
-  Json options_section() const {
-    Json options = request_.map.to_json();
-    options.update(request_.solve.to_json());
-    options.update(request_.checkpoint.to_json());
-    return options;
   }
 
   OwnSolver own_solver() const {
@@ -258,16 +252,17 @@ class Job {
   }
 
   int conclude(const PartResult& result, const GlobalInjectivity& proof) {
-    PartsRun run{*part_,
+    job_.energy = request_.map.energy;
+    job_.wishes = request_.map.to_json();
+    job_.wishes.update(request_.solve.to_json());
+    job_.wishes.update(request_.checkpoint.to_json());
+    job_.linear_solver = linear_solver_section(request_.linear_solver, own_solver(), *ladder_);
+    PartsRun run{job_,
+                 *part_,
                  result,
                  proof,
-                 linear_solver_section(request_.linear_solver, own_solver(), *ladder_),
-                 record_,
-                 request_.map.energy,
                  start_,
                  request_.map.input,
-                 options_section(),
-                 read_seconds_,
                  divide_seconds_,
                  initialize_seconds_,
                  0,
@@ -298,13 +293,14 @@ class Job {
   bool is_first_;
   Progress progress_;
   RunRecord record_;
+  MapJob job_;
   std::shared_ptr<LadderRecord> ladder_;
   Input in_;
   std::shared_ptr<const MeshPart> part_;
   std::string start_;
   std::optional<CheckpointWriter> writer_;  // none: nothing is kept
   Json resumed_;                            // for the report
-  double read_seconds_ = 0, divide_seconds_ = 0, initialize_seconds_ = 0;
+  double divide_seconds_ = 0, initialize_seconds_ = 0;
 };
 
 void add_to(CLI::App& app, Request& request) {
@@ -377,7 +373,7 @@ int run(int argc, char** argv) {
   };
   try {
     const ThreadCount threads(start_threads(request.common.threads));
-    const int code = Job(request, *processes).run();
+    const int code = SharedJob(request, *processes).run();
     if (const auto unused = processes->unused_options();
         rank == 0 && !request.common.quiet && !unused.empty())
       say("majorant-mpi: warning: --petsc-options: nothing has asked for {}\n",

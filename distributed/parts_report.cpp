@@ -19,7 +19,8 @@ Json boundary_section(const GlobalInjectivity& proof) {
 Json result_section(const PartsRun& run, GlobalIndex control_points) {
   const PartResult& r = run.result;
   const PartMeasures& m = r.measures;
-  Json section = measures_section({r.map->degree(), control_points}, m, m.least_det, run.energy);
+  Json section =
+      measures_section({r.map->degree(), control_points}, m, m.least_det, run.job.energy);
   section.update(overlap_section(run.boundary, ImageOf::Surface, m));
   section.update({{"boundary", boundary_section(run.boundary)},
                   {"start", run.start},
@@ -56,7 +57,7 @@ Json parts_report(const PartsRun& run) {
   const PartResult& r = run.result;
   return {{"schema_version", 1},
           {"version", MAJORANT_VERSION},
-          {"command", "parametrize"},
+          {"command", task_name(run.job.task)},
           {"status", status_name(r.status)},
           {"message", r.message},
           {"input",
@@ -64,37 +65,37 @@ Json parts_report(const PartsRun& run) {
             {"vertices", part.whole.vertices},
             {"edges", part.whole.edges},
             {"faces", part.whole.faces}}},
-          {"options", run.options},
+          {"options", run.job.wishes},
           {"result", result_section(run, nodes->global_size() / 2)},
-          {"iterations", iterations_section(run.record.trace())},
+          {"iterations", iterations_section(run.job.record.trace())},
           {"injectivity_tests", {{"depth", r.injectivity_tests}}},
           {"remedies", remedies_section(r.remedies)},
-          {"linear_solver", run.linear_solver},
+          {"linear_solver", run.job.linear_solver},
           {"ranks", ranks},
           {"checkpoint", run.checkpoint},
           {"resumed", run.resumed},
           {"seconds",
-           {{"read", run.read_seconds},
+           {{"read", run.job.read_seconds},
             {"divide", run.divide_seconds},
             {"initialize", run.initialize_seconds},
             {"optimize", r.optimize_seconds},
             {"measure", r.measure_seconds},
             {"write", run.write_seconds},
-            {"total", run.record.seconds()}}},
+            {"total", run.job.record.seconds()}}},
           {"vector_instructions", vector_instructions()}};
 }
 
 std::string parts_claims(const PartsRun& run) {
   return json_text(without_folders({{"version", MAJORANT_VERSION},
                                     {"degree", run.result.map->degree()},
-                                    {"energy", run.energy},
+                                    {"energy", run.job.energy},
                                     {"value", run.result.measures.value},
-                                    {"boundary", run.options["boundary"]},
+                                    {"boundary", run.job.wishes["boundary"]},
                                     {"init", run.start},
                                     {"seams", false},
                                     {"bijective", false},
                                     {"cuts", Json::array()},
-                                    {"options", run.options}}));
+                                    {"options", run.job.wishes}}));
 }
 
 }  // namespace majorant

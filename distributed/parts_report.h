@@ -7,20 +7,18 @@
 #include "distributed/parametrize_parts.h"
 #include "distributed/petsc_solver.h"
 #include "majorant/certify/global_injectivity.h"
-#include "majorant/results/internal/report.h"
+#include "majorant/results/internal/map_job.h"
 
 namespace majorant {
 
 // What rank 0 knows of the run, all others of it through collective calls.
 struct PartsRun {
+  const MapJob& job;
   const MeshPart& part;
   const PartResult& result;
   const GlobalInjectivity& boundary;  // rank 0's
-  Json linear_solver;                 // the section
-  const RunRecord& record;
-  std::string energy, start, file;
-  Json options = Json::object();
-  double read_seconds = 0, divide_seconds = 0, initialize_seconds = 0, write_seconds = 0;
+  std::string start, file;
+  double divide_seconds = 0, initialize_seconds = 0, write_seconds = 0;
   Json checkpoint, resumed;  // null: there were none
 };
 

@@ -108,10 +108,11 @@ std::string processor() {
 
 // Under Ctrl-C alone: the time limit is that of the methods.
 Contest make_contest(const Request& request) {
-  const RunRecord limits(std::numeric_limits<double>::infinity(), request.max_iterations,
-                         interruption_flag());
+  RunRecord limits(std::numeric_limits<double>::infinity(), request.max_iterations,
+                   interruption_flag());
   set_output_stop(limits.stop());
-  const MapInput in = read_input(request.map, limits.start_stop());
+  MapJob in(MapTask::Parametrize, limits);
+  read_input(request.map, in);
   const Vec initial = unless_stopped("making the start of " + request.map.input, [&] {
     return initial_map(*in.mesh, in.options.map, limits.start_stop());
   });

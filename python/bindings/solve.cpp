@@ -6,11 +6,8 @@
 
 #include "arrays.h"
 #include "majorant/framework/error.h"
-#include "majorant/parametrization/drive/deform.h"
-#include "majorant/parametrization/starts/make_seamless.h"
 #include "majorant/parametrization/starts/texture_seams.h"
-#include "majorant/results/internal/finished_map.h"
-#include "majorant/results/internal/input_points.h"
+#include "majorant/results/internal/map_job.h"
 #include "majorant/results/internal/solver_ladder.h"
 #include "map_file.h"
 #include "mesh.h"
@@ -21,122 +18,92 @@
 namespace majorant::python {
 namespace {
 
-struct Job {
-  Job(std::string verb_, SharedPolygons polygons_, py::dict wishes_, const py::object& callback)
-      : verb(std::move(verb_)),
-        polygons(std::move(polygons_)),
+// A MapJob as Python runs it.
+struct PythonJob {
+  PythonJob(MapTask task, SharedPolygons polygons_, py::dict wishes_, const py::object& callback)
+      : polygons(std::move(polygons_)),
         wishes(std::move(wishes_)),
-        run(wish<double>(wishes, "time_limit"), wish<int>(wishes, "max_iterations"), callback) {}
+        run(wish<double>(wishes, "time_limit"), wish<int>(wishes, "max_iterations"), callback),
+        job(task, run.record()) {
+    job.energy = wish<std::string>(wishes, "energy_text");
+    job.init = wish<std::string>(wishes, "init");
+    job.wishes = Json::parse(wish<std::string>(wishes, "as_json"));
+    job.linear_solver = linear_solver_section("direct", OwnSolver::Used, {});
+  }
 
-  std::string verb;
   SharedPolygons polygons;
   py::dict wishes;
   Run run;
-  std::shared_ptr<const SurfaceMesh> mesh;
-  std::optional<Start> start;
-  ParametrizationOptions options;
-  double read_seconds = 0;
+  MapJob job;
 };
 
 // Throws Error where there is no map.
-void require_result(const ParametrizationResult& result) {
-  if (has_result(result)) return;
+void require_result(const MapJob& job) {
+  if (job.has_result()) return;
+  const ParametrizationResult& result = job.result;
   const bool is_infeasible = result.status == Status::Infeasible;
   throw Error(is_infeasible ? ErrorKind::Infeasible : ErrorKind::Invalid,
               "no valid map: " + std::string(status_name(result.status)) +
                   (result.message.empty() ? "" : ", " + result.message));
 }
 
-py::tuple finish(Job& job, const ParametrizationResult& result) {
-  require_result(result);
-  FinishedMap finished{job.verb,
-                       *job.polygons,
-                       *job.mesh,
-                       job.options.map,
-                       result,
-                       job.run.record(),
-                       wish<std::string>(job.wishes, "energy_text"),
-                       wish<std::string>(job.wishes, "init")};
-  finished.options = Json::parse(wish<std::string>(job.wishes, "as_json"));
-  finished.read_seconds = job.read_seconds;
-  finished.linear_solver = linear_solver_section("direct", OwnSolver::Used, {});
-  if (job.start) {
-    finished.start = &*job.start;
-    finished.init = job.verb == "seamless" ? method_name(job.start->method)
-                    : job.verb == "deform" ? std::string_view("planar")
-                                           : start_name(StartMethod::Given);
-  }
+// make_start: calls one of the job's own, or none.
+template <class MakeStart>
+py::tuple solved(PythonJob& asked, const MakeStart& make_start) {
+  MapJob& job = asked.job;
+  const SurfaceMesh& mapped = *asked.run([&] {
+    job.open(asked.polygons);
+    job.read_seconds = job.record.seconds();
+    make_start();
+    return &job.mapped_mesh();
+  });
+  job.options = read_options(asked.wishes, mapped);
+  const bool has_initial = job.init == "input" && !job.start;
+  asked.run([&] {
+    if (has_initial) job.options.map.initial = texture_map(*job.mesh);
+    job.solve();
+    return true;
+  });
+  require_result(job);
   struct Files {
     SharedMap file;
     std::string report;
   };
-  const Files files = job.run([&] {
-    finished.boundary = prove_boundary(result, job.run.record());
-    return Files{std::make_shared<MapFile>(map_file(finished)), json_text(map_report(finished))};
+  const Files files = asked.run([&] {
+    job.prove();
+    return Files{std::make_shared<MapFile>(map_file(job)), json_text(map_report(job))};
   });
-  return py::make_tuple(files.file, job.polygons, promise_from(promise(finished, "map.vtu")),
+  const ParametrizationResult& result = job.result;
+  return py::make_tuple(files.file, asked.polygons, promise_from(promise(job, "map.vtu")),
                         !result.other_triangles, status_name(result.status), result.message,
                         files.report);
 }
 
-// start: gives the map to start from, or nothing.
-template <class MakeStart, class Solve>
-py::tuple solved(Job& job, const MakeStart& make_start, const Solve& solve) {
-  job.run([&] {
-    const StopCheck& stop = job.run.record().start_stop();
-    job.mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(*job.polygons, stop));
-    job.read_seconds = job.run.record().seconds();
-    make_start();
-    if (!job.start) job.mesh->require_planar();
-    return true;
-  });
-  job.options = read_options(job.wishes, job.start ? job.start->map.mesh() : *job.mesh);
-  const ParametrizationResult result = job.run(solve);
-  return finish(job, result);
-}
-
 py::tuple parametrize_mesh(SharedPolygons polygons, py::dict wishes, const py::object& callback) {
-  Job job("parametrize", std::move(polygons), std::move(wishes), callback);
-  const bool is_seamless = wish<bool>(job.wishes, "seamless");
-  const bool has_initial = wish<std::string>(job.wishes, "init") == "input" && !is_seamless;
-  const auto make_start = [&] {
-    if (is_seamless) job.start = seamless_from_texture(*job.mesh);
-  };
-  return solved(job, make_start, [&] {
-    if (has_initial) job.options.map.initial = texture_map(*job.mesh);
-    return job.start ? parametrize(job.start->map, job.options, job.run.record())
-                     : parametrize(job.mesh, job.options, job.run.record());
+  PythonJob asked(MapTask::Parametrize, std::move(polygons), std::move(wishes), callback);
+  const bool is_seamless = wish<bool>(asked.wishes, "seamless");
+  return solved(asked, [&] {
+    if (is_seamless) asked.job.start_from_texture();
   });
 }
 
 py::tuple seamless_mesh(SharedPolygons polygons, py::dict wishes, const py::object& callback) {
-  Job job("seamless", std::move(polygons), std::move(wishes), callback);
+  PythonJob asked(MapTask::Seamless, std::move(polygons), std::move(wishes), callback);
   SeamlessOptions options;
-  options.method = SeamlessMethod::Automatic;
-  for (const SeamlessMethod m :
-       {SeamlessMethod::Field, SeamlessMethod::ScaledField, SeamlessMethod::Conformal})
-    if (method_name(m) == wish<std::string>(job.wishes, "start")) options.method = m;
-  options.field.curvature_weight = wish<double>(job.wishes, "curvature_alignment");
-  options.threads = wish<int>(job.wishes, "threads");
+  options.method = method_called(wish<std::string>(asked.wishes, "start"));
+  options.field.curvature_weight = wish<double>(asked.wishes, "curvature_alignment");
+  options.threads = wish<int>(asked.wishes, "threads");
   using Cones = std::optional<std::vector<std::pair<Index, int>>>;
-  const auto cones = wish<Cones>(job.wishes, "cones");
-  const auto make_start = [&] {
-    if (cones) {
-      options.cones.emplace();
-      for (const auto& [vertex, turns] : *cones)
-        options.cones->push_back({used_vertex("cones", *job.mesh, vertex), turns});
-    }
-    job.start = make_seamless(*job.mesh, options, job.run.record());
-  };
-  return solved(job, make_start,
-                [&] { return parametrize(job.start->map, job.options, job.run.record()); });
+  if (const auto cones = wish<Cones>(asked.wishes, "cones")) {
+    options.cones.emplace();
+    for (const auto& [vertex, turns] : *cones) options.cones->push_back({vertex, turns});
+  }
+  return solved(asked, [&] { asked.job.start_seamless(options, "cones"); });
 }
 
 py::tuple deform_mesh(SharedPolygons polygons, py::dict wishes, const py::object& callback) {
-  Job job("deform", std::move(polygons), std::move(wishes), callback);
-  const auto make_start = [&] { job.start = Start{planar_map(job.mesh)}; };
-  return solved(job, make_start,
-                [&] { return deform(job.start->map, job.options, job.run.record()); });
+  PythonJob asked(MapTask::Deform, std::move(polygons), std::move(wishes), callback);
+  return solved(asked, [&] { asked.job.start_in_plane(); });
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "majorant/framework/error.h"
-#include "majorant/results/internal/finished_atlas.h"
+#include "majorant/results/internal/atlas_job.h"
 #include "majorant/results/internal/solver_ladder.h"
 #include "map_file.h"
 #include "options.h"
@@ -15,17 +15,6 @@
 
 namespace majorant::python {
 namespace {
-
-RepairedSurface repaired(const PolygonMesh& polygons, const std::optional<double>& weld,
-                         bool is_strict, const StopCheck& stop) {
-  RepairOptions options;
-  options.weld = weld;
-  RepairedSurface surface = repair(polygons, options, stop);
-  for (const Repair& r : surface.repairs)
-    if (is_strict && r.kind != RepairKind::MovedToOrigin)
-      throw Error(ErrorKind::Unsupported, describe(r) + "; strict=False repairs it so");
-  return surface;
-}
 
 CutOptions cut_options(const py::dict& wishes) {
   CutOptions cuts;
@@ -54,46 +43,44 @@ std::string message_of(const Atlas& atlas) {
 py::tuple unwrap_mesh(const SharedPolygons& given, const py::dict& wishes,
                       const py::object& callback) {
   Run run(wish<double>(wishes, "time_limit"), wish<int>(wishes, "max_iterations"), callback);
-  RunRecord& record = run.record();
-  const auto weld = wish<std::optional<double>>(wishes, "weld");
+  AtlasJob job(run.record());
+  RepairOptions how;
+  how.weld = wish<std::optional<double>>(wishes, "weld");
   const bool is_strict = wish<bool>(wishes, "strict"), normalizes = wish<bool>(wishes, "normalize");
-  const RepairedSurface surface =
-      run([&] { return repaired(*given, weld, is_strict, record.start_stop()); });
-  auto polygons = std::make_shared<PolygonMesh>(with_welded_vertices(*given, surface));
-  const double read_seconds = record.seconds();
-  UnwrapOptions options;
-  options.cuts = cut_options(wishes);
-  options.cuts.given = surface.given_cuts;
-  options.packing.reset();
-  if (wish<bool>(wishes, "pack"))
-    options.packing = PackOptions{.padding_pixels = wish<double>(wishes, "padding"),
-                                  .resolution = wish<double>(wishes, "resolution")};
-  options.chart = read_options(wishes, *surface.mesh);
-
-  std::optional<LayoutMotion> square;
-  const Atlas atlas = run([&] {
-    Atlas out = unwrap(surface.mesh, options, record);
-    if (normalizes) square = into_unit_square(out);
-    return out;
+  run([&] {
+    job.open(*given, how);
+    return true;
   });
-  if (normalizes && !square)
+  if (const Repair* const first = job.first_repair(); first && is_strict)
+    throw Error(ErrorKind::Unsupported, describe(*first) + "; strict=False repairs it so");
+  job.read_seconds = job.record.seconds();
+  job.energy = wish<std::string>(wishes, "energy_text");
+  job.wishes = Json::parse(wish<std::string>(wishes, "as_json"));
+  job.linear_solver = linear_solver_section("direct", OwnSolver::Used, {});
+  job.options.cuts = cut_options(wishes);
+  job.options.packing.reset();
+  if (wish<bool>(wishes, "pack"))
+    job.options.packing = PackOptions{.padding_pixels = wish<double>(wishes, "padding"),
+                                      .resolution = wish<double>(wishes, "resolution")};
+  job.options.chart = read_options(wishes, *job.surface.mesh);
+
+  const bool is_placed = run([&] {
+    job.solve();
+    return !normalizes || job.place();
+  });
+  if (!is_placed)
     throw Error(ErrorKind::Invalid,
                 "in the unit square its smallest triangles are too small for doubles; take "
                 "normalize=False");
-  if (atlas.status() == Status::Failed)
-    throw Error(ErrorKind::Invalid, "no valid map: failed, " + message_of(atlas));
-  FinishedAtlas finished{*polygons, surface, atlas, record};
-  if (square) finished.square = &*square;
-  finished.degree = options.chart.map.degree;
-  finished.energy = wish<std::string>(wishes, "energy_text");
-  finished.options = Json::parse(wish<std::string>(wishes, "as_json"));
-  finished.read_seconds = read_seconds;
-  finished.linear_solver = linear_solver_section("direct", OwnSolver::Used, {});
-  finished.boundary = run([&] { return prove_boundary(atlas); });
-  const auto file = std::make_shared<MapFile>(atlas_file(finished));
-  return py::make_tuple(file, polygons, promise_from(promise(finished, "map.vtu")), true,
-                        status_name(atlas.status()), message_of(atlas),
-                        json_text(atlas_report(finished)));
+  if (job.atlas.status() == Status::Failed)
+    throw Error(ErrorKind::Invalid, "no valid map: failed, " + message_of(job.atlas));
+  const auto file = run([&] {
+    job.prove();
+    return std::make_shared<MapFile>(atlas_file(job));
+  });
+  return py::make_tuple(file, job.polygons, promise_from(promise(job, "map.vtu")), true,
+                        status_name(job.atlas.status()), message_of(job.atlas),
+                        json_text(atlas_report(job)));
 }
 
 }  // namespace majorant::python

@@ -11,8 +11,9 @@ import subprocess
 from pathlib import Path
 
 NAMESPACE = 'majorant'
-# Not for programs: templates of public headers need it.
-HIDDEN = '/detail/'
+# Not for programs, templates of public headers need it; without a line to be linked, and with headers of
+# libraries that majorant does not link.
+HIDDEN = re.compile('/(detail|adapters)/')
 
 
 def code_of(text):
@@ -102,7 +103,7 @@ def declared(text):
 def declared_in(include):
     """By public header of the folder, relative to it: (classes, functions)."""
     return {str(path.relative_to(include)): declared(path.read_text())
-            for path in sorted((include / NAMESPACE).rglob('*.h')) if HIDDEN not in str(path)}
+            for path in sorted((include / NAMESPACE).rglob('*.h')) if not HIDDEN.search(str(path))}
 
 
 def symbols_in(libraries):

@@ -1,4 +1,4 @@
-#include "majorant/results/internal/finished_atlas.h"
+#include "majorant/results/internal/atlas_job.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,18 +22,18 @@ bool is_cut_short(const Atlas& atlas) {
 }
 
 // Faces without an area are measured against a shape that the file does not tell.
-bool is_measured_anew(const FinishedAtlas& run) {
-  return !is_cut_short(run.atlas) && run.surface.mesh->rest_triangles().empty();
+bool is_measured_anew(const AtlasJob& job) {
+  return !is_cut_short(job.atlas) && job.surface.mesh->rest_triangles().empty();
 }
 
-Json normalized_section(const LayoutMotion* square) {
+Json normalized_section(const std::optional<LayoutMotion>& square) {
   if (!square) return nullptr;
   return {{"origin", {square->origin.x(), square->origin.y()}}, {"size", square->size}};
 }
 
-Json pins_section(const FinishedAtlas& run) {
+Json pins_section(const AtlasJob& job) {
   Json pins = Json::array();
-  for (const Chart& chart : run.atlas.charts)
+  for (const Chart& chart : job.atlas.charts)
     for (const Pin& pin : chart.pins) {
       const Vector2 uv = chart.map->control_points().segment<2>(2 * pin.vertex);
       pins.push_back(
@@ -42,21 +42,21 @@ Json pins_section(const FinishedAtlas& run) {
   return pins;
 }
 
-std::string claims(const FinishedAtlas& run, const MapFile& file) {
+std::string claims(const AtlasJob& job, const MapFile& file) {
   Json claims{{"version", MAJORANT_VERSION},
-              {"degree", run.degree},
-              {"energy", run.energy},
-              {"value", run.atlas.value()},
+              {"degree", job.options.chart.map.degree},
+              {"energy", job.energy},
+              {"value", job.atlas.value()},
               {"boundary", "free"},
               {"seams", false},
-              {"bijective", run.atlas.packing.has_value()},
-              {"normalized", normalized_section(run.square)},
-              {"pins", pins_section(run)},
+              {"bijective", job.atlas.packing.has_value()},
+              {"normalized", normalized_section(job.square)},
+              {"pins", pins_section(job)},
               {"other_triangles", false},
-              {"cuts", unshared_edges(file, run.polygons.file)},
-              {"options", run.options}};
-  if (!is_measured_anew(run)) claims.erase("value");
-  if (run.energy.empty()) {  // nobody else could tell
+              {"cuts", unshared_edges(file, job.polygons->file)},
+              {"options", job.wishes}};
+  if (!is_measured_anew(job)) claims.erase("value");
+  if (job.energy.empty()) {  // nobody else could tell
     claims.erase("energy");
     claims.erase("value");
   }
@@ -93,8 +93,8 @@ Json repairs_section(const RepairedSurface& surface) {
   return list;
 }
 
-Json result_section(const FinishedAtlas& run) {
-  const Atlas& atlas = run.atlas;
+Json result_section(const AtlasJob& job) {
+  const Atlas& atlas = job.atlas;
   const Stretch stretch = atlas.stretch();
   MapMeasures all;
   all.sigma_min = INFINITY;
@@ -111,9 +111,9 @@ Json result_section(const FinishedAtlas& run) {
     points += chart.map->space().node_count();
     distortions.push_back(&chart.measures.distortion);
   }
-  Json result{{"degree", run.degree},
+  Json result{{"degree", job.options.chart.map.degree},
               {"control_points", points},
-              {"energy", run.energy},
+              {"energy", job.energy},
               {"value", atlas.value()},
               {"measuring_cut_short", is_cut_short(atlas)},
               {"max_density", all.max_density},
@@ -124,9 +124,9 @@ Json result_section(const FinishedAtlas& run) {
               {"charts", atlas.charts.size()},
               {"stretch_l2", stretch.l2},
               {"stretch_max", stretch.max}};
-  result.update(overlap_section(run.boundary, ImageOf::Charts, all));
-  if (!is_cut_short(atlas)) result["distortion"] = distortion_section(distortions, scale_of(run));
-  result.update(cuts_section(atlas.cuts, run.surface));
+  result.update(overlap_section(job.boundary, ImageOf::Charts, all));
+  if (!is_cut_short(atlas)) result["distortion"] = distortion_section(distortions, scale_of(job));
+  result.update(cuts_section(atlas.cuts, job.surface));
   if (!atlas.packing) return result;
   result["fill"] = atlas.packing->fill;
   result["side"] = atlas.packing->side;
@@ -137,10 +137,33 @@ Json result_section(const FinishedAtlas& run) {
 
 }  // namespace
 
-GlobalInjectivity prove_boundary(const Atlas& atlas) {
-  GlobalInjectivity packed;
-  packed.result = ProofStatus::Proven;  // at distances that are proven
-  if (atlas.packing) return packed;
+void AtlasJob::open(PolygonMesh input, const RepairOptions& how) {
+  surface = repair(input, how, record.start_stop());
+  polygons = std::make_shared<PolygonMesh>(with_welded_vertices(std::move(input), surface));
+}
+
+const Repair* AtlasJob::first_repair() const {
+  for (const Repair& r : surface.repairs)
+    if (r.kind != RepairKind::MovedToOrigin) return &r;
+  return nullptr;
+}
+
+void AtlasJob::solve() {
+  options.cuts.given = surface.given_cuts;
+  atlas = unwrap(surface.mesh, options, record);
+}
+
+bool AtlasJob::place() {
+  square = into_unit_square(atlas);
+  return square.has_value();
+}
+
+void AtlasJob::prove() {
+  record.begin(Activity::Proving);
+  if (atlas.packing) {
+    boundary.result = ProofStatus::Proven;  // at distances that are proven
+    return;
+  }
   BoundaryLoops layout;
   Index faces = 0;
   for (const Chart& chart : atlas.charts) {
@@ -155,66 +178,64 @@ GlobalInjectivity prove_boundary(const Atlas& atlas) {
     layout.charts += loops.charts;
     faces += chart.map->mesh().face_count();
   }
-  return check_layout(layout);
+  boundary = check_layout(layout);
 }
 
-double scale_of(const FinishedAtlas& run) { return run.square ? run.square->size : 1; }
+double scale_of(const AtlasJob& job) { return job.square ? job.square->size : 1; }
 
-double seam_length(const FinishedAtlas& run) {
-  return run.atlas.cuts.length + run.surface.cut_length;
-}
+double seam_length(const AtlasJob& job) { return job.atlas.cuts.length + job.surface.cut_length; }
 
-MapFile atlas_file(const FinishedAtlas& run, FaceDistortion* table) {
+MapFile atlas_file(const AtlasJob& job, FaceDistortion* table) {
   std::vector<MapFile> charts;
-  for (const Chart& chart : run.atlas.charts) {
+  for (const Chart& chart : job.atlas.charts) {
     MapFile& file = charts.emplace_back(to_map_file(*chart.map));
-    if (is_measured_anew(run) && !run.energy.empty())  // without a name nobody else could tell
+    if (is_measured_anew(job) && !job.energy.empty())  // without a name nobody else could tell
       file.distortion = chart.measures.face_value;
-    if (is_measured_anew(run)) file.min_det = chart.measures.min_det;
+    if (is_measured_anew(job)) file.min_det = chart.measures.min_det;
     file.face_distortion = chart.measures.cut_short
-                               ? measure_distortion(*chart.map, scale_of(run)).faces
+                               ? measure_distortion(*chart.map, scale_of(job)).faces
                                : chart.measures.distortion.faces;
   }
   MapFile file = joined(charts);
-  file.claims = claims(run, file);
+  file.claims = claims(job, file);
   if (table) *table = file.face_distortion;
   file.face_distortion =
-      is_measured_anew(run) ? finite_or_none(file.face_distortion) : FaceDistortion();
+      is_measured_anew(job) ? finite_or_none(file.face_distortion) : FaceDistortion();
   return file;
 }
 
-ProofRequest promise(const FinishedAtlas& run, const std::string& path) {
+ProofRequest promise(const AtlasJob& job, const std::string& path) {
   ProofRequest promise;
-  promise.surface = &run.polygons;
+  promise.surface = job.polygons.get();
   promise.labels = labels_in(path);
   promise.cuts = CutRule::Free;
-  if (run.atlas.packing) promise.overlap = ProofRequest::Overlap::Forbidden;
+  if (job.atlas.packing) promise.overlap = ProofRequest::Overlap::Forbidden;
   return promise;
 }
 
-Json atlas_report(const FinishedAtlas& run) {
-  const Atlas& atlas = run.atlas;
+Json atlas_report(const AtlasJob& job) {
+  const Atlas& atlas = job.atlas;
   return {{"schema_version", 1},
           {"version", MAJORANT_VERSION},
           {"command", "unwrap"},
           {"status", status_name(atlas.status())},
           {"message", ""},
-          {"warnings", run.polygons.warnings},
-          {"input", input_section(run.polygons, *run.surface.mesh)},
-          {"repairs", repairs_section(run.surface)},
-          {"options", run.options},
-          {"result", result_section(run)},
+          {"warnings", job.polygons->warnings},
+          {"input", input_section(*job.polygons, *job.surface.mesh)},
+          {"repairs", repairs_section(job.surface)},
+          {"options", job.wishes},
+          {"result", result_section(job)},
           {"charts", charts_section(atlas)},
           {"outputs", nullptr},
           {"seconds",
-           {{"read", run.read_seconds},
+           {{"read", job.read_seconds},
             {"initialize", atlas.initialize_seconds},
             {"optimize", atlas.optimize_seconds},
             {"pack", atlas.packing_seconds},
             {"write", nullptr},
             {"total", nullptr}}},
-          {"linear_solver", run.linear_solver},
-          {"memory", run.memory},
+          {"linear_solver", job.linear_solver},
+          {"memory", job.memory},
           {"peak_memory_bytes", peak_memory_bytes()},
           {"threads", ThreadCount::current()},
           {"vector_instructions", vector_instructions()}};

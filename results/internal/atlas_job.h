@@ -1,0 +1,71 @@
+// A job that makes a layout of charts, from the polygons of a mesh to what files and reports say of
+// the result: what MapJob is for one map. Programs that only want the charts call unwrap().
+//
+//   RunRecord record;
+//   AtlasJob job(record);
+//   job.open(read_mesh(path), {});
+//   job.solve();
+//   job.prove();
+//   const MapFile file = atlas_file(job);
+//   write_map(path, file, job.polygons.get(), {}, proof_of_file(path, promise(job, path), file, {}));
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "majorant/certify/map_proof.h"
+#include "majorant/mesh/repair.h"
+#include "majorant/parametrization/atlas/unwrap.h"
+#include "majorant/results/internal/report.h"
+
+namespace majorant {
+
+// Filled in this order: open(), `options`, solve(), place(), prove().
+struct AtlasJob {
+  // record: outlives the job.
+  explicit AtlasJob(RunRecord& of_run) : record(of_run) {}
+
+  // Repairs the surface. Throws as repair(), at the limits of the run's start.
+  void open(PolygonMesh input, const RepairOptions& how);
+  // The first repair that changes the surface; null where it is as it was given.
+  const Repair* first_repair() const;
+  void solve();  // cut where repairs have cut, too
+  // Into the unit square. False where it cannot be proven in there; the atlas is as it was then.
+  bool place();
+  // Whether charts overlap, as they lie now; each for itself does not, and packed ones do not.
+  void prove();
+
+  RunRecord& record;
+  std::string energy = {};       // as said; empty: one without a name
+  Json wishes = Json::object();  // likewise, all of it, for reports and claims
+
+  std::shared_ptr<PolygonMesh> polygons;  // as with_welded_vertices() has them
+  RepairedSurface surface;
+  UnwrapOptions options;
+
+  Atlas atlas;
+  std::optional<LayoutMotion> square; // what the maps were moved into
+  GlobalInjectivity boundary;         // prove()
+  Json linear_solver, memory;         // sections of the report, or null
+  double read_seconds = 0;
+};
+
+// Units of the surface per unit of uv in the file.
+double scale_of(const AtlasJob& job);
+// Of all cuts, those of repair() included.
+double seam_length(const AtlasJob& job);
+
+// All charts side by side: with what was measured, and with its claims. table (may be null)
+// receives the distortion of every face, also where it is no part of the file: where it is not
+// finite, and where who reads the file could not measure the same.
+MapFile atlas_file(const AtlasJob& job, FaceDistortion* table = nullptr);
+// What a data file must be when it is read back.
+ProofRequest promise(const AtlasJob& job, const std::string& path);
+// Whole but for what writing adds to it: "outputs", their seconds and the total.
+Json atlas_report(const AtlasJob& job);
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

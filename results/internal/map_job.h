@@ -1,0 +1,117 @@
+// A job that makes one map, from the polygons of a mesh to what files and reports say of the
+// result. The command, the Python package and majorant-mpi run theirs through it; their words, and
+// telling people, are their own affair. Programs that only want a map call parametrize().
+//
+//   RunRecord record;
+//   MapJob job(MapTask::Parametrize, record);
+//   job.open(std::make_shared<const PolygonMesh>(read_mesh(path)));
+//   job.solve();
+//   job.prove();
+//   const MapFile file = map_file(job);
+//   write_map(path, file, job.polygons.get(), {}, proof_of_file(path, promise(job, path), file, {}));
+//   const Json report = map_report(job);
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "majorant/certify/global_injectivity.h"
+#include "majorant/certify/map_proof.h"
+#include "majorant/certify/moved_layout.h"
+#include "majorant/parametrization/cuts/choose_cuts.h"
+#include "majorant/parametrization/drive/parametrize.h"
+#include "majorant/parametrization/starts/make_seamless.h"
+#include "majorant/parametrization/starts/start.h"
+#include "majorant/pictures/film.h"
+#include "majorant/results/internal/report.h"
+
+namespace majorant {
+
+// What is solved for: a map of a surface; one with seams, from a start that is made; a plane mesh
+// moved by its handles.
+enum class MapTask { Parametrize, Seamless, Deform };
+// "parametrize", "seamless", "deform"
+std::string_view task_name(MapTask task);
+
+// By its method_name(); Automatic where no method is called so.
+SeamlessMethod method_called(std::string_view name);
+
+// Whether the result may be turned: it is held as it is, may be turned where that is possible, or
+// has to be.
+enum class Turn { Held, Free, Required };
+
+// Filled in this order: open(), a start where there is one, `options`, solve(), place(), prove().
+// solve() is optional: majorant-mpi solves on several processes what it has opened on one.
+struct MapJob {
+  // record: outlives the job.
+  MapJob(MapTask asked, RunRecord& of_run) : task(asked), record(of_run) {}
+  MapJob(const MapJob&) = delete;  // films are told of by address
+  MapJob& operator=(const MapJob&) = delete;
+
+  // The surface of the polygons. Throws as SurfaceMesh::from_polygons(), at the limits of the run's
+  // start.
+  void open(std::shared_ptr<const PolygonMesh> input);
+  // What the map starts from, in place of a map of the surface as it is: the seams of its texture
+  // coordinates; a seamless map that is made, its cones by vertex of the input (source: who names
+  // them, for messages); the plane mesh itself; Tutte's map of the surface cut open, one piece or
+  // Error(Unsupported) - pieces: what to say of several. Throw as seamless_from_texture(),
+  // make_seamless(), planar_map(), choose_cuts() and initial_map().
+  void start_from_texture();
+  void start_seamless(SeamlessOptions how, const std::string& source);
+  void start_in_plane();
+  void start_cut(const CutOptions& how, const std::function<std::string(Index pieces)>& refusal);
+  // The surface that is mapped, cut open where the start is: vertices of `options` are its own.
+  // Throws Error(Unsupported) where there is no start and the surface is no disk, with or without
+  // holes.
+  const SurfaceMesh& mapped_mesh() const;
+
+  // Keeps the map after every so many iterations.
+  void take_snapshots(int every);
+  void solve();
+  // Moves the result: turned along its longer side, or into the unit square, and proven anew. Where
+  // it cannot be proven in there, the status is Failed, the message says so, and it returns false.
+  bool place(Turn turn, bool into_square);
+  // Whether the map is injective as a whole, as it is now: after all that moves it. Takes
+  // milliseconds, a second or so where curves run along each other; limits do not end it.
+  void prove();
+  // Whether there is a map to write: the run did not fail, and was feasible.
+  bool has_result() const;
+
+  MapTask task;
+  RunRecord& record;
+  std::string energy = {};       // as said; empty: one without a name
+  std::string init = "auto";     // likewise, or what the start was made from
+  Json wishes = Json::object();  // likewise, all of it, for reports and claims
+
+  std::shared_ptr<const PolygonMesh> polygons;
+  std::shared_ptr<const SurfaceMesh> mesh;  // of these, not cut
+  ParametrizationOptions options;
+  std::optional<Start> start;
+  std::optional<SurfaceCuts> cuts;  // of a surface cut open
+  std::optional<Film> film;
+
+  ParametrizationResult result;
+  std::optional<LayoutMotion> placement;           // how result.map was moved
+  bool is_aligned = false, is_normalized = false;  // of that, what was asked for
+  bool is_left_unturned = false;  // although it was free to be turned: that rounds cells away
+  GlobalInjectivity boundary;                      // prove()
+  Json linear_solver, memory;                      // sections of the report, or null
+  double read_seconds = 0, start_seconds = 0;
+};
+
+// Units of the surface per unit of uv in the file.
+double scale_of(const MapJob& job);
+// Of a job that has a result: with what was measured, and with its claims.
+MapFile map_file(const MapJob& job);
+// What a data file of that name must be when it is read back.
+ProofRequest promise(const MapJob& job, const std::string& path);
+// Whole but for what writing adds to it: "outputs" and their seconds.
+Json map_report(const MapJob& job);
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
