@@ -78,31 +78,37 @@ SolverFactory LinearSolvers::load(Rung first) {
 }
 
 void LinearSolvers::apply(SolveOptions& options) {
-  options.linear_solver = petsc_;
-  if (petsc_) return;
-  if (name_ == "auto") options.foresee = [this](const LastDegree& last) { foresee(last); };
-  options.instead_of_factor = [this](const FactorSize& needed) {
-    return instead_of_factor(needed);
+  options.linear_solver = [this](const SparsePattern& pattern, Ordering ordering) {
+    return make(pattern, ordering);
   };
 }
 
 // Analyses only where it may not fit.
-void LinearSolvers::foresee(const LastDegree& last) {
+void LinearSolvers::foresee(const SurfaceMesh& mesh, const ParametrizationOptions& options) {
+  const int degree = options.map.degree;
+  if (name_ != "auto" || degree == 1 || options.solve.elevation != Elevation::Incremental) return;
   const std::optional<std::size_t> available = available_memory();
-  if (foreseen_memory(last.at_most, available).fits_direct()) return;
-  const FactorSize needed = last.analysed();
+  if (foreseen_memory(factor_size_at_most(mesh, degree), available).fits_direct()) return;
+  const FactorSize needed = factor_size(mesh, degree);
   const std::lock_guard lock(mutex_);
-  foreseen_ = std::max(needed.bytes, foreseen_.value_or(0));
-  gives_way(foreseen_memory(needed, available), last.degree);
+  foreseen_ = needed.bytes;
+  gives_way(foreseen_memory(needed, available), degree);
 }
 
-std::unique_ptr<LinearSolver> LinearSolvers::instead_of_factor(const FactorSize& needed) {
-  const SolverMemory memory = solver_memory(needed, available_memory());
+// The direct solver, once it has analysed the pattern and allocated nothing, or another one.
+std::unique_ptr<LinearSolver> LinearSolvers::make(const SparsePattern& pattern,
+                                                  Ordering ordering) {
+  if (name_ != "auto" && name_ != "direct") return petsc_();
+  std::unique_ptr<LinearSolver> direct = make_direct_solver(ordering);
+  if (pattern.size == 0) return direct;
+  direct->analyze(pattern);
+  const SolverMemory memory =
+      solver_memory({direct->bytes(), pattern.rows.size()}, available_memory());
   const std::lock_guard lock(mutex_);
   if (memory.direct > largest_.direct) largest_ = memory, process_ = process_bytes();
   if (gives_way(memory, 0)) return petsc_();
   own_ = OwnSolver::Used;
-  return nullptr;
+  return direct;
 }
 
 // Whether cg-hypre is to solve instead, now or at a degree that is foreseen (0: now). Says so once:

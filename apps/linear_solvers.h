@@ -2,6 +2,7 @@
 //
 //   LinearSolvers solvers("cg-hypre", "", common.quiet);   // loads PETSc where it is asked for
 //   solvers.apply(options.solve);
+//   solvers.foresee(mesh, options);
 //   parametrize(mesh, options);
 //   const Json used = solvers.section(), memory = solvers.memory();   // for the report
 #pragma once
@@ -14,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "majorant/parametrization/drive/solve_options.h"
+#include "majorant/parametrization/drive/parametrize.h"
 #include "majorant/results/internal/machine_memory.h"
 #include "majorant/results/internal/solver_ladder.h"
 
@@ -41,6 +42,10 @@ class LinearSolvers {
   // options: of runs that this object outlives, on its thread where there is one at a time.
   void apply(SolveOptions& options);
 
+  // Before a run that goes through lower degrees, which may take hours: says where the last one
+  // will not fit.
+  void foresee(const SurfaceMesh& mesh, const ParametrizationOptions& options);
+
   // Says which of --petsc-options nothing has asked for, for the end of the run.
   void say_unused_options() const;
 
@@ -49,8 +54,7 @@ class LinearSolvers {
 
  private:
   SolverFactory load(Rung first);
-  void foresee(const LastDegree& last);
-  std::unique_ptr<LinearSolver> instead_of_factor(const FactorSize& needed);
+  std::unique_ptr<LinearSolver> make(const SparsePattern& pattern, Ordering ordering);
   bool gives_way(const SolverMemory& memory, int foreseen_degree);
 
   std::string name_;

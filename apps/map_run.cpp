@@ -54,6 +54,7 @@ MapInput& MapRun::read(const StartMaker& make_start) {
   in_ = read_input(request_.map, record_.start_stop(), timed);
   request_.solve.apply(in_.options);
   solvers_->apply(in_.options.solve);
+  solvers_->foresee(in_.start ? in_.start->map.mesh() : *in_.mesh, in_.options);
   if (request_.solve.snapshots > 0) {
     film_.emplace(request_.solve.snapshots, request_.map.degree);
     in_.options.solve.watch = film_->watcher();

@@ -131,7 +131,7 @@ class Job {
     record_.begin(Activity::Starting);
     const Vec uv = make_start(solver);
     ParametrizationOptions options = local_options();
-    options.solve.linear_solver = solver;
+    options.solve.linear_solver = [solver](const SparsePattern&, Ordering) { return solver(); };
     std::optional<PartState> from;
     if (resumes()) from = state_of(*part_, in_.checkpoint);
     make_writer(uv);
