@@ -1,6 +1,6 @@
 // --linear-solver: what solves Newton's systems of a run, and whether a factor fits into memory.
 //
-//   LinearSolvers solvers("cg-hypre", "", common.quiet);   // loads PETSc where it is asked for
+//   LinearSolvers solvers("cg-hypre", "", common.quiet);   // loads the plugin that has it
 //   solvers.apply(options.solve);
 //   solvers.foresee(mesh, options);
 //   parametrize(mesh, options);
@@ -21,9 +21,6 @@
 
 namespace majorant::app {
 
-// As one_of(), with a remedy for a name that users know and this program does not have.
-CLI::Validator solver_name(const std::vector<std::string>& choices);
-
 // "auto": direct where the factor fits.
 void add_linear_solver_to(CLI::App& verb, std::string& name);
 
@@ -32,8 +29,8 @@ class LinearSolvers {
   enum class Runs { One, Several };  // Several at a time have nothing but the direct one
 
   // name: as that option takes it. petsc_options: as --petsc-options has them. Throws
-  // Error(Unreadable) where PETSc is asked for and not there, Error(Usage) for options that it
-  // refuses.
+  // Error(Unreadable) where PETSc is asked for and not there, Error(Unsupported) where CHOLMOD is,
+  // Error(Usage) for options that PETSc refuses.
   LinearSolvers(std::string name, const std::string& petsc_options, bool quiet,
                 Runs runs = Runs::One);
   LinearSolvers(const LinearSolvers&) = delete;
@@ -53,7 +50,7 @@ class LinearSolvers {
   Json memory() const;   // null where there was nothing to factorize by the direct solver
 
  private:
-  SolverFactory load(Rung first);
+  SolverFactory load_petsc(Rung first);
   std::unique_ptr<LinearSolver> make(const SparsePattern& pattern, Ordering ordering);
   bool gives_way(const SolverMemory& memory, int foreseen_degree);
 
@@ -63,8 +60,9 @@ class LinearSolvers {
   Runs runs_;
   std::mutex mutex_;  // of what follows
   OwnSolver own_ = OwnSolver::Unused;
-  SolverFactory petsc_;  // empty: not loaded
-  const SolverPlugin* plugin_ = nullptr;
+  bool used_cholmod_ = false;
+  SolverFactory plugin_;  // makes what a plugin has that is loaded; empty: none is
+  const PetscPlugin* petsc_ = nullptr;
   std::shared_ptr<LadderRecord> record_ = std::make_shared<LadderRecord>();
   SolverMemory largest_;                 // so far
   std::size_t process_ = 0;              // bytes it had then

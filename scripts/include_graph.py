@@ -27,7 +27,7 @@ FLOORS = [
     ['parametrization/packing', 'parametrization/drive', 'io'],
     ['parametrization/atlas', 'pictures'],
     ['results'],
-    ['apps/arguments'],
+    ['apps/arguments', 'apps/plugins'],
     ['apps'],
     ['apps/compare', 'apps/check', 'distributed'],
 ]

@@ -25,7 +25,6 @@ class BlockGraph {
 
   Index size() const { return static_cast<Index>(starts_.size()) - 1; }
   std::size_t edges() const { return larger_.size(); }
-  bool operator==(const BlockGraph&) const = default;
   // Nodes above `node` that it is joined with, each once, in the order of the pattern.
   std::span<const Index> larger(Index node) const {
     return {larger_.data() + starts_[at(node)], larger_.data() + starts_[at(node) + 1]};
