@@ -5,23 +5,16 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <fstream>
 #include <utility>
 
 #include "apps/arguments/suggestion.h"
+#include "apps/plugins/plugin.h"
 #include "apps/streams.h"
 #include "majorant/framework/error.h"
 
 namespace majorant::app {
 namespace {
-
-// Beside the program in a build tree, and where `make install` puts it.
-std::vector<std::string> plugin_folders() {
-  std::error_code unknown;
-  const auto folder = std::filesystem::read_symlink("/proc/self/exe", unknown).parent_path();
-  return {folder.string(), (folder / MAJORANT_PLUGINS_FROM_PROGRAM).lexically_normal().string()};
-}
 
 std::size_t process_bytes() {
   std::size_t pages = 0, resident = 0;
@@ -35,33 +28,23 @@ std::string gigabytes(std::size_t bytes) {
 
 }  // namespace
 
-CLI::Validator solver_name(const std::vector<std::string>& choices) {
-  const CLI::Validator known = one_of(choices);
-  return CLI::Validator(
-      [known](std::string& word) {
-        if (word != "cholmod") return known(word);
-        return std::string(
-            "CHOLMOD is not part of this program; give --linear-solver direct, the program's own "
-            "sparse Cholesky factorization");
-      },
-      known.get_description());
-}
-
 void add_linear_solver_to(CLI::App& verb, std::string& name) {
   verb.add_option(
           "--linear-solver", name,
           "auto: direct, or cg-hypre where a factor does not fit into memory and that takes "
-          "less; direct; with PETSc mumps, cg-hypre")
-      ->check(solver_name({"auto", "direct", "mumps", "cg-hypre"}));
+          "less; direct; CHOLMOD's cholmod; with PETSc mumps, cg-hypre")
+      ->check(one_of({"auto", "direct", "cholmod", "mumps", "cg-hypre"}));
 }
 
 LinearSolvers::LinearSolvers(std::string name, const std::string& petsc_options, bool quiet,
                              Runs runs)
     : name_(std::move(name)), petsc_words_(petsc_words(petsc_options)), quiet_(quiet), runs_(runs) {
   const auto* const rung = std::find(kRungNames.begin(), kRungNames.end(), name_);
-  if (rung == kRungNames.end()) return;
   try {
-    petsc_ = load(static_cast<Rung>(rung - kRungNames.begin()));
+    if (name_ == "cholmod")
+      plugin_ = load_plugin<CholmodPlugin>(kCholmodPlugin).make_solver;
+    else if (rung != kRungNames.end())
+      plugin_ = load_petsc(static_cast<Rung>(rung - kRungNames.begin()));
   } catch (const Error& e) {
     if (e.kind() == ErrorKind::Usage) throw;  // the options for PETSc
     throw Error(e.kind(), fmt::format("--linear-solver {}: {}; or leave the option out: the "
@@ -70,39 +53,48 @@ LinearSolvers::LinearSolvers(std::string name, const std::string& petsc_options,
   }
 }
 
-SolverFactory LinearSolvers::load(Rung first) {
-  const SolverPlugin& plugin = load_solver_plugin(plugin_folders());
-  SolverFactory factory = plugin.ladder({first, 0}, record_, petsc_words_);
-  plugin_ = &plugin;
+SolverFactory LinearSolvers::load_petsc(Rung first) {
+  const auto& petsc = load_plugin<PetscPlugin>(kPetscPlugin);
+  SolverFactory factory = petsc.ladder({first, 0}, record_, petsc_words_);
+  petsc_ = &petsc;
   return factory;
 }
 
 void LinearSolvers::apply(SolveOptions& options) {
-  options.linear_solver = petsc_;
-  if (petsc_) return;
-  if (name_ == "auto") options.foresee = [this](const LastDegree& last) { foresee(last); };
-  options.instead_of_factor = [this](const FactorSize& needed) {
-    return instead_of_factor(needed);
+  options.linear_solver = [this](const SparsePattern& pattern, Ordering ordering) {
+    return make(pattern, ordering);
   };
 }
 
 // Analyses only where it may not fit.
-void LinearSolvers::foresee(const LastDegree& last) {
+void LinearSolvers::foresee(const SurfaceMesh& mesh, const ParametrizationOptions& options) {
+  const int degree = options.map.degree;
+  if (name_ != "auto" || degree == 1 || options.solve.elevation != Elevation::Incremental) return;
   const std::optional<std::size_t> available = available_memory();
-  if (foreseen_memory(last.at_most, available).fits_direct()) return;
-  const FactorSize needed = last.analysed();
+  if (foreseen_memory(factor_size_at_most(mesh, degree), available).fits_direct()) return;
+  const FactorSize needed = factor_size(mesh, degree);
   const std::lock_guard lock(mutex_);
-  foreseen_ = std::max(needed.bytes, foreseen_.value_or(0));
-  gives_way(foreseen_memory(needed, available), last.degree);
+  foreseen_ = needed.bytes;
+  gives_way(foreseen_memory(needed, available), degree);
 }
 
-std::unique_ptr<LinearSolver> LinearSolvers::instead_of_factor(const FactorSize& needed) {
-  const SolverMemory memory = solver_memory(needed, available_memory());
+// The direct solver, once it has analysed the pattern and allocated nothing, or another one.
+std::unique_ptr<LinearSolver> LinearSolvers::make(const SparsePattern& pattern,
+                                                  Ordering ordering) {
+  if (name_ != "auto" && name_ != "direct") {
+    used_cholmod_ |= name_ == "cholmod" && pattern.size > 0;
+    return plugin_();
+  }
+  std::unique_ptr<LinearSolver> direct = make_direct_solver(ordering);
+  if (pattern.size == 0) return direct;
+  direct->analyze(pattern);
+  const SolverMemory memory =
+      solver_memory({direct->bytes(), pattern.rows.size()}, available_memory());
   const std::lock_guard lock(mutex_);
   if (memory.direct > largest_.direct) largest_ = memory, process_ = process_bytes();
-  if (gives_way(memory, 0)) return petsc_();
+  if (gives_way(memory, 0)) return plugin_();
   own_ = OwnSolver::Used;
-  return nullptr;
+  return direct;
 }
 
 // Whether cg-hypre is to solve instead, now or at a degree that is foreseen (0: now). Says so once:
@@ -116,9 +108,9 @@ bool LinearSolvers::gives_way(const SolverMemory& memory, int foreseen_degree) {
     outcome = "going on all the same, since charts are solved without any other";
   } else if (!memory.prefers_multigrid()) {
     outcome = fmt::format("going on all the same, since cg-hypre would take {}", multigrid);
-  } else if (!petsc_) {
+  } else if (!plugin_) {
     try {
-      petsc_ = load(Rung::Amg);
+      plugin_ = load_petsc(Rung::Amg);
     } catch (const Error& e) {
       outcome =
           fmt::format("going on all the same, since cg-hypre, which takes {}, cannot be had: {}",
@@ -131,21 +123,25 @@ bool LinearSolvers::gives_way(const SolverMemory& memory, int foreseen_degree) {
                     : "factorizing takes",
         gigabytes(memory.direct), gigabytes(*memory.available), is_foreseen ? " for it now" : "",
         outcome);
-  return runs_ == Runs::One && memory.prefers_multigrid() && petsc_;
+  return runs_ == Runs::One && memory.prefers_multigrid() && plugin_;
 }
 
 void LinearSolvers::say_unused_options() const {
   if (quiet_ || petsc_words_.empty()) return;
-  if (!plugin_)
+  if (!petsc_)
     return say_warnings(
         {"--petsc-options has no effect: PETSc did nothing; ask for it, "
          "--linear-solver cg-hypre or mumps"});
-  if (const std::vector<std::string> unused = plugin_->unused_options(); !unused.empty())
+  if (const std::vector<std::string> unused = petsc_->unused_options(); !unused.empty())
     say_warnings(
         {fmt::format("--petsc-options: nothing has asked for {}", fmt::join(unused, ", "))});
 }
 
-Json LinearSolvers::section() const { return linear_solver_section(name_, own_, *record_); }
+Json LinearSolvers::section() const {
+  Json section = linear_solver_section(name_, own_, *record_);
+  if (used_cholmod_) section["used"] = "cholmod";
+  return section;
+}
 
 Json LinearSolvers::memory() const {
   if (largest_.direct == 0) return nullptr;

@@ -1,7 +1,8 @@
 // --linear-solver: what solves Newton's systems of a run, and whether a factor fits into memory.
 //
-//   LinearSolvers solvers("cg-hypre", "", common.quiet);   // loads PETSc where it is asked for
+//   LinearSolvers solvers("cg-hypre", "", common.quiet);   // loads the plugin that has it
 //   solvers.apply(options.solve);
+//   solvers.foresee(mesh, options);
 //   parametrize(mesh, options);
 //   const Json used = solvers.section(), memory = solvers.memory();   // for the report
 #pragma once
@@ -14,14 +15,11 @@
 #include <string>
 #include <vector>
 
-#include "majorant/parametrization/drive/solve_options.h"
+#include "majorant/parametrization/drive/parametrize.h"
 #include "majorant/results/internal/machine_memory.h"
 #include "majorant/results/internal/solver_ladder.h"
 
 namespace majorant::app {
-
-// As one_of(), with a remedy for a name that users know and this program does not have.
-CLI::Validator solver_name(const std::vector<std::string>& choices);
 
 // "auto": direct where the factor fits.
 void add_linear_solver_to(CLI::App& verb, std::string& name);
@@ -31,8 +29,8 @@ class LinearSolvers {
   enum class Runs { One, Several };  // Several at a time have nothing but the direct one
 
   // name: as that option takes it. petsc_options: as --petsc-options has them. Throws
-  // Error(Unreadable) where PETSc is asked for and not there, Error(Usage) for options that it
-  // refuses.
+  // Error(Unreadable) where PETSc is asked for and not there, Error(Unsupported) where CHOLMOD is,
+  // Error(Usage) for options that PETSc refuses.
   LinearSolvers(std::string name, const std::string& petsc_options, bool quiet,
                 Runs runs = Runs::One);
   LinearSolvers(const LinearSolvers&) = delete;
@@ -41,6 +39,10 @@ class LinearSolvers {
   // options: of runs that this object outlives, on its thread where there is one at a time.
   void apply(SolveOptions& options);
 
+  // Before a run that goes through lower degrees, which may take hours: says where the last one
+  // will not fit.
+  void foresee(const SurfaceMesh& mesh, const ParametrizationOptions& options);
+
   // Says which of --petsc-options nothing has asked for, for the end of the run.
   void say_unused_options() const;
 
@@ -48,9 +50,8 @@ class LinearSolvers {
   Json memory() const;   // null where there was nothing to factorize by the direct solver
 
  private:
-  SolverFactory load(Rung first);
-  void foresee(const LastDegree& last);
-  std::unique_ptr<LinearSolver> instead_of_factor(const FactorSize& needed);
+  SolverFactory load_petsc(Rung first);
+  std::unique_ptr<LinearSolver> make(const SparsePattern& pattern, Ordering ordering);
   bool gives_way(const SolverMemory& memory, int foreseen_degree);
 
   std::string name_;
@@ -59,8 +60,9 @@ class LinearSolvers {
   Runs runs_;
   std::mutex mutex_;  // of what follows
   OwnSolver own_ = OwnSolver::Unused;
-  SolverFactory petsc_;  // empty: not loaded
-  const SolverPlugin* plugin_ = nullptr;
+  bool used_cholmod_ = false;
+  SolverFactory plugin_;  // makes what a plugin has that is loaded; empty: none is
+  const PetscPlugin* petsc_ = nullptr;
   std::shared_ptr<LadderRecord> record_ = std::make_shared<LadderRecord>();
   SolverMemory largest_;                 // so far
   std::size_t process_ = 0;              // bytes it had then

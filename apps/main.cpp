@@ -81,7 +81,7 @@ int run_safely(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using namespace majorant::app;
-  prepare_process(argv);
+  prepare_process();
   const int code = run_safely(argc, argv);
   const int lost = data_error();
   if (lost == 0) return code;

@@ -47,6 +47,7 @@ void MapRun::read(const StartMaker& make_start) {
   ParametrizationOptions& options = job_.options;
   request_.solve.apply(options);
   solvers_->apply(options.solve);
+  solvers_->foresee(job_.start ? job_.start->map.mesh() : *job_.mesh, options);
   if (request_.solve.snapshots > 0) job_.take_snapshots(request_.solve.snapshots);
   if (request_.outputs.has_report(request_.common))
     options.solve.factor_cost = FactorCost::Measured;

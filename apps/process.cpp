@@ -1,19 +1,16 @@
 #include "apps/process.h"
 
+#include <dlfcn.h>
 #include <malloc.h>
 #include <pthread.h>
-#include <sys/auxv.h>
 #include <sys/mman.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <climits>
 #include <csignal>
 #include <cstdint>
 #include <cstdlib>
-#include <cstring>
 #include <ctime>
 #include <fstream>
 #include <optional>
@@ -94,22 +91,12 @@ void handle_signals() {
   }
 }
 
-void require_one_blas_thread(char** argv) {
-  constexpr const char* kVariable = "OPENBLAS_NUM_THREADS";  // read when the library is loaded
-  const char* value = std::getenv(kVariable);
-  if (value && std::strcmp(value, "1") == 0) return;
-  char program[PATH_MAX];
-  const ssize_t length = ::readlink("/proc/self/exe", program, sizeof program - 1);
-  if (length <= 0 || ::setenv(kVariable, "1", 1) != 0) return;
-  program[length] = '\0';
-  // Not where a loader runs it: it would start the loader.
-  struct stat named {
-  }, running{};
-  const auto* name = reinterpret_cast<const char*>(getauxval(AT_EXECFN));
-  if (!name || ::stat(name, &named) != 0 || ::stat(program, &running) != 0 ||
-      named.st_ino != running.st_ino || named.st_dev != running.st_dev)
-    return;
-  ::execv(program, argv);  // where it fails, all works as long as there is memory
+// OpenBLAS reads the variable when it is loaded. majorant-mpi, which links it, has it already.
+void require_one_blas_thread() {
+  ::setenv("OPENBLAS_NUM_THREADS", "1", 1);
+  const auto set =
+      reinterpret_cast<void (*)(int)>(::dlsym(RTLD_DEFAULT, "openblas_set_num_threads"));
+  if (set) set(1);
 }
 
 // Whether this much address space is left.
@@ -137,10 +124,10 @@ std::size_t stack_bytes() {
 // and 3 % of its time; 8,700 with 64 MiB.
 constexpr int kKeptMemory = 16 << 20;  // bytes
 
-void prepare_process(char** argv) {
+void prepare_process() {
   mallopt(M_TOP_PAD, kKeptMemory);
   open_standard_streams();
-  require_one_blas_thread(argv);
+  require_one_blas_thread();
   handle_signals();
 }
 

@@ -1,7 +1,6 @@
 // The process around a run: signals, threads, memory.
 //
-//   char** argv = nullptr;                                      // of main
-//   prepare_process(argv);                                      // first thing in main
+//   prepare_process();                                          // first thing in main
 //   const ThreadCount threads(start_threads(0));
 //   RunRecord record(60, 10000, interruption_flag(), nullptr);  // signals stop it from now on
 //
@@ -18,10 +17,10 @@
 namespace majorant::app {
 
 // Closed standard streams are opened, signals handled, and SIGPIPE and SIGXFSZ ignored: what cannot
-// be written is an error of that write. Starts the program anew when OpenBLAS has threads of its
-// own: they map 128 MiB of address space each, spin for ever where that is refused, and run signal
-// handlers. argv: of main.
-void prepare_process(char** argv);
+// be written is an error of that write. OpenBLAS gets one thread, where a plugin loads it later:
+// its own would map 128 MiB of address space each, spin for ever where that is refused, and run
+// signal handlers.
+void prepare_process();
 
 // Set by the first of the signals above. Outlives everything.
 const std::atomic<bool>* interruption_flag();

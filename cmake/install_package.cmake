@@ -8,7 +8,11 @@ install(FILES majorant.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/majorant COMPON
 install(DIRECTORY adapters DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/majorant COMPONENT development)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/majorant)
-foreach(library libmajorant_framework libmajorant)
+set(libraries libmajorant_framework libmajorant)
+if(MAJORANT_GPL)
+  list(APPEND libraries libmajorant_solvers)
+endif()
+foreach(library IN LISTS libraries)
   install(EXPORT ${library}Targets NAMESPACE majorant:: DESTINATION ${package_dir}
           COMPONENT development)
 endforeach()
@@ -22,7 +26,8 @@ install(FILES ${PROJECT_BINARY_DIR}/majorantConfig.cmake
               cmake/FindOrderings.cmake cmake/FindXsimdHeaders.cmake
         DESTINATION ${package_dir} COMPONENT development)
 if(MAJORANT_GPL)
-  install(FILES cmake/FindNest2D.cmake DESTINATION ${package_dir} COMPONENT development)
+  install(FILES cmake/FindNest2D.cmake cmake/FindCHOLMOD.cmake DESTINATION ${package_dir}
+          COMPONENT development)
 endif()
 
 # pkg-config. Shared libraries know what they need; with archives everything is asked for, always.
@@ -36,7 +41,11 @@ set(MAJORANT_LICENCE "BSD-3-Clause")
 if(MAJORANT_GPL)
   set(majorant_libraries "-lceres -lnlopt_cxx -lnlopt -lpolyclipping")
   set(MAJORANT_LICENCE "GPL-3.0-or-later")
+  if(CHOLMOD_FOUND)
+    string(APPEND majorant_libraries " -lcholmod")
+  endif()
 endif()
+set(libmajorant_rooms ${libmajorant_rooms} ${libmajorant_solvers_rooms})
 foreach(name framework majorant)
   set(packages "${${name}_packages}")
   set(libraries "${${name}_libraries}")
@@ -44,6 +53,9 @@ foreach(name framework majorant)
     set(file majorant_framework)
     if(name STREQUAL "majorant")
       set(file majorant)
+    endif()
+    if(name STREQUAL "majorant" AND MAJORANT_GPL)
+      string(APPEND file " -lmajorant_solvers")
     endif()
     set(MAJORANT_PC_${name} "Libs: -L\${libdir} -l${file}
 Requires.private: ${packages}

@@ -10,8 +10,8 @@
 # those that cmake/public_headers.txt lists, of FOLDER/detail what templates in public headers need;
 # the others in FOLDER are for other rooms, those in FOLDER/internal for the room itself. Without MAJORANT_GPL, internal/no_x.cpp, where there is one, stands in for internal/x.cpp.
 #
-# Rooms belong to the last library that was named: the framework, or everything else. With
-# BUILD_SHARED_LIBS the same objects are one shared object a library, which programs and the installed
+# Rooms belong to the last library that was named: the framework, solvers of other projects, or
+# everything else. With BUILD_SHARED_LIBS the same objects are one shared object a library, which programs and the installed
 # package link; the archives are then there for tests, which look inside. Programs name rooms as
 # majorant::ROOM, in either case.
 
@@ -125,12 +125,38 @@ function(majorant_module folder)
   if(NOT MAJORANT_GPL)
     list(FILTER headers EXCLUDE REGEX "/ceres_minimizer.h$")
   endif()
+  if(NOT CHOLMOD_FOUND)
+    list(FILTER headers EXCLUDE REGEX "/cholmod_solver.h$")
+  endif()
   foreach(header IN LISTS headers)
     get_filename_component(below ${header} DIRECTORY)
     string(REPLACE "majorant/" "${PROJECT_SOURCE_DIR}/" header ${header})
     install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/${below} COMPONENT development)
   endforeach()
   set(${MAJORANT_LIBRARY}_rooms ${name} ${${MAJORANT_LIBRARY}_rooms} PARENT_SCOPE)
+endfunction()
+
+# A library that the command loads on demand (apps/plugins/plugin.h): lib${target}.so, beside the command in
+# the build tree, in a folder of its own once installed. Not there where only the command was built.
+function(majorant_plugin target component)
+  cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
+  add_library(${target}_plugin MODULE ${ARG_UNPARSED_ARGUMENTS})
+  set_target_properties(${target}_plugin PROPERTIES
+                        OUTPUT_NAME ${target} LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/apps
+                        CXX_EXTENSIONS OFF)
+  target_compile_definitions(${target}_plugin PRIVATE MAJORANT_VERSION="${PROJECT_VERSION}")
+  target_compile_options(${target}_plugin PRIVATE -Wall -Wextra -Wpedantic -Wshadow)
+  target_include_directories(${target}_plugin PRIVATE ${PROJECT_SOURCE_DIR})
+  target_link_libraries(${target}_plugin PRIVATE ${ARG_LINK})
+  set(symbols ${PROJECT_SOURCE_DIR}/cmake/plugin_symbols.map)
+  target_link_options(${target}_plugin PRIVATE LINKER:--version-script=${symbols}
+                                               LINKER:--no-undefined LINKER:--as-needed)
+  set_property(TARGET ${target}_plugin APPEND PROPERTY LINK_DEPENDS ${symbols})
+  add_dependencies(majorant_command ${target}_plugin)
+  file(RELATIVE_PATH libraries /${CMAKE_INSTALL_BINDIR} /${CMAKE_INSTALL_LIBDIR})
+  majorant_search_path(${target}_plugin .. ${libraries})
+  install(TARGETS ${target}_plugin LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/majorant
+          COMPONENT ${component} OPTIONAL)
 endfunction()
 
 # Objects that are compiled apart from the others of a room.
@@ -148,8 +174,12 @@ function(majorant_umbrella)
   if(BUILD_SHARED_LIBS)
     target_link_libraries(libmajorant PUBLIC libmajorant_framework)
     target_link_libraries(majorant INTERFACE libmajorant)
+    if(TARGET libmajorant_solvers)
+      target_link_libraries(libmajorant_solvers PUBLIC libmajorant_framework)
+      target_link_libraries(majorant INTERFACE libmajorant_solvers)
+    endif()
   else()
-    set(rooms ${libmajorant_rooms} ${libmajorant_framework_rooms})
+    set(rooms ${libmajorant_rooms} ${libmajorant_solvers_rooms} ${libmajorant_framework_rooms})
     list(TRANSFORM rooms PREPEND majorant_)
     target_link_libraries(majorant INTERFACE ${rooms})
   endif()

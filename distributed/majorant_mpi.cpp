@@ -132,7 +132,7 @@ class SharedJob {
     record_.begin(Activity::Starting);
     const Vec uv = make_start(solver);
     ParametrizationOptions options = local_options();
-    options.solve.linear_solver = solver;
+    options.solve.linear_solver = [solver](const SparsePattern&, Ordering) { return solver(); };
     std::optional<PartState> from;
     if (resumes()) from = state_of(*part_, in_.checkpoint);
     make_writer(uv);
@@ -319,7 +319,7 @@ void add_to(CLI::App& app, Request& request) {
   verb.add_option("--linear-solver", request.linear_solver,
                   "auto; direct, on one rank; or where the ladder of solvers begins: cg-hypre, "
                   "cg-gamg, cg-icc, mumps")
-      ->check(solver_name(solvers));
+      ->check(one_of(solvers));
   verb.footer(
       energy_help() +
       "Example: mpirun -n 8 majorant-mpi parametrize big.ply -o big.pvtu --report run.json");
@@ -398,7 +398,7 @@ int run(int argc, char** argv) {
 }  // namespace majorant::app
 
 int main(int argc, char** argv) {
-  majorant::app::prepare_process(argv);
+  majorant::app::prepare_process();
   return majorant::app::run(argc, argv);
 }
 

@@ -1,5 +1,5 @@
-// libmajorant_petsc.so: what `majorant` loads for --linear-solver mumps and cg-hypre. Shown is the
-// last line alone (plugin_symbols.map).
+// libmajorant_petsc.so: what `majorant` loads for --linear-solver mumps and cg-hypre. What it exports is
+// the last line alone (cmake/plugin_symbols.map).
 #include <cstdlib>
 
 #include "distributed/petsc_solver.h"
@@ -32,8 +32,8 @@ std::vector<std::string> unused_options() { return processes({}).unused_options(
 }  // namespace
 }  // namespace majorant
 
-extern "C" const majorant::SolverPlugin majorant_solver_plugin{MAJORANT_VERSION, majorant::ladder,
-                                                               majorant::unused_options};
+extern "C" const majorant::PetscPlugin majorant_plugin{MAJORANT_VERSION, majorant::ladder,
+                                                       majorant::unused_options};
 
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause

@@ -1,5 +1,3 @@
-#include "majorant/framework/internal/direct_solver.h"
-
 #include <fmt/format.h>
 
 #include <memory>
@@ -12,13 +10,10 @@
 #include "majorant/framework/internal/extended_elimination.h"
 #include "majorant/framework/internal/multifrontal.h"
 #include "majorant/framework/internal/symbolic_analysis.h"
+#include "majorant/framework/linear_solver.h"
 
 namespace majorant {
 namespace {
-
-// Blocks from which METIS pays for ten factorizations. Origin: ms more to order and less to
-// factorize than with AMD: 10K faces 15 and 0.3, 50K 110 and 3, 160K (80K blocks) 380 and 52.
-constexpr Index kMetisBlocks = 75000;
 
 // Patterns that differ from the last one by at most so many edges for each block keep its ordering,
 // as long as the factor needs at most so many times the operations. Origin: bijective runs at 10K
@@ -26,14 +21,20 @@ constexpr Index kMetisBlocks = 75000;
 // 1.25, 1.6, 2.2 times: 992 340, 915 312, 890 324, 886 317. So many edges never came.
 constexpr double kFewEdges = 0.1, kMoreOperations = 1.6;
 
+bool same(const SparsePattern& a, const SparsePattern& b) {
+  return a.size == b.size && a.column_starts == b.column_starts && a.rows == b.rows &&
+         a.block_of == b.block_of;
+}
+
 class DirectSolver final : public LinearSolver {
  public:
-  DirectSolver(Ordering ordering, InsteadOfFactor instead)
-      : ordering_(ordering), instead_(std::move(instead)) {}
+  explicit DirectSolver(Ordering ordering) : ordering_(ordering) {}
 
   void analyze(const SparsePattern& pattern) override {
+    // Who chose this solver for the pattern has analysed it already, to know bytes().
+    if (analysed_ && same(*analysed_, pattern)) return;
     require_valid(pattern);
-    other_.reset();
+    analysed_.reset();
     factor_.reset();
     tree_.reset();
     size_ = pattern.size;
@@ -41,30 +42,25 @@ class DirectSolver final : public LinearSolver {
     if (pattern.size == 0) return;
     make_tree(pattern);
     factor_ = std::make_unique<MultifrontalFactor>(*tree_);
-    if (instead_) other_ = instead_({factor_->bytes(), pattern.rows.size()});
-    if (!other_) return describe();
-    factor_.reset();
-    tree_.reset();
-    last_graph_.reset();
-    elimination_ = {};
-    other_->analyze(pattern);
+    describe();
+    analysed_ = pattern;
   }
   FactorStatus factorize(const Vec& values, double shift) override {
     require_size("LinearSolver::factorize: values", values.size(), nonzeros_);
-    if (other_) return other_->factorize(values, shift);
+    analysed_.reset();
     return !factor_ || factor_->factorize(values, shift) ? FactorStatus::Ok
                                                          : FactorStatus::NotPositiveDefinite;
   }
-  Solution solve(const Vec& r, Vec& p, double tolerance) override {
+  Solution solve(const Vec& r, Vec& p, double) override {
     require_size("LinearSolver::solve: r", r.size(), size_);
-    if (other_) return other_->solve(r, p, tolerance);
     if (factor_)
       factor_->solve(r, p);
     else
       p.resize(r.size());
     return {};
   }
-  std::string description() const override { return other_ ? other_->description() : description_; }
+  std::size_t bytes() const override { return factor_ ? factor_->bytes() : 0; }
+  std::string description() const override { return description_; }
 
  private:
   void make_tree(const SparsePattern& pattern) {
@@ -78,12 +74,8 @@ class DirectSolver final : public LinearSolver {
   }
 
   void order(const SparsePattern& pattern, const BlockGraph& graph) {
-    chosen_ = ordering_ != Ordering::Automatic ? ordering_
-              : graph.size() < kMetisBlocks    ? Ordering::Amd
-                                               : Ordering::Metis;
-    elimination_ =
-        analyze_elimination(graph, chosen_ == Ordering::Metis ? nested_dissection_order(graph)
-                                                              : minimum_degree_order(graph));
+    chosen_ = chosen_ordering(ordering_, graph);
+    elimination_ = analyze_elimination(graph, fill_reducing_order(graph, chosen_));
     tree_ = std::make_unique<const FrontTree>(pattern, elimination_);
     fresh_operations_ = tree_->operations();
   }
@@ -106,15 +98,14 @@ class DirectSolver final : public LinearSolver {
   }
 
   Ordering ordering_, chosen_ = Ordering::Amd;
-  InsteadOfFactor instead_;
   Index size_ = 0, nonzeros_ = 0;
+  std::optional<SparsePattern> analysed_;  // and nothing of it factorized yet
   std::optional<BlockGraph> last_graph_;
   BlockElimination elimination_;  // of it
   bool extended_ = false;         // made for another one
   double fresh_operations_ = 0;   // with its own ordering
   std::unique_ptr<const FrontTree> tree_;
   std::unique_ptr<MultifrontalFactor> factor_;
-  std::unique_ptr<LinearSolver> other_;  // solves, if there is one
   std::string description_;
 };
 
@@ -123,20 +114,7 @@ class DirectSolver final : public LinearSolver {
 std::string_view vector_instructions() { return front_kernels().name; }
 
 std::unique_ptr<LinearSolver> make_direct_solver(Ordering ordering) {
-  return make_direct_solver(ordering, {});
-}
-
-std::unique_ptr<LinearSolver> make_direct_solver(Ordering ordering, InsteadOfFactor instead) {
-  return std::make_unique<DirectSolver>(ordering, std::move(instead));
-}
-
-FactorSize factor_size(const SparsePattern& pattern, Ordering ordering) {
-  FactorSize size;
-  DirectSolver(ordering, [&](const FactorSize& needed) {
-    size = needed;
-    return nullptr;
-  }).analyze(pattern);
-  return size;
+  return std::make_unique<DirectSolver>(ordering);
 }
 
 }  // namespace majorant

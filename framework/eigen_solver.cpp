@@ -44,6 +44,11 @@ class EigenLdltSolver final : public LinearSolver {
     return {};
   }
 
+  std::size_t bytes() const override {
+    const auto entries = ldlt_.matrixL().nestedExpression().nonZeros();
+    return static_cast<std::size_t>(entries) * (sizeof(double) + sizeof(Index));
+  }
+
   std::string description() const override {
     return fmt::format("Eigen LDLT, AMD, {} nonzeros", matrix_.nonZeros());
   }

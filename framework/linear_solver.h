@@ -53,14 +53,11 @@ class LinearSolver {
   // p with |H p - r| <= tolerance |r|, H with its shift; only after factorize() returned Ok.
   // tolerance: in [0, 1); 0 asks for all that rounding leaves. Direct solvers do not look at it.
   virtual Solution solve(const Vec& r, Vec& p, double tolerance = 0) = 0;
+  // Memory that factorize() is going to allocate for the factor and its making, known after the
+  // analysis, before any of it is taken; 0: not known.
+  virtual std::size_t bytes() const { return 0; }
   // What the analysis chose, for reports: "supernodal, METIS, 1.2e6 nonzeros".
   virtual std::string description() const = 0;
-};
-
-// What a direct solver needs for the matrices of a pattern, known before anything is allocated.
-struct FactorSize {
-  std::size_t bytes = 0;    // of the factor, and of what making it takes besides
-  std::size_t entries = 0;  // of the pattern
 };
 
 // Makes one; minimizers call it once. May be empty where they have one of their own.
@@ -69,6 +66,12 @@ using SolverFactory = std::function<std::unique_ptr<LinearSolver>()>;
 // Automatic: what costs least over the factorizations of a Newton run, ten and more. Amd: cheaper
 // to find, for one or two.
 enum class Ordering { Automatic, Amd, Metis };
+
+// Where a run, rather than a minimizer, makes the solver: it is told what is to be factorized, and
+// which ordering suits the number of factorizations, so that it can choose by size (bytes() of a
+// solver that has analysed the pattern).
+using PatternSolverFactory =
+    std::function<std::unique_ptr<LinearSolver>(const SparsePattern& pattern, Ordering ordering)>;
 
 // Multifrontal Cholesky [DR83] of this library, on the orderings of AMD and METIS: in the widest
 // vector instructions of the machine, on the threads that the caller of analyze() has

@@ -29,7 +29,7 @@ FLOORS = [
     ['parametrization/atlas', 'io'],
     ['pictures'],
     ['results'],
-    ['apps/arguments'],
+    ['apps/arguments', 'apps/plugins'],
     ['apps'],
     ['apps/compare', 'apps/check', 'distributed'],
 ]

@@ -1,11 +1,20 @@
 #include "apps/compare/ceres_methods.h"
 
-#include "apps/compare/least_squares.h"
+#include "apps/compare/ceres_plugin.h"
+#include "apps/parts.h"
+#include "apps/plugins/plugin.h"
 #include "majorant/energies/named_energies.h"
-#include "majorant/framework/ceres_minimizer.h"
 
 namespace majorant::app {
 namespace {
+
+const CeresPlugin& ceres() {
+  static const CeresPlugin& plugin = load_plugin<CeresPlugin>(kCeresPlugin);
+  plugin.silence();
+  return plugin;
+}
+
+void load_ceres() { ceres(); }
 
 Method ceres_gradient(std::string name, std::string summary, CeresOptions::Method method) {
   return {std::move(name), std::move(summary), nullptr, [method](const Contest& c) {
@@ -13,8 +22,9 @@ Method ceres_gradient(std::string name, std::string summary, CeresOptions::Metho
             options.method = method;
             options.max_iterations = c.max_iterations;
             options.stop = c.stop;
-            return std::make_unique<CeresMinimizer>(options);
-          }};
+            return ceres().gradient(options);
+          },
+          load_ceres};
 }
 
 Method least_squares() {
@@ -31,14 +41,15 @@ Method least_squares() {
           [](const Contest& c) {
             LeastSquaresOptions options;
             options.max_iterations = c.max_iterations;
-            return std::make_unique<LeastSquaresMinimizer>(c.space, c.specification.rest, c.rule,
-                                                           options);
-          }};
+            return ceres().least_squares(c.space, c.specification.rest, c.rule, options);
+          },
+          load_ceres};
 }
 
 }  // namespace
 
 std::vector<Method> ceres_methods() {
+  if (!has_gpl_parts()) return {};
   return {
       ceres_gradient("ceres-lbfgs", "Ceres, L-BFGS", CeresOptions::Method::Lbfgs),
       ceres_gradient("ceres-nlcg", "Ceres, nonlinear conjugate gradients",

@@ -1,4 +1,5 @@
-// Solvers of Ceres among the methods of `majorant compare`: none in a build without it.
+// Solvers of Ceres among the methods of `majorant compare`, from a library that is loaded when one
+// of them is to run: none in a build without GPL parts.
 #pragma once
 
 #include <vector>

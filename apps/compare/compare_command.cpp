@@ -16,7 +16,6 @@
 #include "apps/arguments/number_check.h"
 #include "apps/arguments/suggestion.h"
 #include "apps/command.h"
-#include "apps/compare/ceres_log.h"
 #include "apps/compare/comparison_table.h"
 #include "apps/compare/methods.h"
 #include "apps/compare/write_comparison.h"
@@ -158,6 +157,20 @@ std::vector<const Method*> wanted_methods(const Request& request) {
   return wanted;
 }
 
+// Whether what the method needs can be loaded; asked for by name it must.
+bool can_be_had(const Method& method, const Request& request) {
+  if (!method.load) return true;
+  try {
+    method.load();
+    return true;
+  } catch (const Error& e) {
+    const std::string why = fmt::format("method {}: {}", method.name, e.what());
+    if (!request.methods.empty()) throw Error(e.kind(), why);
+    if (!request.common.quiet) say_warnings({why});
+    return false;
+  }
+}
+
 // Without those that the contest is not for; asked for by name, that is an error.
 std::vector<const Method*> choose(const Request& request, const Contest& contest) {
   std::vector<const Method*> chosen;
@@ -165,7 +178,7 @@ std::vector<const Method*> choose(const Request& request, const Contest& contest
     const std::string why = m->obstacle ? m->obstacle(contest) : std::string();
     if (!why.empty() && !request.methods.empty())
       throw Error(ErrorKind::Usage, fmt::format("method {}: {}", m->name, why));
-    if (why.empty()) chosen.push_back(m);
+    if (why.empty() && can_be_had(*m, request)) chosen.push_back(m);
   }
   return chosen;
 }
@@ -245,7 +258,6 @@ int compare(const Request& request) {
     throw Error(ErrorKind::Usage, "--time-limit and --tolerance must be numbers");
   wanted_methods(request);  // complains before anything is read
   interruption_flag();
-  silence_ceres();
   const ThreadCount threads(start_threads(request.common.threads));
   const Contest contest = make_contest(request);
   const std::vector<const Method*> chosen = choose(request, contest);

@@ -149,6 +149,8 @@ ceres::Solver::Options solver_options(const LeastSquaresOptions& asked) {
   options.gradient_tolerance = asked.gradient_tolerance;
   options.parameter_tolerance = asked.parameter_tolerance;
   options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
+  if (ceres::IsSparseLinearAlgebraLibraryTypeAvailable(ceres::SUITE_SPARSE))
+    options.sparse_linear_algebra_library_type = ceres::SUITE_SPARSE;  // CHOLMOD
   options.logging_type = ceres::SILENT;
   options.num_threads = ThreadCount::current();
   options.update_state_every_iteration = true;

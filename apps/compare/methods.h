@@ -32,6 +32,8 @@ struct Method {
   // Why the contest is not for this method; empty when it is. None: every contest is.
   std::function<std::string(const Contest&)> obstacle;
   std::function<std::unique_ptr<Minimizer>(const Contest&)> make;
+  // Loads the plugin that it needs; throws Error where that cannot be had. None: it needs none.
+  void (*load)() = nullptr;
 };
 
 std::span<const Method> methods();

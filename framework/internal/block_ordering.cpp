@@ -37,6 +37,10 @@ struct Neighbours {
   }
 };
 
+// Blocks from which METIS pays for ten factorizations. Origin: ms more to order and less to
+// factorize than with AMD: 10K faces 15 and 0.3, 50K 110 and 3, 160K (80K blocks) 380 and 52.
+constexpr Index kMetisBlocks = 75000;
+
 std::vector<Index> as_numbered(Index size) {
   std::vector<Index> order(at(size));
   std::iota(order.begin(), order.end(), 0);
@@ -75,6 +79,15 @@ std::vector<Index> nested_dissection_order(const BlockGraph& graph) {
                    inverse.data()) != METIS_OK)
     throw std::bad_alloc();
   return order;
+}
+
+Ordering chosen_ordering(Ordering asked, const BlockGraph& graph) {
+  if (asked != Ordering::Automatic) return asked;
+  return graph.size() < kMetisBlocks ? Ordering::Amd : Ordering::Metis;
+}
+
+std::vector<Index> fill_reducing_order(const BlockGraph& graph, Ordering chosen) {
+  return chosen == Ordering::Metis ? nested_dissection_order(graph) : minimum_degree_order(graph);
 }
 
 }  // namespace majorant

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "majorant/framework/internal/block_graph.h"
+#include "majorant/framework/linear_solver.h"
 
 namespace majorant {
 
@@ -17,6 +18,11 @@ namespace majorant {
 std::vector<Index> minimum_degree_order(const BlockGraph& graph);
 // Waits for its turn: METIS shares state of the process (MetisScope).
 std::vector<Index> nested_dissection_order(const BlockGraph& graph);
+
+// Automatic: Amd, for large graphs Metis. Others stay.
+Ordering chosen_ordering(Ordering asked, const BlockGraph& graph);
+// By AMD or METIS, as chosen.
+std::vector<Index> fill_reducing_order(const BlockGraph& graph, Ordering chosen);
 
 }  // namespace majorant
 

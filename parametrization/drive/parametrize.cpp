@@ -53,7 +53,6 @@ class Run {
     extend(map_);
     domain_ = make_domain();
     record_.begin(Activity::Solving);
-    foresee();
     DegreeSchedule schedule(setup_, *domain_, map_, options_.map.degree, record_,
                             [this](const BezierMap& map) { extend(map); });
     if (!std::isfinite(result_.initial_value)) schedule.enter();
@@ -66,15 +65,6 @@ class Run {
   }
 
  private:
-  // Lower degrees may take hours: what the last one will need is said before them.
-  void foresee() const {
-    const int last = options_.map.degree;
-    if (!options_.solve.foresee || options_.solve.linear_solver || last == map_.degree() ||
-        options_.solve.elevation != Elevation::Incremental)
-      return;
-    options_.solve.foresee(last_degree(last, map_.shared_space(), domain_->ordering()));
-  }
-
   // Asks for the additions of this degree.
   void extend(const BezierMap& map) {
     if (!options_.extend || (extension_ && extension_->degree() == map.degree())) return;

@@ -25,12 +25,6 @@ enum class Triangles { Kept, Flipped };
 // (ParametrizationResult::factor_solve_seconds). Its time counts nowhere.
 enum class FactorCost { IfKnown, Measured };
 
-// What the direct solver will need where a run ends, for the map alone, all of it free.
-struct LastDegree {
-  int degree;
-  FactorSize at_most;                    // of surfaces of few handles, by the number of faces
-  std::function<FactorSize()> analysed;  // costs one more analysis of that degree
-};
 
 struct SolveOptions {
   Curvature curvature = Curvature::Projected;
@@ -45,14 +39,9 @@ struct SolveOptions {
   Triangles triangles = Triangles::Kept;
   FactorCost factor_cost = FactorCost::IfKnown;
   MapObserver watch = {};  // may be empty
-  // Of Newton's systems; empty: the library's own direct one, which is the fastest up to some
-  // millions of faces. The scaffold's relaxation keeps that.
-  SolverFactory linear_solver = {};
-  // Where that is empty: asked after every analysis, before the direct solver allocates a factor.
-  // What it returns, if anything, solves instead. May be empty.
-  std::function<std::unique_ptr<LinearSolver>(const FactorSize& needed)> instead_of_factor = {};
-  // Likewise, called before the first step of a run that goes through lower degrees. May be empty.
-  std::function<void(const LastDegree&)> foresee = {};
+  // Makes what solves Newton's systems, once for every degree; empty: make_direct_solver(), which
+  // is the fastest up to some millions of faces. The scaffold's relaxation keeps that.
+  PatternSolverFactory linear_solver = {};
   int threads = 0;  // 0: as many as the caller has (thread_count.h); results do not depend on it
 };
 

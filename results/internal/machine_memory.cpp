@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "majorant/elements/bezier_triangle_space.h"
+#include "majorant/framework/internal/assembly.h"
+#include "majorant/framework/linear_solver.h"
+
 namespace majorant {
 namespace {
 
@@ -15,7 +19,28 @@ constexpr std::size_t kMultigridBytes = 35000000, kMultigridBytesOfEntry = 115;
 // at the analysis of degrees 2 and 3 of nefertiti_10000, over that at degree 1.
 constexpr std::size_t kProblemBytesOfEntry = 33;
 
+// Of a factor and its making, for every entry of the Hessians of faces, from degree 2 on: at most.
+// Origin: nefertiti_10000 takes 35 at degree 3 and 38 at degree 2, and 10 and 12 more for every
+// fourfold number of faces: 87 and 110 where patterns end.
+constexpr std::size_t kFactorBytesOfEntry = 120;
+
 }  // namespace
+
+FactorSize factor_size_at_most(const SurfaceMesh& mesh, int degree) {
+  const auto local = static_cast<std::size_t>((degree + 1) * (degree + 2));
+  const std::size_t entries = at(mesh.face_count()) * (local * (local + 1) / 2);
+  return {kFactorBytesOfEntry * entries, entries};
+}
+
+FactorSize factor_size(const SurfaceMesh& mesh, int degree) {
+  const BezierTriangleSpace space(mesh.faces(), mesh.vertex_count(), degree);
+  const Stencils stencils{space.cells(), 2};
+  const SparsePattern pattern =
+      reduced_pattern({&stencils}, Elimination(2 * space.node_count(), ConstraintRows{}));
+  const auto solver = make_direct_solver();
+  solver->analyze(pattern);
+  return {solver->bytes(), pattern.rows.size()};
+}
 
 SolverMemory solver_memory(const FactorSize& needed, std::optional<std::size_t> available) {
   const char* const told = std::getenv("MAJORANT_MULTIGRID_BYTES");

@@ -1,4 +1,4 @@
-// What solvers would take of the memory that is left.
+// What linear solvers would take of the memory that is left: by which a run chooses one.
 //
 //   const SolverMemory memory = solver_memory(FactorSize{5000, 200}, available_memory());
 //   const bool multigrid = memory.prefers_multigrid();
@@ -8,9 +8,21 @@
 #include <optional>
 
 #include "majorant/framework/internal/available_memory.h"
-#include "majorant/framework/linear_solver.h"
+#include "majorant/mesh/surface_mesh.h"
 
 namespace majorant {
+
+// What a direct solver needs for the matrices of a pattern.
+struct FactorSize {
+  std::size_t bytes = 0;    // of the factor and of what making it takes (LinearSolver::bytes())
+  std::size_t entries = 0;  // of the pattern
+};
+
+// More than that of the maps of degree `degree` of these faces: by their number, for surfaces of
+// few handles. degree >= 2.
+FactorSize factor_size_at_most(const SurfaceMesh& mesh, int degree);
+// The same of a map that nothing holds, about: costs an analysis.
+FactorSize factor_size(const SurfaceMesh& mesh, int degree);
 
 // What the solvers of one process take, and what there is: bytes.
 struct SolverMemory {

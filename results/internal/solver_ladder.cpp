@@ -1,26 +1,16 @@
 #include "majorant/results/internal/solver_ladder.h"
 
-#include <dlfcn.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
-#include <cstring>
 #include <iterator>
 #include <sstream>
 
 #include "majorant/framework/error.h"
 
 namespace majorant {
-namespace {
-
-constexpr const char* kFile = "libmajorant_petsc.so";
-
-[[noreturn]] void refuse(const std::string& why) { throw Error(ErrorKind::Unreadable, why); }
-
-}  // namespace
 
 Json linear_solver_section(const std::string& asked, OwnSolver own, const LadderRecord& record) {
   std::vector<std::string_view> used;
@@ -64,30 +54,6 @@ std::vector<std::string> petsc_words(const std::string& text) {
                     fmt::format("'{}' makes PETSc end the program; leave it out", word));
   }
   return words;
-}
-
-const SolverPlugin& load_solver_plugin(const std::vector<std::string>& folders) {
-  const auto folder = std::find_if(folders.begin(), folders.end(), [](const std::string& f) {
-    return ::access((f + "/" + kFile).c_str(), F_OK) == 0;
-  });
-  if (folder == folders.end())
-    refuse(
-        fmt::format("there is no {} in {}; build majorant where PETSc is (petsc-dev), or install "
-                    "its component mpi",
-                    kFile, fmt::join(folders, ", ")));
-  const std::string path = *folder + "/" + kFile;
-  // Global: components that MPI loads by itself look for its symbols there.
-  void* const library = ::dlopen(path.c_str(), RTLD_NOW | RTLD_GLOBAL);
-  if (!library) {
-    const char* const why = ::dlerror();
-    refuse(fmt::format("{} cannot be loaded: {}; install PETSc and MPI", path, why ? why : ""));
-  }
-  const auto* const plugin =
-      static_cast<const SolverPlugin*>(::dlsym(library, "majorant_solver_plugin"));
-  if (!plugin || std::strcmp(plugin->version, MAJORANT_VERSION) != 0)
-    refuse(fmt::format("{} is of version {}, this is {}; install the same of both", path,
-                       plugin ? plugin->version : "?", MAJORANT_VERSION));
-  return *plugin;
 }
 
 }  // namespace majorant

@@ -1,9 +1,7 @@
 // The ladder of PETSc's linear solvers, as those see it who ask for it: its rungs, what they did,
-// and how a program that does not link PETSc gets it, from a library that is loaded on demand.
+// and what the library exports that programs load which do not link PETSc (apps/plugins/plugin.h).
 //
 //   auto record = std::make_shared<LadderRecord>();
-//   const SolverPlugin& plugin = load_solver_plugin({"/usr/lib/majorant"});
-//   SolverFactory solver = plugin.ladder({.first = Rung::Mumps}, record, {});
 //   const Json section = linear_solver_section("mumps", OwnSolver::Unused, *record);
 //
 // What rungs are and when they fail: distributed/petsc_solver.h.
@@ -53,9 +51,9 @@ Json linear_solver_section(const std::string& asked, OwnSolver own, const Ladder
 // options by which PETSc prints a text and ends the program: help, version.
 std::vector<std::string> petsc_words(const std::string& text);
 
-// What the library that is loaded exports, as majorant_solver_plugin.
-struct SolverPlugin {
-  const char* version;  // of the source that it is compiled from
+// libmajorant_petsc.so.
+struct PetscPlugin {
+  const char* version;
   // Starts MPI and PETSc when it is called first, as one process and with these words; they end
   // with the program.
   SolverFactory (*ladder)(const LadderOptions&, std::shared_ptr<LadderRecord>,
@@ -63,11 +61,6 @@ struct SolverPlugin {
   // Of the options among these words those that nothing has asked for until now.
   std::vector<std::string> (*unused_options)();
 };
-
-// libmajorant_petsc.so of the first of these folders that has one; it stays loaded. Throws
-// Error(Unreadable) where none has, where it cannot be loaded (what it needs is missing), and where
-// it is of another version.
-const SolverPlugin& load_solver_plugin(const std::vector<std::string>& folders);
 
 }  // namespace majorant
 

@@ -1,11 +1,10 @@
-// The sparse Cholesky solver against dense linear algebra.
-#include "majorant/framework/internal/direct_solver.h"
-
+// The sparse Cholesky solvers, the library's own and CHOLMOD, against dense linear algebra.
 #include <gtest/gtest.h>
 
 #include <limits>
 
 #include "framework/random_matrix.h"
+#include "majorant/framework/cholmod_solver.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/internal/front_kernels.h"
@@ -25,7 +24,27 @@ class DirectSolver : public testing::TestWithParam<Ordering> {
   std::unique_ptr<LinearSolver> make() const { return make_direct_solver(GetParam()); }
 };
 
-TEST_P(DirectSolver, SolvesPositiveDefiniteSystems) {
+using Factor = CholmodOptions::Factor;
+
+struct NamedSolver {
+  const char* name;
+  SolverFactory make;
+  friend void PrintTo(const NamedSolver& s, std::ostream* out) { *out << s.name; }
+};
+
+NamedSolver own(const char* name, Ordering ordering) {
+  return {name, [ordering] { return make_direct_solver(ordering); }};
+}
+NamedSolver cholmod(const char* name, Ordering ordering, Factor factor) {
+  return {name, [=] { return make_cholmod_solver({ordering, factor}); }};
+}
+
+class Factorization : public testing::TestWithParam<NamedSolver> {
+ protected:
+  std::unique_ptr<LinearSolver> make() const { return GetParam().make(); }
+};
+
+TEST_P(Factorization, SolvesPositiveDefiniteSystems) {
   Random random(1);
   const auto solver = make();
   for (const auto& [nodes, block] :
@@ -38,30 +57,30 @@ TEST_P(DirectSolver, SolvesPositiveDefiniteSystems) {
   }
 }
 
-// Asked with the bytes of the factor after each analysis; what is given instead solves, once.
-TEST_P(DirectSolver, GivesWayBeforeItAllocates) {
+// Known before anything is allocated; of a second analysis of the same pattern the same, as are
+// description and solution to the bit.
+TEST_P(DirectSolver, BytesAreKnownAfterTheAnalysis) {
   Random random(9);
   const Matrix small = random_matrix(random, 20, 2, 60), large = random_matrix(random, 150, 2, 60);
-  std::vector<FactorSize> asked;
-  const auto solver = make_direct_solver(GetParam(), [&](const FactorSize& needed) {
-    asked.push_back(needed);
-    return asked.size() == 2 ? make_eigen_ldlt_solver() : nullptr;
-  });
-  for (const Matrix* m : {&small, &large, &small}) {
-    solver->analyze(m->pattern);
+  const auto solver = make();
+  EXPECT_EQ(solver->bytes(), 0u);
+  const Vec r = random.vector(large.pattern.size);
+  std::vector<std::size_t> bytes;
+  std::vector<Vec> solutions;
+  std::vector<std::string> descriptions;
+  for (const auto& [m, times] : {std::pair(&small, 1), {&large, 1}, {&small, 1}, {&large, 2}}) {
+    for (int k = 0; k < times; ++k) solver->analyze(m->pattern);
+    bytes.push_back(solver->bytes());
+    EXPECT_GE(bytes.back(), m->pattern.rows.size() * sizeof(double));
     ASSERT_EQ(solver->factorize(m->values, 0), FactorStatus::Ok);
-    expect_solves(*solver, m->dense, random);
-    EXPECT_EQ(solver->factorize(m->values, -1e3), FactorStatus::NotPositiveDefinite);
-    EXPECT_EQ(solver->description().find("multifrontal") == std::string::npos, m == &large);
+    EXPECT_EQ(solver->bytes(), bytes.back());
+    solver->solve(r.head(m->pattern.size), solutions.emplace_back());
+    descriptions.push_back(solver->description());
   }
-  ASSERT_EQ(asked.size(), 3u);
-  EXPECT_EQ(asked[0].bytes, asked[2].bytes);
-  EXPECT_LT(asked[0].bytes, asked[1].bytes);
-  EXPECT_EQ(asked[0].entries, small.pattern.rows.size());
-  EXPECT_GE(asked[0].bytes, small.pattern.rows.size() * sizeof(double));
-  EXPECT_EQ(factor_size(small.pattern, GetParam()).bytes, asked[0].bytes);
-  EXPECT_EQ(factor_size(large.pattern, GetParam()).bytes, asked[1].bytes);
-  EXPECT_EQ(factor_size(large.pattern, GetParam()).entries, asked[1].entries);
+  EXPECT_LT(bytes[0], bytes[1]);
+  EXPECT_EQ(bytes[1], bytes[3]);
+  EXPECT_EQ(descriptions[1], descriptions[3]);
+  EXPECT_EQ(solutions[1], solutions[3]);
 }
 
 TEST(SparsePattern, RefusesMoreEntriesThanItCounts) {
@@ -79,7 +98,7 @@ TEST(SparsePattern, RefusesMoreEntriesThanItCounts) {
   EXPECT_THROW(counted("nodes", std::numeric_limits<std::size_t>::max(), 3), Error);
 }
 
-TEST_P(DirectSolver, RefactorizesOtherValues) {
+TEST_P(Factorization, RefactorizesOtherValues) {
   Random random(2);
   const auto solver = make();
   Matrix m = random_matrix(random, 80, 2, 60);
@@ -111,7 +130,7 @@ TEST_P(DirectSolver, KeepsAnOrderingWhileItServes) {
   EXPECT_GE(ordered, 2);  // the first time, and where operations have become too many
 }
 
-TEST_P(DirectSolver, DetectsIndefinitenessAndRecoversByShift) {
+TEST_P(Factorization, DetectsIndefinitenessAndRecoversByShift) {
   Random random(3);
   const auto solver = make();
   const Matrix m = random_matrix(random, 100, 2, 2);
@@ -128,7 +147,7 @@ TEST_P(DirectSolver, DetectsIndefinitenessAndRecoversByShift) {
   EXPECT_EQ(solver->factorize(m.values, 0), FactorStatus::NotPositiveDefinite);
 }
 
-TEST_P(DirectSolver, ZeroMatrixIsNotPositiveDefinite) {
+TEST_P(Factorization, ZeroMatrixIsNotPositiveDefinite) {
   Random random(4);
   const auto solver = make();
   Matrix m = random_matrix(random, 10, 2, 0);
@@ -141,7 +160,7 @@ TEST_P(DirectSolver, ZeroMatrixIsNotPositiveDefinite) {
   EXPECT_LE((p - Vec::Constant(20, 0.5)).norm(), 1e-15);
 }
 
-TEST_P(DirectSolver, EmptyMatrix) {
+TEST_P(Factorization, EmptyMatrix) {
   const auto solver = make();
   SparsePattern empty;
   empty.column_starts = {0};
@@ -163,6 +182,94 @@ TEST_P(DirectSolver, DescriptionTellsTheChoice) {
   EXPECT_TRUE(has(front_kernels().name)) << d;
   EXPECT_EQ(has("METIS"), GetParam() == Ordering::Metis) << d;
   EXPECT_EQ(has("AMD"), GetParam() != Ordering::Metis) << d;
+}
+
+// Both sides of the lowest eigenvalue, closely.
+TEST_P(Factorization, DefiniteWhereEigenvaluesAre) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    Random random(seed);
+    const Matrix m = random_matrix(random, 40, 2, random.uniform(0, 12));
+    const double lowest = symmetric_eigen(m.dense).values[0];
+    const auto solver = make();
+    solver->analyze(m.pattern);
+    EXPECT_EQ(solver->factorize(m.values, 0),
+              lowest > 0 ? FactorStatus::Ok : FactorStatus::NotPositiveDefinite);
+    EXPECT_EQ(solver->factorize(m.values, -lowest - 1e-8), FactorStatus::NotPositiveDefinite);
+    EXPECT_EQ(solver->factorize(m.values, -lowest + 1e-8), FactorStatus::Ok);
+  }
+}
+
+TEST_P(Factorization, NumbersThatAreNotFiniteAreNotPositiveDefinite) {
+  Random random(4);
+  const Matrix m = random_matrix(random, 100, 2, 60);
+  const auto solver = make();
+  solver->analyze(m.pattern);
+  for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()})
+    for (const Index entry : {0, 1, m.pattern.nonzeros() - 1}) {
+      Vec values = m.values;
+      values[entry] = bad;
+      EXPECT_EQ(solver->factorize(values, 0), FactorStatus::NotPositiveDefinite) << bad << entry;
+    }
+  ASSERT_EQ(solver->factorize(m.values, 0), FactorStatus::Ok);
+  expect_solves(*solver, m.dense, random);
+}
+
+// A factor of nothing must not solve, nor one of another pattern; known before it is made.
+TEST_P(Factorization, TakesOtherPatterns) {
+  Random random(6);
+  const auto solver = make();
+  EXPECT_EQ(solver->bytes(), 0u);
+  for (const Index nodes : {30, 200, 30, 7}) {
+    const Matrix m = random_matrix(random, nodes, 2, 60);
+    solver->analyze(m.pattern);
+    EXPECT_GE(solver->bytes(), m.pattern.rows.size() * sizeof(double));
+    EXPECT_THROW(solver->factorize(m.values.head(1), 0), InvalidArgument);
+    ASSERT_EQ(solver->factorize(m.values, 0), FactorStatus::Ok);
+    expect_solves(*solver, m.dense, random);
+    Vec p;
+    EXPECT_THROW(solver->solve(Vec::Ones(3), p), InvalidArgument);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, Factorization,
+    testing::Values(own("own", Ordering::Automatic), own("own_amd", Ordering::Amd),
+                    own("own_metis", Ordering::Metis),
+                    cholmod("cholmod", Ordering::Automatic, Factor::Automatic),
+                    cholmod("cholmod_simplicial", Ordering::Amd, Factor::Simplicial),
+                    cholmod("cholmod_supernodal", Ordering::Amd, Factor::Supernodal),
+                    cholmod("cholmod_metis", Ordering::Metis, Factor::Supernodal)),
+    [](const auto& info) { return std::string(info.param.name); });
+
+TEST(Cholmod, DescriptionTellsTheChoice) {
+  Random random(5);
+  const Matrix m = random_matrix(random, 100, 2, 60);
+  for (const bool supernodal : {false, true})
+    for (const bool metis : {false, true}) {
+      const auto solver =
+          make_cholmod_solver({metis ? Ordering::Metis : Ordering::Amd,
+                               supernodal ? Factor::Supernodal : Factor::Simplicial});
+      solver->analyze(m.pattern);
+      const std::string d = solver->description();
+      EXPECT_NE(d.find(supernodal ? "supernodal" : "simplicial"), std::string::npos) << d;
+      EXPECT_NE(d.find(metis ? "METIS" : "AMD"), std::string::npos) << d;
+    }
+}
+
+// Both are Cholesky factorizations of the same matrix.
+TEST(Cholmod, SolvesAsTheOwnFactorization) {
+  Random random(8);
+  for (const Index nodes : {50, 400}) {
+    const Matrix m = random_matrix(random, nodes, 2, 60);
+    const Vec r = random.vector(m.pattern.size);
+    std::vector<Vec> solutions;
+    for (const auto& solver : {make_direct_solver(), make_cholmod_solver()}) {
+      solver->analyze(m.pattern);
+      ASSERT_EQ(solver->factorize(m.values, 0), FactorStatus::Ok);
+      solver->solve(r, solutions.emplace_back());
+    }
+    EXPECT_LE((solutions[0] - solutions[1]).norm(), 1e-12 * solutions[0].norm());
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, DirectSolver,

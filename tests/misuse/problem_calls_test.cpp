@@ -5,6 +5,7 @@
 
 #include "framework/scalar_terms.h"
 #include "majorant/energies/quadratic_penalty.h"
+#include "majorant/framework/cholmod_solver.h"
 #include "majorant/framework/derivative_check.h"
 #include "majorant/framework/evaluator.h"
 #include "majorant/framework/linear_solver.h"
@@ -278,6 +279,24 @@ const std::vector<Call> kCalls{
      [] { solve_ldlt(Vec::Ones(1), Vec::Ones(2)); }},
     {"ldlt_short_right_hand_side", "InvalidArgument: LinearSolver::solve: r has 1 numbers",
      [] { solve_ldlt(Eigen::Vector3d(2, -1, 2), Vec::Ones(1)); }},
+    {"cholmod_few_values", "InvalidArgument: LinearSolver::factorize: values has 2 numbers",
+     [] {
+       const SparsePattern p = pattern();
+       const auto solver = make_cholmod_solver();
+       solver->analyze(p);
+       solver->factorize(Vec::Ones(2), 0);
+     }},
+    {"cholmod_before_an_analysis", "InvalidArgument: LinearSolver::solve: r has 1 numbers",
+     [] {
+       Vec p;
+       make_cholmod_solver()->solve(Vec::Ones(1), p);
+     }},
+    {"cholmod_pattern_without_blocks", "InvalidArgument: sparse pattern: 0 blocks for 2 unknowns",
+     [] {
+       SparsePattern p = pattern();
+       p.block_of.clear();
+       make_cholmod_solver()->analyze(p);
+     }},
     {"shifted_few_values", "InvalidArgument: factorize_shifted: values has 0 numbers",
      [] {
        const SparsePattern p = pattern();

@@ -49,7 +49,7 @@ class Configurations(unittest.TestCase):
         link = run('ninja', '-C', folder, '-t', 'commands', 'apps/majorant').splitlines()[-1]
         self.assertIn('libmetis', link)
         for name in ('ceres', 'cholmod', 'blas', 'nlopt', 'clipping', 'gmp', 'glog'):
-            self.assertNotIn(name, link.replace('no_ceres', ''))
+            self.assertNotIn(name, link.replace('ceres_methods', ''))
         self.check_what_their_sources_include(sources)
 
     def check_what_their_sources_include(self, sources):
@@ -68,7 +68,7 @@ class Configurations(unittest.TestCase):
     def test_the_names_of_shared_libraries(self):
         folder = self.configure('-DBUILD_SHARED_LIBS=ON')
         self.assertRegex(try_configurations.version(), r'^\d+\.\d+\.\d+$')
-        for name in ('majorant', 'majorant_framework'):
+        for name in ('majorant', 'majorant_framework', 'majorant_solvers'):
             link = run('ninja', '-C', folder, '-t', 'commands', 'lib/lib%s.so' % name).splitlines()[-2:]
             link = ' '.join(link)
             self.assertIn('-soname,lib%s.so.%s' % (name, try_configurations.soversion()), link)
@@ -77,6 +77,9 @@ class Configurations(unittest.TestCase):
         for room in ('mesh', 'io', 'drive', 'ceres'):
             self.assertNotIn('majorant_%s.dir' % room, framework)
         self.assertIn('majorant_terms.dir', framework)
+        everything_else = run('ninja', '-C', folder, '-t', 'inputs', 'lib/libmajorant.so')
+        self.assertNotIn('majorant_ceres.dir', everything_else)
+        self.assertIn('majorant_ceres.dir', run('ninja', '-C', folder, '-t', 'inputs', 'lib/libmajorant_solvers.so'))
 
     def test_the_symbols_that_are_shown_are_ours(self):
         """The linker script on a library that is small."""

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "majorant/framework/linear_solver.h"
+#include "majorant/parametrization/drive/parametrize.h"
+#include "mesh/obj_file.h"
+
 namespace majorant {
 namespace {
 
@@ -20,6 +24,31 @@ TEST(SolverMemory, DirectWhereItFitsOrTakesLess) {
     const SolverMemory memory{c.direct, c.multigrid, c.available};
     EXPECT_EQ(memory.fits_direct(), c.fits);
     EXPECT_EQ(memory.prefers_multigrid(), c.multigrid_is_better);
+  }
+}
+
+// What is foretold of a degree is what the run meets there.
+TEST(FactorSize, OfADegree) {
+  const auto mesh = generated("cap");
+  for (const int degree : {2, 3}) {
+    FactorSize met;
+    ParametrizationOptions options;
+    options.map.degree = degree;
+    options.solve.linear_solver = [&](const SparsePattern& pattern, Ordering ordering) {
+      auto solver = make_direct_solver(ordering);
+      solver->analyze(pattern);
+      met = {solver->bytes(), pattern.rows.size()};
+      return solver;
+    };
+    parametrize(mesh, options);
+    const FactorSize foretold = factor_size(*mesh, degree);
+    const FactorSize at_most = factor_size_at_most(*mesh, degree);
+    EXPECT_NEAR(static_cast<double>(foretold.bytes), static_cast<double>(met.bytes),
+                0.1 * static_cast<double>(met.bytes));
+    EXPECT_NEAR(static_cast<double>(foretold.entries), static_cast<double>(met.entries),
+                0.01 * static_cast<double>(met.entries));
+    EXPECT_GE(at_most.bytes, met.bytes);
+    EXPECT_GE(at_most.entries, met.entries);
   }
 }
 

@@ -82,6 +82,14 @@ void add_use(RemedyUses& uses, Remedy remedy, double gained) {
   use.gained += gained;
 }
 
+// As the options make it for this problem; called by the constructor of the stepper alone.
+SolverFactory solver_of(const SolveOptions& options, const Problem& problem, Ordering ordering) {
+  if (!options.linear_solver) return {};
+  return [&options, &problem, ordering] {
+    return options.linear_solver(problem.pattern(), ordering);
+  };
+}
+
 }  // namespace
 
 DegreeSolver::DegreeSolver(const Setup& setup, MapDomain& domain,
@@ -110,7 +118,7 @@ DegreeSolver::DegreeSolver(const Setup& setup, MapDomain& domain,
       }()),
       stepper_(built_.problem,
                newton_options(setup.solve.curvature, setup.rules, setup.stop, domain.ordering(),
-                              setup.solve.linear_solver, setup.solve.instead_of_factor)) {
+                              solver_of(setup.solve, built_.problem, domain.ordering()))) {
   if (added_.constrained()) meet_added_constraints();
 }
 

@@ -3,16 +3,10 @@
 #include <fmt/format.h>
 
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/assembly.h"
 #include "majorant/framework/internal/curvature_name.h"
 
 namespace majorant {
 namespace {
-
-// Of a factor and its making, for every entry of the Hessians of faces, from degree 2 on: at most.
-// Origin: nefertiti_10000 takes 35 at degree 3 and 38 at degree 2, and 10 and 12 more for every
-// fourfold number of faces: 87 and 110 where patterns end.
-constexpr std::size_t kFactorBytes = 120;
 
 // Of the plane: what energies of maps do not see, but for points that are held.
 Eigen::MatrixXd translations(const Problem& problem) {
@@ -39,8 +33,7 @@ void require_curvature(const DensityTerms& terms, Curvature asked) {
 }
 
 NewtonOptions newton_options(Curvature curvature, const SolverRules& rules, const StopCheck& stop,
-                             Ordering ordering, const SolverFactory& linear_solver,
-                             const InsteadOfFactor& instead) {
+                             Ordering ordering, const SolverFactory& linear_solver) {
   NewtonOptions options;
   options.stopping = rules.stopping;
   options.line_search = rules.line_search;
@@ -48,24 +41,12 @@ NewtonOptions newton_options(Curvature curvature, const SolverRules& rules, cons
   options.kept = rules.kept;
   options.curvature = curvature;
   options.stop = stop;
-  options.linear_solver = [=] { return make_direct_solver(ordering, instead); };
+  options.linear_solver = [=] { return make_direct_solver(ordering); };
   if (linear_solver) {
     options.linear_solver = linear_solver;
     options.near_null_space = translations;
   }
   return options;
-}
-
-LastDegree last_degree(int degree, const std::shared_ptr<const BezierTriangleSpace>& space,
-                       Ordering ordering) {
-  const auto local = static_cast<std::size_t>((degree + 1) * (degree + 2));
-  const std::size_t entries = at(space->element_count()) * (local * (local + 1) / 2);
-  return {degree, {kFactorBytes * entries, entries}, [=] {
-            const BezierTriangleSpace higher(space->faces(), space->vertex_count(), degree);
-            const Stencils stencils{higher.cells(), 2};
-            const Elimination all(2 * higher.node_count(), ConstraintRows{});
-            return factor_size(reduced_pattern({&stencils}, all), ordering);
-          }};
 }
 
 bool was_stopped(Status status) {

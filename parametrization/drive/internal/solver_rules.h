@@ -14,7 +14,6 @@
 
 #include "majorant/elements/element_space.h"
 #include "majorant/framework/internal/barrier_path.h"
-#include "majorant/framework/internal/direct_solver.h"
 #include "majorant/framework/newton.h"
 #include "majorant/parametrization/drive/solve_options.h"
 #include "majorant/parametrization/maps/internal/quadrature_ladder.h"
@@ -121,14 +120,9 @@ struct SolverRules {
 // Throws InvalidArgument, listing what there is, when a term has no such curvature model.
 void require_curvature(const DensityTerms& terms, Curvature asked);
 
-// linear_solver: empty for the direct one with that ordering, or `instead` of it.
+// linear_solver: empty for the direct one with that ordering.
 NewtonOptions newton_options(Curvature curvature, const SolverRules& rules, const StopCheck& stop,
-                             Ordering ordering, const SolverFactory& linear_solver = {},
-                             const InsteadOfFactor& instead = {});
-
-// What the direct solver will need at this degree, for maps of the faces of `space`.
-LastDegree last_degree(int degree, const std::shared_ptr<const BezierTriangleSpace>& space,
-                       Ordering ordering);
+                             Ordering ordering, const SolverFactory& linear_solver = {});
 
 // Whether a limit or Ctrl-C ended a solve.
 bool was_stopped(Status status);

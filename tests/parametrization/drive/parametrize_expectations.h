@@ -3,15 +3,24 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
+#include "majorant/framework/cholmod_solver.h"
 #include "majorant/parametrization/drive/parametrize.h"
 #include "mesh/test_meshes.h"
 #include "parametrization/maps/test_maps.h"
 
 namespace majorant {
 
+inline std::unique_ptr<LinearSolver> cholmod_solver(const SparsePattern&, Ordering ordering) {
+  return make_cholmod_solver({ordering});
+}
+
+// On CHOLMOD where the environment's MAJORANT_TEST_CHOLMOD says so: the tests *_on_cholmod.
 inline ParametrizationOptions degree(int n) {
   ParametrizationOptions options;
   options.map.degree = n;
+  if (std::getenv("MAJORANT_TEST_CHOLMOD")) options.solve.linear_solver = cholmod_solver;
   return options;
 }
 

@@ -51,36 +51,24 @@ TEST(SolverRules, AsDeepAsAllowed) {
   EXPECT_EQ(run.result.remedies[static_cast<std::size_t>(Remedy::Deepen)].runs, 0);
 }
 
-// Before the first step, what the last degree will need.
-TEST(LastDegree, IsForeseen) {
+// Made once for each degree, for the pattern of its Hessians, and used.
+TEST(SolveOptions, LinearSolverIsMadeForEveryDegree) {
   const auto mesh = generated("cap");
-  for (const int n : {1, 2, 3})
-    for (const Elevation elevation : {Elevation::Incremental, Elevation::Direct}) {
-      std::vector<FactorSize> foreseen, needed;
-      std::size_t at_most = 0;
-      ParametrizationOptions options = degree(n);
-      options.solve.elevation = elevation;
-      options.solve.instead_of_factor = [&](const FactorSize& size) {
-        needed.push_back(size);
-        return nullptr;
-      };
-      options.solve.foresee = [&](const LastDegree& last) {
-        EXPECT_EQ(last.degree, n);
-        EXPECT_TRUE(needed.empty());
-        at_most = last.at_most.bytes;
-        EXPECT_GE(last.at_most.entries, last.analysed().entries);
-        foreseen.push_back(last.analysed());
-      };
-      parametrize(mesh, options);
-      ASSERT_EQ(foreseen.size(), n > 1 && elevation == Elevation::Incremental ? 1u : 0u) << n;
-      if (foreseen.empty()) continue;
-      const FactorSize& last = needed.back();
-      EXPECT_NEAR(static_cast<double>(foreseen[0].bytes), static_cast<double>(last.bytes),
-                  0.1 * static_cast<double>(last.bytes));
-      EXPECT_NEAR(static_cast<double>(foreseen[0].entries), static_cast<double>(last.entries),
-                  0.01 * static_cast<double>(last.entries));
-      EXPECT_GE(at_most, last.bytes);
-    }
+  for (const auto injectivity : {MapInjectivity::Local, MapInjectivity::Global}) {
+    ParametrizationOptions options = degree(3);
+    options.map.injectivity = injectivity;
+    const double value = parametrize(mesh, options).measures.value;
+    std::vector<Index> sizes;
+    options.solve.linear_solver = [&](const SparsePattern& pattern, Ordering ordering) {
+      sizes.push_back(pattern.size);
+      EXPECT_EQ(ordering == Ordering::Amd, injectivity == MapInjectivity::Global);
+      return make_direct_solver(ordering);
+    };
+    EXPECT_EQ(parametrize(mesh, options).measures.value, value);
+    ASSERT_EQ(sizes.size(), 3u);
+    EXPECT_LT(sizes[0], sizes[1]);
+    EXPECT_LT(sizes[1], sizes[2]);
+  }
 }
 
 TEST(SolverRules, ExactHessiansWhereAllowed) {

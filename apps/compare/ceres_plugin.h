@@ -1,0 +1,25 @@
+// What `majorant compare` takes from libmajorant_ceres.so.
+#pragma once
+
+#include <memory>
+
+#include "apps/compare/least_squares.h"
+#include "majorant/framework/ceres_minimizer.h"
+
+namespace majorant::app {
+
+struct CeresPlugin {
+  const char* version;
+  std::unique_ptr<Minimizer> (*gradient)(const CeresOptions&);
+  std::unique_ptr<Minimizer> (*least_squares)(std::shared_ptr<const BezierTriangleSpace>,
+                                              const RestShapes&, const Quadrature&,
+                                              const LeastSquaresOptions&);
+  // Ceres reports restarts of conjugate gradients through glog, whatever its options say: from now
+  // on nothing below a fatal error is printed.
+  void (*silence)();
+};
+
+}  // namespace majorant::app
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

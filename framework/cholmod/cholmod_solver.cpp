@@ -1,0 +1,244 @@
+#include "majorant/framework/cholmod_solver.h"
+
+#include <cholmod.h>
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <mutex>
+#include <new>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "majorant/framework/error.h"
+#include "majorant/framework/internal/argument_check.h"
+#include "majorant/framework/internal/block_graph.h"
+#include "majorant/framework/internal/block_ordering.h"
+#include "majorant/framework/thread_count.h"
+
+namespace majorant {
+namespace {
+
+static_assert(std::is_same_v<int, Index>, "CHOLMOD's other functions have 64 bits");
+
+// Columns up to which neighbouring supernodes are merged where at most this part of the result is
+// zeros: CHOLMOD's nrelax and zrelax, whose defaults are 4, 16, 48 and 0.8, 0.1, 0.05.
+constexpr std::array<std::size_t, 3> kMergedColumns{4, 16, 48};
+constexpr std::array<double, 3> kMergedZeros{0.8, 0.1, 0.05};
+
+// The number of OpenBLAS's threads belongs to the process: the first of these sets it to one, the
+// last puts it back. Other BLAS have no such number, or take OpenMP's.
+class OneBlasThread {
+ public:
+  OneBlasThread() : one_(1) {
+    const std::lock_guard lock(mutex());
+    if (alive()++ > 0) return;
+    const auto get = function<int (*)()>("openblas_get_num_threads");
+    if (get) before() = get();
+    set(1);
+  }
+  ~OneBlasThread() {
+    const std::lock_guard lock(mutex());
+    if (--alive() == 0) set(before());
+  }
+  OneBlasThread(const OneBlasThread&) = delete;
+  OneBlasThread& operator=(const OneBlasThread&) = delete;
+
+ private:
+  template <class Function>
+  static Function function(const char* name) {
+    return reinterpret_cast<Function>(::dlsym(RTLD_DEFAULT, name));
+  }
+  static void set(int threads) {
+    if (const auto call = function<void (*)(int)>("openblas_set_num_threads")) call(threads);
+  }
+  static std::mutex& mutex() {
+    static std::mutex m;
+    return m;
+  }
+  static int& alive() {
+    static int count = 0;
+    return count;
+  }
+  static int& before() {
+    static int threads = 1;
+    return threads;
+  }
+
+  ThreadCount one_;  // of OpenMP, which CHOLMOD and some BLAS use
+};
+
+// CHOLMOD's view of a lower triangle; values may be null.
+cholmod_sparse lower_triangle(Index size, const std::vector<Index>& starts,
+                              const std::vector<Index>& rows, const double* values) {
+  cholmod_sparse m{};
+  m.nrow = m.ncol = at(size);
+  m.nzmax = rows.size();
+  m.p = const_cast<Index*>(starts.data());
+  m.i = const_cast<Index*>(rows.data());
+  m.x = const_cast<double*>(values);
+  m.stype = -1;
+  m.itype = CHOLMOD_INT;
+  m.xtype = values ? CHOLMOD_REAL : CHOLMOD_PATTERN;
+  m.dtype = CHOLMOD_DOUBLE;
+  m.sorted = m.packed = 1;
+  return m;
+}
+
+// The unknowns, block after block in this order.
+std::vector<Index> order_of_unknowns(const std::vector<Index>& blocks, const SparsePattern& p) {
+  std::vector<Index> position(blocks.size()), order(at(p.size));
+  for (std::size_t k = 0; k < blocks.size(); ++k) position[at(blocks[k])] = static_cast<Index>(k);
+  for (Index i = 0; i < p.size; ++i) order[at(i)] = i;
+  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) {
+    return position[at(p.block_of[at(a)])] < position[at(p.block_of[at(b)])];
+  });
+  return order;
+}
+
+class CholmodSolver final : public LinearSolver {
+ public:
+  explicit CholmodSolver(CholmodOptions options) : options_(options) {
+    cholmod_start(&common_);
+    common_.print = 0;
+    common_.error_handler = nullptr;
+    common_.quick_return_if_not_posdef = 1;
+    common_.final_ll = 1;  // L L^T: L D L^T would accept negative pivots
+    common_.nmethods = 1;
+    common_.method[0].ordering = CHOLMOD_GIVEN;
+    common_.postorder = 1;
+    common_.supernodal = options.factor == CholmodOptions::Factor::Simplicial   ? CHOLMOD_SIMPLICIAL
+                         : options.factor == CholmodOptions::Factor::Supernodal ? CHOLMOD_SUPERNODAL
+                                                                                : CHOLMOD_AUTO;
+    std::copy(kMergedColumns.begin(), kMergedColumns.end(), common_.nrelax);
+    std::copy(kMergedZeros.begin(), kMergedZeros.end(), common_.zrelax);
+  }
+  ~CholmodSolver() override {
+    forget();
+    cholmod_finish(&common_);
+  }
+  CholmodSolver(const CholmodSolver&) = delete;
+  CholmodSolver& operator=(const CholmodSolver&) = delete;
+
+  void analyze(const SparsePattern& pattern) override {
+    require_valid(pattern);
+    forget();
+    pattern_ = &pattern;
+    if (pattern.size == 0) return;
+    const BlockGraph graph(pattern);
+    const Ordering ordering = chosen_ordering(options_.ordering, graph);
+    std::vector<Index> order = order_of_unknowns(fill_reducing_order(graph, ordering), pattern);
+    cholmod_sparse matrix = matrix_of(nullptr);
+    factor_ = cholmod_analyze_p(&matrix, order.data(), nullptr, 0, &common_);
+    require_success(factor_ != nullptr);
+    entries_ = common_.lnz;
+    description_ = fmt::format("CHOLMOD, {}, {}, {:.3g} factor nonzeros",
+                               factor_->is_super ? "supernodal" : "simplicial",
+                               ordering == Ordering::Metis ? "METIS" : "AMD", entries_);
+  }
+
+  FactorStatus factorize(const Vec& values, double shift) override {
+    require_size("LinearSolver::factorize: values", values.size(),
+                 pattern_ ? pattern_->nonzeros() : 0);
+    if (!factor_) return FactorStatus::Ok;
+    cholmod_sparse matrix = matrix_of(values.data());
+    double beta[2] = {shift, 0};
+    const OneBlasThread one;
+    const bool done = cholmod_factorize_p(&matrix, beta, nullptr, 0, factor_, &common_) != 0;
+    if (common_.status == CHOLMOD_NOT_POSDEF) return FactorStatus::NotPositiveDefinite;
+    require_success(done && common_.status >= CHOLMOD_OK);
+    return factor_->minor == factor_->n && has_positive_diagonal()
+               ? FactorStatus::Ok
+               : FactorStatus::NotPositiveDefinite;
+  }
+
+  Solution solve(const Vec& r, Vec& p, double) override {
+    require_size("LinearSolver::solve: r", r.size(), pattern_ ? pattern_->size : 0);
+    p.resize(r.size());
+    if (!factor_) return {};
+    cholmod_dense b{};
+    b.nrow = b.d = b.nzmax = at(pattern_->size);
+    b.ncol = 1;
+    b.x = const_cast<double*>(r.data());
+    b.xtype = CHOLMOD_REAL;
+    b.dtype = CHOLMOD_DOUBLE;
+    const OneBlasThread one;
+    require_success(cholmod_solve2(CHOLMOD_A, factor_, &b, nullptr, &solution_, nullptr, &work_y_,
+                                   &work_e_, &common_) != 0);
+    p = Eigen::Map<const Vec>(static_cast<const double*>(solution_->x), p.size());
+    return {};
+  }
+
+  std::size_t bytes() const override {
+    if (!factor_) return 0;
+    if (factor_->is_super)
+      return (factor_->xsize + factor_->maxcsize) * sizeof(double) + factor_->ssize * sizeof(Index);
+    return static_cast<std::size_t>(entries_) * (sizeof(double) + sizeof(Index));
+  }
+  std::string description() const override { return description_; }
+
+ private:
+  cholmod_sparse matrix_of(const double* values) const {
+    return lower_triangle(pattern_->size, pattern_->column_starts, pattern_->rows, values);
+  }
+
+  // Of L. CHOLMOD lets numbers that are not finite pass.
+  bool has_positive_diagonal() const {
+    const auto* const x = static_cast<const double*>(factor_->x);
+    const auto good = [](double d) { return d > 0 && std::isfinite(d); };
+    if (!factor_->is_super) {
+      const auto* const starts = static_cast<const Index*>(factor_->p);
+      for (std::size_t c = 0; c < factor_->n; ++c)
+        if (!good(x[starts[c]])) return false;
+      return true;
+    }
+    const auto list = [](const void* values) { return static_cast<const Index*>(values); };
+    const Index *columns = list(factor_->super), *rows = list(factor_->pi),
+                *begin = list(factor_->px);
+    for (std::size_t s = 0; s < factor_->nsuper; ++s)
+      for (Index c = 0; c < columns[s + 1] - columns[s]; ++c)
+        if (!good(x[begin[s] + c * (rows[s + 1] - rows[s] + 1)])) return false;
+    return true;
+  }
+
+  void require_success(bool success) const {
+    if (success) return;
+    if (common_.status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
+    if (common_.status == CHOLMOD_TOO_LARGE)
+      throw Error(ErrorKind::Unsupported,
+                  "CHOLMOD counts entries of a factor in 32 bits, and this one has more; use "
+                  "make_direct_solver()");
+    throw Error(ErrorKind::Invalid, fmt::format("CHOLMOD failed with status {}", common_.status));
+  }
+
+  void forget() {
+    cholmod_free_factor(&factor_, &common_);
+    cholmod_free_dense(&solution_, &common_);
+    cholmod_free_dense(&work_y_, &common_);
+    cholmod_free_dense(&work_e_, &common_);
+    pattern_ = nullptr;
+    description_.clear();
+  }
+
+  CholmodOptions options_;
+  const SparsePattern* pattern_ = nullptr;
+  cholmod_common common_{};
+  cholmod_factor* factor_ = nullptr;
+  cholmod_dense *solution_ = nullptr, *work_y_ = nullptr, *work_e_ = nullptr;
+  double entries_ = 0;  // of the factor
+  std::string description_;
+};
+
+}  // namespace
+
+std::unique_ptr<LinearSolver> make_cholmod_solver(CholmodOptions options) {
+  return std::make_unique<CholmodSolver>(options);
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
