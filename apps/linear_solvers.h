@@ -2,7 +2,7 @@
 //
 //   LinearSolvers solvers("cg-hypre", "", common.quiet);   // loads the plugin that has it
 //   solvers.apply(options.solve);
-//   solvers.foresee(mesh, options);
+//   solvers.foresee(*mesh, options);
 //   parametrize(mesh, options);
 //   const Json used = solvers.section(), memory = solvers.memory();   // for the report
 #pragma once

@@ -6,10 +6,12 @@
 Sample runs (larger meshes: bench/subdivide.py):
   bench/linear_solvers.py ../shared/data/public/disks/*_10000.obj --counts
   bench/linear_solvers.py nefertiti_40000.obj nefertiti_160000.obj --max-iterations 6
+  bench/linear_solvers.py nefertiti_10000.obj nefertiti_160000.obj --table
   bench/linear_solvers.py nefertiti_1000000.obj nefertiti_4000000.obj --solvers direct cg-hypre --init auto
 
 A line a run. With --counts every system is solved to a residual of 1e-2 at least (by majorant-mpi as
-one process): conjugate gradients to there, mean and most. Else seconds of a step by parts, means over all but the first; the peak of
+one process): conjugate gradients to there, mean and most. With --table the parts of one system, the first of a
+run, by `majorant compare --linear-solvers`: processor seconds (medians) on one thread, memory, residual. Else seconds of a step by parts, means over all but the first; the peak of
 memory, all of it and for each face; the process and the factor as foretold after the analysis, over
 that peak. One thread.
 """
@@ -88,14 +90,28 @@ def cost(mesh, solver, args, folder):
                 report['status']))
 
 
+def table(mesh, args, folder):
+    """A line a solver."""
+    report, _ = report_of([SERIAL, 'compare', mesh, '--degree', str(args.degree), '--max-iterations', '0',
+                           '--linear-solvers', ','.join(args.solvers)], folder)
+    unknowns = re.search(r'(\d+) unknowns', report['title'])[1]
+    for row in report['linear_solvers']:
+        yield '%8s unknowns  %-9s' % (unknowns, row['name']) + (
+            row['message'] or 'analyze %8.4f factorize %8.4f solve %8.4f s  memory %6.0f MB  residual %.0e  %s' % (
+                row['analyze_seconds'], row['factorize_seconds'], row['solve_seconds'], row['memory_bytes'] / 1e6,
+                row['residual'], row['description']))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument('meshes', nargs='+')
-    parser.add_argument('--solvers', nargs='+', default=['direct', 'mumps', 'cg-hypre'])
+    parser.add_argument('--solvers', nargs='+', default=['direct', 'cholmod', 'mumps', 'cg-hypre'],
+                        help='with --table also eigen, and all')
     parser.add_argument('--degree', type=int, default=1)
     parser.add_argument('--init', default='tutte')
     parser.add_argument('--max-iterations', type=int, default=1000)
     parser.add_argument('--counts', action='store_true')
+    parser.add_argument('--table', action='store_true')
     parser.add_argument('--petsc-options', default='', help='with --counts: more of them')
     args = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
@@ -103,6 +119,10 @@ def main():
             name = '%-20s %d ' % (os.path.basename(mesh)[:-4], args.degree)
             if args.counts:
                 print(name + counts(mesh, args, folder), flush=True)
+                continue
+            if args.table:
+                for line in table(mesh, args, folder):
+                    print(name + line, flush=True)
                 continue
             for solver in args.solvers:
                 print(name + '%-9s' % solver + cost(mesh, solver, args, folder), flush=True)

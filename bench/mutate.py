@@ -39,8 +39,7 @@ SHARES = {'OBJ': 3, 'OFF': 1, 'PLY ascii': 2, 'PLY binary': 2, 'STL ascii': 1, '
 ENERGIES = ['symmetric-dirichlet', 'asap', 'mips', 'arap', 'symmetric-arap', 'log-isometric', 'authalic',
             'amips-exponential', 'symmetric-dirichlet + 0.1*asap']
 CURVATURES = ['projected', 'majorizer', 'paper-majorizer', 'exact', 'reweighted']
-# Memory and threads of a run are small, failed allocations are errors as without a sanitizer, and
-# OpenBLAS need not start the program again to have one thread.
+# Memory and threads of a run are small, and failed allocations are errors as without a sanitizer.
 SANITIZER = 'allocator_may_return_null=1:hard_rss_limit_mb=3000:detect_leaks=1'
 ENVIRONMENT = dict(os.environ, OPENBLAS_NUM_THREADS='1', OMP_WAIT_POLICY='passive', ASAN_OPTIONS=SANITIZER,
                    UBSAN_OPTIONS='print_stacktrace=1')

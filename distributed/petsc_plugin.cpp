@@ -1,5 +1,5 @@
-// libmajorant_petsc.so: what `majorant` loads for --linear-solver mumps and cg-hypre. What it exports is
-// the last line alone (cmake/plugin_symbols.map).
+// libmajorant_petsc.so: what `majorant` loads for --linear-solver mumps and cg-hypre. What it
+// exports is the last line alone (cmake/plugin_symbols.map).
 #include <cstdlib>
 
 #include "distributed/petsc_solver.h"

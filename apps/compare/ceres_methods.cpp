@@ -17,7 +17,8 @@ const CeresPlugin& ceres() {
 void load_ceres() { ceres(); }
 
 Method ceres_gradient(std::string name, std::string summary, CeresOptions::Method method) {
-  return {std::move(name), std::move(summary), nullptr, [method](const Contest& c) {
+  return {std::move(name), std::move(summary), nullptr,
+          [method](const Contest& c) {
             CeresOptions options;
             options.method = method;
             options.max_iterations = c.max_iterations;

@@ -17,6 +17,7 @@
 #include "apps/arguments/suggestion.h"
 #include "apps/command.h"
 #include "apps/compare/comparison_table.h"
+#include "apps/compare/linear_systems.h"
 #include "apps/compare/methods.h"
 #include "apps/compare/write_comparison.h"
 #include "apps/energy_option.h"
@@ -40,7 +41,7 @@ namespace {
 struct Request {
   CommonOptions common;
   MapRequest map;
-  std::vector<std::string> outputs, methods;
+  std::vector<std::string> outputs, methods, linear_solvers;
   int max_iterations = Contest().max_iterations;
   double tolerance = Contest().tolerance, time_limit = 60;
 };
@@ -152,9 +153,39 @@ std::vector<const Method*> wanted_methods(const Request& request) {
     }
     if (std::find(wanted.begin(), wanted.end(), m) == wanted.end()) wanted.push_back(m);
   }
+  if (wanted.empty() && !request.linear_solvers.empty()) wanted.push_back(find_method("newton"));
   if (wanted.empty())
     for (const Method& m : methods()) wanted.push_back(&m);
   return wanted;
+}
+
+std::vector<std::string> wanted_linear_solvers(const Request& request) {
+  const std::vector<std::string> names = linear_solver_names();
+  std::vector<std::string> wanted;
+  for (std::string name : request.linear_solvers) {
+    std::erase(name, ' ');
+    if (name == "all") return names;
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      throw Error(ErrorKind::Usage,
+                  fmt::format("--linear-solvers: there is no {}{}; use all, or {}", name,
+                              did_you_mean(name, names), fmt::join(names, ", ")));
+    wanted.push_back(name);
+  }
+  return wanted;
+}
+
+// One after the other, on one thread.
+std::vector<LinearSolverRun> measure_linear_solvers(const Request& request,
+                                                    const Contest& contest) {
+  const ThreadCount one(1);
+  std::vector<LinearSolverRun> runs;
+  for (const std::string& name : wanted_linear_solvers(request)) {
+    if (interruption_flag()->load()) break;
+    if (!request.common.quiet) say("{} ...\n", name);
+    runs.push_back(
+        measure_linear_solver(name, contest.problem, contest.problem.reduce(contest.start)));
+  }
+  return runs;
 }
 
 // Whether what the method needs can be loaded; asked for by name it must.
@@ -205,7 +236,22 @@ void warm_up(const Contest& contest) {
       ->minimize(contest.problem, contest.problem.reduce(contest.start), {});
 }
 
-Json report_of(const Request& request, const Comparison& comparison) {
+Json linear_solvers_section(const std::vector<LinearSolverRun>& runs) {
+  Json rows = Json::array();
+  for (const LinearSolverRun& run : runs)
+    rows.push_back({{"name", run.name},
+                    {"description", run.description},
+                    {"message", run.message},
+                    {"analyze_seconds", run.analyze_seconds},
+                    {"factorize_seconds", run.factorize_seconds},
+                    {"solve_seconds", run.solve_seconds},
+                    {"memory_bytes", run.memory_bytes},
+                    {"residual", run.residual}});
+  return rows;
+}
+
+Json report_of(const Request& request, const Comparison& comparison,
+               const std::vector<LinearSolverRun>& solvers) {
   Json options = request.map.to_json();
   options.erase("curvature");  // part of the methods' names
   options["tolerance"] = request.tolerance;
@@ -231,13 +277,16 @@ Json report_of(const Request& request, const Comparison& comparison) {
                     {"min_det", run.points.back().min_det},
                     {"within", within}});
   }
-  return {{"schema_version", 1},           {"version", MAJORANT_VERSION},
-          {"command", "compare"},          {"title", comparison.title},
-          {"machine", comparison.machine}, {"options", options},
-          {"best_energy", best},           {"methods", runs}};
+  Json report{{"schema_version", 1},           {"version", MAJORANT_VERSION},
+              {"command", "compare"},          {"title", comparison.title},
+              {"machine", comparison.machine}, {"options", options},
+              {"best_energy", best},           {"methods", runs}};
+  if (!solvers.empty()) report["linear_solvers"] = linear_solvers_section(solvers);
+  return report;
 }
 
-WrittenFiles write(const Request& request, const Comparison& comparison) {
+WrittenFiles write(const Request& request, const Comparison& comparison,
+                   const std::vector<LinearSolverRun>& solvers) {
   WrittenFiles written;
   std::vector<std::string> paths = request.outputs;
   if (!request.common.report.empty()) paths.push_back(request.common.report);
@@ -246,7 +295,7 @@ WrittenFiles write(const Request& request, const Comparison& comparison) {
       if (extension(path) == ".csv") write_comparison_csv(path, comparison);
       if (extension(path) == ".html") write_comparison_html(path, comparison);
       if (extension(path) == ".json" || path == kStandardOutput)
-        write_json(path, report_of(request, comparison));
+        write_json(path, report_of(request, comparison, solvers));
     });
   return written;
 }
@@ -257,6 +306,7 @@ int compare(const Request& request) {
   if (!(request.time_limit >= 0) || !(request.tolerance > 0))
     throw Error(ErrorKind::Usage, "--time-limit and --tolerance must be numbers");
   wanted_methods(request);  // complains before anything is read
+  wanted_linear_solvers(request);
   interruption_flag();
   const ThreadCount threads(start_threads(request.common.threads));
   const Contest contest = make_contest(request);
@@ -266,6 +316,9 @@ int compare(const Request& request) {
                                  page_title(request.map.input), request.map.degree,
                                  request.map.energy, request.map.boundary, contest.problem.size());
   comparison.machine = fmt::format("{}, {} threads", processor(), ThreadCount::current());
+  const std::vector<LinearSolverRun> solvers = measure_linear_solvers(request, contest);
+  if (!solvers.empty() && request.common.report != kStandardOutput)
+    print_text(linear_solver_table(solvers) + "\n");
   warm_up(contest);
   for (const Method* method : chosen) {
     if (!request.common.quiet) say("{} ...\n", method->name);
@@ -273,7 +326,8 @@ int compare(const Request& request) {
     if (interruption_flag()->load()) break;
   }
   if (request.common.report != kStandardOutput) print_text(comparison_table(comparison));
-  return write(request, comparison).conclude(interruption_flag()->load() ? kLimit : kSuccess);
+  return write(request, comparison, solvers)
+      .conclude(interruption_flag()->load() ? kLimit : kSuccess);
 }
 
 }  // namespace
@@ -286,6 +340,11 @@ void add_compare(CLI::App& app, Action* run) {
   r.map.init = "tutte";  // far enough from the minimum to compare the ways there
   r.map.add_start_to(verb);
   verb.add_option("--methods", r.methods, "names, comma separated (all that fit the energy)")
+      ->delimiter(',');
+  verb.add_option("--linear-solvers", r.linear_solvers,
+                  "also a table of what solves Newton's systems, on the first one: all, or names, "
+                  "comma separated (" +
+                      fmt::format("{}", fmt::join(linear_solver_names(), ", ")) + ")")
       ->delimiter(',');
   verb.add_option("-o,--output", r.outputs, "output: .csv .html .json, repeatable")
       ->allow_extra_args(false);

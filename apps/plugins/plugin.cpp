@@ -19,7 +19,8 @@ const void* plugin_symbol(const PluginFile& file) {
       program, (program / MAJORANT_PLUGINS_FROM_PROGRAM).lexically_normal()};
   std::filesystem::path path;
   for (const auto& place : places)
-    if (path.empty() && std::filesystem::exists(place / file.name, unknown)) path = place / file.name;
+    if (path.empty() && std::filesystem::exists(place / file.name, unknown))
+      path = place / file.name;
   if (path.empty())
     refuse(fmt::format("there is no {} in {}, {}; {}", file.name, places[0].string(),
                        places[1].string(), file.missing));

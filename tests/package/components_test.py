@@ -61,6 +61,27 @@ class Components(unittest.TestCase):
         with self.assertRaisesRegex(AssertionError, 'no component frame'):
             self.configure(source, 'wrong_build')
 
+    def test_cholmod(self):
+        source = os.path.join(self.folder, 'with_cholmod')
+        os.mkdir(source)
+        with open(os.path.join(source, 'CMakeLists.txt'), 'w') as f:
+            f.write('cmake_minimum_required(VERSION 3.22)\nproject(with_cholmod LANGUAGES C CXX)\n'
+                    'find_package(majorant REQUIRED COMPONENTS framework cholmod)\n'
+                    'add_executable(with_cholmod main.cpp)\n'
+                    'target_link_libraries(with_cholmod PRIVATE majorant::cholmod)\n')
+        with open(os.path.join(source, 'main.cpp'), 'w') as f:
+            f.write('#include <iostream>\n#include "majorant/framework/cholmod_solver.h"\n'
+                    'int main() {\n  majorant::SparsePattern p;\n  p.append_column({1});\n  p.append_column({});\n'
+                    '  p.order_in_blocks(1);\n  const auto s = majorant::make_cholmod_solver();\n  s->analyze(p);\n'
+                    '  if (s->factorize(Eigen::Vector3d(2, 1, 2), 0) != majorant::FactorStatus::Ok) return 1;\n'
+                    '  majorant::Vec x;\n  s->solve(Eigen::Vector2d(3, 3), x);\n  std::cout << x[0] + x[1];\n}\n')
+        build, _ = self.configure(source, 'with_cholmod_build', '-DCMAKE_DISABLE_FIND_PACKAGE_PNG=ON',
+                                  '-DCMAKE_DISABLE_FIND_PACKAGE_nlohmann_json=ON')
+        run('cmake', '--build', build)
+        program = os.path.join(build, 'with_cholmod')
+        self.assertAlmostEqual(float(run(program)), 2, 12)
+        self.assertNotIn('ceres', run('ldd', program))
+
     def pkg_config(self, *arguments):
         libdir = next(d for d, _, files in os.walk(self.prefix) if 'majorant.pc' in files)
         environment = dict(os.environ, PKG_CONFIG_PATH=libdir)

@@ -85,9 +85,8 @@ void add_use(RemedyUses& uses, Remedy remedy, double gained) {
 // As the options make it for this problem; called by the constructor of the stepper alone.
 SolverFactory solver_of(const SolveOptions& options, const Problem& problem, Ordering ordering) {
   if (!options.linear_solver) return {};
-  return [&options, &problem, ordering] {
-    return options.linear_solver(problem.pattern(), ordering);
-  };
+  return
+      [&options, &problem, ordering] { return options.linear_solver(problem.pattern(), ordering); };
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
-// Newton, on the library's own factorization and on CHOLMOD, against Ceres on the same problems: ten surfaces, degrees 1 to 3, three energies, up to
-// 2000 unknowns. Where both converge the energies agree to 1e-7, and Newton's result satisfies
-// Ceres' own gradient tolerance.
+// Newton, on the library's own factorization and on CHOLMOD, against Ceres on the same problems:
+// ten surfaces, degrees 1 to 3, three energies, up to 2000 unknowns. Where both converge the
+// energies agree to 1e-7, and Newton's result satisfies Ceres' own gradient tolerance.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -78,6 +78,31 @@ class Compare(CommandTest):
         first = [row for row in self.rows('c.csv') if row['iteration'] == '0']
         self.assertEqual([row['method'] for row in first], ['lbfgs', 'newton'])
 
+    def test_linear_solvers(self):
+        """One system, each of them to its own accuracy; what is not there says so, and is no error."""
+        outcome = self.compare('--degree', 2, '--linear-solvers', 'all', '--report', self.path('l.json'),
+                               '--max-iterations', 3)
+        self.assertEqual(outcome.code, 0, outcome.err)
+        report = json.loads(open(self.path('l.json')).read())
+        self.assertEqual([m['method'] for m in report['methods']], ['newton'])
+        rows = {row['name']: row for row in report['linear_solvers']}
+        self.assertEqual(list(rows), ['direct', 'cholmod', 'eigen', 'mumps', 'cg-hypre'])
+        for name, row in rows.items():
+            self.assertIn(name, outcome.out)
+            if row['message']:
+                self.assertIn(name, ('cholmod', 'mumps', 'cg-hypre'))
+                self.assertIn('.so', row['message'])
+                continue
+            self.assertLess(row['residual'], 1e-7 if name == 'cg-hypre' else 1e-11, name)
+            for part in ('analyze', 'factorize', 'solve'):
+                self.assertGreater(row[part + '_seconds'], 0)
+            self.assertTrue(row['description'])
+        two = self.compare('--degree', 1, '--linear-solvers', 'eigen, direct', '--methods', 'lbfgs', '--report', '-',
+                           '--max-iterations', 3)
+        report = json.loads(two.out)
+        self.assertEqual([row['name'] for row in report['linear_solvers']], ['eigen', 'direct'])
+        self.assertEqual([m['method'] for m in report['methods']], ['lbfgs'])
+
     def test_limits(self):
         outcome = self.compare('--degree', 1, '--methods', 'gradient-flow', '--max-iterations', 3,
                                '-o', self.path('c.csv'))
@@ -87,6 +112,7 @@ class Compare(CommandTest):
 
     def test_errors_are_one_line(self):
         for code, flags in ((1, ['--methods', 'newtn']),
+                            (1, ['--linear-solvers', 'cholmud']),
                             (1, ['--methods', 'ceres-lm', '--energy', 'arap']),
                             (1, ['--methods', 'newton-reweighted', '--energy', 'mips']),
                             (1, ['--energy', 'asap']),
