@@ -18,23 +18,42 @@
 #include "majorant/parametrization/drive/internal/solver_rules.h"
 
 namespace majorant {
+
+DegreeSolver::DegreeSolver(const Setup& setup, MapDomain& domain,
+                           std::shared_ptr<const BezierTriangleSpace> space, const Vec& x)
+    : setup_(setup),
+      domain_(domain),
+      space_(std::move(space)),
+      start_(x),
+      levels_(
+          optimizer_ladder(space_->degree(), setup.solve.quadrature_points, setup.rules.quadrature),
+          space_->element_count()),
+      terms_(energy_terms(setup.map, space_, levels_.rules())),
+      depth_(setup.solve.injectivity_depth),
+      injectivity_(std::make_shared<const LocalInjectivity>(space_, 2 * setup.map.rest.measure,
+                                                            depth_, setup.stop)),
+      element_weight_(Vec::Ones(space_->element_count())),
+      x_(domain.unknowns(x)),
+      added_(setup.added),
+      built_([&] {
+        require_curvature(terms_, setup.solve.curvature);
+        added_.require_curvature(setup.solve.curvature);
+        setup.stop.poll();
+        DomainProblem built = domain.build(input(), x_);
+        setup.stop.poll();  // what follows is the analysis of its pattern
+        return built;
+      }()),
+      stepper_(built_.problem,
+               newton_options(setup.solve.curvature, setup.rules, setup.stop, domain.ordering(),
+                              setup.solve.linear_solver, setup.solve.instead_of_factor)) {
+  if (added_.constrained()) meet_added_constraints();
+}
+
+DomainInput DegreeSolver::input() const {
+  return {setup_.map, space_, start_, terms_, injectivity_, depth_, added_, setup_.stop};
+}
+
 namespace {
-
-class Detour {
- public:
-  explicit Detour(int& count) : count_(count) { ++count_; }
-  ~Detour() { --count_; }
-  Detour(const Detour&) = delete;
-  Detour& operator=(const Detour&) = delete;
-
- private:
-  int& count_;
-};
-
-// The symmetric Dirichlet density of isometries.
-double least_density() { return symmetric_dirichlet_density().value({1.0, 0.0, 0.0, 0.0}); }
-
-// ---- A start moved onto constraints ----
 
 // Of a unit edge's stiffness, that a unit displacement costs: displacements that no edge feels stay
 // small. Origin: far below what edges cost, far above rounding.
@@ -76,47 +95,7 @@ Vec meet_constraints(const Problem& problem, const BezierTriangleSpace& space, V
                                    Vec::Ones(problem.size()), kRough));
 }
 
-void add_use(RemedyUses& uses, Remedy remedy, double gained) {
-  RemedyUse& use = uses[static_cast<std::size_t>(remedy)];
-  ++use.runs;
-  use.gained += gained;
-}
-
 }  // namespace
-
-DegreeSolver::DegreeSolver(const Setup& setup, MapDomain& domain,
-                           std::shared_ptr<const BezierTriangleSpace> space, const Vec& x)
-    : setup_(setup),
-      domain_(domain),
-      space_(std::move(space)),
-      start_(x),
-      levels_(
-          optimizer_ladder(space_->degree(), setup.solve.quadrature_points, setup.rules.quadrature),
-          space_->element_count()),
-      terms_(energy_terms(setup.map, space_, levels_.rules())),
-      depth_(setup.solve.injectivity_depth),
-      injectivity_(std::make_shared<const LocalInjectivity>(space_, 2 * setup.map.rest.measure,
-                                                            depth_, setup.stop)),
-      element_weight_(Vec::Ones(space_->element_count())),
-      x_(domain.unknowns(x)),
-      added_(setup.added),
-      built_([&] {
-        require_curvature(terms_, setup.solve.curvature);
-        added_.require_curvature(setup.solve.curvature);
-        setup.stop.poll();
-        DomainProblem built = domain.build(input(), x_);
-        setup.stop.poll();  // what follows is the analysis of its pattern
-        return built;
-      }()),
-      stepper_(built_.problem,
-               newton_options(setup.solve.curvature, setup.rules, setup.stop, domain.ordering(),
-                              setup.solve.linear_solver, setup.solve.instead_of_factor)) {
-  if (added_.constrained()) meet_added_constraints();
-}
-
-DomainInput DegreeSolver::input() const {
-  return {setup_.map, space_, start_, terms_, injectivity_, depth_, added_, setup_.stop};
-}
 
 // What was added may hold nowhere yet.
 void DegreeSolver::meet_added_constraints() {
@@ -407,6 +386,30 @@ bool DegreeSolver::refine_inaccurate() {
 
 // ---- Remedies: what is done about a run that is held at the limit of the feasible set. They are
 // tried in the order of kRemedies; after one that changes something the run goes on. ----
+
+namespace {
+
+class Detour {
+ public:
+  explicit Detour(int& count) : count_(count) { ++count_; }
+  ~Detour() { --count_; }
+  Detour(const Detour&) = delete;
+  Detour& operator=(const Detour&) = delete;
+
+ private:
+  int& count_;
+};
+
+// The symmetric Dirichlet density of isometries.
+double least_density() { return symmetric_dirichlet_density().value({1.0, 0.0, 0.0, 0.0}); }
+
+void add_use(RemedyUses& uses, Remedy remedy, double gained) {
+  RemedyUse& use = uses[static_cast<std::size_t>(remedy)];
+  ++use.runs;
+  use.gained += gained;
+}
+
+}  // namespace
 
 SolveResult DegreeSolver::finish(RunRecord& record) {
   const auto solve = [&] {
