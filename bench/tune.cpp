@@ -7,7 +7,7 @@
 //   build/release/bench/majorant_tune --list
 //   build/release/bench/majorant_tune --degree 2 ../shared/data/public/disks/spot_500.obj
 //   build/release/bench/majorant_tune --bijective --set scaffold.share=1e-4 meshes/creature.obj
-//   build/release/bench/majorant_tune --bounded 1.2 --set bounds.fall=0.3 meshes/creature.obj
+//   build/release/bench/majorant_tune --bounded 1.2 --set bounds.weights.fall=0.3 meshes/cap.obj
 #include <fmt/format.h>
 
 #include <CLI/App.hpp>
@@ -54,14 +54,15 @@ const std::vector<Rule>& all_rules() {
       {"blend.short_step", [](Settings& s) { return &s.rules.blend.short_step; }},
       {"blend.whole_steps", [](Settings& s) { return &s.rules.blend.whole_steps; }},
       {"bounds.entry.tolerance", [](Settings& s) { return &s.rules.bounds.entry.tolerance; }},
-      {"bounds.fall", [](Settings& s) { return &s.rules.bounds.weights.fall; }},
+      {"bounds.weights.fall", [](Settings& s) { return &s.rules.bounds.weights.fall; }},
       {"bounds.first_share", [](Settings& s) { return &s.rules.bounds.first_share; }},
       {"bounds.entry.harder", [](Settings& s) { return &s.rules.bounds.entry.harder; }},
       {"bounds.least_barrier", [](Settings& s) { return &s.rules.bounds.least_barrier; }},
       {"bounds.least_energy", [](Settings& s) { return &s.rules.bounds.least_energy; }},
       {"bounds.entry.least_progress",
        [](Settings& s) { return &s.rules.bounds.entry.least_progress; }},
-      {"bounds.most_phases", [](Settings& s) { return &s.rules.bounds.weights.most_phases; }},
+      {"bounds.weights.most_phases",
+       [](Settings& s) { return &s.rules.bounds.weights.most_phases; }},
       {"depth", [](Settings& s) { return &s.options.solve.injectivity_depth; }},
       {"elevation_tolerance", [](Settings& s) { return &s.options.solve.elevation_tolerance; }},
       {"kept.below", [](Settings& s) { return &s.rules.kept.below; }},

@@ -11,7 +11,7 @@ and the mean over the meshes (positive: higher). What cannot matter in a run (sc
 Sample runs:
   bench/tune.py --degree 3                                 (the first table of docs/constants.md)
   bench/tune.py --bijective --degree 3 scaffold.share remedies.barrier_rounds
-  bench/tune.py --bounded 1.2 --meshes '^(spot|koala)_500$' bounds.fall bounds.first_share
+  bench/tune.py --bounded 1.2 --meshes '^(spot|koala)_500$' bounds.weights.fall bounds.first_share
   bench/tune.py --values 1e-5,1e-3 --meshes '^spot_500$' stopping.stall_decrement
 """
 import argparse
@@ -33,13 +33,13 @@ VALUES = {
     'blend.short_step': '0,0.5',
     'blend.whole_steps': '0,5',
     'bounds.entry.tolerance': '1e-2,1e-4',
-    'bounds.fall': '0.03,0.3',
+    'bounds.weights.fall': '0.03,0.3',
     'bounds.first_share': '0.01,1',
     'bounds.entry.harder': '3,100',
     'bounds.least_barrier': '1e-9,1e-3',
     'bounds.least_energy': '1e-6,1',
     'bounds.entry.least_progress': '0,0.1',
-    'bounds.most_phases': '20,80',
+    'bounds.weights.most_phases': '20,80',
     'deepest_bisection': '5,9,20',
     'depth': '3,9',
     'elevation_tolerance': '1e-2,1e-6',

@@ -1,8 +1,8 @@
 // Interior points ([NW06] Sec. 19.6): minima of E + mu B along falling weights mu of a barrier B,
 // and the way inside of bounds from a start that does not meet them.
 //
-//     const auto minimize = [&](double mu) { ...; return near ? PathEnd::Arrived : PathEnd::None; };
-//     const PathEnd end = follow_barrier({.first = 0.1}, minimize);
+//     const auto phase = [&](double mu) { return gap(mu) < e ? PathEnd::Arrived : PathEnd::None; };
+//     const PathEnd end = follow_barrier({.first = 0.1}, phase);
 //
 // Who follows a path brings the descent of a phase and the rule that ends it.
 #pragma once

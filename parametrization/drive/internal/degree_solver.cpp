@@ -20,68 +20,6 @@
 namespace majorant {
 namespace {
 
-class Detour {
- public:
-  explicit Detour(int& count) : count_(count) { ++count_; }
-  ~Detour() { --count_; }
-  Detour(const Detour&) = delete;
-  Detour& operator=(const Detour&) = delete;
-
- private:
-  int& count_;
-};
-
-// The symmetric Dirichlet density of isometries.
-double least_density() { return symmetric_dirichlet_density().value({1.0, 0.0, 0.0, 0.0}); }
-
-// ---- A start moved onto constraints ----
-
-// Of a unit edge's stiffness, that a unit displacement costs: displacements that no edge feels stay
-// small. Origin: far below what edges cost, far above rounding.
-constexpr double kAnchor = 1e-6;
-// How near a start comes. Origin: it needs no more digits, and takes more steps, since nothing
-// preconditions it.
-constexpr ProjectionRules kRough{.enough = 1e-16, .most_steps = 2000};
-
-// d -> (L + kAnchor) d, L the graph Laplacian of the edges between neighbouring control points;
-// unknowns beyond the map's have unit weight.
-class Stiffness {
- public:
-  explicit Stiffness(const BezierTriangleSpace& space)
-      : triangles_(control_triangles(space)), map_size_(2 * space.node_count()) {}
-
-  Vec operator*(const Vec& d) const {
-    Vec out = d;
-    out.head(map_size_) *= kAnchor;
-    for (Index t = 0; t < triangles_.rows(); ++t)
-      for (int k = 0; k < 3; ++k) {
-        const Index a = triangles_(t, k), b = triangles_(t, next(k));
-        const Vector2 edge = d.segment<2>(2 * a) - d.segment<2>(2 * b);
-        out.segment<2>(2 * a) += edge;
-        out.segment<2>(2 * b) -= edge;
-      }
-    return out;
-  }
-
- private:
-  Cells triangles_;
-  Index map_size_;
-};
-
-// x moved to where it satisfies the constraints, as smoothly as they allow: a translation costs
-// nothing, and what one point must move its neighbours share. x: full unknowns, the nodes of
-// `space` first. Nothing is known of injectivity afterwards.
-Vec meet_constraints(const Problem& problem, const BezierTriangleSpace& space, VecIn x) {
-  return problem.expand(projection(ProblemParts::elimination(problem), x, Stiffness(space),
-                                   Vec::Ones(problem.size()), kRough));
-}
-
-void add_use(RemedyUses& uses, Remedy remedy, double gained) {
-  RemedyUse& use = uses[static_cast<std::size_t>(remedy)];
-  ++use.runs;
-  use.gained += gained;
-}
-
 // As the options make it for this problem; called by the constructor of the stepper alone.
 SolverFactory solver_of(const SolveOptions& options, const Problem& problem, Ordering ordering) {
   if (!options.linear_solver) return {};
@@ -124,6 +62,50 @@ DegreeSolver::DegreeSolver(const Setup& setup, MapDomain& domain,
 DomainInput DegreeSolver::input() const {
   return {setup_.map, space_, start_, terms_, injectivity_, depth_, added_, setup_.stop};
 }
+
+namespace {
+
+// Of a unit edge's stiffness, that a unit displacement costs: displacements that no edge feels stay
+// small. Origin: far below what edges cost, far above rounding.
+constexpr double kAnchor = 1e-6;
+// How near a start comes. Origin: it needs no more digits, and takes more steps, since nothing
+// preconditions it.
+constexpr ProjectionRules kRough{.enough = 1e-16, .most_steps = 2000};
+
+// d -> (L + kAnchor) d, L the graph Laplacian of the edges between neighbouring control points;
+// unknowns beyond the map's have unit weight.
+class Stiffness {
+ public:
+  explicit Stiffness(const BezierTriangleSpace& space)
+      : triangles_(control_triangles(space)), map_size_(2 * space.node_count()) {}
+
+  Vec operator*(const Vec& d) const {
+    Vec out = d;
+    out.head(map_size_) *= kAnchor;
+    for (Index t = 0; t < triangles_.rows(); ++t)
+      for (int k = 0; k < 3; ++k) {
+        const Index a = triangles_(t, k), b = triangles_(t, next(k));
+        const Vector2 edge = d.segment<2>(2 * a) - d.segment<2>(2 * b);
+        out.segment<2>(2 * a) += edge;
+        out.segment<2>(2 * b) -= edge;
+      }
+    return out;
+  }
+
+ private:
+  Cells triangles_;
+  Index map_size_;
+};
+
+// x moved to where it satisfies the constraints, as smoothly as they allow: a translation costs
+// nothing, and what one point must move its neighbours share. x: full unknowns, the nodes of
+// `space` first. Nothing is known of injectivity afterwards.
+Vec meet_constraints(const Problem& problem, const BezierTriangleSpace& space, VecIn x) {
+  return problem.expand(projection(ProblemParts::elimination(problem), x, Stiffness(space),
+                                   Vec::Ones(problem.size()), kRough));
+}
+
+}  // namespace
 
 // What was added may hold nowhere yet.
 void DegreeSolver::meet_added_constraints() {
@@ -414,6 +396,30 @@ bool DegreeSolver::refine_inaccurate() {
 
 // ---- Remedies: what is done about a run that is held at the limit of the feasible set. They are
 // tried in the order of kRemedies; after one that changes something the run goes on. ----
+
+namespace {
+
+class Detour {
+ public:
+  explicit Detour(int& count) : count_(count) { ++count_; }
+  ~Detour() { --count_; }
+  Detour(const Detour&) = delete;
+  Detour& operator=(const Detour&) = delete;
+
+ private:
+  int& count_;
+};
+
+// The symmetric Dirichlet density of isometries.
+double least_density() { return symmetric_dirichlet_density().value({1.0, 0.0, 0.0, 0.0}); }
+
+void add_use(RemedyUses& uses, Remedy remedy, double gained) {
+  RemedyUse& use = uses[static_cast<std::size_t>(remedy)];
+  ++use.runs;
+  use.gained += gained;
+}
+
+}  // namespace
 
 SolveResult DegreeSolver::finish(RunRecord& record) {
   const auto solve = [&] {
