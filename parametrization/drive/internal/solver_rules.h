@@ -5,7 +5,7 @@
 //   rules.scaffold.share = 1e-4;           // [MC20]'s
 //   parametrize_by(rules, map, options, record);   // parametrize_by.h
 //
-// Nobody but measurements sets them (bench/tune.cpp). What each is worth: docs/constants.md.
+// Nobody but measurements sets them (bench/tune.cpp). bench/tune.py measures what each is worth.
 #pragma once
 
 #include <array>

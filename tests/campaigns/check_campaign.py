@@ -15,8 +15,8 @@ such files are counted apart.
 Prints a Markdown table; exit code 0 exactly if all of it holds. Wrong files are kept with --keep.
 
 Sample runs:
-  bench/check_campaign.py
-  bench/check_campaign.py --count 300 --seed 2 --keep wrong
+  tests/campaigns/check_campaign.py
+  tests/campaigns/check_campaign.py --count 300 --seed 2 --keep wrong
 """
 import argparse
 import itertools
@@ -33,10 +33,11 @@ from pathlib import Path
 import campaign_damage as damages
 import campaign_kinds as kinds
 import campaign_maps as maps
-import check_map
-import common
-from campaign_kinds import DIFFERS, INVALID, UNREADABLE, VALID, Case
-from vtu_file import Unreadable
+sys.path.append(str(Path(__file__).resolve().parents[2] / 'bench'))
+import check_map  # noqa: E402
+import common  # noqa: E402
+from campaign_kinds import DIFFERS, INVALID, UNREADABLE, VALID, Case  # noqa: E402
+from vtu_file import Unreadable  # noqa: E402
 
 MOST_UNDECIDED = 0.02       # of the valid files
 WRITTEN = 'written: '       # kinds of files that the program wrote

@@ -11,9 +11,9 @@ everywhere (integers and sines); written to --folder. Columns: the energy at the
 valid and the last column is at most 1e-4.
 
 Sample runs:
-  bench/plateaus.py --folder build/plateaus
-  bench/plateaus.py --binary OLD/majorant --meshes wide
-  bench/plateaus.py --disks '_(500|2500)$' --degrees 1,2,3     (instead, on the public disks)
+  tests/campaigns/plateaus.py --folder build/plateaus
+  tests/campaigns/plateaus.py --binary OLD/majorant --meshes wide
+  tests/campaigns/plateaus.py --disks '_(500|2500)$' --degrees 1,2,3     (instead, on the public disks)
 """
 import argparse
 import math
@@ -23,7 +23,8 @@ import tempfile
 from collections import namedtuple
 from pathlib import Path
 
-import common
+sys.path.append(str(Path(__file__).resolve().parents[2] / 'bench'))
+import common  # noqa: E402
 
 ALLOWED = 1e-4
 TIGHT = 1e-11

@@ -8,8 +8,8 @@ exit code of interface.md, one line on stderr that names the file, no output fil
 a Markdown table; exit code 0 exactly if all of it holds.
 
 Sample runs:
-  bench/bad_inputs.py
-  bench/bad_inputs.py --degree 1 --files 'slivers|huge' --binary build/debug/apps/majorant
+  tests/campaigns/bad_inputs.py
+  tests/campaigns/bad_inputs.py --degree 1 --files 'slivers|huge' --binary build/debug/apps/majorant
 """
 import argparse
 import re
@@ -17,7 +17,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-import common
+sys.path.append(str(Path(__file__).resolve().parents[2] / 'bench'))
+import common  # noqa: E402
 
 VALID = 'annulus tiny_1e-9 negative_indices crlf unreferenced_vertices all_reversed single_triangle syntax_zoo ' \
         'quads_and_polygons'

@@ -10,9 +10,9 @@ and targets are made from the number of the comb, the same everywhere. Exit code
 converges and its file passes `check --certify`.
 
 Sample runs:
-  bench/combs.py                                      # 50 combs of 12 teeth
-  bench/combs.py --count 20 --teeth 6
-  bench/combs.py --binary OLD/majorant --only 5,7,13
+  tests/campaigns/combs.py                                      # 50 combs of 12 teeth
+  tests/campaigns/combs.py --count 20 --teeth 6
+  tests/campaigns/combs.py --binary OLD/majorant --only 5,7,13
 """
 import argparse
 import json
@@ -21,7 +21,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-import common
+sys.path.append(str(Path(__file__).resolve().parents[2] / 'bench'))
+import common  # noqa: E402
 
 DEGREE = 2
 HEADER = ['comb', 'faces', 'targets', 'status', 'message', 'iterations', 'seconds', 'energy', 'handles']

@@ -10,9 +10,9 @@ exit codes 0 to 5 in time, and no finding of a sanitizer. Of the runs that end w
 table; exit code 0 exactly if nothing was bad.
 
 Sample runs:
-  bench/mutate.py --count 2000 --jobs 2
-  bench/mutate.py --binary build/asan/apps/majorant --keep findings
-  bench/mutate.py --first 1234 --count 1 --keep findings      (one run again)
+  tests/campaigns/mutate.py --count 2000 --jobs 2
+  tests/campaigns/mutate.py --binary build/asan/apps/majorant --keep findings
+  tests/campaigns/mutate.py --first 1234 --count 1 --keep findings      (one run again)
 """
 import argparse
 import collections
@@ -26,9 +26,10 @@ import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-import common
-import mutation_seeds
-from damage import damage
+sys.path.append(str(Path(__file__).resolve().parents[2] / 'bench'))
+import common  # noqa: E402
+import mutation_seeds  # noqa: E402
+from damage import damage  # noqa: E402
 
 FINDING = re.compile(r'Sanitizer|runtime error:')
 CHECKER = common.ROOT / 'tests/checker/check_map.py'

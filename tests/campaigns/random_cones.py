@@ -11,8 +11,8 @@ otherwise than with a map, exit 5 or, for conformal starts on other surfaces tha
 exit 1, and verify.py accepts every map.
 
 Sample runs:
-  bench/random_cones.py --sets 10 --pairs 6
-  bench/random_cones.py --meshes spot_1654,torus_g1_4608 --starts field,scaled-field
+  tests/campaigns/random_cones.py --sets 10 --pairs 6
+  tests/campaigns/random_cones.py --meshes spot_1654,torus_g1_4608 --starts field,scaled-field
 """
 import argparse
 import collections
@@ -22,7 +22,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-import common
+sys.path.append(str(Path(__file__).resolve().parents[2] / 'bench'))
+import common  # noqa: E402
 
 MESHES = ['buckle', 'spot_1654', 'blub_1886', 'torus_g1_4608', 'skull_g2_10312']
 STARTS = ['field', 'scaled-field', 'conformal', 'automatic']

@@ -4,8 +4,8 @@
 """Kills runs of majorant-mpi at random moments and resumes them on another number of ranks.
 
 Sample runs:
-  bench/kill_and_resume.py ../shared/data/public/disks/*_2500.obj --kills 20 --seed 1
-  bench/kill_and_resume.py hand.obj --degree 1 --kills 5 --every 3
+  tests/campaigns/kill_and_resume.py ../shared/data/public/disks/*_2500.obj --kills 20 --seed 1
+  tests/campaigns/kill_and_resume.py hand.obj --degree 1 --kills 5 --every 3
 
 Kills go through the meshes in turn. A line each: mesh, how many seconds after the first checkpoint
 of how many that the whole run solves, ranks before and after, iterations in the checkpoint and after
@@ -22,8 +22,10 @@ import subprocess
 import sys
 import tempfile
 import time
+from pathlib import Path
 
-from distributed import ENVIRONMENT, MPI, report_of
+sys.path.append(str(Path(__file__).resolve().parents[2] / 'bench'))
+from distributed import ENVIRONMENT, MPI, report_of  # noqa: E402
 
 LIMIT = 1e-8
 

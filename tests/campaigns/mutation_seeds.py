@@ -15,8 +15,10 @@ import re
 import struct
 import sys
 from collections import namedtuple
+from pathlib import Path
 
-import common
+sys.path.append(str(Path(__file__).resolve().parents[2] / 'bench'))
+import common  # noqa: E402
 
 MAPS = common.ROOT / 'tests/data/maps'
 JSON_KINDS = {'pins': 'pins JSON', 'handles': 'handles JSON', 'cones': 'cones JSON'}

@@ -13,8 +13,8 @@ fractions of the time that the run takes undisturbed, from a fixed seed.
 Prints a Markdown table of the ways by what happened; exit code 0 exactly if all of it holds.
 
 Sample runs:
-  bench/kill_runs.py
-  bench/kill_runs.py --count 30 --ways SIGKILL,full --seed 2
+  tests/campaigns/kill_runs.py
+  tests/campaigns/kill_runs.py --count 30 --ways SIGKILL,full --seed 2
 """
 import argparse
 import os
@@ -29,7 +29,8 @@ import time
 from collections import Counter
 from pathlib import Path
 
-import common
+sys.path.append(str(Path(__file__).resolve().parents[2] / 'bench'))
+import common  # noqa: E402
 
 SIGNALS = ('SIGINT', 'SIGTERM', 'SIGHUP', 'SIGKILL')
 WRITES = ('file size', 'full device', 'unwritable')

@@ -15,9 +15,9 @@ of an hour: cheap runs come first, --results is continued after an interruption,
 written_summary.py prints its table at any time.
 
 Sample runs:
-  bench/written_files.py --results /tmp/written.jsonl
-  bench/written_files.py --families disks --meshes '_500$' --degrees 1,3 --modes normalize
-  bench/written_summary.py /tmp/written.jsonl
+  tests/campaigns/written_files.py --results /tmp/written.jsonl
+  tests/campaigns/written_files.py --families disks --meshes '_500$' --degrees 1,3 --modes normalize
+  tests/campaigns/written_summary.py /tmp/written.jsonl
 """
 import argparse
 import json
@@ -30,8 +30,9 @@ from collections import namedtuple
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 
-import common
-import written_summary
+sys.path.append(str(Path(__file__).resolve().parents[2] / 'bench'))
+import common  # noqa: E402
+import written_summary  # noqa: E402
 
 sys.path.append(str(common.ROOT / 'tests/checker'))
 from result_map import read_result  # noqa: E402

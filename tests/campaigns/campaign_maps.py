@@ -10,7 +10,7 @@ import math
 import sys
 from pathlib import Path
 
-sys.path.append(str(Path(__file__).resolve().parent.parent / 'tests/checker'))
+sys.path.append(str(Path(__file__).resolve().parents[1] / 'checker'))
 
 from bernstein import edge_points, vtk_order
 from result_map import ObjFile

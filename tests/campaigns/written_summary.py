@@ -9,7 +9,7 @@ and at most 4 times for all but three, where a file that is not written has too 
 1, 2, 3, 5) break no other rule: they are listed, those with one message together.
 
 Sample runs:
-  bench/written_summary.py /tmp/written.jsonl
+  tests/campaigns/written_summary.py /tmp/written.jsonl
 """
 import json
 import math
@@ -19,7 +19,8 @@ import sys
 from collections import Counter
 from pathlib import Path
 
-import common
+sys.path.append(str(Path(__file__).resolve().parents[2] / 'bench'))
+import common  # noqa: E402
 
 PROMISED = (0, 4)
 CUT_DEGREE = 3                                    # the degree whose OBJ faces are limited ...

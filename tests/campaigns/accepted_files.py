@@ -14,9 +14,9 @@ where it rounds values (.msh, Lagrange cells) or the format cannot tell a cone; 
 Prints each problem and a table; exit code 0 exactly if there are none.
 
 Sample runs:
-  bench/accepted_files.py --families small
-  bench/accepted_files.py --families disks,closed --meshes '_500$|_1654$' --degrees 1,3
-  bench/accepted_files.py --families small --random 100 --degrees 1,2,3,4
+  tests/campaigns/accepted_files.py --families small
+  tests/campaigns/accepted_files.py --families disks,closed --meshes '_500$|_1654$' --degrees 1,3
+  tests/campaigns/accepted_files.py --families small --random 100 --degrees 1,2,3,4
 """
 import argparse
 import collections
@@ -28,7 +28,8 @@ import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-import common
+sys.path.append(str(Path(__file__).resolve().parents[2] / 'bench'))
+import common  # noqa: E402
 
 sys.path.append(str(common.ROOT / 'tests/apps'))
 from command_helpers import grid, obj_text, quads, torus  # noqa: E402
