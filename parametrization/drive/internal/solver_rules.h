@@ -110,7 +110,7 @@ struct SolverRules {
   StoppingRules stopping;  // all but relative_decrease and max_iterations, which are asked for
   LineSearchOptions line_search;
   BlendRules blend;
-  // Origin: docs/performance.md, What was tried: most of what any of them gains, at every degree.
+  // They have most of what any such values gain, at every degree.
   KeptFactorRules kept{.below = 1e-4};
   QuadratureRules quadrature;
   // Times the quadrature of a finished run is refined. Origin: bench/tune.py accuracy_rounds.
