@@ -22,7 +22,6 @@ Sample runs:
   bench/speed.py accuracy
   bench/speed.py accuracy --meshes '^(spot|hand)_10000$' --pieces 4 --repeat 1
   bench/speed.py convergence --meshes '_500$'
-  bench/speed.py accuracy iterations degrees bijective convergence --write docs/performance.md
   bench/speed.py against --old /tmp/before/majorant --meshes '_500$' --degrees 1,2
 """
 import argparse
@@ -129,13 +128,6 @@ class Table:
         self.say(*([''] if lines else []), *lines)
         print()
         return self
-
-
-def write_into(page, name, table):
-    """Replaces what the page has between the comments of that table."""
-    begin, end = '<!-- speed.py %s -->\n' % name, '<!-- end of %s -->' % name
-    head, rest = page.read_text().split(begin)
-    page.write_text(head + begin + '\n'.join(table.lines) + '\n' + end + rest.split(end)[1])
 
 
 # ------------------------------------------------------------------ the tables
@@ -278,8 +270,6 @@ def parse_arguments():
     parser.add_argument('--degrees', type=lambda text: [int(word) for word in text.split(',')],
                         help='convergence, against: default 1,2,3')
     parser.add_argument('--init', choices=['auto', 'tutte'], default='auto', help='accuracy: the start')
-    parser.add_argument('--write', type=Path, metavar='PAGE.md',
-                        help='also put the tables into this page, between the comments with their names')
     parser.add_argument('--repeat', type=int, default=5)
     parser.add_argument('--threads', type=int, default=1)
     return parser.parse_args()
@@ -292,8 +282,6 @@ def main():
     for name in options.tables:
         table = TABLES[name](options)
         kept = kept and table.kept
-        if options.write:
-            write_into(options.write, name, table)
     return 0 if kept else 1
 
 

@@ -9,7 +9,7 @@ and the mean over the meshes (positive: higher). What cannot matter in a run (sc
 --bijective, bounds.* without --bounded) is skipped. Exit code 0 unless a run fails.
 
 Sample runs:
-  bench/tune.py --degree 3                                 (the first table of docs/constants.md)
+  bench/tune.py --degree 3                                 
   bench/tune.py --bijective --degree 3 scaffold.share remedies.barrier_rounds
   bench/tune.py --bounded 1.2 --meshes '^(spot|koala)_500$' bounds.weights.fall bounds.first_share
   bench/tune.py --values 1e-5,1e-3 --meshes '^spot_500$' stopping.stall_decrement

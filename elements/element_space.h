@@ -2,7 +2,7 @@
 //
 // A space numbers the nodes of its cells, tabulates what the contraction of energies/ needs on a
 // quadrature rule, and proves that det J is positive, at a map and along a line of maps. Nothing
-// above this layer knows what a basis function is. To write a new element: docs/add_an_element.md.
+// above this layer knows what a basis function is. To write a new element: docs/elements.md.
 #pragma once
 
 #include <memory>

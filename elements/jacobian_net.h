@@ -12,7 +12,7 @@
 //
 // The triangles are a space of degree 1 on the nodes of the map, so that any density can be put on
 // coefficients as on a map (make_energy): that is how a bound gets a barrier
-// (docs/add_a_constraint.md). Not for lower bounds of det J, which is not convex: ElementSpace has
+// (docs/elements.md). Not for lower bounds of det J, which is not convex: ElementSpace has
 // certify().
 #pragma once
 

@@ -7,7 +7,7 @@
 // Without it, formulas are called point by point by kernels of the library, which compiles in
 // a fraction of the time. Here the file that asks compiles the whole contraction, with that file's
 // flags: -march=native or the like makes the difference. The formula sees SIMD batches: no
-// branches, no comparisons; no data of elements. What is gained: docs/add_an_energy.md.
+// branches, no comparisons; no data of elements. What is gained: docs/energies.md.
 #pragma once
 
 #include "majorant/energies/detail/contraction_kernel.h"

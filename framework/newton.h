@@ -50,7 +50,7 @@ struct KeptFactorRules {
   double below = 0;
   // Pairs of L-BFGS. Origin: bench/tune.py kept.history.
   int history = 8;
-  // Steps that a factor serves beside its own. Origin: docs/performance.md, What was tried.
+  // Steps that a factor serves beside its own; more save little at any degree.
   int steps = 5;
   // After a shorter step, or a certified bound below the next number, comes a factorization.
   // Origin: bench/tune.py kept.short_step.

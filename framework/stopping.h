@@ -62,12 +62,12 @@ struct StoppingRules {
   // Such small steps that end a run. Origin: the first is followed by a step with the exact
   // Hessian; 1 where Hessians never become exact.
   int tail_steps = 2;
-  // Of relative_decrease, that may be left. Origin: docs/performance.md, Plateaus.
+  // Of relative_decrease, that may be left; held by tests/campaigns/plateaus.py.
   double plateau_factor = 2;
   // Of that, where Hessians are indefinite. Origin: hand_500 passes a saddle with decreases of
   // 1e-7; bench/tune.py stopping.saddle_part.
   double saddle_part = 0.01;
-  // Steps in each of the two sums. Origin: docs/performance.md, Plateaus.
+  // Steps in each of the two sums; held by tests/campaigns/plateaus.py.
   int plateau_window = 12;
   // Foreseen at most. Origin: the iterations of a run, max_iterations.
   double plateau_steps = 1000;

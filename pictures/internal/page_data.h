@@ -1,4 +1,4 @@
-// What a page of a map holds, as docs/viewer.md describes it: the map's arrays in base64, little
+// What a page of a map holds, as docs/pictures.md describes it: the map's arrays in base64, little
 // endian, and the rest in words.
 #pragma once
 

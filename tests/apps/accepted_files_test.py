@@ -1,27 +1,27 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
 """What is written with exit 0 is accepted by `check FILE --surface IN` and converted to each format:
-the small meshes of bench/accepted_files.py, and the creature, whose seam has positions twice."""
+the small meshes of tests/campaigns/accepted_files.py, and the creature, whose seam has positions twice."""
 import pathlib
 
 from command_helpers import *
 
-sys.path.append(os.path.join(SOURCE, 'bench'))
-import accepted_files as bench  # noqa: E402
+sys.path.append(os.path.join(SOURCE, 'tests/campaigns'))
+import accepted_files as campaign  # noqa: E402
 
 
 class Accepted(CommandTest):
     def examine(self, verb, mesh, degree, converts=True, flags=()):
         folder = pathlib.Path(tempfile.mkdtemp(dir=self.folder))
-        job = bench.Job(os.path.basename(mesh), mesh, verb, degree, list(flags))
-        case = bench.Case(BINARY, job, folder, 300).examine(converts)
+        job = campaign.Job(os.path.basename(mesh), mesh, verb, degree, list(flags))
+        case = campaign.Case(BINARY, job, folder, 300).examine(converts)
         self.assertEqual(case.problems, [], job)
         self.assertEqual(case.counts['refused runs'], 0, job)
         self.assertEqual(case.counts['refused by rounding'], 0, job)
-        self.assertGreaterEqual(case.counts['checks'], len(bench.FORMATS))
+        self.assertGreaterEqual(case.counts['checks'], len(campaign.FORMATS))
 
     def small(self, name, degrees, converts=True):
-        verb, mesh = bench.SMALL[name]
+        verb, mesh = campaign.SMALL[name]
         path = self.write(name + '.obj', obj_text(*mesh))
         for degree in degrees:
             self.examine(verb, path, degree, converts)
@@ -58,7 +58,7 @@ class Accepted(CommandTest):
         self.examine('deform', mesh, 2, flags=['--handles', handles])
 
     def test_what_a_format_does_not_hold_is_said(self):
-        mesh = self.write('octahedron.obj', obj_text(*bench.OCTAHEDRON))
+        mesh = self.write('octahedron.obj', obj_text(*campaign.OCTAHEDRON))
         outputs = ('a.vtu', 'a.obj', 'a.msh')
         err = self.run_ok('unwrap', mesh, '--degree', '2', *(w for o in outputs for w in (
             '-o', self.path(o)))).err

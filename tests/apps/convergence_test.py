@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Where runs end, on generated meshes: what is left of the energy, and combs that do not stall.
 
-The meshes are those of bench/tolerance.py and bench/combs.py, which tell of more of them.
+The meshes are those of bench/tolerance.py and tests/campaigns/combs.py, which tell of more of them.
 """
 import subprocess
 import unittest
@@ -18,8 +18,8 @@ COMBS = 20
 
 
 class Convergence(CommandTest):
-    def bench(self, script, *words):
-        done = subprocess.run(['/usr/bin/python3', os.path.join(SOURCE, 'bench', script), '--binary', BINARY]
+    def run_script(self, script, *words):
+        done = subprocess.run(['/usr/bin/python3', os.path.join(SOURCE, script), '--binary', BINARY]
                               + [str(word) for word in words], capture_output=True, text=True)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         return done.stdout
@@ -30,12 +30,12 @@ class Convergence(CommandTest):
     def test_what_is_left_is_within_the_tolerance(self):
         """fan_011 goes on from a saddle: docs/interface.md, Tolerance."""
         easy = [number for number in PROBLEMS if number != 11]
-        out = self.bench('tolerance.py', '--only', self.numbers(easy))
+        out = self.run_script('bench/tolerance.py', '--only', self.numbers(easy))
         self.assertIn('above 1e-06 or without a map: 0 of %d' % len(easy), out)
-        self.bench('tolerance.py', '--only', self.numbers(HARD), '--most', 2e-6)
+        self.run_script('bench/tolerance.py', '--only', self.numbers(HARD), '--most', 2e-6)
 
     def test_combs_bent_by_handles_converge(self):
-        out = self.bench('combs.py', '--teeth', 5, '--count', COMBS)
+        out = self.run_script('tests/campaigns/combs.py', '--teeth', 5, '--count', COMBS)
         self.assertIn('converged and valid: %d of %d' % (COMBS, COMBS), out)
 
 

@@ -8,7 +8,7 @@
 
 The last line is `ok ...`, `bad ...`, `undecided ...` or `unreadable ...`; exit code 0, 1, 3, 2
 (4: the checker itself failed).
-docs/checker.md says what each word means and what is not decided.
+docs/files.md says what each word means and what is not decided.
 """
 import argparse
 import json

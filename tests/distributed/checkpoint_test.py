@@ -82,7 +82,7 @@ class Resumed(MpiTest):
             self.assertSame(self.solve(2, generated('creature'), *asked, '--resume', self.path('run.ckpt')), whole)
 
     def test_killed_at_any_moment(self):
-        """bench/kill_and_resume.py does more of them."""
+        """tests/campaigns/kill_and_resume.py does more of them."""
         moments = random.Random(SEED)
         mesh, asked = disk('helix_500'), ['--degree', 3, '--tolerance', 1e-9]
         whole = self.solve(2, mesh, *asked)

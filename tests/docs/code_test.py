@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Every ```cpp block of README.md and docs/*.md, and every example in a header, compiles.
 
-**Pages.** A block that contains `int main` is a program of its own. All other blocks of a page are joined, in
-order, into one program: #include and using lines and definitions (from a line that starts with
+**Pages.** A block that contains `int main` is a program of its own. All other blocks below a heading `# ` are joined,
+in order, into one program: #include and using lines and definitions (from a line that starts with
 class, struct, template, inline or namespace to the next line that starts with }) at top level, the
 rest inside main(argc, argv). Each program is compiled with the includes of its page alone.
 
@@ -23,6 +23,7 @@ the end of a line stands for statements left out. What an example uses it declar
 names of tests/docs/usual_names.h. All examples are one translation unit, for the compiler's time.
 """
 import concurrent.futures
+import itertools
 import os
 import pathlib
 import re
@@ -38,6 +39,7 @@ import include_graph  # noqa: E402
 BUILD = pathlib.Path(os.environ['MAJORANT_BUILD_DIR'])
 ROOMS = sorted(path.name for path in (BUILD / 'include').iterdir())
 TOP_LINE = re.compile(r'#include|using ')
+FENCED = re.compile(r'^```.*?^```', re.S | re.M)
 DEFINITION = re.compile(r'(class|struct|template|inline|namespace)\b')
 
 
@@ -49,6 +51,7 @@ class Block:
     def __init__(self, page, number, match, text):
         self.language, self.lines = match[2], match[3].splitlines()
         self.first_line = text.count('\n', 0, match.start(3)) + 1
+        self.chapter = len(re.findall(r'^# ', re.sub(FENCED, '', text[:match.start()]), re.M))
         self.file = match[1]
         self.where = '%s, block %d (line %d)' % (page.relative_to(SOURCE), number, self.first_line)
 
@@ -81,15 +84,14 @@ def programs(page):
     for block in [b for b in joined if any('int main' in line for line in b.lines)]:
         joined.remove(block)
         yield [block], '\n'.join(numbered(list(enumerate(block.lines, block.first_line)))) + '\n'
-    if not joined:
-        return
-    top, body = [], []
-    for block in joined:
-        block_top, block_body = split(block)
-        top += block_top
-        body += block_body
-    yield joined, '\n'.join([*numbered(top), 'int main([[maybe_unused]] int argc, '
-                             '[[maybe_unused]] char** argv) {', *numbered(body), '}', ''])
+    for _, chapter in itertools.groupby(joined, key=lambda block: block.chapter):
+        made_of, top, body = list(chapter), [], []
+        for block in made_of:
+            block_top, block_body = split(block)
+            top += block_top
+            body += block_body
+        yield made_of, '\n'.join([*numbered(top), 'int main([[maybe_unused]] int argc, '
+                                  '[[maybe_unused]] char** argv) {', *numbered(body), '}', ''])
 
 
 COMPILER = [os.environ.get('CXX', 'c++'), '-std=c++20', '-Wall', '-Wextra', '-Werror',

@@ -1,4 +1,4 @@
-// The table of docs/add_an_energy.md against what the built-in energies declare.
+// The table of docs/energies.md against what the built-in energies declare.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ std::vector<std::string> cells(const std::string& line) {
 }
 
 std::map<std::string, std::vector<std::string>> table_of_energies() {
-  std::ifstream page(MAJORANT_SOURCE_DIR "/docs/add_an_energy.md");
+  std::ifstream page(MAJORANT_SOURCE_DIR "/docs/energies.md");
   std::string line;
   while (std::getline(page, line) && line != "## Built-in energies") continue;
   std::map<std::string, std::vector<std::string>> rows;

@@ -30,7 +30,7 @@ std::vector<Index> sizes(const RowMatrix& corners, RestJacobian rest, int degree
   return out;
 }
 
-// The table of docs/add_an_element.md.
+// The table of docs/elements.md.
 TEST(DefaultRule, HasTheFewestPointsThatAreEnough) {
   using I = std::vector<Index>;
   const auto constant = RestJacobian::Constant, varying = RestJacobian::Varying;

@@ -110,8 +110,7 @@ class ScaffoldedDomain final : public MapDomain {
   double foreign_energy(const Problem& problem, VecIn x) const override;
   bool strengthen(double weight) override;
   bool hold() override;
-  // Flips change the pattern nearly every step: METIS would cost more than it saves
-  // (docs/performance.md).
+  // Flips change the pattern nearly every step: METIS would cost more than it saves.
   Ordering ordering() const override { return Ordering::Amd; }
   StoppingRules final_rules(StoppingRules usual) const override;
   void elevate(const std::shared_ptr<const BezierTriangleSpace>& higher) override;

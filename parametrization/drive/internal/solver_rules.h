@@ -5,7 +5,7 @@
 //   rules.scaffold.share = 1e-4;           // [MC20]'s
 //   parametrize_by(rules, map, options, record);   // parametrize_by.h
 //
-// Nobody but measurements sets them (bench/tune.cpp). What each is worth: docs/constants.md.
+// Nobody but measurements sets them (bench/tune.cpp). bench/tune.py measures what each is worth.
 #pragma once
 
 #include <memory>
@@ -105,7 +105,7 @@ struct SolverRules {
   StoppingRules stopping;  // all but relative_decrease and max_iterations, which are asked for
   LineSearchOptions line_search;
   BlendRules blend;
-  // Origin: docs/performance.md, What was tried: most of what any of them gains, at every degree.
+  // They have most of what any such values gain, at every degree.
   KeptFactorRules kept{.below = 1e-4};
   QuadratureRules quadrature;
   // Times the quadrature of a finished run is refined. Origin: bench/tune.py accuracy_rounds.

@@ -194,7 +194,7 @@ function addViews(app) {
   new ResizeObserver(() => app.stage.resize()).observe(byId('stage'));
 }
 
-// For tests and scripts; docs/viewer.md says how it is used.
+// For tests and scripts; docs/pictures.md says how it is used.
 function exposeApp(app) {
   window.majorantPage = {
     app,

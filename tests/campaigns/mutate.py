@@ -1,0 +1,274 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Damages files of every format and runs the command on them: it must refuse or work, never break.
+
+Small meshes, maps and JSON files (mutation_seeds.py) are damaged in one way or more (damage.py),
+chosen with a fixed seed; each damaged file goes to one verb with options and small limits. Good:
+exit codes 0 to 5 in time, and no finding of a sanitizer. Of the runs that end with 0 or 4, a sample
+(--judged) is judged: the map files they wrote must be maps for tests/checker. Prints a Markdown
+table; exit code 0 exactly if nothing was bad.
+
+Sample runs:
+  tests/campaigns/mutate.py --count 2000 --jobs 2
+  tests/campaigns/mutate.py --binary build/asan/apps/majorant --keep findings
+  tests/campaigns/mutate.py --first 1234 --count 1 --keep findings      (one run again)
+"""
+import argparse
+import collections
+import json
+import os
+import random
+import re
+import shutil
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+sys.path.append(str(Path(__file__).resolve().parents[2] / 'bench'))
+import common  # noqa: E402
+import mutation_seeds  # noqa: E402
+from damage import damage  # noqa: E402
+
+FINDING = re.compile(r'Sanitizer|runtime error:')
+CHECKER = common.ROOT / 'tests/checker/check_map.py'
+# Damaged files are as many of each kind as the number says.
+SHARES = {'OBJ': 3, 'OFF': 1, 'PLY ascii': 2, 'PLY binary': 2, 'STL ascii': 1, 'STL binary': 1, 'VTU': 6,
+          'VTU ascii': 2, 'VTU appended': 1, 'small map VTU': 5, 'small map OBJ': 2, 'pins JSON': 1,
+          'handles JSON': 1, 'cones JSON': 1, 'weights': 1}
+ENERGIES = ['symmetric-dirichlet', 'asap', 'mips', 'arap', 'symmetric-arap', 'log-isometric', 'authalic',
+            'amips-exponential', 'symmetric-dirichlet + 0.1*asap']
+CURVATURES = ['projected', 'majorizer', 'paper-majorizer', 'exact', 'reweighted']
+# Memory and threads of a run are small, and failed allocations are errors as without a sanitizer.
+SANITIZER = 'allocator_may_return_null=1:hard_rss_limit_mb=3000:detect_leaks=1'
+ENVIRONMENT = dict(os.environ, OPENBLAS_NUM_THREADS='1', OMP_WAIT_POLICY='passive', ASAN_OPTIONS=SANITIZER,
+                   UBSAN_OPTIONS='print_stacktrace=1')
+
+# verdict: of the checker, or None; bad: what was bad, or ''
+Outcome = collections.namedtuple('Outcome', 'kind verb code verdict bad')
+
+
+# ------------------------------------------------------------------ runs
+def some(rng, chance, words):
+    return words if rng.random() < chance else []
+
+
+def limits(rng):
+    return ['--time-limit', '0.3', '--max-iterations', rng.choice('033339')]
+
+
+def map_options(rng):
+    """Options of the verbs that solve, and of compare."""
+    return ['--degree', str(rng.choice((1, 1, 2, 3, 4)))] + some(rng, 0.4, ['--energy', rng.choice(ENERGIES)]) \
+        + some(rng, 0.05, ['--quadrature', str(rng.choice((1, 3, 10)))]) + some(rng, 0.05, ['--boundary-angles']) \
+        + some(rng, 0.1, ['--threads', '2'])
+
+
+def solve_options(rng):
+    """Options of the verbs that solve, outputs included."""
+    words = map_options(rng) + limits(rng) + ['-o', 'OUT.' + rng.choice(('vtu', 'vtu', 'obj'))]
+    words += some(rng, 0.1, ['-o', 'OUT2.obj']) + some(rng, 0.1, ['-o', 'OUT.svg'])
+    words += some(rng, 0.1, ['-o', 'OUT.csv']) + some(rng, 0.3, ['--report', 'OUT.json'])
+    words += some(rng, 0.1, ['--curvature', rng.choice(CURVATURES)]) + some(rng, 0.1, ['--elevation', 'direct'])
+    words += with_format(words, '.obj', some(rng, 0.1, ['--refine', '3']))
+    words += with_format(words, '.svg', some(rng, 0.3, ['--grid']))
+    words += some(rng, 0.8, ['--quiet'])
+    if rng.random() < 0.25:
+        words += ['--bijective'] + some(rng, 0.2, ['--no-flips']) + some(rng, 0.2, ['--write-scaffold', 'OUT_s.vtu'])
+    return words
+
+
+def with_format(words, extension, option):
+    """An option of files of one format, where there is one: without, it is refused."""
+    return option if any(word.endswith(extension) for word in words) else []
+
+
+def free_options(rng, words):
+    """Options that do not go with --write-scaffold, pins, handles or weights."""
+    return [] if '--write-scaffold' in words else some(rng, 0.25, ['--normalize']) + some(rng, 0.15, ['--improve-mesh'])
+
+
+def parametrize(rng, mesh):
+    words = ['parametrize', mesh] + solve_options(rng) + some(rng, 0.2, ['--boundary', 'fixed'])
+    words += some(rng, 0.4, ['--init', 'input'])
+    return words + some(rng, 0.3 if 'input' in words else 0, ['--seamless'])
+
+
+def seamless(rng, mesh):
+    start = rng.choice(('automatic', 'field', 'scaled-field', 'conformal'))
+    return ['seamless', mesh] + solve_options(rng) + some(rng, 0.3, ['--start', start]) \
+        + some(rng, 0.1, ['--curvature-alignment', '10'])
+
+
+def compare(rng, mesh):
+    methods = rng.choice(('newton,lbfgs', 'newton-exact', 'ceres-lbfgs,gradient-flow'))
+    return ['compare', mesh, '--methods', methods, '-o', 'OUT.' + rng.choice(('csv', 'html', 'json'))] \
+        + map_options(rng) + limits(rng) + some(rng, 0.3, ['--init', 'input'])
+
+
+def check(rng, result, surface):
+    words = ['check', result, '--time-limit', '2'] + some(rng, 0.3, ['--certify']) + some(rng, 0.2, ['--seamless'])
+    if surface and rng.random() < 0.6:
+        words += ['--surface', surface] + some(rng, 0.4, ['--cuts', rng.choice(('auto', 'none', 'free'))])
+    return words + some(rng, 0.5, ['--report', 'OUT.json'])
+
+
+def convert(rng, result, _=None):
+    outputs = rng.choice((['OUT.vtu'], ['OUT.obj'], ['OUT.svg'], ['OUT.vtu', 'OUT2.obj', 'OUT.svg']))
+    spacing = some(rng, 0.5, [rng.choice(('0.25', '1e-3', '1e-9', '1e9'))])
+    return ['convert', result] + [word for path in outputs for word in ('-o', path)] \
+        + with_format(outputs, '.obj', some(rng, 0.4, ['--refine', '2'])) \
+        + with_format(outputs, '.svg', some(rng, 0.4, ['--grid'] + spacing))
+
+
+def with_list(rng, kind, good):
+    """A verb that reads a damaged file of pins, handles, cones or weights; the mesh is good."""
+    mesh = str(good / 'patch.obj')
+    if kind == 'cones JSON':
+        return ['seamless', str(good / 'closed.obj'), '--cones', '{}'] + solve_options(rng)
+    option = {'pins JSON': '--pins', 'handles JSON': '--handles', 'weights': '--weights'}[kind]
+    if kind != 'weights' and rng.random() < 0.3:
+        return ['deform', str(good / 'flat.obj'), option, '{}'] + solve_options(rng)
+    if rng.random() < 0.1:
+        return compare(rng, mesh) + [option, '{}']
+    soft = some(rng, 0.4, ['--soft', rng.choice(('1e-3', '1e9'))]) if option == '--handles' else []
+    return parametrize(rng, mesh) + [option, '{}'] + soft
+
+
+def on_map(rng, seed, good):
+    """A verb for a damaged map, or for a good map of a damaged surface."""
+    if 'map' not in seed.kind and 'VTU' not in seed.kind:
+        return check(rng, str(good / 'map2.vtu'), '{}')
+    surface = rng.choice((seed.surface and str(seed.surface), '{}'))
+    return rng.choice((check, check, convert))(rng, '{}', surface)
+
+
+def command(rng, seed, good):
+    """What may be done with a file, as words; {} is the file, OUT the start of an output's name."""
+    if 'JSON' in seed.kind or seed.kind == 'weights':
+        return with_list(rng, seed.kind, good)
+    is_map, is_closed = 'map' in seed.kind or 'VTU' in seed.kind, seed.name.startswith(('closed', 'annulus', 'seams'))
+    verbs = {'map': 60 if is_map else 15, 'parametrize': 10 if is_closed else 45, 'seamless': 30 if is_closed else 15,
+             'deform': 30 if seed.name.startswith('flat') else 1, 'info': 8, 'compare': 5,
+             'convert': 10 if seed.name.endswith('.obj') else 0}
+    verb = rng.choices(list(verbs), verbs.values())[0]
+    if verb == 'map':
+        return on_map(rng, seed, good)
+    if verb == 'deform':
+        return ['deform', '{}', '--handles', str(good / 'handles.json')] + solve_options(rng)
+    if verb == 'info':
+        return ['info', '{}'] + some(rng, 0.5, ['--report', 'OUT.json'])
+    words = {'parametrize': parametrize, 'seamless': seamless, 'compare': compare, 'convert': convert}[verb](rng, '{}')
+    return words + (free_options(rng, words) if verb in ('parametrize', 'seamless') else [])
+
+
+# ------------------------------------------------------------------ judging
+def checker_flags(words):
+    """What the checker must know of a run to judge its map files."""
+    if words[0] == 'convert':                     # with the cuts of the map that was read
+        return ['--cuts', 'free']
+    flags = ['--seamless'] if words[0] == 'seamless' or '--seamless' in words else []
+    return flags + (['--overlap', '--may-touch'] if '--bijective' in words else [])
+
+
+def judge(options, words, written):
+    """(verdict, what is bad) of the map files that a run wrote; of converted maps, which keep what
+    is wrong with their surfaces, only that they are positive and continuous."""
+    verdict = None
+    words_that_count = {'positivity', 'continuity'} if words[0] == 'convert' else None
+    for path in written:
+        done = common.run([common.PYTHON, CHECKER, path, '--json'] + checker_flags(words), options.timeout)
+        text, _, last = done.stdout.strip().rpartition('\n')
+        verdict = last.split()[0] if last else 'none'
+        violations = {'unreadable': last or done.stderr[-200:]}
+        if text.startswith('{'):
+            violations = json.loads(text)['violations']
+        if words_that_count:
+            violations = {word: found for word, found in violations.items() if word in words_that_count}
+        if violations:
+            return verdict, '%s: %s' % (path.name, last)
+    return verdict, ''
+
+
+def keep(options, index, path, words, done, bad):
+    """What is needed to look at a finding: the damaged file, the command and its words."""
+    options.keep.mkdir(parents=True, exist_ok=True)
+    shutil.copy(path, options.keep)
+    (options.keep / ('%d.txt' % index)).write_text('%s\n%s\n%s\n%s' % (bad, ' '.join(words), done.stdout, done.stderr))
+
+
+def one(options, kinds, index, work, good):
+    """Damages one file and runs one verb."""
+    rng = random.Random('%d %d' % (options.seed, index))
+    kind = rng.choices(list(SHARES), SHARES.values())[0]
+    seed = rng.choice(kinds[kind])
+    content, how = damage(seed.content, kind, rng)
+    words = command(rng, seed, good)
+    judged = rng.random() < options.judged
+    folder = work / str(index)
+    folder.mkdir()
+    path = folder / ('%d_%s' % (index, seed.name))
+    path.write_bytes(content)
+    words = [str(path) if w == '{}' else str(folder / w) if w.startswith('OUT') else w for w in words]
+    done = common.run([options.binary.resolve()] + words, options.timeout, ENVIRONMENT)
+    verdict, bad = None, ''
+    if done.code not in range(6):
+        bad = 'exit %s' % done.code
+    elif FINDING.search(done.stderr):
+        bad = 'sanitizer'
+    elif judged and done.code in (0, 4):
+        verdict, bad = judge(options, words, sorted(p for p in folder.glob('OUT*') if p.suffix in ('.vtu', '.obj')
+                                                    and not p.stem.endswith('_s')))
+    if bad:
+        if options.keep:
+            keep(options, index, path, words, done, bad)
+        print('%s: %d: %s (%s): %s\n  %s' % (bad, index, seed.name, ', '.join(how), ' '.join(words),
+                                             done.stderr.strip()[:400]), flush=True)
+    shutil.rmtree(folder)
+    return Outcome(kind, words[0], done.code, verdict, bad)
+
+
+# ------------------------------------------------------------------ table
+def table(outcomes, key, header):
+    """Rows by outcome.key: how many there were, how they ended."""
+    codes = sorted({o.code for o in outcomes}, key=str)
+    count = collections.Counter()
+    for o in outcomes:
+        name = getattr(o, key)
+        for column in [o.code, 'all'] + ['judged'] * bool(o.verdict) + ['bad'] * bool(o.bad):
+            count[name, column] += 1
+            count['all', column] += 1
+    names = sorted({getattr(o, key) for o in outcomes}) + ['all']
+    columns = ['all'] + codes + ['judged', 'bad']
+    heads = [header, 'files'] + ['exit %s' % c for c in codes] + ['judged', 'bad']
+    return common.markdown_table(heads, [[name] + [count[name, c] for c in columns] for name in names])
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument('--binary', type=Path, default=common.DEFAULT_BINARY, help='the majorant program')
+    parser.add_argument('--timeout', type=float, default=20, help='seconds a single process may take')
+    parser.add_argument('--count', type=int, default=20000, help='damaged files')
+    parser.add_argument('--first', type=int, default=0, help='number of the first one')
+    parser.add_argument('--jobs', type=int, default=2, help='processes at a time')
+    parser.add_argument('--seed', type=int, default=1)
+    parser.add_argument('--judged', type=float, default=0.05, help='share of the written maps that are judged')
+    parser.add_argument('--keep', type=Path, help='folder for the files that something bad happened with')
+    options = parser.parse_args()
+    with tempfile.TemporaryDirectory(prefix='majorant_mutate_') as name:
+        good, work = Path(name) / 'good', Path(name) / 'work'
+        good.mkdir()
+        work.mkdir()
+        kinds = mutation_seeds.seeds(options, good)
+        numbers = range(options.first, options.first + options.count)
+        with ThreadPoolExecutor(options.jobs) as pool:
+            outcomes = list(pool.map(lambda k: one(options, kinds, k, work, good), numbers))
+    print('\n'.join([''] + table(outcomes, 'kind', 'kind of file') + [''] + table(outcomes, 'verb', 'verb')))
+    verdicts = collections.Counter(o.verdict for o in outcomes if o.verdict)
+    print('\njudged: ' + (', '.join('%d %s' % (n, v) for v, n in sorted(verdicts.items())) or 'none'))
+    sys.exit(any(o.bad for o in outcomes))
+
+
+if __name__ == '__main__':
+    main()

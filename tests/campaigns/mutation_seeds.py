@@ -1,0 +1,212 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The good files that mutate.py damages: small meshes and maps in every format, and their JSON.
+
+Meshes come from formulas here, maps from the program and from tests/data/maps. All are small: what
+matters is how many damaged files can be tried.
+
+Sample runs:
+  /usr/bin/python3 -c 'import mutation_seeds; print(mutation_seeds.patch(2))'     (imported, not run)
+"""
+import base64
+import json
+import math
+import re
+import struct
+import sys
+from collections import namedtuple
+from pathlib import Path
+
+sys.path.append(str(Path(__file__).resolve().parents[2] / 'bench'))
+import common  # noqa: E402
+
+MAPS = common.ROOT / 'tests/data/maps'
+JSON_KINDS = {'pins': 'pins JSON', 'handles': 'handles JSON', 'cones': 'cones JSON'}
+
+# name: of the file; kind: what is damaged; surface: path of the mesh that a map is of, or None
+Seed = namedtuple('Seed', 'name kind content surface')
+
+
+# ------------------------------------------------------------------ meshes
+def patch(n, height=0.2):
+    """A bumpy square of n x n quads, each in two triangles."""
+    points = [(i / n, j / n, height * math.sin(3 * i / n) * math.cos(2 * j / n))
+              for j in range(n + 1) for i in range(n + 1)]
+    faces = []
+    for j in range(n):
+        for i in range(n):
+            a = j * (n + 1) + i
+            faces += [(a, a + 1, a + n + 2), (a, a + n + 2, a + n + 1)]
+    return points, faces
+
+
+def octahedron():
+    points = [(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)]
+    faces = [(0, 2, 4), (2, 1, 4), (1, 3, 4), (3, 0, 4), (2, 0, 5), (1, 2, 5), (3, 1, 5), (0, 3, 5)]
+    return points, faces
+
+
+def annulus():
+    """Two rings of six vertices and the quads between them, in the plane."""
+    points = [(r * math.cos(k * math.pi / 3), r * math.sin(k * math.pi / 3), 0.0) for r in (1, 2) for k in range(6)]
+    faces = []
+    for k in range(6):
+        a, b = k, (k + 1) % 6
+        faces += [(a, a + 6, b + 6), (a, b + 6, b)]
+    return points, faces
+
+
+def obj(points, faces):
+    lines = ['v %r %r %r' % p for p in points] + ['vt %r %r' % p[:2] for p in points]
+    return '\n'.join(lines + ['f ' + ' '.join('%d/%d' % (v + 1, v + 1) for v in f) for f in faces]) + '\n'
+
+
+def off(points, faces):
+    rows = ['%r %r %r' % p for p in points] + [' '.join(map(str, (len(f),) + f)) for f in faces]
+    return '\n'.join(['OFF', '%d %d 0' % (len(points), len(faces))] + rows) + '\n'
+
+
+def ply_header(points, faces, form):
+    return '\n'.join(['ply', 'format %s 1.0' % form, 'comment made by mutate.py', 'element vertex %d' % len(points)]
+                     + ['property double ' + c for c in 'xyz']
+                     + ['element face %d' % len(faces), 'property list uchar int vertex_indices', 'end_header', ''])
+
+
+def ply_ascii(points, faces):
+    rows = ['%r %r %r' % p for p in points] + [' '.join(map(str, (len(f),) + f)) for f in faces]
+    return ply_header(points, faces, 'ascii') + '\n'.join(rows) + '\n'
+
+
+def ply_binary(points, faces, order):
+    form = 'binary_%s_endian' % ('little' if order == '<' else 'big')
+    return ply_header(points, faces, form).encode() + b''.join(struct.pack(order + '3d', *p) for p in points) \
+        + b''.join(struct.pack(order + 'B3i', 3, *f) for f in faces)
+
+
+def stl_ascii(points, faces):
+    lines = ['solid a']
+    for f in faces:
+        lines += ['facet normal 0 0 1', 'outer loop'] + ['vertex %r %r %r' % points[v] for v in f]
+        lines += ['endloop', 'endfacet']
+    return '\n'.join(lines + ['endsolid']) + '\n'
+
+
+def stl_binary(points, faces):
+    return bytes(80) + struct.pack('<I', len(faces)) \
+        + b''.join(struct.pack('<12fH', 0, 0, 1, *(c for v in f for c in points[v]), 0) for f in faces)
+
+
+# Quads and a pentagon, negative indices, groups, materials, normals, a comment, CRLF.
+RICH_OBJ = """mtllib a.mtl
+v 0 0 0\r
+v 1.0 0.0 0.0 # corner
+v 1.0 1.0 0.25
+v 0.0 1.0 0.0
+v 2.0 0.0 0.0
+v 2.0 1.0 0.125
+v 0.5 2.0 0.0
+vt 0.0 0.0
+vt 1.0 0.0
+vt 1.0 1.0
+vt 0.0 1.0
+vn 0.0 0.0 1.0
+g left
+usemtl red
+f 1/1/1 2/2/1 3/3/1 4/4/1
+g right
+usemtl blue
+f 2/1/1 5/2/1 6/3/1 3/4/1
+o top
+s 1
+f -5/-4/1 -2/-3/-1 -1/-2/-1 -4/-1/-1
+"""
+
+
+def mesh_seeds():
+    shapes = {'patch': patch(3), 'flat': patch(3, 0.0), 'closed': octahedron(), 'annulus': annulus()}
+    for name, (points, faces) in shapes.items():
+        yield Seed(name + '.obj', 'OBJ', obj(points, faces).encode(), None)
+        yield Seed(name + '.off', 'OFF', off(points, faces).encode(), None)
+        yield Seed(name + '.ply', 'PLY ascii', ply_ascii(points, faces).encode(), None)
+        yield Seed(name + '_binary.ply', 'PLY binary', ply_binary(points, faces, '<'), None)
+        yield Seed(name + '.stl', 'STL ascii', stl_ascii(points, faces).encode(), None)
+        yield Seed(name + '_binary.stl', 'STL binary', stl_binary(points, faces), None)
+    yield Seed('patch_big.ply', 'PLY binary', ply_binary(*shapes['patch'], '>'), None)
+    yield Seed('rich.obj', 'OBJ', RICH_OBJ.encode(), None)
+
+
+# ------------------------------------------------------------------ vertices and faces
+def list_seeds():
+    """Pins, handles, cones and weights, of patch.obj and closed.obj."""
+    far = [{'vertex': 0, 'target': 'initial'}, {'vertex': 15, 'target': [1.0625, 0.9375]}]
+    from_one = {'index_base': 1, 'comment': 'none', 'handles': [{'vertex': 1, 'target': [0.0, 0.0]},
+                                                                {'vertex': 16, 'target': 'initial'}]}
+    cones = [{'vertex': v, 'quarter_turns': 3} for v in range(4)] \
+        + [{'vertex': 4, 'index': 0.5}, {'vertex': 5, 'index': 0.5}]
+    for stem, document in (('pins', {'handles': far[:1]}), ('pins_from_one', from_one), ('handles', {'handles': far}),
+                           ('cones', {'cones': cones})):
+        yield Seed(stem + '.json', JSON_KINDS[stem.split('_')[0]], json.dumps(document).encode(), None)
+    text = '# weights\n' + '\n'.join(str(1 + k % 3) + '.5' for k in range(18)) + '\n'
+    yield Seed('weights.txt', 'weights', text.encode(), None)
+
+
+# ------------------------------------------------------------------ maps
+def in_ascii(vtu):
+    """The same file with ascii arrays."""
+    def numbers(match):
+        kind, rest, payload = match.groups()
+        code = {'Float64': 'd', 'Int32': 'i', 'Int64': 'q', 'UInt8': 'B'}[kind]
+        data = base64.b64decode(payload)[8:]
+        values = struct.unpack('<%d%s' % (len(data) // struct.calcsize(code), code), data)
+        return '<DataArray type="%s"%sformat="ascii">\n%s\n<' % (kind, rest, ' '.join(map(repr, values)))
+    return re.sub(r'<DataArray type="(\w+)"([^>]*)format="binary">\n(.*?)\n<', numbers, vtu, flags=re.S)
+
+
+def without(vtu, *names):
+    """The same file without some arrays; a reader must do without them."""
+    for name in names:
+        vtu = re.sub(r'<DataArray [^>]*Name="%s".*?</DataArray>\n' % name, '', vtu, flags=re.S)
+    return vtu
+
+
+def made_maps(options, folder):
+    """Maps that the program makes of the meshes in `folder`."""
+    runs = [('map%d.vtu' % n, 'parametrize', 'patch.obj', ['--degree', n]) for n in (1, 2, 3, 4)]
+    runs += [('pinned.vtu', 'parametrize', 'patch.obj', ['--degree', 2, '--pins', folder / 'pins.json']),
+             ('bijective.vtu', 'parametrize', 'patch.obj', ['--degree', 1, '--bijective', '--boundary', 'fixed']),
+             ('normalized.vtu', 'parametrize', 'patch.obj', ['--degree', 2, '--init', 'input', '--normalize']),
+             ('seams1.vtu', 'seamless', 'closed.obj', ['--degree', 1]),
+             ('seams3.vtu', 'seamless', 'closed.obj', ['--degree', 3, '--cones', folder / 'cones.json'])]
+    for name, verb, mesh, flags in runs:
+        done = common.parametrize(options, folder / mesh, [folder / name], '--max-iterations', 20, *flags, verb=verb)
+        if done.code not in (0, 4):
+            sys.exit('cannot make %s: %s' % (name, done.stderr))
+        content = (folder / name).read_bytes()
+        yield Seed(name, 'VTU', content, folder / mesh)
+        if name in ('map2.vtu', 'seams1.vtu'):
+            text = content.decode()
+            bare = without(text, 'input_vertex', 'input_face', 'distortion', 'min_det')
+            yield Seed('ascii_' + name, 'VTU ascii', in_ascii(text).encode(), folder / mesh)
+            yield Seed('unnumbered_' + name, 'VTU', without(text, 'input_vertex').encode(), folder / mesh)
+            yield Seed('bare_' + name, 'VTU', bare.encode(), folder / mesh)
+
+
+def committed_maps():
+    """The small maps of the tests, broken ones too."""
+    for path, entry in json.loads((MAPS / 'index.json').read_text()).items():
+        surface = entry['surface'] and MAPS / 'surfaces' / (entry['surface'] + '.obj')
+        content = (MAPS / path).read_bytes()
+        kind = 'small map OBJ' if path.endswith('.obj') else 'small map VTU'
+        yield Seed(path.replace('/', '_'), 'VTU appended' if 'appended' in path else kind, content, surface or None)
+
+
+def seeds(options, folder):
+    """{kind: [Seed]}; all files are written to `folder`, too."""
+    plain = list(mesh_seeds()) + list(list_seeds())
+    for seed in plain:
+        (folder / seed.name).write_bytes(seed.content)
+    kinds = {}
+    for seed in plain + list(made_maps(options, folder)) + list(committed_maps()):
+        (folder / seed.name).write_bytes(seed.content)
+        kinds.setdefault(seed.kind, []).append(seed)
+    return kinds
