@@ -17,6 +17,7 @@
 #include "parametrization/fields/closed_surfaces.h"
 
 extern "C" int openblas_get_num_threads(void);
+extern "C" void openblas_set_num_threads(int);
 
 namespace majorant {
 namespace {
@@ -123,6 +124,32 @@ TEST(ConcurrentSolves, LeaveTheSettingsOfTheProcessAlone) {
   });
   EXPECT_GT(looked, looked_before_ceres);
   EXPECT_EQ(Settings(), before);
+}
+
+// CHOLMOD computes with one thread of BLAS, whose number belongs to the process.
+TEST(ConcurrentSolves, ByCholmodToo) {
+  const int blas_threads = openblas_get_num_threads();
+  openblas_set_num_threads(2);
+  const UnusualSettings unusual;
+  const Settings before;
+  ASSERT_EQ(before.blas_threads, 2);
+  const auto solve = [](Vec& x) {
+    ParametrizationOptions options = degree(2);
+    options.solve.linear_solver = cholmod_solver;
+    RunRecord record(kNoLimit, kIterations);
+    x = parametrize(generated("creature"), options, record).map->control_points();
+  };
+  Vec first, x, y;
+  solve(first);
+  EXPECT_EQ(Settings(), before);
+  std::thread one([&] { solve(x); });
+  std::thread other([&] { solve(y); });
+  one.join();
+  other.join();
+  EXPECT_EQ(Settings(), before);
+  EXPECT_EQ(x, first);
+  EXPECT_EQ(y, first);
+  openblas_set_num_threads(blas_threads);
 }
 
 TEST(ThreadCount, LastsAsLongAsItsBlock) {
