@@ -224,6 +224,36 @@ TEST(MapExtension, AnObserverEndsTheRun) {
   }
 }
 
+// SolveOptions::watch sees the start as well, and starts that are pulled to pins, which its answer
+// does not end.
+TEST(MapObserver, SeesMapsInModelUnitsAndEndsTheRun) {
+  const auto mesh = generated("cap");
+  for (const bool pulled : {false, true}) {
+    ParametrizationOptions options = degree(2);
+    if (pulled) options.map.pins = {{0, Vector2(0, 0)}, {7, Vector2(0.3, 1.7)}};
+    RunRecord record;
+    std::size_t rows = 0, starts = 0;
+    double last_energy = 0;
+    options.solve.watch = [&](const TraceEntry& row, const MapView& at) {
+      ++rows;
+      starts = rows - record.trace().size();
+      const BezierMap map = at.in_model_units();
+      EXPECT_EQ(map.degree(), row.degree);
+      EXPECT_EQ(map.control_points().size(), at.x.size());
+      last_energy = measure_map(map, options.map.energy).value;
+      return Directive::Interrupt;
+    };
+    const ParametrizationResult result = parametrize(mesh, options, record);
+    EXPECT_EQ(result.status, Status::Interrupted);
+    expect_valid(result, 2);
+    EXPECT_EQ(starts > 1, pulled);
+    EXPECT_NEAR(result.measures.value, last_energy, 1e-6 * last_energy);
+    if (!pulled) {
+      EXPECT_EQ(record.trace().size(), 1u);
+    }
+  }
+}
+
 // Values on the way to 1e308 start elsewhere; what was added is there, too.
 TEST(MapExtension, ConstraintsHoldInEveryPhase) {
   const auto mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(
