@@ -7,6 +7,7 @@
 #include "majorant/io/internal/claims.h"
 #include "majorant/io/map_file.h"
 #include "majorant/io/map_proof.h"
+#include "majorant/mesh/refusal.h"
 
 namespace majorant {
 
@@ -61,7 +62,7 @@ FileVerification certification(std::string path, ProofRequest wanted, const MapF
       if (const std::string cone = unsaid_cone(file, path, wanted); !cone.empty()) refuse(cone);
     } catch (const Error& e) {
       if (e.kind() != ErrorKind::Unreadable && e.kind() != ErrorKind::Unsupported) throw;
-      refuse(e.what());
+      refuse(problem_of(e));
     }
   };
 }

@@ -18,6 +18,7 @@
 #include "majorant/io/internal/repaired_match.h"
 #include "majorant/io/internal/rounded_determinant.h"
 #include "majorant/io/internal/surface_match.h"
+#include "majorant/mesh/refusal.h"
 #include "majorant/parametrization/injectivity/internal/exact_positivity.h"
 
 namespace majorant {
@@ -79,7 +80,7 @@ class MapProof::Judge {
     try {
       cut_.emplace(file_, name_);
     } catch (const Error& e) {
-      return give_up(e.what());
+      return give_up(problem_of(e));
     }
     judge_surface();
     judge_cuts();
@@ -88,9 +89,9 @@ class MapProof::Judge {
       proof_.map_ = cut_->map_cut_along(cut_->cuts());
     } catch (const Error& e) {  // an edge is open whose ends are not
       if (proof_.continuous.answer == Answer::Proven)
-        proof_.continuous = {Answer::Undecided, e.what()};
+        proof_.continuous = {Answer::Undecided, problem_of(e)};
       if (request_.overlap == ProofRequest::Overlap::Forbidden)
-        proof_.injective = {Answer::Undecided, e.what()};
+        proof_.injective = {Answer::Undecided, problem_of(e)};
       return;
     }
     proof_.cuts.charts = proof_.map_->mesh().topology().components;
@@ -341,7 +342,7 @@ class MapProof::Judge {
       BezierMap seamless = cut_->map_with_seams();
       if (!seamless.seams().trivial()) proof_.map_ = std::move(seamless);
     } catch (const Error& e) {
-      proof_.continuous = {Answer::Undecided, e.what()};
+      proof_.continuous = {Answer::Undecided, problem_of(e)};
     }
   }
 
