@@ -8,6 +8,7 @@
 #include "apps/command.h"
 #include "apps/outputs.h"
 #include "apps/parts.h"
+#include "apps/remedies.h"
 #include "apps/seam_request.h"
 #include "apps/streams.h"
 #include "apps/within_memory.h"
@@ -119,7 +120,7 @@ std::optional<BezierMap> describe_texture(const SurfaceMesh& mesh, const MapFile
     const std::string reason =
         curved ? fmt::format("corners of the map of degree {}, whose faces are curved between them",
                              curved->degree)
-               : e.what();
+               : command_message(e);
     out.add("texture: {}{}\n", curved ? "" : "not seamless: ", one_line(reason));
     out.report["texture"] = {{"seamless", curved ? Json() : Json(false)}, {"message", reason}};
     return std::nullopt;
@@ -162,7 +163,7 @@ std::string unwrap_refusal(const SurfaceMesh& surface) try {
   require_usable_sizes(surface);
   return "";
 } catch (const Error& e) {
-  return e.what();
+  return command_message(e);
 }
 
 std::string verdict(const PolygonMesh& polygons, const SurfaceMesh& repaired, const MapFile* curved,
@@ -173,7 +174,7 @@ std::string verdict(const PolygonMesh& polygons, const SurfaceMesh& repaired, co
     other_verb = ", `majorant seamless` tries a map with cones, which may overlap";
     return runnable(mesh, curved, out);
   } catch (const Error& e) {
-    refusal = e.what();
+    refusal = command_message(e);
   } catch (const std::bad_alloc&) {
     return "parametrize would refuse: out of memory while making the start";
   }
@@ -211,8 +212,8 @@ void describe_plan(const RepairedSurface& surface, Description& out) {
 void describe_plan_or_refusal(const RepairedSurface& surface, Description& out) try {
   describe_plan(surface, out);
 } catch (const Error& e) {
-  out.add("plan: unwrap would refuse: {}\n", one_line(e.what()));
-  out.report["plan"] = {{"message", e.what()}};
+  out.add("plan: unwrap would refuse: {}\n", one_line(command_message(e)));
+  out.report["plan"] = {{"message", command_message(e)}};
 }
 
 int info(const InfoRequest& request) {

@@ -14,6 +14,7 @@
 #include "apps/command.h"
 #include "apps/parts.h"
 #include "apps/process.h"
+#include "apps/remedies.h"
 #include "apps/streams.h"
 
 namespace majorant::app {
@@ -65,7 +66,7 @@ int run_safely(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const Error& e) {
-    say("majorant: {}\n", e.what());
+    say("majorant: {}\n", command_message(e));
     return exit_code(e.kind());
   } catch (const std::bad_alloc&) {
     say_text("majorant: out of memory; use a lower degree or a smaller mesh, or allow more\n");

@@ -72,9 +72,9 @@ int MapRun::finish(const Json& extra) {
 // What is moved must be proven anew; where that fails there is no result.
 void MapRun::place() {
   const OutputRequest& outputs = request_.outputs;
-  const Turn turn = outputs.turns_map()                             ? Turn::Required
-                    : outputs.turns(*job_.result.map, request_.map) ? Turn::Free
-                                                                    : Turn::Held;
+  const Turned turn = outputs.turns_map()                             ? Turned::Required
+                      : outputs.turns(*job_.result.map, request_.map) ? Turned::Free
+                                                                      : Turned::Held;
   if (!job_.place(turn, outputs.normalize))
     job_.result.message +=
         fmt::format("; leave out {}", outputs.normalize ? "--normalize" : "--align");

@@ -12,6 +12,7 @@
 
 #include "apps/arguments/number_check.h"
 #include "apps/arguments/suggestion.h"
+#include "apps/remedies.h"
 #include "apps/streams.h"
 #include "majorant/framework/error.h"
 #include "majorant/pictures/png_file.h"
@@ -168,7 +169,7 @@ void WrittenFiles::write(const std::string& path, const std::function<void()>& w
   try {
     write();
   } catch (const Error& e) {
-    entry.failure = e.what();
+    entry.failure = command_message(e);
     entry.code = e.kind() == ErrorKind::Invalid ? kInvalid : kUsage;
   } catch (const std::bad_alloc&) {
     entry.failure = fmt::format("cannot write {}: out of memory", path);
@@ -319,7 +320,10 @@ void FormatOptions::add_pictures_to(CLI::App& verb) {
 }
 
 void say_left_out(const std::string& path, const std::vector<std::string>& what) {
-  if (!what.empty()) say("{}: does not hold {}\n", path, fmt::join(what, ", "));
+  std::vector<std::string> said = what;
+  std::replace(said.begin(), said.end(), std::string("the surface"),
+               std::string("the surface (--msh surface does)"));
+  if (!said.empty()) say("{}: does not hold {}\n", path, fmt::join(said, ", "));
 }
 
 void write_json(const std::string& path, const Json& json) {

@@ -1,24 +1,94 @@
 // majorant unwrap IN -o OUT...: any mesh to a layout of charts without overlaps.
+#include <fmt/format.h>
+
 #include <CLI/App.hpp>
+#include <chrono>
+#include <cmath>
 #include <memory>
+#include <optional>
+#include <string>
 #include <utility>
 
-#include "apps/atlas_result.h"
+#include "apps/arguments/number_check.h"
+#include "apps/command.h"
 #include "apps/energy_option.h"
 #include "apps/linear_solvers.h"
+#include "apps/map_request.h"
+#include "apps/page_content.h"
 #include "apps/parts.h"
 #include "apps/process.h"
 #include "apps/progress.h"
+#include "apps/result_files.h"
+#include "apps/seam_request.h"
 #include "apps/solve_request.h"
 #include "apps/streams.h"
 #include "apps/unless_stopped.h"
-#include "apps/unwrap_request.h"
 #include "apps/within_memory.h"
+#include "majorant/framework/error.h"
 #include "majorant/framework/thread_count.h"
+#include "majorant/io/map_distortion.h"
 #include "majorant/io/read_mesh.h"
+#include "majorant/results/internal/atlas_job.h"
+#include "majorant/results/internal/global_verdict.h"
 
 namespace majorant::app {
 namespace {
+
+// What the user can say of a layout: how to repair, where to cut, how to pack.
+struct UnwrapRequest {
+  SeamRequest seams;
+  std::optional<double> weld;
+  double padding = PackOptions().padding_pixels, resolution = PackOptions().resolution;
+  bool no_pack = false;
+
+  void add_to(CLI::App& verb);
+  // Opens the job with the file, and says where to cut and how to pack. Throws Error(Unsupported)
+  // for what would be repaired, where everything must be whole, and as SeamRequest::options.
+  void open(AtlasJob& job, PolygonMesh polygons, Strictness strictness) const;
+  Json to_json() const;  // for reports and claims
+};
+
+void UnwrapRequest::add_to(CLI::App& verb) {
+  seams.add_to(verb);
+  verb.add_option("--padding", padding,
+                  fmt::format("pixels between charts, at least ({})", padding))
+      ->check(non_negative_number());
+  verb.add_option("--resolution", resolution,
+                  fmt::format("pixels along the side of the layout ({})", resolution))
+      ->check(positive_number());
+  verb.add_flag("--no-pack", no_pack, "leave charts where they are, also on top of each other")
+      ->excludes("--padding")
+      ->excludes("--resolution");
+  verb.add_option("--weld", weld,
+                  "join vertices no farther apart than DISTANCE; 0: at equal positions (default: "
+                  "only where no face shares a vertex)")
+      ->type_name("DISTANCE")
+      ->check(non_negative_number());
+}
+
+void UnwrapRequest::open(AtlasJob& job, PolygonMesh polygons, Strictness strictness) const {
+  RepairOptions how;
+  how.weld = weld;
+  job.open(std::move(polygons), how);
+  const Repair* const first = job.first_repair();
+  if (first && strictness == Strictness::Everything)
+    throw Error(ErrorKind::Unsupported,
+                fmt::format("{}: {}; leave out --strict to have it repaired so", job.polygons->file,
+                            describe(*first)));
+  job.options.cuts = seams.options(*job.polygons);
+  job.options.packing.reset();
+  if (!no_pack)
+    job.options.packing = PackOptions{.padding_pixels = padding, .resolution = resolution};
+}
+
+Json UnwrapRequest::to_json() const {
+  Json options = seams.to_json();
+  options.update({{"padding", padding},
+                  {"resolution", resolution},
+                  {"no_pack", no_pack},
+                  {"weld", weld ? Json(*weld) : Json()}});
+  return options;
+}
 
 struct UnwrapVerb {
   CommonOptions common;
@@ -59,6 +129,104 @@ void require_usable(UnwrapVerb& request) {
                     {{request.outputs.distortion}, {".csv"}}},
                    {request.map.input, request.map.pins, request.map.handles, request.map.weights,
                     request.unwrap.seams.file(), request.outputs.formats.readable_image()});
+}
+
+// A run of unwrap that has ended. Only refers: all must outlive it.
+struct FinishedUnwrap {
+  const CommonOptions& common;
+  const OutputRequest& outputs;
+  const MapRequest& map;
+  const AtlasJob& job;
+  std::chrono::steady_clock::time_point start;  // of the run
+  Progress& progress;
+};
+
+// Points with targets keep their charts where they put them.
+MapPage page_of(const FinishedUnwrap& run) {
+  MapPage page;
+  page.title = page_title(run.map.input);
+  page.facts = page_facts(atlas_report(run.job), run.map.inputs());
+  page.points = pulled_points(run.job.options.chart.map.handles, *run.job.surface.mesh);
+  for (const Chart& chart : run.job.atlas.charts)
+    for (const Pin& pin : chart.pins)
+      page.points.push_back({chart.map->mesh().input_vertex(pin.vertex),
+                             chart.map->control_points().segment<2>(2 * pin.vertex),
+                             PagePoint::Hold::Pin});
+  return page;
+}
+
+void write_maps(const FinishedUnwrap& run, WrittenFiles& written) {
+  FaceDistortion table;
+  const MapFile file = atlas_file(run.job, &table);
+  if (const std::string& path = run.outputs.distortion; !path.empty())
+    written.write(path, [&] { write_distortion(path, file, table); });
+  FormatOptions formats = run.outputs.formats;
+  if (has_page(run.outputs.files)) formats.page = page_of(run);
+  if (run.job.atlas.packing) formats.tessellation.overlap = Overlap::Excluded;
+  for (const std::string& path : run.outputs.files)
+    if (extension(path) != ".json")
+      written.write(path, [&] {
+        write_map(path, file, run.job.polygons.get(), formats,
+                  proof_of_file(path, promise(run.job, path), file, formats));
+        if (!run.common.quiet) say_left_out(path, left_out(path, file, formats));
+      });
+}
+
+void write_reports(const FinishedUnwrap& run, double write_seconds, WrittenFiles& written) {
+  std::vector<std::string> paths;
+  if (!run.common.report.empty()) paths.push_back(run.common.report);
+  for (const std::string& path : run.outputs.files)
+    if (extension(path) == ".json") paths.push_back(path);
+  if (paths.empty()) return;
+  Json report = atlas_report(run.job);
+  for (const std::string& path : paths) {
+    report["outputs"] = written.to_json();
+    report["seconds"]["write"] = write_seconds;
+    report["seconds"]["total"] = seconds_since(run.start);
+    written.write(path, [&] { write_json(path, report); });
+  }
+}
+
+// Charts that did not converge, by their first faces.
+void name_charts(const FinishedUnwrap& run) {
+  for (std::size_t k = 0; k < run.job.atlas.charts.size(); ++k) {
+    const Chart& chart = run.job.atlas.charts[k];
+    if (chart.status == Status::Converged) continue;
+    say("majorant: {}: chart {} (face {} and {} more): {}{}\n", run.map.input, k + 1,
+        run.job.surface.mesh->input_face(chart.faces.front()) + 1, chart.faces.size() - 1,
+        status_name(chart.status), chart.message.empty() ? "" : ": " + chart.message);
+  }
+}
+
+void summarize(const FinishedUnwrap& run, const WrittenFiles& written) {
+  const Atlas& atlas = run.job.atlas;
+  name_charts(run);
+  if (run.common.quiet || atlas.status() == Status::Failed) return;
+  for (const Repair& r : run.job.surface.repairs) say("{}: {}\n", run.map.input, describe(r));
+  say_untextured(run.map.input, atlas.cuts);
+  const std::string fill = atlas.packing ? fmt::format(", fill {:.2f}", atlas.packing->fill) : "";
+  say("{}: {}, {} chart{}, {} {:.6f}, seams {:.4g} ({:.3g} sqrt(area)), stretch {:.4f}{}, "
+      "degree {}, {}, {:.2f} s\n",
+      run.map.input, status_name(atlas.status()), atlas.charts.size(),
+      atlas.charts.size() == 1 ? "" : "s", run.map.energy, atlas.value(), seam_length(run.job),
+      seam_length(run.job) / std::sqrt(run.job.surface.mesh->area()), atlas.stretch().l2, fill,
+      run.map.degree, overlap_words(run.job.boundary, ImageOf::Charts), seconds_since(run.start));
+  for (const std::string& path : run.outputs.files)
+    if (is_map_data(path) && written.has(path))
+      say("proof: majorant check {}{}\n", path, atlas.packing ? " --certify" : "");
+}
+
+// Writes the layout, unless a chart failed, each file certified, then the reports, then the lines
+// on stderr; returns the exit code.
+int write_atlas(const FinishedUnwrap& run) {
+  const double before = seconds_since(run.start);
+  WrittenFiles written;
+  run.job.record.begin(Activity::Writing);
+  if (run.job.atlas.status() != Status::Failed) write_maps(run, written);
+  write_reports(run, seconds_since(run.start) - before, written);
+  run.progress.finish();
+  summarize(run, written);
+  return written.conclude(exit_code(run.job.atlas.status()));
 }
 
 int unwrap_file(UnwrapVerb request) {

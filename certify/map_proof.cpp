@@ -19,6 +19,7 @@
 #include "majorant/constraints/internal/sector_angle.h"
 #include "majorant/elements/element_space.h"
 #include "majorant/framework/error.h"
+#include "majorant/mesh/refusal.h"
 
 namespace majorant {
 namespace {
@@ -79,7 +80,7 @@ class MapProof::Judge {
     try {
       cut_.emplace(file_, name_);
     } catch (const Error& e) {
-      return give_up(e.what());
+      return give_up(problem_of(e));
     }
     judge_surface();
     judge_cuts();
@@ -88,9 +89,9 @@ class MapProof::Judge {
       proof_.map_ = cut_->map_cut_along(cut_->cuts());
     } catch (const Error& e) {  // an edge is open whose ends are not
       if (proof_.continuous.answer == ProofStatus::Proven)
-        proof_.continuous = {ProofStatus::Undecided, e.what()};
+        proof_.continuous = {ProofStatus::Undecided, problem_of(e)};
       if (request_.overlap == ProofRequest::Overlap::Forbidden)
-        proof_.injective = {ProofStatus::Undecided, e.what()};
+        proof_.injective = {ProofStatus::Undecided, problem_of(e)};
       return;
     }
     proof_.cuts.charts = proof_.map_->mesh().topology().components;
@@ -343,7 +344,7 @@ class MapProof::Judge {
       BezierMap seamless = cut_->map_with_seams();
       if (!seamless.seams().trivial()) proof_.map_ = std::move(seamless);
     } catch (const Error& e) {
-      proof_.continuous = {ProofStatus::Undecided, e.what()};
+      proof_.continuous = {ProofStatus::Undecided, problem_of(e)};
     }
   }
 

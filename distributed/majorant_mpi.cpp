@@ -29,6 +29,7 @@
 #include "apps/outputs.h"
 #include "apps/process.h"
 #include "apps/progress.h"
+#include "apps/remedies.h"
 #include "apps/solve_request.h"
 #include "apps/streams.h"
 #include "distributed/boundary_proof.h"
@@ -382,7 +383,7 @@ int run(int argc, char** argv) {
   } catch (const FailedElsewhere&) {  // the rank that has says why and ends all
     return kInternal;
   } catch (const Error& e) {
-    say("majorant-mpi: rank {}: {}\n", rank, e.what());
+    say("majorant-mpi: rank {}: {}\n", rank, command_message(e));
     return fail(exit_code(e.kind()));
   } catch (const std::bad_alloc&) {
     say("majorant-mpi: rank {}: out of memory; use more ranks or nodes\n", rank);

@@ -8,6 +8,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/io/claims.h"
 #include "majorant/io/read_mesh.h"
+#include "majorant/mesh/refusal.h"
 
 namespace majorant {
 
@@ -65,7 +66,7 @@ FileVerification certification(std::string path, ProofRequest wanted, const MapF
       if (const std::string cone = unsaid_cone(file, path, wanted); !cone.empty()) refuse(cone);
     } catch (const Error& e) {
       if (e.kind() != ErrorKind::Unreadable && e.kind() != ErrorKind::Unsupported) throw;
-      refuse(e.what());
+      refuse(problem_of(e));
     }
   };
 }

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -14,7 +16,6 @@
 #include "majorant/mesh/internal/mesh_validation.h"
 #include "majorant/mesh/internal/mesh_words.h"
 #include "majorant/mesh/internal/place_text.h"
-#include "majorant/mesh/internal/regularize.h"
 #include "majorant/mesh/internal/sheets.h"
 #include "majorant/mesh/internal/texture_borders.h"
 #include "majorant/mesh/internal/triangle_list.h"
@@ -25,6 +26,83 @@ namespace majorant {
 namespace {
 
 using Places = std::vector<std::array<Index, 2>>;
+
+// Rest triangles of faces without area and of needles: repair.h says which, and why.
+class Regularizing {
+ public:
+  Regularizing(const Points3& positions, const Cells& faces)
+      : positions_(positions), faces_(faces), sum_(at(vertices())), count_(at(vertices())) {
+    double total = 0;
+    Index edges = 0;
+    for (Index f = 0; f < faces.rows(); ++f)
+      for (Index k = 0; k < 3; ++k) {
+        const double l = length(f, k);
+        if (!(l > 0)) continue;
+        for (const Index v : {faces(f, k), faces(f, next(k))}) {
+          sum_[at(v)] += l;
+          ++count_[at(v)];
+        }
+        total += l;
+        ++edges;
+      }
+    mean_ = edges > 0 ? total / edges : 1;
+  }
+
+  std::vector<RestTriangle> triangles(double least_height) const {
+    std::vector<RestTriangle> out;
+    for (Index f = 0; f < faces_.rows(); ++f) {
+      Index longest = 0;
+      for (Index k = 1; k < 3; ++k)
+        if (length(f, k) > length(f, longest)) longest = k;
+      const double size = length(f, longest);
+      if (!(size > 0))
+        out.push_back({f, point(f)});
+      else if (!(height(f) > least_height))
+        out.push_back({f, needle(f, longest, size)});
+    }
+    return out;
+  }
+
+ private:
+  Index vertices() const { return static_cast<Index>(positions_.rows()); }
+  Vector3 edge(Index f, Index k) const {
+    return positions_.row(faces_(f, next(k))) - positions_.row(faces_(f, k));
+  }
+  double length(Index f, Index k) const { return edge(f, k).stableNorm(); }
+
+  // Over the longest edge, in parts of it.
+  double height(Index f) const {
+    const double longest = std::max({length(f, 0), length(f, 1), length(f, 2)});
+    return (edge(f, 0) / longest).cross(edge(f, 1) / longest).norm();
+  }
+
+  // The foot of its height stays where it is.
+  std::array<Vector2, 3> needle(Index f, Index longest, double size) const {
+    const Vector3 along = edge(f, longest) / size, up = -edge(f, previous(longest));
+    std::array<Vector2, 3> corners;
+    corners[at(longest)] = {0, 0};
+    corners[at(next(longest))] = {size, 0};
+    corners[at(previous(longest))] = {std::clamp(along.dot(up), 0.0, size), kNeedleHeight * size};
+    return corners;
+  }
+
+  std::array<Vector2, 3> point(Index f) const {
+    double sum = 0;
+    Index count = 0;
+    for (Index k = 0; k < 3; ++k) {
+      sum += sum_[at(faces_(f, k))];
+      count += count_[at(faces_(f, k))];
+    }
+    const double side = kNeedleHeight * (count > 0 ? sum / count : mean_);
+    return {Vector2(0, 0), Vector2(side, 0), Vector2(side / 2, std::sqrt(0.75) * side)};
+  }
+
+  const Points3& positions_;
+  const Cells& faces_;
+  std::vector<double> sum_;   // by vertex: lengths of edges there that have one,
+  std::vector<Index> count_;  // how many
+  double mean_;
+};
 
 const FindingText& text_of(RepairKind kind) {
   static constexpr std::array<FindingText, 10> kTexts = {{
@@ -169,7 +247,10 @@ class Repairing {
       parts.positions.row(v) = parts.origin.isZero(0) ? p : Vector3(p - parts.origin);
     }
     place_texcoords(input_, list_, parts);
-    parts.rest_triangles = regularized_faces(parts.positions, parts.faces, options_.numerics);
+    parts.rest_triangles =
+        Regularizing(parts.positions, parts.faces)
+            .triangles(options_.numerics == Numerics::ForSolving ? kNeedleHeight
+                                                                 : kDegenerateHeight);
     out_.mesh =
         std::make_shared<const SurfaceMesh>(SurfaceMesh::from_parts(std::move(parts), stop_));
     out_.polygon_corner.resize(given_.rows(), 3);

@@ -15,6 +15,7 @@
 #include "majorant/mesh/internal/mesh_validation.h"
 #include "majorant/mesh/internal/mesh_words.h"
 #include "majorant/mesh/internal/triangle_list.h"
+#include "majorant/mesh/refusal.h"
 
 namespace majorant {
 namespace {
@@ -125,10 +126,10 @@ void SurfaceMesh::build_connectivity(const StopCheck& stop) {
   opposite_ = opposite_half_edges(faces_);
   stop.poll();
   if (const Index v = find_touching_vertex(faces_, opposite_); v >= 0)
-    throw Error(ErrorKind::Unsupported,
-                fmt::format("{}vertex {}: sheets of the surface touch there (non-manifold)",
-                            opening(file_), told(file_, input_vertex(v))) +
-                    unwrap_remedy(file_, "duplicates the vertex"));
+    throw Refusal(ErrorKind::Unsupported, file_,
+                  fmt::format("{}vertex {}: sheets of the surface touch there (non-manifold); ",
+                              opening(file_), told(file_, input_vertex(v))),
+                  Hint::Repair, " duplicates the vertex");
   Index boundary_edges = 0;
   for (const std::vector<Index>& half_edges : boundary_half_edges(faces_, opposite_)) {
     boundary_edges += static_cast<Index>(half_edges.size());
@@ -264,24 +265,22 @@ Vector3 SurfaceMesh::input_position(Index v) const {
 }
 
 void SurfaceMesh::require_disk() const {
-  const auto refuse = [&](const std::string& what, std::string_view does, std::string_view call) {
-    throw Error(ErrorKind::Unsupported, file_.empty()
-                                            ? fmt::format("{}; {}", what, call)
-                                            : opening(file_) + what + unwrap_remedy(file_, does));
+  const auto refuse = [&](const std::string& what, Hint hint) {
+    throw Refusal(ErrorKind::Unsupported, file_, opening(file_) + what + "; ", hint);
   };
   const Index genus_twice = 2 - topology_.boundary_loops - topology_.euler_characteristic();
   if (topology_.boundary_loops == 0)
     refuse(fmt::format("the surface is closed (genus {}, no boundary)", genus_twice / 2),
-           "cuts it open, along --seams auto", "unwrap() cuts it open");
+           Hint::CutOpen);
   if (topology_.boundary_loops > 1)
     refuse(fmt::format("the surface has {} boundary loops (a second one passes vertex {})",
                        topology_.boundary_loops,
                        told(file_, input_vertex(boundary_loops_[1].front()))),
-           "maps it with its holes", "parametrize() maps it with its holes");
+           Hint::MapWithHoles);
   if (topology_.euler_characteristic() != 1)
     refuse(fmt::format("the surface has genus {} (one boundary loop, Euler characteristic {})",
                        genus_twice / 2, topology_.euler_characteristic()),
-           "cuts it open, along --seams auto", "unwrap() cuts it open");
+           Hint::CutOpen);
 }
 
 void SurfaceMesh::require_planar() const {

@@ -73,9 +73,9 @@ struct SurfacePiece;
 
 class SurfaceMesh {
  public:
-  // Throws Error(Unsupported) naming place and remedy for the first defect found - where the mesh
-  // has a file: its name, numbers from 1 and the command that works -, InvalidArgument for lists
-  // that do not fit together, indices that do not exist and positions that are not finite; Stopped.
+  // Throws Refusal (refusal.h) naming place and remedy for the first defect found - where the mesh
+  // has a file: its name, and numbers from 1 -, InvalidArgument for lists that do not fit together,
+  // indices that do not exist and positions that are not finite; Stopped.
   static SurfaceMesh from_polygons(const PolygonMesh& input, const StopCheck& stop = {},
                                    Components components = Components::One,
                                    Shapes shapes = Shapes::Proper);

@@ -14,14 +14,16 @@
 #include "majorant/mesh/half_edge.h"
 #include "majorant/mesh/internal/mesh_words.h"
 #include "majorant/mesh/internal/union_find.h"
+#include "majorant/mesh/refusal.h"
 
 namespace majorant {
 namespace {
 
-// With what unwrap does about it.
+// With what repair() does about it.
 [[noreturn]] void refuse(const PolygonMesh& input, const std::string& place,
                          const std::string& what, std::string_view does) {
-  throw Error(ErrorKind::Unsupported, place + what + unwrap_remedy(input.file, does));
+  throw Refusal(ErrorKind::Unsupported, input.file, place + what + "; ", Hint::Repair,
+                " " + std::string(does));
 }
 
 [[noreturn]] void refuse_list(const PolygonMesh& input, const std::string& what) {

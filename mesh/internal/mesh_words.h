@@ -1,12 +1,11 @@
-// How messages speak of a mesh: of one that was read from a file by its name, with numbers from 1
-// and remedies of the command, as those who have files need it; of one that a program made from
-// arrays without a name, with numbers from 0 and remedies of the library.
+// How messages speak of a mesh: of one that was read from a file by its name, with numbers from 1,
+// as those who have files need it; of one that a program made from arrays without a name, with
+// numbers from 0.
 //
 //   const std::string text = opening(*mesh) + "vertex " + std::to_string(told_vertex(*mesh, 7));
 #pragma once
 
 #include <string>
-#include <string_view>
 
 #include "majorant/mesh/surface_mesh.h"
 
@@ -25,22 +24,6 @@ inline Index told_vertex(const SurfaceMesh& mesh, Index v) {
 }
 inline Index told_face(const SurfaceMesh& mesh, Index f) {
   return told(mesh.file(), mesh.input_face(f));
-}
-
-inline std::string_view either(const std::string& file, std::string_view of_file,
-                               std::string_view of_arrays) {
-  return file.empty() ? of_arrays : of_file;
-}
-inline std::string_view either(const SurfaceMesh& mesh, std::string_view of_file,
-                               std::string_view of_arrays) {
-  return either(mesh.file(), of_file, of_arrays);
-}
-
-// "; `majorant unwrap mesh.obj -o OUT.obj` DOES", or "; repair() DOES": the end of a refusal by
-// those who solve.
-inline std::string unwrap_remedy(const std::string& file, std::string_view does) {
-  return "; " + (file.empty() ? "repair()" : "`majorant unwrap " + file + " -o OUT.obj`") + " " +
-         std::string(does);
 }
 
 }  // namespace majorant

@@ -20,6 +20,7 @@
 #include "majorant/mesh/internal/mesh_words.h"
 #include "majorant/mesh/internal/model_unit.h"
 #include "majorant/mesh/internal/texture_borders.h"
+#include "majorant/mesh/refusal.h"
 #include "majorant/parametrization/atlas/internal/chart_solver.h"
 #include "majorant/parametrization/drive/internal/normalized_start.h"
 
@@ -98,15 +99,13 @@ class Unwrapping {
       if (!p.target || places.at(name) == 1) continue;
       const bool is_split = copies[at(p.vertex)] == 1;
       const bool is_automatic = options_.cuts.method == CutMethod::Automatic;
-      throw Error(ErrorKind::Infeasible,
-                  fmt::format("{}vertex {} has a target, but {} places in the layout: {}; take "
-                              "another{}",
-                              opening(surface_), name, places.at(name),
-                              is_split ? "sheets were split there" : "it lies on a seam",
-                              is_split || is_automatic
-                                  ? ""
-                                  : either(surface_, ", or --seams auto, which keeps off it",
-                                           ", or CutMethod::Automatic, which keeps off it")));
+      const std::string what =
+          fmt::format("{}vertex {} has a target, but {} places in the layout: {}; take another",
+                      opening(surface_), name, places.at(name),
+                      is_split ? "sheets were split there" : "it lies on a seam");
+      if (is_split || is_automatic) throw Error(ErrorKind::Infeasible, what);
+      throw Refusal(ErrorKind::Infeasible, surface_.file(), what + ", or ", Hint::AutomaticCuts,
+                    ", which keeps off it");
     }
   }
 

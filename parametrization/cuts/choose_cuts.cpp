@@ -14,6 +14,7 @@
 #include "majorant/mesh/internal/mesh_words.h"
 #include "majorant/mesh/internal/model_unit.h"
 #include "majorant/mesh/internal/texture_borders.h"
+#include "majorant/mesh/refusal.h"
 #include "majorant/parametrization/cuts/internal/automatic_cut.h"
 #include "majorant/parametrization/cuts/internal/edge_costs.h"
 #include "majorant/parametrization/cuts/internal/flattening_strain.h"
@@ -44,10 +45,10 @@ void require_valid(const SurfaceMesh& mesh, const CutOptions& options) {
     throw InvalidArgument(fmt::format("choose_cuts: {} flags for {} half-edges",
                                       options.given.size(), mesh.half_edge_count()));
   if (options.method == CutMethod::Texture && mesh.corner_texcoords().rows() == 0)
-    throw Error(
-        ErrorKind::Unsupported,
-        fmt::format("{}no face has texture coordinates, along which it could be cut; use {}",
-                    opening(mesh), either(mesh, "--seams auto", "CutMethod::Automatic")));
+    throw Refusal(
+        ErrorKind::Unsupported, mesh.file(),
+        opening(mesh) + "no face has texture coordinates, along which it could be cut; use ",
+        Hint::AutomaticCuts);
 }
 
 // What is asked for: flags of both sides.
@@ -76,11 +77,11 @@ void require_area_in_range(const SurfaceMesh& surface, double unit) {
 void require_usable_size(const SurfacePiece& part, double whole) {
   const double area = part.mesh->area();
   if (area > kLeastArea * whole) return;
-  throw Error(ErrorKind::Unsupported,
-              fmt::format("{}the piece of face {} has {:.3g} of the area of all, too little for "
-                          "lengths in double precision; remove it or {}",
-                          opening(*part.mesh), told_face(*part.mesh, 0), area / whole,
-                          either(*part.mesh, "put it in a file of its own", "map it by itself")));
+  throw Refusal(ErrorKind::Unsupported, part.mesh->file(),
+                fmt::format("{}the piece of face {} has {:.3g} of the area of all, too little for "
+                            "lengths in double precision; remove it or ",
+                            opening(*part.mesh), told_face(*part.mesh, 0), area / whole),
+                Hint::MapAlone);
 }
 
 // Twice the largest area of a face, where all have none but for rounding.

@@ -14,6 +14,7 @@
 #include "majorant/framework/internal/element_values.h"
 #include "majorant/framework/thread_count.h"
 #include "majorant/mesh/internal/mesh_words.h"
+#include "majorant/mesh/refusal.h"
 #include "majorant/parametrization/drive/internal/degree_schedule.h"
 #include "majorant/parametrization/drive/internal/free_scale.h"
 #include "majorant/parametrization/drive/internal/normalized_start.h"
@@ -102,18 +103,11 @@ class Run {
     try {
       return std::make_unique<ScaffoldedDomain>(map_, options_.solve.scaffold_flips, setup_.rules);
     } catch (const Error& e) {
-      throw Error(e.kind(), fmt::format("{}the start overlaps itself ({}); {}",
-                                        opening(map_.mesh()), e.what(), remedy_for_overlaps()));
+      throw Refusal(
+          e.kind(), map_.mesh().file(),
+          fmt::format("{}the start overlaps itself ({}); ", opening(map_.mesh()), e.what()),
+          options_.map.initial ? Hint::AllowOrOtherStart : Hint::AllowOverlaps);
     }
-  }
-
-  std::string remedy_for_overlaps() const {
-    const bool given = options_.map.initial.has_value();
-    if (map_.mesh().file().empty())
-      return fmt::format("ask for MapInjectivity::Local{}, or use unwrap()",
-                         given ? " or for another start" : "");
-    return fmt::format("leave out --bijective{}, or use `majorant unwrap`",
-                       given ? " or --init input" : "");
   }
 
   void account(const DegreeSchedule::Counts& counts) {

@@ -13,6 +13,7 @@
 #include "majorant/framework/thread_count.h"
 #include "majorant/mesh/internal/cut_graph.h"
 #include "majorant/mesh/internal/mesh_words.h"
+#include "majorant/mesh/refusal.h"
 #include "majorant/parametrization/fields/internal/conformal_metric.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 #include "majorant/parametrization/starts/internal/field_integration.h"
@@ -123,10 +124,10 @@ class Maker {
         defects_.faces.empty()
             ? fmt::format("{} vertices are covered several times", defects_.vertices.size())
             : fmt::format("{} triangles stay inverted", defects_.faces.size());
-    throw Error(ErrorKind::Invalid,
-                fmt::format("{}no injective seamless map found: {} {}; choose other cones{}, or "
-                            "refine the mesh there",
-                            opening(mesh_), what, place(), either(mesh_, " with --cones", "")));
+    throw Refusal(
+        ErrorKind::Invalid, mesh_.file(),
+        fmt::format("{}no injective seamless map found: {} {}; ", opening(mesh_), what, place()),
+        Hint::OtherCones, ", or refine the mesh there");
   }
 
  private:
@@ -200,11 +201,11 @@ Start make_seamless(const SurfaceMesh& mesh, const SeamlessOptions& options,
                     const RunRecord& record) {
   const bool conformal_exists = is_sphere_or_disk(mesh);
   if (options.method == SeamlessMethod::Conformal && !conformal_exists)
-    throw Error(ErrorKind::Usage,
-                fmt::format("{}a conformal start needs a sphere or a disk, where cones alone "
-                            "determine the transitions; use {}",
-                            opening(mesh),
-                            either(mesh, "--start scaled-field", "SeamlessMethod::ScaledField")));
+    throw Refusal(ErrorKind::Usage, mesh.file(),
+                  opening(mesh) +
+                      "a conformal start needs a sphere or a disk, where cones alone determine the "
+                      "transitions; use ",
+                  Hint::ScaledField);
   if (options.threads < 0) throw InvalidArgument("the number of threads must not be negative");
   const ThreadCount threads(options.threads);
   Maker maker(mesh, options, record);

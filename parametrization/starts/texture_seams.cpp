@@ -13,6 +13,7 @@
 #include "majorant/mesh/half_edge.h"
 #include "majorant/mesh/internal/mesh_words.h"
 #include "majorant/mesh/internal/texture_borders.h"
+#include "majorant/mesh/refusal.h"
 
 namespace majorant {
 namespace {
@@ -55,11 +56,11 @@ class CornerView {
 void require_oriented(const SurfaceMesh& mesh, const CornerView& view) {
   for (Index f = 0; f < mesh.face_count(); ++f)
     if (!(view.signed_area(f) > 0))
-      throw Error(ErrorKind::Infeasible,
-                  fmt::format("{}the texture coordinates are not injective: face {} is not "
-                              "positively oriented; repair them or use {}",
-                              opening(mesh), told_face(mesh, f),
-                              either(mesh, "`majorant seamless`", "make_seamless()")));
+      throw Refusal(ErrorKind::Infeasible, mesh.file(),
+                    fmt::format("{}the texture coordinates are not injective: face {} is not "
+                                "positively oriented; repair them or use ",
+                                opening(mesh), told_face(mesh, f)),
+                    Hint::MakeSeamless);
 }
 
 struct Transitions {
@@ -83,14 +84,15 @@ Transitions snap_rotations(const SurfaceMesh& mesh, const std::vector<char>& is_
     out.residual = mismatch;
   }
   if (!(out.residual <= kSeamTolerance * view.mean_length()))
-    throw Error(
-        ErrorKind::Unsupported,
+    throw Refusal(
+        ErrorKind::Unsupported, mesh.file(),
         fmt::format("{}the seam at edge ({}, {}) is not seamless: its sides differ by {:.3g} "
                     "edge lengths after the best rotation by a multiple of 90 degrees (tolerance "
-                    "{:g}); repair the coordinates or use {}",
+                    "{:g}); repair the coordinates or use ",
                     opening(mesh), told_vertex(mesh, mesh.from_vertex(worst)),
                     told_vertex(mesh, mesh.to_vertex(worst)), out.residual / view.mean_length(),
-                    kSeamTolerance, either(mesh, "`majorant seamless`", "make_seamless()")));
+                    kSeamTolerance),
+        Hint::MakeSeamless);
   return out;
 }
 
@@ -105,12 +107,12 @@ std::vector<int> measure_quarter_turns(const SurfaceMesh& mesh, const CornerView
     quarter_turns[at(v)] = turns;
     if (turns > 0 && std::abs(sum[at(v)] - turns * std::numbers::pi / 2) <= kQuarterTurnTolerance)
       continue;
-    throw Error(
-        ErrorKind::Unsupported,
+    throw Refusal(
+        ErrorKind::Unsupported, mesh.file(),
         fmt::format("{}vertex {}: the angles around it add up to {:.4g} degrees in the "
-                    "texture, no multiple of 90; repair the coordinates or use {}",
-                    opening(mesh), told_vertex(mesh, v), sum[at(v)] * 180 / std::numbers::pi,
-                    either(mesh, "`majorant seamless`", "make_seamless()")));
+                    "texture, no multiple of 90; repair the coordinates or use ",
+                    opening(mesh), told_vertex(mesh, v), sum[at(v)] * 180 / std::numbers::pi),
+        Hint::MakeSeamless);
   }
   return quarter_turns;
 }
@@ -131,9 +133,9 @@ Start assemble(const SurfaceMesh& mesh, const std::vector<char>& is_cut, const C
 
 Vec texture_map(const SurfaceMesh& mesh) {
   if (untextured_polygons(mesh) > 0)
-    throw Error(ErrorKind::Unsupported,
-                fmt::format("{}not every face corner has texture coordinates; {}", opening(mesh),
-                            either(mesh, "leave out --init input", "take another start")));
+    throw Refusal(ErrorKind::Unsupported, mesh.file(),
+                  opening(mesh) + "not every face corner has texture coordinates; ",
+                  Hint::OtherStart);
   Vec x = Vec::Zero(2 * mesh.vertex_count());
   std::vector<char> seen(at(mesh.vertex_count()), 0);
   for (Index f = 0; f < mesh.face_count(); ++f)
@@ -141,13 +143,10 @@ Vec texture_map(const SurfaceMesh& mesh) {
       const Index v = mesh.faces()(f, k);
       const Vector2 uv = mesh.corner_texcoords().row(f).segment<2>(2 * k);
       if (seen[at(v)] && uv != x.segment<2>(2 * v))
-        throw Error(ErrorKind::Unsupported,
-                    fmt::format("{}vertex {} has several texture coordinates (a seam); {}",
-                                opening(mesh), told_vertex(mesh, v),
-                                either(mesh,
-                                       "use --seamless or `majorant unwrap --seams uv`, or leave "
-                                       "out --init input",
-                                       "use texture_cuts(), or take another start")));
+        throw Refusal(ErrorKind::Unsupported, mesh.file(),
+                      fmt::format("{}vertex {} has several texture coordinates (a seam); ",
+                                  opening(mesh), told_vertex(mesh, v)),
+                      Hint::CutTexture);
       seen[at(v)] = 1;
       x.segment<2>(2 * v) = uv;
     }
@@ -156,10 +155,9 @@ Vec texture_map(const SurfaceMesh& mesh) {
 
 std::vector<char> texture_cuts(const SurfaceMesh& mesh) {
   if (untextured_polygons(mesh) > 0)
-    throw Error(ErrorKind::Unsupported,
-                fmt::format("{}not every face corner has texture coordinates; use {} to make a "
-                            "seamless map",
-                            opening(mesh), either(mesh, "`majorant seamless`", "make_seamless()")));
+    throw Refusal(ErrorKind::Unsupported, mesh.file(),
+                  opening(mesh) + "not every face corner has texture coordinates; use ",
+                  Hint::MakeSeamless, " to make a seamless map");
   return texture_borders(mesh);
 }
 

@@ -42,8 +42,7 @@ void place_boundary(const SurfaceMesh& mesh, Spacing spacing, Vec& x) {
 
 std::string no_solution(const std::string& file) {
   return opening(file) +
-         "the Laplacian of the initial map cannot be factorized; check the mesh with " +
-         std::string(either(file, "`majorant info`", "find_defects()"));
+         "the Laplacian of the initial map cannot be factorized; check the mesh for defects";
 }
 
 // Vertices of the outer loop, those that fill holes behind all of the mesh.

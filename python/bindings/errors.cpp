@@ -2,11 +2,10 @@
 
 #include <new>
 #include <string>
-#include <string_view>
-#include <utility>
 
 #include "majorant/framework/error.h"
 #include "majorant/framework/stop_check.h"
+#include "majorant/mesh/refusal.h"
 
 namespace majorant::python {
 namespace {
@@ -29,27 +28,51 @@ const char* class_of(ErrorKind kind) {
   return "InternalError";
 }
 
-// What remedies of the library are called here.
-constexpr std::pair<std::string_view, std::string_view> kNames[] = {
-    {"repair()", "unwrap()"},
-    {"make_seamless()", "seamless()"},
-    {"SeamlessMethod::ScaledField", "start='scaled-field'"},
-    {"texture_cuts()", "unwrap(seams='uv')"},
-    {"CutMethod::Automatic", "seams='auto'"},
-    {"BoundaryCondition::Fixed", "boundary='fixed'"},
-    {"MapOptions::initial", "init='input'"},
-    {"find_defects()", "`majorant info`"}};
-
-std::string in_python(std::string message) {
-  for (const auto& [name, here] : kNames)
-    if (const std::size_t at = message.find(name); at != std::string::npos)
-      message.replace(at, name.size(), here);
-  return message;
+const char* python_words(Hint hint) {
+  switch (hint) {
+    case Hint::Repair:
+      return "unwrap()";
+    case Hint::CutOpen:
+      return "unwrap() cuts it open";
+    case Hint::MapWithHoles:
+      return "parametrize() maps it with its holes";
+    case Hint::Unwrap:
+      return "use unwrap()";
+    case Hint::OtherStart:
+      return "take another start";
+    case Hint::OtherStartOrUnwrap:
+      return "leave out init='input', or use unwrap()";
+    case Hint::AllowOverlaps:
+      return "leave out bijective=True, or use unwrap()";
+    case Hint::AllowOrOtherStart:
+      return "leave out bijective=True or init='input', or use unwrap()";
+    case Hint::CutTexture:
+      return "use unwrap(seams='uv'), or take another start";
+    case Hint::MakeSeamless:
+      return "seamless()";
+    case Hint::ScaledField:
+      return "start='scaled-field'";
+    case Hint::OtherCones:
+      return "choose other cones";
+    case Hint::AutomaticCuts:
+      return "seams='auto'";
+    case Hint::LeavePin:
+      return "leave out its target, start from a map that meets the pins";
+    case Hint::FreeBoundary:
+      return "boundary='fixed'";
+    case Hint::RaiseLimits:
+      return "max_iterations or time_limit";
+    case Hint::MapAlone:
+      return "map it by itself";
+    case Hint::WriteSurface:
+      return "write it with msh='surface', or leave surface out";
+  }
+  return "";
 }
 
 void raise(const char* name, const std::string& message) {
   const py::object type = py::module_::import("majorant._errors").attr(name);
-  PyErr_SetString(type.ptr(), in_python(message).c_str());
+  PyErr_SetString(type.ptr(), message.c_str());
 }
 
 }  // namespace
@@ -63,7 +86,8 @@ void translate_errors() {
     } catch (const py::error_already_set&) {
       throw;
     } catch (const Error& e) {
-      raise(class_of(e.kind()), e.what());
+      raise(class_of(e.kind()),
+            message_of(e, [](const Refusal& r) { return python_words(r.hint()); }));
     } catch (const Stopped& stopped) {
       raise("StoppedError", std::string(stopped.what()) + " before there was a result");
     } catch (const std::bad_alloc&) {

@@ -7,7 +7,8 @@
 //   job.solve();
 //   job.prove();
 //   const MapFile file = atlas_file(job);
-//   write_map(path, file, job.polygons.get(), {}, proof_of_file(path, promise(job, path), file, {}));
+//   const ProofRequest proof = promise(job, path);
+//   write_map(path, file, job.polygons.get(), {}, proof_of_file(path, proof, file, {}));
 #pragma once
 
 #include <memory>

@@ -11,6 +11,7 @@
 #include "majorant/framework/internal/rounding.h"
 #include "majorant/io/lagrange_cell.h"
 #include "majorant/mesh/internal/geometry.h"
+#include "majorant/mesh/refusal.h"
 #include "majorant/parametrization/starts/texture_seams.h"
 #include "majorant/parametrization/starts/tutte.h"
 #include "majorant/results/internal/check_seams.h"
@@ -167,7 +168,7 @@ void check_boundary_claim(const CheckedMap& checked, Findings& findings) {
     else
       check_fixed_texture_boundary(checked, findings);
   } catch (const Error& e) {  // there is no such start
-    findings.add_violation(fmt::format("a fixed boundary is claimed: {}", e.what()));
+    findings.add_violation(fmt::format("a fixed boundary is claimed: {}", problem_of(e)));
   }
 }
 

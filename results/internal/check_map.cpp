@@ -5,6 +5,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/io/layout_scale.h"
 #include "majorant/io/map_distortion.h"
+#include "majorant/mesh/refusal.h"
 #include "majorant/results/internal/check_claims.h"
 #include "majorant/results/internal/global_verdict.h"
 #include "majorant/results/internal/write_map.h"
@@ -76,11 +77,12 @@ bool is_image(const MapFile& file) {
 void require_surface(const MapCheck& check, const MapFile& file, const CheckRequest& request) {
   if (check.proof.surface.answer == ProofStatus::Violated && extension(request.name) == ".msh" &&
       is_image(file))
-    throw Error(ErrorKind::Unsupported,
-                fmt::format("{}: this is the image of a map, in the plane: there is no surface in "
-                            "it to compare with {}; write it with --msh surface, or leave "
-                            "--surface out",
-                            request.name, request.surface->file));
+    throw Refusal(
+        ErrorKind::Unsupported, request.name,
+        fmt::format("{}: this is the image of a map, in the plane: there is no surface in "
+                    "it to compare with {}; ",
+                    request.name, request.surface->file),
+        Hint::WriteSurface);
 }
 
 void add_proofs(MapCheck& check) {

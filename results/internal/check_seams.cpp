@@ -8,6 +8,7 @@
 
 #include "majorant/constraints/seamless_constraint.h"
 #include "majorant/framework/error.h"
+#include "majorant/mesh/refusal.h"
 #include "majorant/parametrization/starts/texture_seams.h"
 
 namespace majorant {
@@ -116,7 +117,7 @@ void check_seams(const CheckedMap& checked, Findings& findings) {
   try {
     check_cut(map, SurfaceMesh::from_polygons(*checked.surface), findings);
   } catch (const Error& e) {  // that texture is no seamless map: not asked, unless it is claimed
-    if (checked.claims.version) findings.add_violation(e.what());
+    if (checked.claims.version) findings.add_violation(problem_of(e));
   }
 }
 

@@ -179,13 +179,13 @@ void MapJob::solve() {
   result.initialize_seconds += start_seconds;
 }
 
-bool MapJob::place(Turn turn, bool into_square) {
+bool MapJob::place(Turned turn, bool into_square) {
   record.begin(Activity::Measuring);
-  const Vector2 along = turn == Turn::Held ? Vector2(1, 0) : layout_direction(*result.map);
+  const Vector2 along = turn == Turned::Held ? Vector2(1, 0) : layout_direction(*result.map);
   const EnergySum& measured = options.map.energy;
   auto placed = into_square ? into_unit_square(*result.map, along, measured, record.stop())
                             : turned_along(*result.map, along, measured, record.stop());
-  if (!placed && into_square && turn == Turn::Free) {
+  if (!placed && into_square && turn == Turned::Free) {
     placed = into_unit_square(*result.map, {1, 0}, measured, record.stop());
     is_left_unturned = placed.has_value();
   }
@@ -199,7 +199,7 @@ bool MapJob::place(Turn turn, bool into_square) {
   result.boundary.reset();  // of the map as it was
   result.measures = std::move(placed->measures);
   placement = placed->placement;
-  is_aligned = turn == Turn::Required || placement->direction != Vector2(1, 0);
+  is_aligned = turn == Turned::Required || placement->direction != Vector2(1, 0);
   is_normalized = into_square;
   return true;
 }

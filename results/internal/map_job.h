@@ -8,7 +8,8 @@
 //   job.solve();
 //   job.prove();
 //   const MapFile file = map_file(job);
-//   write_map(path, file, job.polygons.get(), {}, proof_of_file(path, promise(job, path), file, {}));
+//   const ProofRequest proof = promise(job, path);
+//   write_map(path, file, job.polygons.get(), {}, proof_of_file(path, proof, file, {}));
 //   const Json report = map_report(job);
 #pragma once
 
@@ -41,7 +42,7 @@ SeamlessMethod method_called(std::string_view name);
 
 // Whether the result may be turned: it is held as it is, may be turned where that is possible, or
 // has to be.
-enum class Turn { Held, Free, Required };
+enum class Turned { Held, Free, Required };
 
 // Filled in this order: open(), a start where there is one, `options`, solve(), place(), prove().
 // solve() is optional: majorant-mpi solves on several processes what it has opened on one.
@@ -73,7 +74,7 @@ struct MapJob {
   void solve();
   // Moves the result: turned along its longer side, or into the unit square, and proven anew. Where
   // it cannot be proven in there, the status is Failed, the message says so, and it returns false.
-  bool place(Turn turn, bool into_square);
+  bool place(Turned turn, bool into_square);
   // Whether the map is injective as a whole, as it is now: after all that moves it. Takes
   // milliseconds, a second or so where curves run along each other; limits do not end it.
   void prove();

@@ -55,8 +55,7 @@ FileVerification proof_of_file(const std::string& path, const ProofRequest& prom
 
 std::vector<std::string> left_out(const std::string& path, const MapFile& map,
                                   const MapFormats& formats) {
-  if (extension(path) == ".msh" && formats.msh == MshContent::Image)
-    return {"the surface (--msh surface does)"};
+  if (extension(path) == ".msh" && formats.msh == MshContent::Image) return {"the surface"};
   if (is_straight_map_data(path) && map.degree > 1) return {"curves, but straight pieces of them"};
   return {};
 }

@@ -106,7 +106,7 @@ TEST(MapProof, SidesOfASeamMayBeOffByRoundingToNineDigits) {
   ProofRequest request;
   request.cuts = CutRule::Seams;
   for (const auto& [off, answer] :
-       {std::pair{0.95e-9, Answer::Proven}, {1.05e-9, Answer::Violated}})
+       {std::pair{0.95e-9, ProofStatus::Proven}, {1.05e-9, ProofStatus::Violated}})
     for (const Index axis : {0, 1}) {
       MapFile torn = file;
       torn.uv(torn.cells(8, 1), axis) += off * diagonal;

@@ -6,6 +6,7 @@
 #include "majorant/certify/global_injectivity.h"
 #include "majorant/framework/error.h"
 #include "majorant/mesh/internal/mesh_words.h"
+#include "majorant/mesh/refusal.h"
 #include "majorant/parametrization/atlas/internal/texture_start.h"
 #include "majorant/parametrization/starts/internal/room.h"
 #include "majorant/parametrization/starts/internal/unfolding.h"
@@ -102,7 +103,7 @@ bool ChartSolver::attempt(const Vec& start, MapInjectivity injectivity, RunRecor
     return false;
   } catch (const Error& e) {
     if (e.kind() != ErrorKind::Infeasible || !chart_.pins.empty()) throw;
-    chart_.message = e.what();
+    chart_.message = problem_of(e);
     return false;
   }
   const bool has_map = result.map && result.status != Status::Failed;

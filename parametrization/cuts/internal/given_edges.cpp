@@ -45,8 +45,7 @@ std::vector<char> flags_of_edges(const SurfaceMesh& mesh,
   }
   for (const auto& [edge, found] : wanted) {
     if (found == Found::Nothing)
-      refuse(source, edge,
-             std::string("by no edge of ").append(either(mesh, mesh.file(), "the mesh")));
+      refuse(source, edge, "by no edge of " + (mesh.file().empty() ? "the mesh" : mesh.file()));
     if (found == Found::InnerEdge)
       refuse(source, edge, "inside a polygon only, along whose edges one can cut");
   }

@@ -11,6 +11,7 @@
 #include "majorant/framework/internal/elimination.h"
 #include "majorant/framework/internal/rounding.h"
 #include "majorant/mesh/internal/mesh_words.h"
+#include "majorant/mesh/refusal.h"
 #include "majorant/parametrization/drive/internal/free_scale.h"
 #include "majorant/parametrization/drive/internal/pins.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
@@ -43,28 +44,23 @@ bool on_boundary(const SurfaceMesh& mesh, Index vertex) {
 // Of the normalized map: as it is solved, whatever the size of the mesh. asked: what the map would
 // have started from says what helps.
 void require_injective(const BezierMap& map, const RestShapes& rest, const MapOptions& asked) {
-  const std::string_view remedy =
-      asked.initial ? either(map.mesh(), "leave out --init input, or use `majorant unwrap`",
-                             "leave out MapOptions::initial, or use unwrap()")
-                    : either(map.mesh(), "use `majorant unwrap`", "use unwrap()");
+  const auto refuse = [&](const std::string& what) {
+    throw Refusal(
+        ErrorKind::Infeasible, map.mesh().file(),
+        fmt::format("{}the initial map is not injective: {}; ", opening(map.mesh()), what),
+        asked.initial ? Hint::OtherStartOrUnwrap : Hint::Unwrap);
+  };
   const Verdict faces =
       LocalInjectivity(map.shared_space(), 2 * rest.measure).check(map.control_points());
   if (!faces.feasible)
-    throw Error(
-        ErrorKind::Infeasible,
-        fmt::format("{}the initial map is not injective: face {} ({} in all) is not positively "
-                    "oriented; {}",
-                    opening(map.mesh()), told_face(map.mesh(), faces.blocking.front()),
-                    faces.blocking.size(), remedy));
+    refuse(fmt::format("face {} ({} in all) is not positively oriented",
+                       told_face(map.mesh(), faces.blocking.front()), faces.blocking.size()));
   const Verdict vertices =
       AngleSums(map.shared_space(), AngleSums::Vertices::Interior, map.shared_seams())
           .check(map.control_points());
   if (!vertices.feasible)
-    throw Error(ErrorKind::Infeasible,
-                fmt::format("{}the initial map is not injective: it covers the neighbourhood of "
-                            "vertex {} more than once; {}",
-                            opening(map.mesh()), told_vertex(map.mesh(), vertices.blocking.front()),
-                            remedy));
+    refuse(fmt::format("it covers the neighbourhood of vertex {} more than once",
+                       told_vertex(map.mesh(), vertices.blocking.front())));
 }
 
 // The axis that each edge is nearer to: u is constant along it, or v.

@@ -7,6 +7,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/mesh/internal/mesh_words.h"
+#include "majorant/mesh/refusal.h"
 
 namespace majorant {
 namespace {
@@ -65,15 +66,11 @@ std::vector<FixedPoint> place_pins(const SurfaceMesh& mesh, const std::vector<Pi
     const Vector2 target = pin.target.value_or(here);
     const double distance = (target - here).stableNorm();
     if (distance > tolerance)
-      throw Error(
-          ErrorKind::Infeasible,
-          fmt::format("{}the pin of vertex {} is {:.6g} away from the initial map ({}, {}); "
-                      "{}, or use soft handles",
-                      opening(mesh), mesh.input_vertex(pin.vertex), distance, here.x(), here.y(),
-                      either(mesh,
-                             "hold it there with \"target\": \"initial\", start from a map that "
-                             "meets the pins with --init input",
-                             "leave out its target, start from a map that meets the pins")));
+      throw Refusal(
+          ErrorKind::Infeasible, mesh.file(),
+          fmt::format("{}the pin of vertex {} is {:.6g} away from the initial map ({}, {}); ",
+                      opening(mesh), mesh.input_vertex(pin.vertex), distance, here.x(), here.y()),
+          Hint::LeavePin, ", or use soft handles");
     points.push_back({pin.vertex, is_held(pin.vertex) ? here : target});
   }
   require_pinned_once(mesh, pins);

@@ -13,6 +13,7 @@
 #include "majorant/framework/internal/elimination.h"
 #include "majorant/mesh/internal/exact_predicates.h"
 #include "majorant/mesh/internal/mesh_words.h"
+#include "majorant/mesh/refusal.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 #include "majorant/parametrization/starts/internal/untangle.h"
 
@@ -44,9 +45,12 @@ Vector2 place_of(const BezierMap& map, Index vertex) {
 
 Index name_of(const BezierMap& map, Index vertex) { return map.mesh().input_vertex(vertex); }
 
+std::string no_way(const BezierMap& map) {
+  return opening(map.mesh()) + "no valid way to the pins' targets found: ";
+}
+
 [[noreturn]] void refuse_pins(const BezierMap& map, const std::string& why) {
-  throw Error(ErrorKind::Infeasible, fmt::format("{}no valid way to the pins' targets found: {}",
-                                                 opening(map.mesh()), why));
+  throw Error(ErrorKind::Infeasible, no_way(map) + why);
 }
 
 // Nothing but pins holds the map: it may be turned, and is worth optimizing before.
@@ -147,11 +151,10 @@ void require_no_contradiction(const BezierMap& start, const MapOptions& asked) {
   for (const auto& loop : start.mesh().boundary_loops())
     for (const Index v : loop)
       if (pin_of[at(v)] && !meets_pins(start, {*pin_of[at(v)]}))
-        refuse_pins(start, fmt::format("vertex {} is on the fixed boundary; leave out {}, or the "
-                                       "pin",
-                                       name_of(start, v),
-                                       either(start.mesh(), "--boundary fixed",
-                                              "BoundaryCondition::Fixed")));
+        throw Refusal(ErrorKind::Infeasible, start.mesh().file(),
+                      fmt::format("{}vertex {} is on the fixed boundary; leave out ", no_way(start),
+                                  name_of(start, v)),
+                      Hint::FreeBoundary, ", or the pin");
 }
 
 bool PinPull::going_on() const {
@@ -261,11 +264,10 @@ bool PinPull::untangle_with_pins() {
 
 void PinPull::refuse() const {
   if (!going_on())
-    throw Error(ErrorKind::Infeasible,
-                opening(start_.mesh()) +
-                    "stopped by a limit or Ctrl-C before the pins' targets were reached; raise " +
-                    std::string(either(start_.mesh(), "--max-iterations or --time-limit",
-                                       "the limits of the RunRecord")));
+    throw Refusal(ErrorKind::Infeasible, start_.mesh().file(),
+                  opening(start_.mesh()) +
+                      "stopped by a limit or Ctrl-C before the pins' targets were reached; raise ",
+                  Hint::RaiseLimits);
   Index farthest = -1;
   double distance = -1;
   for (const Pin& p : asked_.pins)

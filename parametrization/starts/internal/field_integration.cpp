@@ -113,9 +113,9 @@ BezierMap integrate_field(const SurfaceMesh& mesh, const std::vector<char>& is_c
   NewtonStepper stepper(problem, options);
   const SolveResult solved = stepper.minimize(Vec::Zero(problem.size()), brief_rules(2, 0));
   if (solved.status == Status::Failed || solved.status == Status::Infeasible)
-    throw Error(ErrorKind::Infeasible,
-                fmt::format("{}the field's linear system is singular; check the mesh with {}",
-                            opening(mesh), either(mesh, "`majorant info`", "find_defects()")));
+    throw Error(
+        ErrorKind::Infeasible,
+        opening(mesh) + "the field's linear system is singular; check the mesh for defects");
   return map.with(map.shared_space(), problem.expand(solved.y));
 }
 

@@ -202,7 +202,7 @@ TEST(Unwrap, PinnedVerticesHaveOnePlace) {
     (points == &options.chart.map.pins ? given.chart.map.pins
                                        : given.chart.map.handles) = {{cut, target}};
     expect_contains(error_message(ErrorKind::Infeasible, [&] { unwrapped(mesh, given); }),
-                    {"vertex " + std::to_string(cut), "on a seam", "--seams auto"});
+                    {"vertex " + std::to_string(cut), "on a seam", "CutMethod::Automatic"});
     points->clear();
   }
 }

@@ -125,7 +125,7 @@ TEST(Parametrize, ALimitBeforeThePinsAreReachedSaysSo) {
   options.map.pins = {{8, Vector2(0.3, 0.2)}, {40, Vector2(-0.5, 0.4)}, {24, Vector2(3, 0.1)}};
   RunRecord record(1e9, 2);
   expect_contains(error_message(ErrorKind::Infeasible, [&] { parametrize(mesh, options, record); }),
-                  {"inline.obj", "stopped by a limit", "--max-iterations"});
+                  {"inline.obj", "stopped by a limit", "the limits of the RunRecord"});
 }
 
 TEST(Parametrize, RefusesTwoPinsOfOneVertex) {
@@ -155,7 +155,7 @@ TEST(Parametrize, RefusesAStartThatIsNotInjective) {
   options.map.initial = uv_of(*mesh, [](const Vector3& p) { return Vector2(p.x(), p.y()); });
   options.map.initial->segment<2>(2 * 12) << 0.9, 0.9;
   expect_contains(error_message(ErrorKind::Infeasible, [&] { parametrize(mesh, options); }),
-                  {"inline.obj", "face ", "--init"});
+                  {"inline.obj", "face ", "MapOptions::initial"});
   options.map.initial = uv_of(*mesh, [](const Vector3& p) { return Vector2(p.y(), p.x()); });
   expect_contains(error_message(ErrorKind::Infeasible, [&] { parametrize(mesh, options); }),
                   {"face 1 ", "32 in all"});

@@ -31,11 +31,11 @@ TEST(TextureMap, RefusesSeamsAndMissingCoordinates) {
   seam.texcoords.push_back({5, 5});
   seam.polygon_texcoords[2][1] = 16;  // a corner of vertex 2 in the file: number 3
   expect_contains(error_message(ErrorKind::Unsupported, [&] { texture_map(*surface(seam)); }),
-                  {"inline.obj", "vertex 3", "several", "--init input"});
+                  {"inline.obj", "vertex 3", "several", "take another start"});
   PolygonMesh missing = textured();
   missing.polygon_texcoords[4].clear();
   expect_contains(error_message(ErrorKind::Unsupported, [&] { texture_map(*surface(missing)); }),
-                  {"inline.obj", "texture coordinates", "--init input"});
+                  {"inline.obj", "texture coordinates", "take another start"});
 }
 
 std::map<int, int> cone_counts(const Seams& seams) {

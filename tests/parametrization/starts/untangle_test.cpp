@@ -182,7 +182,8 @@ TEST(MakeSeamless, ImpossibleConesAreNamed) {
   options.cones = std::vector<Cone>{{5, 3}, {60, 5}};
   const std::string message =
       error_message(ErrorKind::Invalid, [&] { make_seamless(mesh, options, RunRecord()); });
-  expect_contains(message, {"inline.obj", "no injective seamless map", "cone", "--cones"});
+  expect_contains(message,
+                  {"inline.obj", "no injective seamless map", "cone", "choose other cones"});
   EXPECT_TRUE(message.find(" 5 (270 degrees)") != std::string::npos ||
               message.find(" 60 (450 degrees)") != std::string::npos)
       << message;
@@ -194,7 +195,7 @@ TEST(MakeSeamless, ConformalNeedsASphereOrADisk) {
   options.method = SeamlessMethod::Conformal;
   expect_contains(
       error_message(ErrorKind::Usage, [&] { make_seamless(mesh, options, RunRecord()); }),
-      {"sphere or a disk", "--start scaled-field"});
+      {"sphere or a disk", "SeamlessMethod::ScaledField"});
 }
 
 TEST(MakeSeamless, EverySurface) {

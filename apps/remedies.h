@@ -1,0 +1,21 @@
+// What the library refuses, in the words of the command: its verbs and flags in place of functions.
+//
+//   try {
+//     SurfaceMesh::from_polygons(polygons);
+//   } catch (const Error& e) {
+//     std::cerr << command_message(e) << "\n";
+//   }
+#pragma once
+
+#include <string>
+
+#include "majorant/framework/error.h"
+
+namespace majorant::app {
+
+std::string command_message(const Error& error);
+
+}  // namespace majorant::app
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
