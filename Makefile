@@ -45,7 +45,7 @@ setup:
 	@scripts/install_packages.sh
 
 test-setup:
-	@scripts/install_packages.sh scripts/packages_python.txt scripts/packages_test.txt
+	@scripts/install_packages.sh scripts/packages_python.txt scripts/packages_test.txt scripts/packages_site.txt
 	@scripts/install_packages.sh scripts/packages_browser.txt || echo "no browser, or no npm"
 	@scripts/install_packages.sh scripts/packages_mpi.txt || echo "no PETSc, so no majorant-mpi"
 
