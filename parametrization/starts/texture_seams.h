@@ -15,7 +15,7 @@
 namespace majorant {
 
 // Mismatch along a seam edge beyond which coordinates are not taken for seamless, in mean lengths
-// of edges in uv. Origin: files with 6 digits stay well below
+// of edges in uv: files with 6 digits stay well below
 // it.
 inline constexpr double kSeamTolerance = 1e-3;
 
