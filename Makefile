@@ -5,6 +5,7 @@
 #             files are
 # make test   install what tests need, too, build, run every test, say which were not run and why
 # make install PREFIX=/usr/local    install what is built
+# make site   docs/ and the pages of the headers as a site with a search, build/site/index.html
 # make command | build | asan | tsan | bench | clean
 JOBS ?= $(shell nproc)
 PREFIX ?= /usr/local
@@ -17,7 +18,7 @@ JUNIT = --test-output-size-passed 100000 --output-junit
 GENERATOR = $(or $(shell sed -n 's/^CMAKE_GENERATOR:INTERNAL=//p' $(BUILD)/CMakeCache.txt 2> /dev/null),\
                  $(if $(shell command -v ninja 2> /dev/null),Ninja,Unix Makefiles))
 
-.PHONY: demo install test build setup test-setup configure command asan tsan bench clean
+.PHONY: demo install test build setup test-setup configure command asan tsan bench site clean
 
 demo: command
 	@mkdir -p $(OUT)
@@ -44,7 +45,7 @@ setup:
 	@scripts/install_packages.sh
 
 test-setup:
-	@scripts/install_packages.sh scripts/packages_python.txt scripts/packages_test.txt
+	@scripts/install_packages.sh scripts/packages_python.txt scripts/packages_test.txt scripts/packages_site.txt
 	@scripts/install_packages.sh scripts/packages_browser.txt || echo "no browser, or no npm"
 	@scripts/install_packages.sh scripts/packages_mpi.txt || echo "no PETSc, so no majorant-mpi"
 
@@ -71,6 +72,10 @@ tsan:
 
 bench: build
 	build/release/bench/majorant_bench
+
+site:
+	@scripts/install_packages.sh scripts/packages_site.txt
+	@/usr/bin/python3 scripts/make_site.py
 
 clean:
 	rm -rf build $(OUT)

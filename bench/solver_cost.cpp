@@ -104,7 +104,7 @@ struct Phases {
   double start = 0, setup = 0, iterations = 0, total = 0, within = 0;
 };
 
-// Origin: the accuracy that tables compare programs at; the tolerance is what doubles allow.
+// The accuracy that tables compare programs at; the tolerance is what doubles allow.
 constexpr double kWithin = 1e-4, kTight = 1e-11;
 
 ParametrizationOptions run_options(const Arguments& asked, int degree) {

@@ -82,7 +82,7 @@ double median(std::vector<double> values) {
 }
 
 // Operations for an entry of the factor beyond which simplicial factorizations are left out.
-// Origin: seven times CHOLMOD's own threshold, where they take more than twice as long.
+// Seven times CHOLMOD's own threshold, where they take more than twice as long.
 constexpr double kTooDense = 280;
 
 class Reference {

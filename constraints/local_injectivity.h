@@ -21,7 +21,7 @@ namespace majorant {
 
 class LocalInjectivity final : public FeasibilityChecker {
  public:
-  // Deeper is taken as this. Origin: 2^-63 of a triangle is below the rounding of its coordinates.
+  // Deeper is taken as this: 2^-63 of a triangle is below the rounding of its coordinates.
   static constexpr int kMaxDepth = 63;
   // rest_det: #E determinants of the rest shapes (their measures over the reference measure), to
   // make margins dimensionless. stop: polled by max_step() alone, which then throws Stopped. Throws
@@ -55,7 +55,7 @@ Vec vertex_angle_sums(const BezierTriangleSpace& space, VecIn x);
 class AngleSums final : public FeasibilityChecker {
  public:
   enum class Vertices { Interior, Boundary };
-  // Radians by which sums may miss what they should be. Origin: far above rounding, far below the
+  // Radians by which sums may miss what they should be: far above rounding, far below the
   // quarter turn by which a wrong sum misses.
   static constexpr double kTolerance = 1e-6;
   // Interior: the sum is 2 pi, at cones their angle; Boundary: at most 2 pi; up to kTolerance.

@@ -17,7 +17,7 @@
 namespace majorant {
 namespace {
 
-// Of a face, its first nodes. Origin: a triangle's.
+// Of a face, its first nodes: a triangle's.
 constexpr Index kCorners = 3;
 
 Json to_json(const PartState& state) {

@@ -48,7 +48,7 @@
 namespace majorant::app {
 namespace {
 
-// Of unknowns, below which `auto` factorizes. Origin: a step by MUMPS took a third of one by
+// Of unknowns, below which `auto` factorizes: a step by MUMPS took a third of one by
 // cg-hypre at 80,000 unknowns, half at 320,000 (one rank, measured once; no command).
 constexpr GlobalIndex kSmall = 200000;
 

@@ -15,13 +15,13 @@
 namespace majorant {
 namespace {
 
-// Asked of conjugate gradients where a caller wants all that rounding leaves. Origin: what they
+// Asked of conjugate gradients where a caller wants all that rounding leaves: what they
 // reach on Tutte's systems.
 constexpr double kAllThereIs = 1e-12;
-// Iterations of a solve with multigrid, and without. Origin: ten times what solves that converge
+// Iterations of a solve with multigrid, and without: ten times what solves that converge
 // take (176 in 25 steps, docs/distributed.md); CG + ICC took 68 where multigrid broke down.
 constexpr PetscInt kMostWithMultigrid = 300, kMostWithIcc = 2000;
-// Matrices that begin on the rung that held, after a fall. Origin: a start of collapsed triangles
+// Matrices that begin on the rung that held, after a fall: a start of collapsed triangles
 // takes 5 to 15 steps until they are not.
 constexpr int kPatience = 5;
 

@@ -17,7 +17,7 @@
 namespace majorant {
 namespace {
 
-// Residual asked for. Origin: no face of 13 disks of 10,000 faces was turned over, energies were
+// Residual asked for: no face of 13 disks of 10,000 faces was turned over, energies were
 // those of a factorization to 5e-7 (measured once; no command).
 constexpr double kTutteTolerance = 1e-12;
 

@@ -39,7 +39,7 @@ void gather(const BernsteinSpace& space, Index e, const Store& store) {
     for (int c = 0; c < dim; ++c) store(dim * k + c, dim * node[k] + c);
 }
 
-// Coordinates of a triangle with straight edges. Origin: 3 corners in the plane.
+// Coordinates of a triangle with straight edges: 3 corners in the plane.
 constexpr int kTriangleSize = 6;
 
 template <int K>

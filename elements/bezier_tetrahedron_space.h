@@ -15,7 +15,7 @@ namespace majorant {
 
 class BezierTetrahedronSpace final : public BernsteinSpace {
  public:
-  // Origin: det J has degree 15 then, as on squares of degree 8; chosen, not tuned.
+  // det J has degree 15 then, as on squares of degree 8; chosen, not tuned.
   static constexpr int kMaxDegree = 6;
 
   // cells: #E by 4 vertex numbers, positively oriented: det(p1 - p0, p2 - p0, p3 - p0) > 0, also

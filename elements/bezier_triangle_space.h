@@ -18,7 +18,7 @@ LatticeNumbering number_lattice(const Cells& faces, Index vertex_count, int n);
 
 class BezierTriangleSpace final : public BernsteinSpace {
  public:
-  // Of all maps. Origin: chosen, not tuned.
+  // Of all maps; chosen, not tuned.
   static constexpr int kMaxDegree = 8;
 
   // faces: #F by 3 vertex numbers, counterclockwise, consistently oriented and edge-manifold;

@@ -15,7 +15,7 @@
 namespace majorant {
 namespace {
 
-// Of what rules are rounded to. Origin: rules are printed with 15 digits and more, which leaves
+// Of what rules are rounded to: rules are printed with 15 digits and more, which leaves
 // 1e-15; chosen, not tuned.
 constexpr double kRuleTolerance = 1e-12;
 

@@ -70,7 +70,7 @@ Quadrature composite_rule(const Quadrature& rule, int m);
 Quadrature corner_graded_rule(const Quadrature& rule, int m, int levels);
 
 // Of guard points at the corners: changes no integral by more than it takes to see the corners.
-// Origin: as QuadratureRules::corner_guard, bench/tune.py quadrature.corner_guard.
+// As QuadratureRules::corner_guard; measured by bench/tune.py quadrature.corner_guard.
 inline constexpr double kCornerGuard = 1e-3;
 
 // `rule` scaled by 1 - weight, and the lattice points of its cell, whose coordinates are multiples

@@ -201,7 +201,7 @@ class SpectralDensity : public IsotropicDensity<SpectralDensity<H, Majorant>, Ma
     values[1] = h_(s, S, data...);
   }
   // k_A = h_S + h_s, k_B = h_S - h_s. Below B = kEvenBelow A the even expansion in B takes over.
-  // Origin: there k_B / B = k_BB to a few 1e-11, while the quotient has lost as much to
+  // There k_B / B = k_BB to a few 1e-11, while the quotient has lost as much to
   // cancellation.
   static constexpr double kEvenBelow = 5e-6;
   template <class T, class... Data>

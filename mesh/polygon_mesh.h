@@ -11,7 +11,7 @@
 
 namespace majorant {
 
-// Of the size of what a file holds: coordinates that differ by less are the same. Origin: programs
+// Of the size of what a file holds: coordinates that differ by less are the same; programs
 // print coordinates with ten digits and more; one digit is lost to sums.
 inline constexpr double kTenDigits = 1e-9;
 

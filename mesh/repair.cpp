@@ -150,7 +150,7 @@ Vector3 origin_of(const PolygonMesh& input, const std::vector<Index>& used) {
   return origin;
 }
 
-// Part of the area of a polygon's triangles that may face aside or away. Origin: coordinates of
+// Part of the area of a polygon's triangles that may face aside or away: coordinates of
 // five digits; polygons that are bent more do not cross themselves in space.
 constexpr double kAside = 1e-4;
 

@@ -54,11 +54,11 @@
 namespace majorant {
 
 // Height over longest edge below which a triangle is a needle.
-// Origin: condition of the energy's second derivatives on such a face, L / height, times the
+// Condition of the energy's second derivatives on such a face, L / height, times the
 // relative error 1e-16 leaves the ten digits that steps are computed with.
 inline constexpr double kNeedleHeight = 1e-6;
 // Largest coordinate over extent of the mesh.
-// Origin: three of sixteen digits are lost; what is nearer is left as from_polygons has it.
+// Three of sixteen digits are lost; what is nearer is left as from_polygons has it.
 inline constexpr double kFarAway = 1e3;
 
 // How faces that disagree come together: see turned_face and cut_edge above; or not at all, where
@@ -98,7 +98,7 @@ struct Repair {
   // the two ends of an edge; -1 where there is no second one. Nothing for MovedToOrigin.
   std::vector<std::array<Index, 2>> places;
 };
-// Origin: a screen.
+// As many lines as a screen has.
 inline constexpr std::size_t kNamedPlaces = 24;
 
 // As in the list above: for JSON and messages.

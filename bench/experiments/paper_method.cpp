@@ -37,10 +37,10 @@ using namespace majorant;
 
 namespace {
 
-// Origin: [MC20] Sec. 4.3, 5.2, 8.3, 8.5; the weight and the number of rounds: method.md section 9.
+// [MC20] Sec. 4.3, 5.2, 8.3, 8.5; the weight and the number of rounds: method.md section 9.
 constexpr double kElevate = 1e-2, kFinished = 1e-5, kSmallestStep = 1e-5, kExcluded = 1e-6;
 constexpr int kPoints[] = {1, 36, 78, 105}, kRounds = 60;
-// Of the energy; more is left at the limit of injectivity than a minimum has. Origin: as
+// Of the energy; more is left at the limit of injectivity than a minimum has: as
 // StoppingRules::stall_decrement.
 constexpr double kMinimum = 1e-4;
 constexpr int kTimes = 5;

@@ -24,7 +24,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "numbers are written as memory has them");
 
 constexpr std::string_view kMagic = "majorckp";
-// Of the format. Origin: raised where the bytes or what the header must have change.
+// Of the format: raised where the bytes or what the header must have change.
 constexpr std::uint64_t kVersion = 1;
 
 template <class T>

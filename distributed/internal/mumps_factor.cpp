@@ -8,7 +8,7 @@
 namespace majorant {
 namespace {
 
-// Per cent of the memory that MUMPS expects to need, on top. Origin: chosen; its own 20 are for
+// Per cent of the memory that MUMPS expects to need, on top; chosen; its own 20 are for
 // matrices without delayed pivots.
 constexpr PetscInt kMoreMemory = 60;
 

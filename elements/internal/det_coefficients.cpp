@@ -90,7 +90,7 @@ void sum_minors(const ProductTable& table, const First* a0, const First* a1, con
   });
 }
 
-// Of a term in the plane, and one more for each term of a coefficient's sum. Origin: 2 differences,
+// Of a term in the plane, and one more for each term of a coefficient's sum: 2 differences,
 // 2 products, a subtraction, 2 for the weight, and the subtraction of the bound.
 constexpr double kPlaneRoundings = 8;
 

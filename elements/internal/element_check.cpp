@@ -12,7 +12,7 @@
 namespace majorant {
 namespace {
 
-// Of what is computed without error bounds. Origin: a wrong description is wrong by whole numbers;
+// Of what is computed without error bounds: a wrong description is wrong by whole numbers;
 // chosen, not tuned.
 constexpr double kPartitionTolerance = 1e-9;
 

@@ -50,7 +50,7 @@ double first_root(const StepPolynomial<2>& p, double s) {
 }
 
 double first_root(const StepPolynomial<3>& p, double s) {
-  // Bisections of an interval. Origin: a bound, far beyond the digits of a double.
+  // Bisections of an interval: a bound, far beyond the digits of a double.
   constexpr int kMaxLevels = 200;
   if (plainly_positive(p, s)) return s;
   const double q1 = p.power[1] * s, q2 = p.power[2] * s * s, q3 = p.power[3] * s * s * s;

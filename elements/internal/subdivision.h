@@ -15,7 +15,7 @@ namespace majorant {
 
 class Subdivision {
  public:
-  // Of a polynomial that is bisected. Origin: twice the highest degree of det J and one; chosen,
+  // Of a polynomial that is bisected: twice the highest degree of det J and one; chosen,
   // not tuned.
   static constexpr int kMaxDegree = 31;
 

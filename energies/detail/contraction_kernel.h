@@ -24,7 +24,7 @@
 
 namespace majorant::kernel {
 
-// Of the two products of a 2 by 2 determinant of differences: more than their rounding. Origin: 3
+// Of the two products of a 2 by 2 determinant of differences: more than their rounding; 3
 // unit roundoffs and a little.
 inline constexpr double kStarRounding = 4e-16;
 

@@ -26,11 +26,11 @@ namespace majorant {
 // A below which quotients by A stop growing: its inverse cube is finite.
 inline constexpr double kSmallestA = 1e-75;
 
-// B / A that counts as 0 where a curvature divides by B. Origin: ten times the root of the unit
+// B / A that counts as 0 where a curvature divides by B: ten times the root of the unit
 // roundoff; chosen, not tuned.
 inline constexpr double kLeastRatio = 1e-7;
 
-// Distance of a singular value from 1 where a quotient by it gives way to its limit. Origin:
+// Distance of a singular value from 1 where a quotient by it gives way to its limit:
 // rounding leaves 1e-10 of the quotient there, the limit is off by about 1e-6.
 inline constexpr double kNearOne = 1e-6;
 

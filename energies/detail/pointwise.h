@@ -126,10 +126,10 @@ DensityKernels point_kernels() {
   return kernels;
 }
 
-// Where a formula of singular values is tried in both orders: two of no special place. Origin: well
+// Where a formula of singular values is tried in both orders: two of no special place; well
 // inside the domain of energies of maps.
 inline constexpr double kTriedS = 1.25, kTriedLess = 0.75;
-// Relative difference of the two that is no rounding. Origin: far above the rounding of a formula.
+// Relative difference of the two that is no rounding: far above the rounding of a formula.
 inline constexpr double kAsymmetry = 1e-9;
 
 // Throws InvalidArgument where h(a, b) is not h(b, a); name: of the density.

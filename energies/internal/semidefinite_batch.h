@@ -12,9 +12,9 @@
 
 namespace majorant {
 
-// Entries, in parts of the largest one, that are 0. Origin: as kZeroPivot.
+// Entries, in parts of the largest one, that are 0: as kZeroPivot.
 inline constexpr double kZeroEntry = 1e-14;
-// Of all pairs of rows. Origin: rotations converge quadratically, in 6 or 7 sweeps.
+// Of all pairs of rows: rotations converge quadratically, in 6 or 7 sweeps.
 inline constexpr int kMostSweeps = 30;
 
 template <int N, class T>

@@ -10,9 +10,9 @@
 namespace majorant {
 namespace {
 
-// Over all chains; most cuts need three or four. Origin: several times what was needed.
+// Over all chains; most cuts need three or four: several times what was needed.
 constexpr int kMaxSweeps = 20;
-// Relative gain; rounding shall not exchange paths for ever. Origin: far above the rounding of a
+// Relative gain; rounding shall not exchange paths for ever: far above the rounding of a
 // sum of lengths, far below an edge.
 constexpr double kWorthwhile = 1e-9;
 constexpr double kFar = std::numeric_limits<double>::infinity();

@@ -48,10 +48,10 @@ void require_parallel(const PolygonMesh& input, const char* name,
   }
 }
 
-// Shortest edges must span this many units in the last place of the largest coordinate. Origin:
+// Shortest edges must span this many units in the last place of the largest coordinate:
 // leaves an edge eight digits.
 constexpr double kUsableUlps = 1e8;
-// Of edges: shortest and longest. Origin: areas and sums of them are doubles, 1e-308 to 1e308, with
+// Of edges: shortest and longest; areas and sums of them are doubles, 1e-308 to 1e308, with
 // eight digits to spare on either side.
 constexpr double kLeastLength = 1e-150, kMostLength = 1e150;
 

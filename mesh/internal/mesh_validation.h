@@ -12,7 +12,7 @@
 namespace majorant {
 
 // A triangle is degenerate when its height over the longest edge is at most this fraction of it.
-// Origin: angles of thinner ones have fewer than four digits left.
+// Angles of thinner ones have fewer than four digits left.
 inline constexpr double kDegenerateHeight = 1e-12;
 
 // Whether a triangle has a height over its longest edge that is more than rounding.

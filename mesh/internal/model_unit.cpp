@@ -10,7 +10,7 @@
 namespace majorant {
 namespace {
 
-// Extents between 2^-100 and 2^100 are ordinary. Origin: products of eight lengths, squares of
+// Extents between 2^-100 and 2^100 are ordinary: products of eight lengths, squares of
 // squared areas, stay in the range of doubles, 2^-1022 to 2^1024.
 constexpr int kOrdinary = 100;
 

@@ -274,7 +274,7 @@ class Gluing {
     return std::move(sheets_);
   }
 
-  // Part of a length. Origin: above rounding, or faces would be turned to and fro.
+  // Part of a length: above rounding, or faces would be turned to and fro.
   static constexpr double kShorter = 1e-9;
 
   const Cells& triangles_;

@@ -10,7 +10,7 @@
 
 namespace majorant {
 
-// Part of the edge's length. Origin: midpoints as files have them, in seven digits.
+// Part of the edge's length: midpoints as files have them, in seven digits.
 inline constexpr double kOnEdge = 1e-6;
 
 struct TJunction {

@@ -12,7 +12,7 @@
 namespace majorant {
 namespace {
 
-// Clipping takes time in the square of the corners: 0.1 s for so many. Origin: 0.1 s for so many.
+// Clipping takes time in the square of the corners: 0.1 s for so many.
 constexpr std::size_t kMostClipped = 2048;
 // Of fewer corners, whole polygons are the pieces of work between two polls.
 constexpr std::size_t kSmall = 64;
@@ -37,7 +37,7 @@ double smallest_angle(const Vector2& a, const Vector2& b, const Vector2& c) {
 }
 
 bool contains(const Vector2& a, const Vector2& b, const Vector2& c, const Vector2& p) {
-  // A corner on an edge counts, whatever rounding makes of it: of the squared longest edge. Origin:
+  // A corner on an edge counts, whatever rounding makes of it: of the squared longest edge;
   // some thousand roundings; chosen, not tuned.
   constexpr double kOnEdge = 1e-12;
   const double slack =

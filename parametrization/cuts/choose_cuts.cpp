@@ -25,7 +25,7 @@
 namespace majorant {
 namespace {
 
-// Of a piece, of the area of all. Origin: squares of areas, and what remains of them after many
+// Of a piece, of the area of all: squares of areas, and what remains of them after many
 // factors, must be doubles; 1e-80 of the size is mapped.
 constexpr double kLeastArea = 1e-160;
 

@@ -30,10 +30,10 @@ struct CutOptions {
   CutMethod method = CutMethod::Automatic;
   // Automatic, Sharp: the stretch [SSGH01] that a piece may have, estimated, in the mean of
   // squares; 1 is an isometry. Where it cannot be had through the cones of the smoothest field,
-  // what those leave. Origin: symmetric Dirichlet energies of 4.09 on public meshes
+  // what those leave: symmetric Dirichlet energies of 4.09 on public meshes
   // (docs/atlas.md).
   double max_stretch = 1.015;
-  // Sharp: degrees between the normals of two faces. Origin: chosen, not tuned.
+  // Sharp: degrees between the normals of two faces; chosen, not tuned.
   double sharp_angle = 40;
   // Given: vertices of the file from 0, two for every edge.
   std::vector<std::array<Index, 2>> edges = {};

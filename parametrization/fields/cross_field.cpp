@@ -22,14 +22,14 @@ using Complex = std::complex<double>;
 constexpr int kSymmetry = 4;
 constexpr double kNotAligned = 10;  // no angle in (-pi, pi]
 // Inverse iteration: the shift as a part of 1 / area, far below the eigenvalues that curvature
-// causes; it makes the matrix of a flat surface definite. Origin: chosen, not tuned.
+// causes; it makes the matrix of a flat surface definite; chosen, not tuned.
 constexpr double kShift = 1e-5;
-// Of inverse iteration. Origin: a bound; chosen, not tuned.
+// Of inverse iteration: a bound; chosen, not tuned.
 constexpr int kMaxIterations = 60;
-// 1 - cosine of two iterates. Origin: angles are then good to its square root; the field is relaxed
+// 1 - cosine of two iterates: angles are then good to its square root; the field is relaxed
 // afterwards.
 constexpr double kConverged = 1e-9;
-// Noise added to the start, so that it misses no eigenvector. Origin: chosen, not tuned.
+// Noise added to the start, so that it misses no eigenvector; chosen, not tuned.
 constexpr double kStartNoise = 0.1;
 
 // Per face the angle it is fixed to, or kNotAligned.

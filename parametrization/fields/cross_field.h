@@ -34,7 +34,7 @@ struct CrossFieldOptions {
   // 0: the smoothest field. t > 0: minimizes int |grad z|^2 + (t^2 / area) int |z - q|^2, where z
   // is the fourth power of the branch as a complex number and q that of the principal directions,
   // of length between 0 (flat, umbilic) and 1: curvature directions averaged over a distance of
-  // about sqrt(area) / t. 5 to 50 are useful. Origin: 0, since what is
+  // about sqrt(area) / t. 5 to 50 are useful: 0, since what is
   // flat has no principal directions.
   double curvature_weight = 0;
   // 3 #F or empty: half-edges that the field follows, one branch along the edge, on both of its
@@ -43,7 +43,7 @@ struct CrossFieldOptions {
   // Without curvature and alignment, cones are cancelled and moved as long as that lowers
   //     1/2 int |rotation of the branches|^2 + cone_cost * sum |quarter_turns - 4|.
   // The first is also 1/2 int |grad log scale|^2 of a conformal map with these cones: the
-  // distortion they leave. 0: cancels only what makes the field smoother. Origin: chosen,
+  // distortion they leave. 0: cancels only what makes the field smoother; chosen,
   // not tuned.
   double cone_cost = 0.1;
   StopCheck stop = {};  // polled between steps: Stopped

@@ -27,7 +27,7 @@ struct MapObjective {
   Vec face_weight = {};
   BoundaryCondition boundary = BoundaryCondition::Free;
   BoundaryAngles boundary_angles = BoundaryAngles::Free;
-  // w of the soft handles: + w * sum |x - target|^2 / area. Origin: chosen, not tuned: handles are
+  // w of the soft handles: + w * sum |x - target|^2 / area; chosen, not tuned: handles are
   // asked for because they may give way.
   double handle_weight = 1e3;
 };

@@ -21,7 +21,7 @@
 namespace majorant {
 namespace {
 
-// Of the total, spread over the elements. Origin: ten times finer than energies are compared.
+// Of the total, spread over the elements: ten times finer than energies are compared.
 constexpr double kEnergyAgreement = 1e-6;
 
 // A weighted sum of energies on the same rules.

@@ -20,10 +20,10 @@ namespace majorant {
 namespace {
 
 // Of the integrals of sigma_1 / sigma_2 and of the squared stretch over a face: how much the last
-// two rules may differ. Origin: for reports, read to three or four digits; the finer rule of the
+// two rules may differ: for reports, read to three or four digits; the finer rule of the
 // two is some 50 times better.
 constexpr double kDistortionAgreement = 1e-3;
-// Faces that are measured together. Origin: their tables fit into a core's cache.
+// Faces that are measured together: their tables fit into a core's cache.
 constexpr Index kBlock = 32;
 
 // Derivatives of the basis at the points of a rule: by xi0, below them by xi1.

@@ -46,7 +46,7 @@ MapDistortion measure_distortion(int degree, const Cells& cells, VecIn x, const 
                                  double scale);
 MapDistortion measure_distortion(const BezierMap& map, double scale = 1);
 
-// The percentiles that are told. Origin: those people ask for; for reports alone.
+// The percentiles that are told: those people ask for; for reports alone.
 inline constexpr std::array<int, 7> kPercentiles{1, 5, 25, 50, 75, 95, 99};
 
 // How a quantity is spread over the surface, by area.

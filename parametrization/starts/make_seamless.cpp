@@ -24,7 +24,7 @@ namespace majorant {
 namespace {
 
 constexpr std::size_t kNamedCones = 5;  // in messages
-// The eps to begin with. Origin: a tenth of kFirstEps, since scaled fields leave few inverted
+// The eps to begin with: a tenth of kFirstEps, since scaled fields leave few inverted
 // triangles, and those nearly of the right sizes.
 constexpr double kScaledFirstEps = 0.01;
 

@@ -34,7 +34,7 @@ class CpuWatch {
 };
 
 // Of the radius: points of two circles with the same spacing, computed from sums of other edges.
-// Origin: far above rounding, far below the distance that another spacing makes.
+// Far above rounding, far below the distance that another spacing makes.
 constexpr double kSamePlace = 1e-9;
 
 // The surface that a CollapsingMesh has left, or the faces around some of its vertices; numbered

@@ -31,51 +31,51 @@ bool suits_multiresolution(const SurfaceMesh& mesh, const MapObjective& asked);
 
 // How multiresolution_map() works. Nobody but measurements changes this.
 struct MultiresolutionRules {
-  // Triangles of the coarsest mesh. Origin: bench/multiresolution: 1000 cost 5 fe more on
+  // Triangles of the coarsest mesh: bench/multiresolution: 1000 cost 5 fe more on
   // hand_10000 and start no closer.
   Index coarsest = 400;
-  // Of the numbers of vertices of two levels. Origin: bench/multiresolution: 2 halves the error of
+  // Of the numbers of vertices of two levels: bench/multiresolution: 2 halves the error of
   // the start at 10,000 faces (7e-4 to 2e-4 on spot) and costs 2.8 fe more.
   double ratio = 4;
-  // Newton steps of a vertex when it comes back. Origin: bench/multiresolution: 8 start no
+  // Newton steps of a vertex when it comes back: bench/multiresolution: 8 start no
   // closer on hand_10000 and penguin_10000, and one step hardly worse.
   int insertion_steps = 4;
   // Of the mean energy of a vertex' triangles to that of the last level: above, its neighbours give
-  // way. Origin: bench/multiresolution: without, penguin_10000 starts 30 times as far off.
+  // way: bench/multiresolution: without, penguin_10000 starts 30 times as far off.
   double hot = 2;
-  // Times that they do. Origin: bench/multiresolution: 12 gain nothing.
+  // Times that they do: bench/multiresolution: 12 gain nothing.
   int hot_rounds = 6;
-  // Newton steps of all vertices, one after the other, when a level is complete. Origin:
+  // Newton steps of all vertices, one after the other, when a level is complete:
   // bench/multiresolution: 6 cost 0.35 fe more at 10,000 faces and take a quarter off the error.
   int sweeps = 4;
   // Of the vertices that came back, how many neighbours have to have given way for the squeezed
-  // parts of a level to be relaxed before the whole. Origin: bench/multiresolution: 3 % do on disks
+  // parts of a level to be relaxed before the whole: bench/multiresolution: 3 % do on disks
   // where that gains nothing, 9 to 12 % on scorpion_10000 and penguin_10000.
   double squeezed_share = 0.05;
   // Of the mean over all vertices of the mean energy around them: above, a vertex is squeezed.
-  // Origin: bench/multiresolution: scorpion_10000 takes 16.3 fe with 1.5, 16.9 with 1.3, 18.4 with
+  // bench/multiresolution: scorpion_10000 takes 16.3 fe with 1.5, 16.9 with 1.3, 18.4 with
   // 2, 26.9 without.
   double squeezed = 1.5;
-  // Rings of neighbours that move with the squeezed vertices. Origin: bench/multiresolution: 2 take
+  // Rings of neighbours that move with the squeezed vertices: bench/multiresolution: 2 take
   // 0.7 fe more on scorpion_10000.
   int squeezed_rings = 1;
-  // Newton steps of the squeezed parts. Origin: bench/multiresolution: 15 leave twice the error on
+  // Newton steps of the squeezed parts: bench/multiresolution: 15 leave twice the error on
   // scorpion_10000.
   int squeezed_steps = 30;
-  // Relative decrease that ends them, of the energy of these parts. Origin: as `decrease`.
+  // Relative decrease that ends them, of the energy of these parts: as `decrease`.
   double squeezed_decrease = 1e-4;
-  // Steps of all vertices together for a factorization. Origin: bench/multiresolution: 6 cost
+  // Steps of all vertices together for a factorization: bench/multiresolution: 6 cost
   // 0.3 fe more at 10,000 faces.
   int factor_steps = 10;
-  // Of these, on a level. Origin: bench/multiresolution: hand, scorpion and penguin reach it on
+  // Of these, on a level: bench/multiresolution: hand, scorpion and penguin reach it on
   // coarse levels.
   int most_steps = 30;
-  // Of all triangles, what a coarse level has at most. Origin: chosen, not tuned.
+  // Of all triangles, what a coarse level has at most; chosen, not tuned.
   double coarse_part = 1.0 / 8;
-  // Relative decrease of a step that ends the coarsest and coarse levels. Origin: 1e-7 changes
+  // Relative decrease of a step that ends the coarsest and coarse levels: 1e-7 changes
   // nothing on penguin_10000.
   double coarse_decrease = 1e-5;
-  // The same for the others. Origin: what is left there is less than what the next level adds.
+  // The same for the others: what is left there is less than what the next level adds.
   double decrease = 1e-4;
   // Of the energy, from one level to the next that is not coarse: a larger drop gives the start up,
   // since what is coarse says nothing of what is fine. Infinite: never.

@@ -19,7 +19,7 @@ namespace majorant {
 namespace {
 
 // Radians. Angle sums may be off a multiple of 90 degrees by as much as a mismatch along edges
-// allows. Origin: ten times kSeamTolerance.
+// allows: ten times kSeamTolerance.
 constexpr double kQuarterTurnTolerance = 1e-2;
 
 // A cut surface seen through the corner coordinates of its faces.

@@ -21,7 +21,7 @@ namespace majorant {
 namespace {
 
 constexpr double kSlack = 1e-6;
-// Faces that are looked at together. Origin: their values fit into a core's cache.
+// Faces that are looked at together: their values fit into a core's cache.
 constexpr Index kBlock = 64;
 
 struct Extremes {

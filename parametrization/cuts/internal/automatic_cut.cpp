@@ -18,22 +18,22 @@ namespace majorant {
 namespace {
 
 // What a cut that leaves no curvature at all may be longer than the one chosen otherwise, in square
-// roots of the area. Origin: a box,
+// roots of the area: a box,
 // a tin and a square tube are unfolded whole.
 constexpr double kDevelopableWorth = 1;
-constexpr double kCurved = 1e-3;  // radians: an angle defect. Origin: files with 4 digits are flat
+constexpr double kCurved = 1e-3;  // radians: an angle defect; files with 4 digits are flat
 // Cuts are routed anew through the ends and the cones that are left as long as they become shorter.
-// Large ones only once. Origin: 50,000 faces are cut in ten seconds, and the third route of small
+// Large ones only once: 50,000 faces are cut in ten seconds, and the third route of small
 // ones is the last that changes anything.
 constexpr Index kMostRoutes = 3, kRouteWork = 20000;
 // How many twigs a cut is divided into: one for each two edges of a small mesh, and such that one
-// solve for each takes as long on all large ones. Origin: a second or two; on public meshes the
+// solve for each takes as long on all large ones: a second or two; on public meshes the
 // strains expected and found then agree within 10 %.
 constexpr Index kMostTwigs = 150, kFewestTwigs = 40, kTwigSolves = 600000;
-// Corrections, in proportion, where what twigs are worth was estimated too low. Origin: one or two
+// Corrections, in proportion, where what twigs are worth was estimated too low: one or two
 // are enough, coarse meshes take five.
 constexpr int kMostCorrections = 8;
-// Without a field: as many vertices of the largest angle defects. Origin: as many as fields have.
+// Without a field: as many vertices of the largest angle defects; as many as fields have.
 constexpr std::size_t kMostDefects = 40;
 
 class Cutter {

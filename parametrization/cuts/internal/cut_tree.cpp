@@ -11,11 +11,11 @@
 namespace majorant {
 namespace {
 
-// Of the diagonal of G, what is added to it. Origin: far below what a twig is worth, far above the
+// Of the diagonal of G, what is added to it: far below what a twig is worth, far above the
 // rounding of G, whose rows are nearly the same at neighbouring twigs.
 constexpr double kSoftness = 1e-9;
 
-// Of so many ends of a cut one more is shortened at a time. Origin: those next to each other are
+// Of so many ends of a cut one more is shortened at a time: those next to each other are
 // rarely among the best; cuts have ten to thirty ends, those of 70 handles hundreds.
 constexpr std::size_t kOffersPerStep = 30;
 

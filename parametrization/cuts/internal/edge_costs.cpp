@@ -8,17 +8,17 @@
 namespace majorant {
 namespace {
 
-// Degrees: edges below the first are not sharp, those above the second fully. Origin: a smooth
+// Degrees: edges below the first are not sharp, those above the second fully; a smooth
 // surface of some 1000 faces bends by up to 30 degrees at its edges, a box by 90.
 constexpr double kSharpFrom = 40, kSharpTo = 70;
-// Of its length, what a sharp edge costs. Origin: a seam along it may be twice as long.
+// Of its length, what a sharp edge costs: a seam along it may be twice as long.
 constexpr double kSharpCost = 0.75;
-// Of its length, what an edge inside a polygon costs. Origin: more than any way around.
+// Of its length, what an edge inside a polygon costs: more than any way around.
 constexpr double kInnerCost = 1e6;
-// Of its cost, what an edge at a vertex that is to stay whole costs. Origin: more than ways around
+// Of its cost, what an edge at a vertex that is to stay whole costs: more than ways around
 // such vertices, less than through a polygon.
 constexpr double kWholeCost = 1e4;
-// Of the mean length, what no edge is below: no way is free. Origin: far below any usable edge.
+// Of the mean length, what no edge is below: no way is free; far below any usable edge.
 constexpr double kLeastLength = 1e-9;
 
 Vector3 area_vector(const SurfaceMesh& mesh, Index face) {

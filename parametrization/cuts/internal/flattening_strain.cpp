@@ -12,7 +12,7 @@
 namespace majorant {
 namespace {
 
-// Bound of cotangents, and least area of a vertex in parts of the mean. Origin: needles beyond it
+// Bound of cotangents, and least area of a vertex in parts of the mean: needles beyond it
 // are lines, as far as distortion goes.
 constexpr double kMostCotangent = 1e3;
 constexpr double kLeastVertexArea = 1e-6;

@@ -12,7 +12,7 @@
 namespace majorant {
 namespace {
 
-// A component of n faces has at most kFewCharts + n / kFacesPerChart charts. Origin: what a texture
+// A component of n faces has at most kFewCharts + n / kFacesPerChart charts: what a texture
 // artist still handles; a box has six.
 constexpr Index kFewCharts = 2, kFacesPerChart = 200;
 

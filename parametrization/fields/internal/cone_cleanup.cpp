@@ -13,15 +13,15 @@ namespace majorant {
 namespace {
 
 // A seamless map needs every angle below 180 degrees; 120 on average leaves room to untangle.
-// Origin: chosen, not tuned.
+// Chosen, not tuned.
 constexpr int kLargestMeanAngle = 120;
 const std::vector<char> kNoneFixed;
-// Cones move one edge a sweep; the smoothest field has them nearly in place. Origin: chosen, not
+// Cones move one edge a sweep; the smoothest field has them nearly in place; chosen, not
 // tuned.
 constexpr int kMostConeSweeps = 20;
-// Origin: a sweep takes a solve for each; chosen, not tuned.
+// A sweep takes a solve for each; chosen, not tuned.
 constexpr Index kMostCones = 1000;
-// Of energy; rounding shall not move cones. Origin: far above the rounding of the solves, far below
+// Of energy; rounding shall not move cones: far above the rounding of the solves, far below
 // the gain of a move that matters.
 constexpr double kLeastConeGain = 1e-6;
 

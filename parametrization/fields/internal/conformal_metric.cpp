@@ -20,28 +20,28 @@ namespace majorant {
 namespace {
 
 // Below this error of the angle sums (radians) only full steps that leave less than a part of it
-// are taken: a few steps of polishing down to rounding. Origin: a thousand roundings of 2 pi.
+// are taken: a few steps of polishing down to rounding; a thousand roundings of 2 pi.
 constexpr double kPolishedAngle = 1e-12;
-// That part. Origin: Newton's steps leave far less until rounding is all there is.
+// That part: Newton's steps leave far less until rounding is all there is.
 constexpr double kPolishedPart = 0.5;
-// Per minimization; at most 29 in both together were seen on the public meshes. Origin: three times
+// Per minimization; at most 29 in both together were seen on the public meshes: three times
 // what was seen.
 constexpr int kMostSteps = 100;
-// Halvings of a step before it counts as none. Origin: 2^-60 of a step is below its rounding.
+// Halvings of a step before it counts as none: 2^-60 of a step is below its rounding.
 constexpr int kMostTrials = 60;
 // First multiple of the mean diagonal that is added where the Hessian is singular, as it is around
-// broken triangles. Origin: it is so for several steps, which makes 1e-14 a mere detour.
+// broken triangles: it is so for several steps, which makes 1e-14 a mere detour.
 constexpr double kSingularShift = 1e-10;
-// A step is not shortened to less than this part by one secant. Origin: [NW06] Sec. 3.5, safeguards
+// A step is not shortened to less than this part by one secant: [NW06] Sec. 3.5, safeguards
 // of interpolation.
 constexpr double kShortest = 0.1;
 // Largest change of a log factor in one step: beyond, what the Hessian says is worth nothing.
-// Origin: lengths change by e^10 then; chosen, not tuned.
+// Lengths change by e^10 then; chosen, not tuned.
 constexpr double kLargestChange = 10;
 // A minimization that ends with a larger error of the angle sums (radians) is no start for the
-// next. Origin: chosen, not tuned.
+// next; chosen, not tuned.
 constexpr double kLostAngle = 1e-3;
-// Edge vectors of a face that add up to less than this part of the longest close up. Origin:
+// Edge vectors of a face that add up to less than this part of the longest close up:
 // between what angles good to 1e-12 leave and an edge that is wrong.
 constexpr double kClosingTolerance = 1e-6;
 

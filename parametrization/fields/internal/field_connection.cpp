@@ -11,7 +11,7 @@ namespace majorant {
 namespace {
 
 // Distance to the nearest integer that rounding may cause; anything larger is an error of logic.
-// Origin: sums of thousands of angles round to 1e-12; anything below 1/2 would do.
+// Sums of thousands of angles round to 1e-12; anything below 1/2 would do.
 constexpr double kIntegerTolerance = 1e-3;
 
 double nearest_integer(const SurfaceMesh& mesh, double value) {

@@ -10,7 +10,7 @@ namespace majorant {
 namespace {
 
 // Beyond this ratio of lengths a face is as good as degenerate; larger weights would only spoil the
-// factorizations. Origin: chosen, not tuned.
+// factorizations; chosen, not tuned.
 constexpr double kLargestWeight = 1e4;
 
 }  // namespace

@@ -14,16 +14,16 @@ namespace {
 using Complex = std::complex<double>;
 
 // Flips per call and triangle before giving up: random log factors of +-20 took 4; against endless
-// cycles where lengths agree to rounding. Origin: five times what was seen.
+// cycles where lengths agree to rounding: five times what was seen.
 constexpr Index kMostFlipsPerCall = 20;
 
 // Twice the sum of the cosines of opposite angles is 0 on four points of a circle, where both
-// diagonals are Delaunay; smaller values count as 0. Origin: angles of needles are good to a few
+// diagonals are Delaunay; smaller values count as 0: angles of needles are good to a few
 // digits less than doubles are; chosen, not tuned.
 constexpr double kCocircular = 1e-10;
 
 // Bound of logarithms of lengths that are exponentiated, beyond all surfaces: where no metric was
-// found they may be anything, and vectors stay finite. Origin: products of two such lengths stay in
+// found they may be anything, and vectors stay finite: products of two such lengths stay in
 // the range of doubles.
 constexpr double kLargestLog = 300;
 

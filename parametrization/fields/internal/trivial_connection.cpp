@@ -8,10 +8,10 @@
 namespace majorant {
 namespace {
 
-// Of the energy of a loop; rounding shall not turn the field. Origin: far above rounding, far below
+// Of the energy of a loop; rounding shall not turn the field: far above rounding, far below
 // what a turn changes.
 constexpr double kLeastTurnGain = 1e-9;
-// Over the loops; a few suffice. Origin: a bound; chosen, not tuned.
+// Over the loops; a few suffice: a bound; chosen, not tuned.
 constexpr int kMostLoopSweeps = 100;
 
 }  // namespace

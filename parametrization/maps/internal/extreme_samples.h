@@ -8,7 +8,7 @@
 
 namespace majorant {
 
-// Extremes are sampled at the points (i,j,k)/8. Origin: 45 points a face; for reports alone, proofs
+// Extremes are sampled at the points (i,j,k)/8: 45 points a face; for reports alone, proofs
 // do not rely on them.
 inline constexpr int kExtremeSamples = 8;
 

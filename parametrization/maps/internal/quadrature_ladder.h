@@ -14,15 +14,15 @@ namespace majorant {
 
 // How an optimizer integrates.
 struct QuadratureRules {
-  // Total weight of guard points at the corners, level 0. Origin: bench/tune.py
+  // Total weight of guard points at the corners, level 0; measured by bench/tune.py
   // quadrature.corner_guard.
   double corner_guard = 1e-3;
-  // The same above, where they also cover the edges. Origin: bench/tune.py
+  // The same above, where they also cover the edges; measured by bench/tune.py
   // quadrature.boundary_guard.
   double boundary_guard = 3e-3;
-  // Levels above 0, each halves the subtriangles. Origin: bench/tune.py quadrature.refinements.
+  // Levels above 0, each halves the subtriangles; measured by bench/tune.py quadrature.refinements.
   int refinements = 4;
-  // Of the energy, all elements of a result together. Origin: bench/tune.py quadrature.error.
+  // Of the energy, all elements of a result together; measured by bench/tune.py quadrature.error.
   double error = 3e-5;
 };
 
@@ -32,7 +32,7 @@ struct QuadratureLadder {
   int top() const { return static_cast<int>(guarded.size()) - 1; }
 };
 
-// The first level has this many pieces along an edge of an element. Origin: the degree, up
+// The first level has this many pieces along an edge of an element: the degree, up
 // to 4 of them with 112 points; chosen, not tuned, since elements that need more are refined.
 constexpr int kMostFirstPieces = 4;
 constexpr int first_pieces(int degree) {

@@ -9,7 +9,7 @@
 namespace majorant {
 namespace {
 
-// Of the largest error, in halvings: how well a threshold is found. Origin: the bits of a float; a
+// Of the largest error, in halvings: how well a threshold is found; the bits of a float; a
 // few faces more or less do not count.
 constexpr int kBisections = 24;
 

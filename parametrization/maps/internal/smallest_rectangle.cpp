@@ -8,7 +8,7 @@
 namespace majorant {
 namespace {
 
-// A box that is smaller by less than this is not worth a turn. Origin: far above the rounding of
+// A box that is smaller by less than this is not worth a turn: far above the rounding of
 // areas, far below what shows in a fill ratio.
 constexpr double kWorthTurning = 1e-6;
 

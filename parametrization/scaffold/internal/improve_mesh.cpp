@@ -17,16 +17,16 @@
 namespace majorant {
 namespace {
 
-// Distance from a plane over the quadrilateral's size. Origin: some thousand unit roundoffs, what
+// Distance from a plane over the quadrilateral's size: some thousand unit roundoffs, what
 // coordinates of planes in general position are off.
 constexpr double kCoplanar = 1e-12;
-// Sharper or flatter angles are not made. Origin: square root of the unit roundoff.
+// Sharper or flatter angles are not made: square root of the unit roundoff.
 constexpr double kSine = 1e-8;
-// Of a pair's energy. Origin: less may come from unfinished Newton.
+// Of a pair's energy: less may come from unfinished Newton.
 constexpr double kGain = 1e-9;
-// Of a pair's energy. Origin: ten times what ends its minimization (pair_energy.cpp).
+// Of a pair's energy: ten times what ends its minimization (pair_energy.cpp).
 constexpr double kSameEnergy = 1e-12;
-// Of the measuring rules. Origin: good to 1e-5 on mild maps.
+// Of the measuring rules: good to 1e-5 on mild maps.
 constexpr std::size_t kRuleOfMaps = 1;
 
 // A pair of faces on its own, as it is and with its other diagonal: vertices a, b, c, d are 0, 1,

@@ -12,18 +12,18 @@
 namespace majorant {
 namespace {
 
-// Towards positive B_l. Origin: bounds the cost; failing flips stop long before.
+// Towards positive B_l: bounds the cost; failing flips stop long before.
 constexpr int kMostBarrierSteps = 40;
-// With all B_l positive. Origin: mostly two are enough.
+// With all B_l positive: mostly two are enough.
 constexpr int kQualitySteps = 12;
-// Relative decrease of F below which steps stop to pay. Origin: F only has to be good, not minimal;
+// Relative decrease of F below which steps stop to pay: F only has to be good, not minimal;
 // a scaffold's triangles are relaxed anyhow.
 constexpr double kGoodEnough = 1e-2;
-// min B - mu, relative to 1 - min B. Origin: [TGRL13].
+// min B - mu, relative to 1 - min B: [TGRL13].
 constexpr double kWidestGap = 0.1;
-// The same, where it stays. Origin: closer barriers make F too stiff to get any further.
+// The same, where it stays: closer barriers make F too stiff to get any further.
 constexpr double kSmallestGap = 1e-3;
-// Of Newton's. Origin: what a shorter one may gain is below kGoodEnough by far.
+// Of Newton's: what a shorter one may gain is below kGoodEnough by far.
 constexpr double kShortestStep = 1e-6;
 
 double factorial(int k) { return k < 2 ? 1.0 : k * factorial(k - 1); }

@@ -13,12 +13,12 @@
 namespace majorant {
 namespace {
 
-// Newton steps of a pair. Origin: three times what they need.
+// Newton steps of a pair: three times what they need.
 constexpr int kMostPairSteps = 30;
-// Of the energy: the predicted decrease that ends a pair. Origin: a fifth of
+// Of the energy: the predicted decrease that ends a pair; a fifth of
 // LineSearch::kResolution, since a pair's energy is a sum of few terms.
 constexpr double kConverged = 1e-13;
-// Steps of a line search. Origin: the last one is a millionth of the first.
+// Steps of a line search: the last one is a millionth of the first.
 constexpr int kMostTrials = 20;
 // Models that are never indefinite come first.
 constexpr Curvature kPreferred[] = {Curvature::Projected, Curvature::Majorizer,

@@ -13,13 +13,13 @@
 namespace majorant {
 
 struct Quadrilateral {
-  // What differences and products of coordinates may add to the sine of an angle. Origin: 32 unit
+  // What differences and products of coordinates may add to the sine of an angle: 32 unit
   // roundoffs, more than the operations of wants_delaunay_flip() on one path.
   static constexpr double kRounding = 32 * kUnitRoundoff<double>;
-  // The same where the corners come from unfolding two triangles in space. Origin: that rounds more
+  // The same where the corners come from unfolding two triangles in space: that rounds more
   // than the plane does; 300 times kRounding leaves its distances room.
   static constexpr double kUnfoldedRounding = 1e-12;
-  // Flips per face before giving up. Origin: Delaunay flips, of a few per face, always come to an
+  // Flips per face before giving up: Delaunay flips, of a few per face, always come to an
   // end; this ends contradicting wishes.
   static constexpr long kMostFlipsPerFace = 100;
 

@@ -19,11 +19,11 @@
 namespace majorant {
 namespace {
 
-// Of the frame's smaller extent: closer images make it grow. Origin: a new frame begins at 1/3.
+// Of the frame's smaller extent: closer images make it grow; a new frame begins at 1/3.
 constexpr double kClearance = 0.25;
-// Of the quadrature points on the edges of a triangle. Origin: as much as those inside.
+// Of the quadrature points on the edges of a triangle: as much as those inside.
 constexpr double kEdgeWeight = 0.5;
-// A new frame's distance, in larger extents of what it encloses. Origin: three times the size each
+// A new frame's distance, in larger extents of what it encloses: three times the size each
 // time, so that few are needed.
 constexpr double kMargin = 1.0;
 
@@ -47,7 +47,7 @@ Quadrature with_edges(const Quadrature& rule, int pieces) {
   return out;
 }
 
-// Points on an edge, times the degree, by level. Origin: each level has four times as many;
+// Points on an edge, times the degree, by level: each level has four times as many;
 // chosen, not tuned.
 constexpr std::array<int, 3> kEdgePoints{8, 32, 128};
 

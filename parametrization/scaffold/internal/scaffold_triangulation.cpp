@@ -21,12 +21,12 @@ namespace majorant {
 namespace {
 
 // Of a side. A frame of few pieces needs few triangles; pieces about as long as the frame is far
-// from the image fit the triangles between them. Origin: bounds of that rule for extreme images.
+// from the image fit the triangles between them: bounds of that rule for extreme images.
 constexpr double kLeastFramePieces = 4, kMostFramePieces = 64;
-// Refinement ends by itself; this bounds its cost. Origin: common boundaries take a point an edge.
+// Refinement ends by itself; this bounds its cost: common boundaries take a point an edge.
 constexpr Index kInsertionsPerEdge = 6, kLeastInsertions = 2000;
 
-// New points see boundary edges at less than 120 degrees. Origin: the lenses of [Che93]; with
+// New points see boundary edges at less than 120 degrees: the lenses of [Che93]; with
 // circles instead (90 degrees) a sixth more triangles of jagged boundaries stay below 15 degrees.
 constexpr double kEncroachingCosine = -0.5;
 

@@ -23,10 +23,10 @@ namespace majorant {
 
 struct ScaffoldOptions {
   // Distance of the frame from the image's bounding box, in larger extents of the box; positive.
-  // Origin: as kMargin of scaffold.cpp, who sets it.
+  // As kMargin of scaffold.cpp, who sets it.
   double margin = 1.0;
   // Circumradius to shortest edge above which triangles are refined; at least 1. The others have
-  // angles of at least arcsin(1 / (2 quality)): 19.5 degrees. Origin: a little above the root of 2
+  // angles of at least arcsin(1 / (2 quality)): 19.5 degrees; a little above the root of 2
   // down to which refinement always ends [Rup95].
   double quality = 1.5;
 };

@@ -11,18 +11,18 @@ namespace {
 
 using Vertex3 = Eigen::Vector3d;
 
-// Neighbours that a vertex may collapse onto: so many of the nearest. Origin: chosen, not
+// Neighbours that a vertex may collapse onto: so many of the nearest; chosen, not
 // tuned.
 constexpr int kNearest = 3;
 // Of the cost: squared length of the edge that goes, times the area around, against the volume
-// between the surfaces. Origin: chosen, not tuned; it decides
+// between the surfaces; chosen, not tuned; it decides
 // where the surface is flat.
 constexpr double kLengthShare = 1e-3;
-// Cosine between the normals of a triangle before and after. Origin: some 78 degrees.
+// Cosine between the normals of a triangle before and after: some 78 degrees.
 constexpr double kLeastTurn = 0.2;
-// Neighbours of a vertex after a collapse. Origin: chosen; more make slow stars.
+// Neighbours of a vertex after a collapse; chosen; more make slow stars.
 constexpr int kMostNeighbours = 16;
-// Of the vertices that could leave, part that may in one round. Origin: chosen, not tuned.
+// Of the vertices that could leave, part that may in one round; chosen, not tuned.
 constexpr double kPartOfRound = 0.6;
 
 struct Candidate {

@@ -28,7 +28,7 @@
 
 namespace majorant {
 
-// To be tried one after the other. Origin: chosen on scorpion_12626 less a face, of which the first
+// To be tried one after the other; chosen on scorpion_12626 less a face, of which the first
 // three leave faces without room; more leaves siblings, which lean to one parent, more room, less
 // keeps narrow rings wide (at 1 the last of 60 rings of 4 has 0.66 of the radius).
 inline constexpr std::array<double, 6> kLeanings{1, 4, 8, 12, 16, 24};

@@ -9,7 +9,7 @@
 namespace majorant {
 namespace {
 
-// Halvings of the distance to the vertex that was collapsed onto. Origin: beyond them, doubles
+// Halvings of the distance to the vertex that was collapsed onto: beyond them, doubles
 // cannot tell the points apart.
 constexpr int kDistanceHalvings = 50;
 

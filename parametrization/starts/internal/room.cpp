@@ -9,7 +9,7 @@
 namespace majorant {
 namespace {
 
-// Height of a triangle, in units of the rounding of the largest coordinate. Origin: three points
+// Height of a triangle, in units of the rounding of the largest coordinate: three points
 // that are rounded twice each, by half of it along both axes.
 constexpr double kLeastHeight = 8;
 

@@ -13,17 +13,17 @@
 namespace majorant {
 namespace {
 
-// Over the values of eps. Origin: the second one starts where the first got stuck, with a large eps
+// Over the values of eps: the second one starts where the first got stuck, with a large eps
 // again.
 constexpr int kPasses = 2;
-// Values of eps, each pass. Origin: eps shrinks by half of kSmallestShrink at least, 0.95^100 is
+// Values of eps, each pass: eps shrinks by half of kSmallestShrink at least, 0.95^100 is
 // 0.6 %.
 constexpr int kRounds = 100;
-// Newton steps. Origin: eps moves on anyway; bounds the cost of one value.
+// Newton steps: eps moves on anyway; bounds the cost of one value.
 constexpr int kStepsPerRound = 10;
-// Relative decrease that ends a round. Origin: an order below kSmallestShrink, by which eps moves.
+// Relative decrease that ends a round: an order below kSmallestShrink, by which eps moves.
 constexpr double kRoundTolerance = 1e-2;
-// Least part by which eps shrinks, sigma. Origin: [GKKPRS21].
+// Least part by which eps shrinks, sigma: [GKKPRS21].
 constexpr double kSmallestShrink = 0.1;
 
 class Untangler {

@@ -14,7 +14,7 @@
 
 namespace majorant {
 
-// The eps to begin with. Origin: where nothing holds the size of a map, a larger one than 0.1 makes
+// The eps to begin with: where nothing holds the size of a map, a larger one than 0.1 makes
 // collapse (2 / eps for a map shrunk to a point) as good as an isometry (4). A fixed boundary or
 // two pins hold it.
 inline constexpr double kFirstEps = 0.1, kFirstEpsHeld = 1;

@@ -13,12 +13,12 @@
 namespace majorant {
 namespace {
 
-// Lengths of a step that are tried. Origin: 2^-12 of a step is not worth more.
+// Lengths of a step that are tried: 2^-12 of a step is not worth more.
 constexpr int kMostLengths = 12;
-// Part of the star's energy: a smaller decrement is the end of a vertex's steps. Origin: a
+// Part of the star's energy: a smaller decrement is the end of a vertex's steps; a
 // tenth of what a level is solved to.
 constexpr double kSmallDecrement = 1e-5;
-// Of the larger eigenvalue of a 2 by 2 Hessian: the smaller is raised to it. Origin: chosen; it
+// Of the larger eigenvalue of a 2 by 2 Hessian: the smaller is raised to it; chosen; it
 // bounds the step where the energy is concave.
 constexpr double kLeastEigenvalue = 0.05;
 
