@@ -1,5 +1,5 @@
 // The boundary of a map in the plane: loops of Bezier curves, each with the chart it belongs to.
-// What check_layout.h needs to know of a map, wherever that comes from.
+// What the proof of global_injectivity.h needs to know of a map, wherever that comes from.
 //
 //   const BoundaryLoops boundary = boundary_loops(map);    // of a map in memory
 //
@@ -11,6 +11,7 @@
 
 #include <vector>
 
+#include "majorant/certify/global_injectivity.h"
 #include "majorant/certify/internal/planar_curve.h"
 #include "majorant/parametrization/maps/bezier_map.h"
 
@@ -39,6 +40,12 @@ struct BoundaryLoops {
 
 // Of the map's mesh, both sides of its seams included; the components of the mesh are the charts.
 BoundaryLoops boundary_loops(const BezierMap& map);
+
+// The proof of global_injectivity.h for boundaries of any source: that of a map in memory, of
+// several maps side by side, or of what a file holds. half_edge_a and half_edge_b of its contacts
+// are BoundaryLoops::half_edge.
+GlobalInjectivity check_layout(const BoundaryLoops& boundary,
+                               const InjectivityOptions& options = {});
 
 }  // namespace majorant
 

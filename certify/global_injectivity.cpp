@@ -1,11 +1,248 @@
 #include "majorant/certify/global_injectivity.h"
 
-#include <cmath>
+#include <fmt/format.h>
 
-#include "majorant/certify/check_layout.h"
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "majorant/certify/boundary_loops.h"
+#include "majorant/certify/box_pairs.h"
+#include "majorant/certify/internal/curve_contact.h"
+#include "majorant/certify/internal/segment_sweep.h"
+#include "majorant/certify/loop_winding.h"
 #include "majorant/framework/internal/rounding.h"
 
 namespace majorant {
+namespace {
+
+constexpr long kMostPairsLeft = 1000000;  // counting them takes milliseconds
+
+// ---- Contacts ----
+
+class Contacts {
+ public:
+  Contacts(const BoundaryLoops& boundary, SubdivisionBudget& budget, GlobalInjectivity& out)
+      : boundary_(boundary), next_(boundary.next()), budget_(budget), out_(out) {}
+
+  void find() {
+    const bool polygons = std::all_of(boundary_.curves.begin(), boundary_.curves.end(),
+                                      [](const PlanarCurve& c) { return c.degree == 1; });
+    if (!polygons || !are_simple_polygons()) compare_curves();
+    std::stable_partition(out_.contacts.begin(), out_.contacts.end(), [](const BoundaryContact& c) {
+      return c.apart == ProofStatus::Violated;
+    });
+  }
+
+ private:
+  // What the sweep finds is one contact, and not the end of what is to be said.
+  bool are_simple_polygons() {
+    const SweepResult swept = sweep_segments(boundary_, budget_);
+    out_.pairs_tested += swept.pairs_tested;
+    if (swept.apart == ProofStatus::Violated) found(swept.a, swept.b, contact(swept.a, swept.b));
+    return swept.apart == ProofStatus::Proven;
+  }
+
+  void compare_curves() {
+    std::vector<Box2> boxes;
+    for (std::size_t k = 0; k < boundary_.curves.size(); ++k) {
+      const auto curve = static_cast<Index>(k);
+      found(curve, curve, contact_with_itself(boundary_.curves[k], budget_));
+      if (has_enough()) return;
+      boxes.push_back(box_of(boundary_.curves[k]));
+    }
+    BoxTree(std::move(boxes)).visit_pairs([this](Index i, Index j) { return test(i, j); });
+  }
+
+  // False once there are enough contacts, or enough counted that are left.
+  bool test(Index i, Index j) {
+    if (!budget_.spend(1)) return ++out_.pairs_left < kMostPairsLeft;
+    ++out_.pairs_tested;
+    found(i, j, contact(i, j));
+    return !has_enough();
+  }
+
+  // Doubts are not enough: the search goes on for a contact that is certain.
+  bool has_enough() const { return certain_ > 0 && out_.contacts.size() >= kMostContacts; }
+
+  CurveContact contact(Index i, Index j) {
+    const PlanarCurve &a = boundary_.curves[at(i)], &b = boundary_.curves[at(j)];
+    if (next_[at(i)] == j) return contact_of_neighbours(a, b, budget_);
+    if (next_[at(j)] == i) return contact_of_neighbours(b, a, budget_);
+    return contact_between(a, b, budget_);
+  }
+
+  void found(Index i, Index j, const CurveContact& contact) {
+    if (contact.apart == ProofStatus::Proven) return;
+    const auto [a, b] = std::minmax(boundary_.half_edge[at(i)], boundary_.half_edge[at(j)]);
+    const auto is_this = [a = a, b = b](const BoundaryContact& c) {
+      return c.half_edge_a == a && c.half_edge_b == b;
+    };
+    const bool certain = contact.apart == ProofStatus::Violated;
+    if (!certain && out_.contacts.size() >= kMostContacts) return;
+    if (std::any_of(out_.contacts.begin(), out_.contacts.end(), is_this)) return;
+    certain_ += certain;
+    out_.contacts.push_back({a, b, contact.where, contact.apart});
+  }
+
+  const BoundaryLoops& boundary_;
+  const std::vector<Index> next_;
+  SubdivisionBudget& budget_;
+  GlobalInjectivity& out_;
+  int certain_ = 0;
+};
+
+// ---- Orientation and nesting ----
+
+const Finding kStopped{ProofStatus::Undecided, "stopped before it was decided"};
+
+struct DoubleCover {
+  Vector2 where;
+  long times;
+};
+
+const PlanarCurve& curve_of(const BoundaryLoops& boundary, Index half_edge) {
+  const auto edge = std::find(boundary.half_edge.begin(), boundary.half_edge.end(), half_edge);
+  return boundary.curves[static_cast<std::size_t>(edge - boundary.half_edge.begin())];
+}
+
+// Where a point that is covered twice may be, seen from a contact: where two edges cross it is to
+// the left of both.
+std::vector<Vector2> directions_at(const PlanarCurve& a, const PlanarCurve& b) {
+  // Origin: where edges have other directions than their ends, at a vertex say; chosen, not tuned.
+  constexpr int kDirections = 6;
+  const auto to_the_left = [](const PlanarCurve& curve) {
+    const Vector2 along = (curve.back() - curve.front()).stableNormalized();
+    return Vector2(-along.y(), along.x());
+  };
+  std::vector<Vector2> directions{(to_the_left(a) + to_the_left(b)).stableNormalized()};
+  for (int d = 0; d < kDirections; ++d) {
+    const double angle = 0.3 + 2 * std::numbers::pi * d / kDirections;
+    directions.emplace_back(std::cos(angle), std::sin(angle));
+  }
+  return directions;
+}
+
+// A point that is covered several times, near contacts: proves what pairs of curves do not show,
+// such as boundaries that cross at their vertices, and tells overlaps from boundaries that touch.
+std::optional<DoubleCover> find_double_cover(const BoundaryLoops& boundary,
+                                             const std::vector<BoundaryContact>& contacts,
+                                             SubdivisionBudget& budget) {
+  // Origin: a few places show what any would; chosen, not tuned.
+  constexpr std::size_t kPlaces = 8;
+  const LoopWinding winding(boundary);
+  const auto all = [](const BoundaryLoop&) { return true; };
+  for (std::size_t k = 0; k < std::min(kPlaces, contacts.size()); ++k) {
+    const PlanarCurve& curve = curve_of(boundary, contacts[k].half_edge_a);
+    const auto directions = directions_at(curve, curve_of(boundary, contacts[k].half_edge_b));
+    const double size = (curve.back() - curve.front()).norm();
+    for (const double relative : {0x1p-3, 0x1p-8, 0x1p-16, 0x1p-32, 0x1p-42})  // sizes of the edge
+      for (const Vector2& direction : directions) {
+        if (budget.stopped()) return {};
+        const Vector2 p = contacts[k].where + relative * size * direction;
+        const std::optional<long> times = winding.around(p, all);
+        if (times && *times > 1) return DoubleCover{p, *times};
+      }
+  }
+  return {};
+}
+
+// Every chart has one counterclockwise loop: these loops, by chart.
+Finding find_outer_loops(const BoundaryLoops& boundary, SubdivisionBudget& budget,
+                         std::vector<const BoundaryLoop*>& outer) {
+  outer.assign(at(boundary.charts), nullptr);
+  for (const BoundaryLoop& loop : boundary.loops) {
+    if (budget.stopped()) return kStopped;
+    const int sense = sense_of(boundary, loop);
+    if (sense == 0)
+      return {ProofStatus::Undecided, "a boundary loop encloses too little area to tell its sense"};
+    if (sense < 0) continue;
+    if (outer[at(loop.chart)])
+      return {ProofStatus::Violated, "two boundary loops of one component are counterclockwise"};
+    outer[at(loop.chart)] = &loop;
+  }
+  if (std::count(outer.begin(), outer.end(), nullptr) > 0)
+    return {ProofStatus::Violated, "a component has no counterclockwise boundary loop"};
+  return {ProofStatus::Proven, ""};
+}
+
+// Loops that are simple and disjoint.
+Finding check_nesting(const BoundaryLoops& boundary, SubdivisionBudget& budget) {
+  std::vector<const BoundaryLoop*> outer;
+  const Finding finding = find_outer_loops(boundary, budget, outer);
+  if (finding.answer != ProofStatus::Proven || boundary.loops.size() == 1) return finding;
+  const LoopWinding winding(boundary);
+  for (const BoundaryLoop& loop : boundary.loops) {
+    if (budget.stopped()) return kStopped;
+    const Vector2& p = boundary.curves[at(loop.first)].front();
+    const BoundaryLoop* const own = outer[at(loop.chart)];
+    const bool is_outer = own == &loop;
+    const std::optional<long> turns = winding.around(p, [&](const BoundaryLoop& other) {
+      return is_outer ? other.chart != loop.chart : &other == own;
+    });
+    if (turns && *turns == (is_outer ? 0 : 1)) continue;
+    const std::string place = fmt::format("near ({:.9g}, {:.9g})", p.x(), p.y());
+    if (!turns)
+      return {ProofStatus::Undecided,
+              "which boundary loop is inside of which is not clear " + place};
+    return {ProofStatus::Violated, is_outer ? "one component lies inside another, " + place
+                                            : "a component is turned over, " + place};
+  }
+  return finding;
+}
+
+std::string unfinished(const GlobalInjectivity& proof, const SubdivisionBudget& budget) {
+  const std::string why =
+      budget.was_stopped()
+          ? "stopped"
+          : fmt::format("the budget of {} subdivisions is used up", budget.limit());
+  const std::string left = proof.pairs_left < kMostPairsLeft
+                               ? fmt::format("{}", proof.pairs_left)
+                               : fmt::format("more than {}", kMostPairsLeft - 1);
+  return fmt::format("{}; {} pairs of boundary edges are not compared", why, left);
+}
+
+// Of what the comparison of curves has found and left open.
+Finding conclude(const BoundaryLoops& boundary, GlobalInjectivity& proof,
+                 SubdivisionBudget& budget) {
+  const bool is_certain =
+      !proof.contacts.empty() && proof.contacts.front().apart == ProofStatus::Violated;
+  const bool finished = !budget.stopped() && !budget.used_up();
+  if (finished && proof.contacts.empty()) return check_nesting(boundary, budget);
+  if (!budget.was_stopped())
+    if (const auto cover = find_double_cover(boundary, proof.contacts, budget)) {
+      proof.covered_twice = cover->where;
+      if (!is_certain)
+        return {ProofStatus::Violated,
+                fmt::format("({:.9g}, {:.9g}) is covered {} times", cover->where.x(),
+                            cover->where.y(), cover->times)};
+    }
+  if (is_certain) return {ProofStatus::Violated, ""};
+  if (!finished) return {ProofStatus::Undecided, unfinished(proof, budget)};
+  return budget.was_stopped() ? kStopped : Finding{ProofStatus::Undecided, ""};
+}
+
+}  // namespace
+
+GlobalInjectivity check_layout(const BoundaryLoops& boundary, const InjectivityOptions& options) {
+  // What a proof may cost. Origin: about a second; maps of real models take 2 to 4 an edge
+  // (global_injectivity.h).
+  constexpr long kSubdivisions = 1 << 18, kPerEdge = 64;
+  GlobalInjectivity out;
+  out.reason = boundary.defect();
+  if (!out.reason.empty()) return out;
+  SubdivisionBudget budget(
+      options.max_subdivisions.value_or(kSubdivisions +
+                                        kPerEdge * static_cast<long>(boundary.curves.size())),
+      options.stopped);
+  Contacts(boundary, budget, out).find();
+  const Finding finding = conclude(boundary, out, budget);
+  out.result = finding.answer;
+  out.reason = finding.detail;
+  out.subdivisions = budget.spent();
+  return out;
+}
+
 namespace {
 
 // Layouts whose largest coordinate is above 2^400 are compared at a size near 1. Origin: products

@@ -6,19 +6,20 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 
 #include "majorant/certify/cut_map.h"
 #include "majorant/certify/exact_positivity.h"
-#include "majorant/certify/internal/allowed_edges.h"
 #include "majorant/certify/internal/close_of.h"
 #include "majorant/certify/internal/glued_map.h"
 #include "majorant/certify/internal/repaired_match.h"
-#include "majorant/certify/internal/rounded_determinant.h"
 #include "majorant/certify/internal/surface_match.h"
 #include "majorant/constraints/internal/sector_angle.h"
 #include "majorant/elements/element_space.h"
+#include "majorant/elements/internal/bernstein.h"
 #include "majorant/framework/error.h"
+#include "majorant/framework/internal/rounding.h"
 #include "majorant/mesh/refusal.h"
 
 namespace majorant {
@@ -33,6 +34,93 @@ bool allows_seams(CutRule rule) { return rule == CutRule::Seams || rule == CutRu
 bool allows_any(CutRule rule) { return rule == CutRule::Free || rule == CutRule::SeamsOrFree; }
 
 Finding stopped_finding() { return {ProofStatus::Undecided, "stopped before it was decided"}; }
+
+// ---- What the digits of a file, which are not exactly its doubles (MapFile::uv_rounding), leave
+// of what is known of det J on a cell ----
+
+Vector2 uv_at(const MapFile& file, Index cell, int k) { return file.uv.row(file.cells(cell, k)); }
+
+// The largest derivatives of the map from corner 0 towards corners 1 and 2: control points of them
+// are n times differences of neighbours.
+Vector2 reach_of(const MapFile& file, Index cell) {
+  const TriangleIndices& ix = TriangleIndices::of_degree(file.degree);
+  Vector2 largest = Vector2::Zero();
+  for (int l = 0; l < ix.count(); ++l) {
+    const auto [i, j, k] = ix.multi(l);
+    if (i == 0) continue;
+    const Vector2 from = uv_at(file, cell, l);
+    const Vector2 first = uv_at(file, cell, ix.local(i - 1, j + 1, k)) - from;
+    const Vector2 second = uv_at(file, cell, ix.local(i - 1, j, k + 1)) - from;
+    largest = largest.cwiseMax(Vector2(first.lpNorm<1>(), second.lpNorm<1>()));
+  }
+  return file.degree * largest;
+}
+
+// How far det J of the map that the digits make may be from that of the doubles, anywhere on the
+// cell; 0 where they are the same.
+double rounding_of_determinant(const MapFile& file, Index cell) {
+  if (file.uv_rounding.rows() == 0) return 0;
+  // A control point off by r in every coordinate moves a derivative of degree n by 2 n r.
+  const double off =
+      2 * file.degree * file.uv_rounding(file.cells.row(cell), Eigen::all).maxCoeff();
+  return 1.01 * (off * reach_of(file, cell).sum() + 2 * off * off);
+}
+
+// At a point of a cell; error: how far it may be from that of the digits, rounding here included.
+struct Determinant {
+  double value = 0, error = 0;
+};
+
+Determinant determinant(const MapFile& file, Index cell, const Barycentric& at) {
+  const Eigen::MatrixX2d gradients = bernstein_gradients(file.degree, at);
+  Vector2 first = Vector2::Zero(), second = first;  // derivatives as in reach_of()
+  for (int l = 0; l < gradients.rows(); ++l) {
+    const Vector2 p = uv_at(file, cell, l) - uv_at(file, cell, 0);  // differences keep their digits
+    first += (gradients(l, 1) - gradients(l, 0)) * p;
+    second -= gradients(l, 0) * p;
+  }
+  // Of the product alone at degree 1, where gradients are -1, 0, 1; else of all terms of a sum.
+  const double operations = file.degree == 1 ? 4 : 32.0 * static_cast<double>(gradients.rows());
+  return {cross(first, second),
+          rounding_of_determinant(file, cell) +
+              operations * 2 * kUnitRoundoff<double> * reach_of(file, cell).prod()};
+}
+
+// What remains of an exact answer for the doubles: itself, or Undecided.
+CellPositivity beyond_rounding(const MapFile& file, Index cell, const CellPositivity& exact) {
+  if (rounding_of_determinant(file, cell) == 0) return exact;
+  const bool is_certified = exact.result == ProofStatus::Proven;
+  if (is_certified && file.degree > 1) return {};  // at degree 1 it is the same everywhere
+  const Determinant det =
+      determinant(file, cell, is_certified ? Barycentric::Constant(1.0 / 3) : exact.at);
+  const bool holds = is_certified ? det.value > det.error : det.value < -det.error;
+  return holds ? exact : CellPositivity{};
+}
+
+// Edges of the input whose two sides may have other uv, told by their vertices.
+class AllowedEdges {
+ public:
+  // Each as often as it is listed, in any order of its vertices; none given: all.
+  explicit AllowedEdges(const std::optional<std::vector<std::array<Index, 2>>>& edges)
+      : is_any_(!edges) {
+    if (edges)
+      for (const auto& edge : *edges) ++left_[sorted(edge)];
+  }
+
+  bool take(const std::array<Index, 2>& edge) {
+    if (is_any_) return true;
+    const auto entry = left_.find(sorted(edge));
+    return entry != left_.end() && entry->second-- > 0;
+  }
+
+ private:
+  static std::array<Index, 2> sorted(const std::array<Index, 2>& edge) {
+    return {std::min(edge[0], edge[1]), std::max(edge[0], edge[1])};
+  }
+
+  bool is_any_;
+  std::map<std::array<Index, 2>, Index> left_;
+};
 
 }  // namespace
 

@@ -1,7 +1,7 @@
 #include "distributed/boundary_proof.h"
 
 #include "distributed/internal/collect.h"
-#include "majorant/certify/check_layout.h"
+#include "majorant/certify/boundary_loops.h"
 
 namespace majorant {
 

@@ -67,7 +67,7 @@ def copy_pages():
 def make_header_pages():
     """build/site/api; returns doxygen's warnings."""
     headers = [ROOT / line[len('majorant/'):]
-               for line in (ROOT / 'tests/package/public_headers.txt').read_text().splitlines()
+               for line in (ROOT / 'cmake/public_headers.txt').read_text().splitlines()
                if line.startswith('majorant/') and '/detail/' not in line]
     values = {'PROJECT_VERSION': '', 'PROJECT_DESCRIPTION': 'public headers', 'PROJECT_BINARY_DIR': str(ROOT / 'build'),
               'MAJORANT_API_INPUT': ' '.join(map(str, headers)), 'Python3_EXECUTABLE': sys.executable,

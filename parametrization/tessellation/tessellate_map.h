@@ -5,7 +5,7 @@
 //
 // Cells whose corners span a positive triangle in the plane stay one triangle; others are cut, and
 // their neighbours along the edges concerned, until every triangle is positive and the triangles
-// around every inner vertex turn once, proven on the doubles of the result (cut_pieces.h). Its
+// around every inner vertex turn once, proven on the doubles of the result. Its
 // surface is that of the map: new vertices lie on the flat triangles, the two sides of an edge
 // share them, also along cuts. In the plane there are no T-junctions but where the map is cut.
 #pragma once
@@ -37,8 +37,7 @@ struct TessellationOptions {
 // of new vertices. A map of degree 1 with refine = 1 is taken as it is, whether positive or not.
 //
 // Throws Error(Usage) if refine < 1 or the result needs more than 2^31 vertices, Error(Invalid) if
-// the map does not belong to `input`, or naming cells for which no such triangles are found
-// (cut_pieces.h).
+// the map does not belong to `input`, or naming cells for which no such triangles are found.
 PolygonMesh tessellate_map(const MapFile& map, const PolygonMesh* input,
                            const TessellationOptions& options = {});
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "majorant/certify/check_layout.h"
+#include "majorant/certify/boundary_loops.h"
 #include "majorant/certify/cut_map.h"
 #include "majorant/framework/linear_solver.h"
 #include "majorant/framework/thread_count.h"

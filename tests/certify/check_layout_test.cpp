@@ -1,11 +1,10 @@
 // Layouts of several charts, what their check may cost, and how it is stopped.
-#include "majorant/certify/check_layout.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
+#include "majorant/certify/boundary_loops.h"
 #include "majorant/certify/loop_winding.h"
 
 namespace majorant {

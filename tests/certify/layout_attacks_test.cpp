@@ -7,7 +7,7 @@
 #include <random>
 
 #include "certify/exact_curves.h"
-#include "majorant/certify/check_layout.h"
+#include "majorant/certify/boundary_loops.h"
 #include "majorant/certify/loop_winding.h"
 
 namespace majorant {

@@ -56,9 +56,9 @@ struct ScaffoldRules {
   // The same at rest. Origin: [MC20] Sec. 6; energies are 1e-5 to 3e-4 lower than with `share`
   // where the image would overlap (docs/bijective.md); bench/tune.py scaffold.share_at_rest.
   double share_at_rest = 1e-4;
-  // Of bisection in its certificates, where a run asks for less. Origin: bench/combs.py: slits are
-  // full of slivers, in which det J dips; of 3 combs that stalled none does. Only what is not
-  // proven before is bisected, and none of it is in a result.
+  // Depth of bisection in its certificates, where a run asks for less: slits are full of slivers,
+  // in which det J dips, and combs stall at lower depths (tests/campaigns/combs.py). Only what is
+  // not proven before is bisected, and none of it is in a result.
   int depth = 25;
   // The image rests when a step that nothing held back decreases the energy by less than this part.
   // Origin: bench/tune.py scaffold.at_rest.
