@@ -18,10 +18,10 @@
 
 namespace majorant {
 
-// uv of before -> (R uv - origin) / size, where R turns `direction`, of length 1, to (1, 0). R uv is
-// computed in extended precision. Rigid motions (size 1) are rounded once; others after the turn,
-// the shift and the division, so that the least coordinate, as origin, becomes 0. Point by point:
-// equal points stay equal.
+// uv of before -> (R uv - origin) / size, where R turns `direction`, of length 1, to (1, 0). R uv
+// is computed in extended precision. Rigid motions (size 1) are rounded once; others after the
+// turn, the shift and the division, so that the least coordinate, as origin, becomes 0. Point by
+// point: equal points stay equal.
 struct LayoutMotion {
   Vector2 direction = Vector2(1, 0);
   Vector2 origin = Vector2::Zero();

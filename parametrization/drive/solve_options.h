@@ -25,7 +25,6 @@ enum class Triangles { Kept, Flipped };
 // (ParametrizationResult::factor_solve_seconds). Its time counts nowhere.
 enum class FactorCost { IfKnown, Measured };
 
-
 struct SolveOptions {
   Curvature curvature = Curvature::Projected;
   // Relative energy decrease per iteration. Origin: as StoppingRules::relative_decrease.

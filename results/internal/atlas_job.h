@@ -46,9 +46,9 @@ struct AtlasJob {
   UnwrapOptions options;
 
   Atlas atlas;
-  std::optional<LayoutMotion> square; // what the maps were moved into
-  GlobalInjectivity boundary;         // prove()
-  Json linear_solver, memory;         // sections of the report, or null
+  std::optional<LayoutMotion> square;  // what the maps were moved into
+  GlobalInjectivity boundary;          // prove()
+  Json linear_solver, memory;          // sections of the report, or null
   double read_seconds = 0;
 };
 

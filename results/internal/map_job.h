@@ -98,8 +98,8 @@ struct MapJob {
   std::optional<LayoutMotion> placement;           // how result.map was moved
   bool is_aligned = false, is_normalized = false;  // of that, what was asked for
   bool is_left_unturned = false;  // although it was free to be turned: that rounds cells away
-  GlobalInjectivity boundary;                      // prove()
-  Json linear_solver, memory;                      // sections of the report, or null
+  GlobalInjectivity boundary;     // prove()
+  Json linear_solver, memory;     // sections of the report, or null
   double read_seconds = 0, start_seconds = 0;
 };
 
