@@ -4,8 +4,7 @@
 """How much there is to read: a Markdown table of lines, files and types, of one or more commits.
 
 Counted from what git holds, not from the working tree. Library: C++ that is installed or linked into
-it; command: apps/ and results/; public headers: those outside of internal/ and detail/ of the rooms
-that are installed; types: classes, structs, enums and unions defined at the beginning of a line or
+it; command: apps/ and results/; public headers: those that are installed, but for detail/; types: classes, structs, enums and unions defined at the beginning of a line or
 inside a class.
 
 Sample runs:
@@ -50,8 +49,9 @@ def measure(commit):
     library = {n: t for n, t in code.items() if n.split('/')[0] not in NOT_LIBRARY}
     command = {n: t for n, t in code.items() if n.split('/')[0] in COMMAND}
     parallel = {n: t for n, t in code.items() if n.startswith('distributed/')}
-    headers = {n: t for n, t in library.items()
-               if n.endswith('.h') and not re.search(r'/(internal|detail|kernels)/', n)}
+    listed = texts.get('cmake/public_headers.txt') or texts['tests/package/public_headers.txt']
+    headers = {n: texts[n] for n in (line.removeprefix('majorant/') for line in listed.splitlines())
+               if n in texts and '/detail/' not in n}
     docs = {n: t for n, t in texts.items() if n.endswith('.md') and n != 'CHANGELOG.md'}
 
     def lines(of):

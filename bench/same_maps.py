@@ -3,19 +3,23 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Whether two builds write the same maps, to the last bit: for changes that must not change results.
 
-Every disk at degrees 1 to 3 with free and with fixed boundary, and the textured seamless meshes;
-compares the bytes of the VTU files, which hold every control point losslessly. Files of the old
-build are kept in --work and made once.
+Every disk at degrees 1 to 3 with free and with fixed boundary and without overlaps, the textured
+seamless meshes, the closed ones with `seamless` and `unwrap`, and the deformations; compares the
+bytes of the VTU files, which hold every control point losslessly. Of files that differ, the energies
+that they claim are compared. Files of the old build are kept in --work and made once.
 
 Sample runs:
   bench/same_maps.py --old /tmp/before/majorant --faces 500
   bench/same_maps.py --old /tmp/before/majorant --faces 500,2500,10000 --degrees 1,2,3
 """
 import argparse
+import re
 import sys
 from pathlib import Path
 
 import common
+
+KINDS = {'free': [], 'fixed': ['--boundary', 'fixed'], 'bijective': ['--bijective']}
 
 
 def cases(options):
@@ -24,13 +28,27 @@ def cases(options):
     for faces in options.faces.split(','):
         for mesh in sorted((data / 'disks').glob('*_%s.obj' % faces)):
             for degree in options.degrees.split(','):
-                for boundary in ('free', 'fixed'):
-                    yield ('%s.%s.%s' % (mesh.stem, degree, boundary),
-                           ['parametrize', mesh, '--degree', degree, '--boundary', boundary])
+                for kind, flags in KINDS.items():
+                    yield ('%s.%s.%s' % (mesh.stem, degree, kind),
+                           ['parametrize', mesh, '--degree', degree, *flags])
     for mesh in sorted((data / 'seamless').glob('*.obj')):
         for degree in options.degrees.split(','):
             yield ('%s.%s.seamless' % (mesh.stem, degree),
                    ['parametrize', mesh, '--degree', degree, '--seamless'])
+    for mesh in sorted((data / 'closed').glob('*.obj')):
+        for verb in ('seamless', 'unwrap'):
+            yield ('%s.1.%s' % (mesh.stem, verb), [verb, mesh, '--degree', 1])
+    for mesh in sorted((data / 'deform2d').glob('*.obj')):
+        for flags in ([], ['--bijective']):
+            yield ('%s.2.deform%s' % (mesh.stem, ''.join(flags)),
+                   ['deform', mesh, '--handles', mesh.with_suffix('.json'), '--degree', 2, *flags])
+
+
+def value(path):
+    """The energy that a file claims."""
+    array = re.search(r'majorant_claims"[^>]*>([\d\s]+)<', path.read_text())  # codes of characters
+    claims = re.search(r'"value": *([-+.\deE]+)', ''.join(chr(int(c)) for c in array[1].split()) if array else '')
+    return float(claims[1]) if claims else float('nan')
 
 
 def write(options, binary, words, target):
@@ -59,7 +77,9 @@ def main():
         same = old.exists() == new.exists() and (not new.exists() or old.read_bytes() == new.read_bytes())
         if not same:
             different += 1
-            print('%s: different (exit %s)' % (name, code), flush=True)
+            both = old.exists() and new.exists()
+            told = 'energies differ by %.1e' % abs(value(new) / value(old) - 1) if both else 'exit %s' % code
+            print('%s: different, %s' % (name, told), flush=True)
     print('%d of %d runs write the same bytes' % (total - different, total))
     sys.exit(different > 0)
 

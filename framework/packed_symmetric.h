@@ -96,7 +96,7 @@ void clamp_by_rotations(double clamp, double* k) {
 // What a term's Hessian becomes: clamp_eigenvalues(), in the way that takes the least time.
 template <int N>
 void make_semidefinite(double clamp, double* k) {
-  // Unknowns: springs with 4 gain, bending with 6 does not (bench/terms.cpp).
+  // Unknowns: springs with 4 gain, bending with 6 does not.
   constexpr int kFew = 4;
   if (is_semidefinite<N>(k)) return;
   bool finite = true;

@@ -18,6 +18,7 @@ ALWAYS = {
     '--time-limit': '', '--normalize': '', '--linear-solver': '', '--seams': '', '--no-pack': '', '--weld': '',
     '--cones': '', '--start': '', '--surface': '', '--cuts': '', '--certify': '', '--plan': '', '--methods': '',
     '--petsc-options': 'for whichever solver a run comes to',
+    '--linear-solvers': 'measures them',
 }
 
 # option -> (the words without effect, outputs, what is said); for every verb that has it

@@ -239,7 +239,7 @@ INSTANTIATE_TEST_SUITE_P(
                     cholmod("cholmod_simplicial", Ordering::Amd, Factor::Simplicial),
                     cholmod("cholmod_supernodal", Ordering::Amd, Factor::Supernodal),
                     cholmod("cholmod_metis", Ordering::Metis, Factor::Supernodal)),
-    [](const auto& info) { return std::string(info.param.name); });
+    [](const auto& solver) { return std::string(solver.param.name); });
 
 TEST(Cholmod, DescriptionTellsTheChoice) {
   Random random(5);
