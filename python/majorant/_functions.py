@@ -68,7 +68,7 @@ def parametrize(V: Any, F: Any, *, degree: int = 3, energy: Any = 'symmetric-dir
     How: curvature, elevation, quadrature, improve_mesh: as the flags of the command, see
       docs/interface.md. threads: 0 takes all; results do not depend on it.
     How long:
-      tolerance       relative decrease of the energy at which a run has converged
+      tolerance       what may be left of the energy, as a part of it (docs/interface.md, Tolerance)
       max_iterations, time_limit (seconds): then the best map so far is returned, `status` says why
       callback        called with a `Step` after every step; if it returns something true, the run
                       ends like an interrupted one, if it raises, that is raised here
