@@ -1,12 +1,13 @@
 #include "unit_fe.h"
 
-#include <cholmod.h>
 #include <omp.h>
 
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
 #include <vector>
+
+#include "majorant/framework/cholmod/internal/cholmod_matrix.h"
 
 extern "C" void openblas_set_num_threads(int);
 extern "C" int openblas_get_num_threads(void);
@@ -31,22 +32,6 @@ class SingleThreaded {
   int levels_, blas_;
 };
 
-cholmod_sparse lower_triangle(Index size, const std::vector<Index>& starts,
-                              const std::vector<Index>& rows, const double* values) {
-  cholmod_sparse m{};
-  m.nrow = m.ncol = at(size);
-  m.nzmax = rows.size();
-  m.p = const_cast<Index*>(starts.data());
-  m.i = const_cast<Index*>(rows.data());
-  m.x = const_cast<double*>(values);
-  m.stype = -1;
-  m.itype = CHOLMOD_INT;
-  m.xtype = values ? CHOLMOD_REAL : CHOLMOD_PATTERN;
-  m.dtype = CHOLMOD_DOUBLE;
-  m.sorted = m.packed = 1;
-  return m;
-}
-
 // The graph whose nodes are the pattern's blocks.
 void block_graph(const SparsePattern& p, std::vector<Index>& starts, std::vector<Index>& rows) {
   std::vector<std::vector<Index>> lower(at(p.block_of.back()) + 1);
@@ -62,17 +47,6 @@ void block_graph(const SparsePattern& p, std::vector<Index>& starts, std::vector
     rows.insert(rows.end(), column.begin(), column.end());
     starts.push_back(static_cast<Index>(rows.size()));
   }
-}
-
-// Unknowns in the order of their blocks.
-std::vector<Index> lift(const std::vector<Index>& order, const SparsePattern& p) {
-  std::vector<Index> position(order.size()), permutation(at(p.size));
-  for (std::size_t k = 0; k < order.size(); ++k) position[at(order[k])] = static_cast<Index>(k);
-  for (Index i = 0; i < p.size; ++i) permutation[at(i)] = i;
-  std::stable_sort(permutation.begin(), permutation.end(), [&](Index a, Index b) {
-    return position[at(p.block_of[at(a)])] < position[at(p.block_of[at(b)])];
-  });
-  return permutation;
 }
 
 double median(std::vector<double> values) {
@@ -119,7 +93,8 @@ class Reference {
     common_.postorder = 1;
     cholmod_sparse matrix =
         lower_triangle(pattern.size, pattern.column_starts, pattern.rows, nullptr);
-    factor_ = cholmod_analyze_p(&matrix, lift(order, pattern).data(), nullptr, 0, &common_);
+    factor_ =
+        cholmod_analyze_p(&matrix, order_of_unknowns(order, pattern).data(), nullptr, 0, &common_);
     if (!factor_) throw std::runtime_error("unit fe: no analysis");
   }
 

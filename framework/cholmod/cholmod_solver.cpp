@@ -1,6 +1,5 @@
 #include "majorant/framework/cholmod_solver.h"
 
-#include <cholmod.h>
 #include <dlfcn.h>
 #include <fmt/format.h>
 
@@ -10,9 +9,9 @@
 #include <mutex>
 #include <new>
 #include <string>
-#include <type_traits>
 #include <vector>
 
+#include "majorant/framework/cholmod/internal/cholmod_matrix.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/internal/block_graph.h"
@@ -21,8 +20,6 @@
 
 namespace majorant {
 namespace {
-
-static_assert(std::is_same_v<int, Index>, "CHOLMOD's other functions have 64 bits");
 
 // Supernodes are merged up to so many columns, where up to 0.8, 0.1, 0.05 of the result are zeros
 // (CHOLMOD's nrelax and zrelax). Twice CHOLMOD's defaults 4, 16, 48: factorizations of nefertiti
@@ -70,34 +67,6 @@ class OneBlasThread {
 
   ThreadCount one_;  // of OpenMP, which CHOLMOD and some BLAS use
 };
-
-// CHOLMOD's view of a lower triangle; values may be null.
-cholmod_sparse lower_triangle(Index size, const std::vector<Index>& starts,
-                              const std::vector<Index>& rows, const double* values) {
-  cholmod_sparse m{};
-  m.nrow = m.ncol = at(size);
-  m.nzmax = rows.size();
-  m.p = const_cast<Index*>(starts.data());
-  m.i = const_cast<Index*>(rows.data());
-  m.x = const_cast<double*>(values);
-  m.stype = -1;
-  m.itype = CHOLMOD_INT;
-  m.xtype = values ? CHOLMOD_REAL : CHOLMOD_PATTERN;
-  m.dtype = CHOLMOD_DOUBLE;
-  m.sorted = m.packed = 1;
-  return m;
-}
-
-// The unknowns, block after block in this order.
-std::vector<Index> order_of_unknowns(const std::vector<Index>& blocks, const SparsePattern& p) {
-  std::vector<Index> position(blocks.size()), order(at(p.size));
-  for (std::size_t k = 0; k < blocks.size(); ++k) position[at(blocks[k])] = static_cast<Index>(k);
-  for (Index i = 0; i < p.size; ++i) order[at(i)] = i;
-  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) {
-    return position[at(p.block_of[at(a)])] < position[at(p.block_of[at(b)])];
-  });
-  return order;
-}
 
 class CholmodSolver final : public LinearSolver {
  public:

@@ -51,9 +51,9 @@ void require_parallel(const PolygonMesh& input, const char* name,
 // Shortest edges must span this many units in the last place of the largest coordinate:
 // leaves an edge eight digits.
 constexpr double kUsableUlps = 1e8;
-// Of edges: shortest and longest; areas and sums of them are doubles, 1e-308 to 1e308, with
-// eight digits to spare on either side.
-constexpr double kLeastLength = 1e-150, kMostLength = 1e150;
+// Of edges, the shortest and the longest: their squares, and sums of them, are normal doubles,
+// 1e-308 to 1e308. Meshes of 1e-150 units have shorter edges.
+constexpr double kLeastLength = 1e-152, kMostLength = 1e150;
 
 const Vector3& position(const PolygonMesh& m, Index v) { return m.positions[at(v)]; }
 

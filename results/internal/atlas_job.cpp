@@ -6,8 +6,6 @@
 
 #include "majorant/certify/boundary_loops.h"
 #include "majorant/certify/cut_map.h"
-#include "majorant/framework/linear_solver.h"
-#include "majorant/framework/thread_count.h"
 #include "majorant/io/atlas_file.h"
 #include "majorant/io/map_distortion.h"
 #include "majorant/results/internal/global_verdict.h"
@@ -215,30 +213,27 @@ ProofRequest promise(const AtlasJob& job, const std::string& path) {
 
 Json atlas_report(const AtlasJob& job) {
   const Atlas& atlas = job.atlas;
-  return {{"schema_version", 1},
-          {"version", MAJORANT_VERSION},
-          {"command", "unwrap"},
-          {"status", status_name(atlas.status())},
-          {"message", ""},
-          {"warnings", job.polygons->warnings},
-          {"input", input_section(*job.polygons, *job.surface.mesh)},
-          {"repairs", repairs_section(job.surface)},
-          {"options", job.wishes},
-          {"result", result_section(job)},
-          {"charts", charts_section(atlas)},
-          {"outputs", nullptr},
-          {"seconds",
-           {{"read", job.read_seconds},
-            {"initialize", atlas.initialize_seconds},
-            {"optimize", atlas.optimize_seconds},
-            {"pack", atlas.packing_seconds},
-            {"write", nullptr},
-            {"total", nullptr}}},
-          {"linear_solver", job.linear_solver},
-          {"memory", job.memory},
-          {"peak_memory_bytes", peak_memory_bytes()},
-          {"threads", ThreadCount::current()},
-          {"vector_instructions", vector_instructions()}};
+  Json report{{"schema_version", 1},
+              {"version", MAJORANT_VERSION},
+              {"command", "unwrap"},
+              {"status", status_name(atlas.status())},
+              {"message", ""},
+              {"warnings", job.polygons->warnings},
+              {"input", input_section(*job.polygons, *job.surface.mesh)},
+              {"repairs", repairs_section(job.surface)},
+              {"options", job.wishes},
+              {"result", result_section(job)},
+              {"charts", charts_section(atlas)},
+              {"outputs", nullptr},
+              {"seconds",
+               {{"read", job.read_seconds},
+                {"initialize", atlas.initialize_seconds},
+                {"optimize", atlas.optimize_seconds},
+                {"pack", atlas.packing_seconds},
+                {"write", nullptr},
+                {"total", nullptr}}}};
+  add_resources(report, job.linear_solver, job.memory);
+  return report;
 }
 
 }  // namespace majorant

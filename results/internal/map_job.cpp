@@ -4,8 +4,6 @@
 
 #include "majorant/certify/cut_map.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/linear_solver.h"
-#include "majorant/framework/thread_count.h"
 #include "majorant/io/map_distortion.h"
 #include "majorant/parametrization/drive/deform.h"
 #include "majorant/parametrization/starts/texture_seams.h"
@@ -265,12 +263,8 @@ Json map_report(const MapJob& job) {
                 {"scaffold", r.scaffold_seconds},
                 {"measure", r.measure_seconds},
                 {"write", nullptr},
-                {"total", nullptr}}},
-              {"linear_solver", job.linear_solver},
-              {"memory", job.memory},
-              {"peak_memory_bytes", peak_memory_bytes()},
-              {"threads", ThreadCount::current()},
-              {"vector_instructions", vector_instructions()}};
+                {"total", nullptr}}}};
+  add_resources(report, job.linear_solver, job.memory);
   if (job.start && !job.start->map.seams().trivial())
     report["seam_start"] = seam_start_section(*job.start);
   if (job.film)

@@ -10,6 +10,8 @@
 
 #include "majorant/framework/internal/curvature_name.h"
 #include "majorant/framework/internal/rounding.h"
+#include "majorant/framework/linear_solver.h"
+#include "majorant/framework/thread_count.h"
 #include "majorant/io/atomic_file.h"
 #include "majorant/mesh/internal/geometry.h"
 
@@ -185,6 +187,14 @@ long peak_memory_bytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return usage.ru_maxrss * 1024L;
+}
+
+void add_resources(Json& report, const Json& linear_solver, const Json& memory) {
+  report["linear_solver"] = linear_solver;
+  report["memory"] = memory;
+  report["peak_memory_bytes"] = peak_memory_bytes();
+  report["threads"] = ThreadCount::current();
+  report["vector_instructions"] = vector_instructions();
 }
 
 namespace {

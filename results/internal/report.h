@@ -40,6 +40,9 @@ std::string seam_summary(const Json& measures_section);
 Json remedies_section(const RemedyUses& uses);
 Json iterations_section(const std::vector<TraceEntry>& trace);
 long peak_memory_bytes();
+// Adds what the run took and took place on: "linear_solver", "memory" (sections, or null),
+// "peak_memory_bytes", "threads", "vector_instructions".
+void add_resources(Json& report, const Json& linear_solver, const Json& memory);
 
 // The same with file names in place of paths, for what is handed on: in every text of it those of
 // `paths`, and of `options` all that have a folder.

@@ -14,7 +14,7 @@ def times(factor, points):
 class Sizes(CommandTest):
     def test_lengths_whose_squares_underflow(self):
         points, faces = grid(4)
-        for size in (1e-80, 1e-120, 1e-149):
+        for size in (1e-80, 1e-120, 1e-150):
             mesh = self.write('in.obj', obj_text(times(size, points), faces))
             for verb, degree in (('parametrize', '1'), ('parametrize', '2'), ('unwrap', '1')):
                 for more in ([], ['--normalize']):

@@ -342,6 +342,23 @@ TEST(MapProof, ConesThatOnlyClaimsTellAreWrittenWhereTheyCanBeClaimed) {
   refusal(unsaid, [&] { write_vtu(unsaid, map, certification(unsaid, seams)); });
 }
 
+TEST(MapProof, WhatAFileClaimsToBeCutBindsItsWriter) {
+  const TemporaryFolder folder;
+  const PolygonMesh mesh = sheet(3);
+  MapFile file = unshared(map_of(mesh, 1));
+  file.uv(file.cells(0, 1), 1) -= 1e-3;  // beside it the edge (1, 5) is inner
+  const ProofRequest free{.surface = &mesh, .cuts = CutRule::Free};
+  const std::string path = folder.file("a.vtu");
+  file.claims = R"({"cuts": [[1, 5]]})";
+  write_vtu(path, file, certification(path, free));
+  EXPECT_TRUE(std::filesystem::remove(path));
+  file.claims = R"({"cuts": []})";
+  expect_contains(
+      error_message(ErrorKind::Invalid, [&] { write_vtu(path, file, certification(path, free)); }),
+      {path, "(1, 5)", "not said to be cut"});
+  EXPECT_FALSE(std::filesystem::exists(path));
+}
+
 }  // namespace
 }  // namespace majorant
 

@@ -1,0 +1,48 @@
+// Matrices of this library as CHOLMOD sees them.
+#pragma once
+
+#include <cholmod.h>
+
+#include <algorithm>
+#include <type_traits>
+#include <vector>
+
+#include "majorant/framework/sparse_pattern.h"
+
+namespace majorant {
+
+static_assert(std::is_same_v<int, Index>, "CHOLMOD's other functions have 64 bits");
+
+// The lower triangle with these column starts and rows, which outlive it; values may be null.
+inline cholmod_sparse lower_triangle(Index size, const std::vector<Index>& starts,
+                                     const std::vector<Index>& rows, const double* values) {
+  cholmod_sparse m{};
+  m.nrow = m.ncol = at(size);
+  m.nzmax = rows.size();
+  m.p = const_cast<Index*>(starts.data());
+  m.i = const_cast<Index*>(rows.data());
+  m.x = const_cast<double*>(values);
+  m.stype = -1;
+  m.itype = CHOLMOD_INT;
+  m.xtype = values ? CHOLMOD_REAL : CHOLMOD_PATTERN;
+  m.dtype = CHOLMOD_DOUBLE;
+  m.sorted = m.packed = 1;
+  return m;
+}
+
+// The unknowns, block after block in this order.
+inline std::vector<Index> order_of_unknowns(const std::vector<Index>& blocks,
+                                            const SparsePattern& p) {
+  std::vector<Index> position(blocks.size()), order(at(p.size));
+  for (std::size_t k = 0; k < blocks.size(); ++k) position[at(blocks[k])] = static_cast<Index>(k);
+  for (Index i = 0; i < p.size; ++i) order[at(i)] = i;
+  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) {
+    return position[at(p.block_of[at(a)])] < position[at(p.block_of[at(b)])];
+  });
+  return order;
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
